@@ -1,0 +1,105 @@
+# Targets of the project: options that every one of them shares, and the few verbs to declare one.
+
+add_library(skyseal_options INTERFACE)
+target_compile_options(skyseal_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wcast-qual
+  $<$<BOOL:${SKYSEAL_WERROR}>:-Werror>)
+target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_definitions(skyseal_options INTERFACE
+  QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+
+# Hardening of everything that may meet hostile bytes, as Debian builds its own network programs.
+add_library(skyseal_hardening INTERFACE)
+if(NOT SKYSEAL_SANITIZE)
+  target_compile_options(skyseal_hardening INTERFACE
+    -fstack-protector-strong -fstack-clash-protection $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_options(skyseal_hardening INTERFACE -fcf-protection)
+  endif()
+  target_link_options(skyseal_hardening INTERFACE -Wl,-z,relro,-z,now)
+endif()
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(SKYSEAL_SANITIZE)
+  add_compile_options(-fsanitize=${SKYSEAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${SKYSEAL_SANITIZE})
+endif()
+if(SKYSEAL_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+if(SKYSEAL_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()
+
+# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT]): the static library skyseal_NAME, alias skyseal::NAME.
+# Without QT it does not see Qt at all: the rule "no Qt" of the core layers enforces itself.
+function(skyseal_library name)
+  cmake_parse_arguments(arg "QT" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(skyseal_${name} STATIC ${arg_SOURCES})
+  add_library(skyseal::${name} ALIAS skyseal_${name})
+  target_link_libraries(skyseal_${name} PUBLIC skyseal_options ${arg_PUBLIC} PRIVATE skyseal_hardening ${arg_PRIVATE})
+  if(arg_QT)
+    set_target_properties(skyseal_${name} PROPERTIES AUTOMOC ON)
+  endif()
+endfunction()
+
+# skyseal_program(NAME SOURCES … LINK …): a program that is installed.
+function(skyseal_program name)
+  cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES AUTOMOC ON)
+  target_compile_definitions(${name} PRIVATE SKYSEAL_VERSION="${PROJECT_VERSION}")
+  target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening ${arg_LINK})
+  target_link_options(${name} PRIVATE -pie)
+  install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
+endfunction()
+
+# skyseal_test(NAME SOURCES … LINK … LABELS … [TIMEOUT S]): one QtTest program = one ctest entry.
+function(skyseal_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  target_link_libraries(${name} PRIVATE skyseal_options Qt6::Test ${arg_LINK})
+  target_compile_definitions(${name} PRIVATE
+    SKYSEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKYSEAL_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  add_test(NAME ${name} COMMAND ${name})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp;UBSAN_OPTIONS=print_stacktrace=1")
+endfunction()
+
+# skyseal_fuzzer(NAME SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset; in every other
+# build the same entry point replays the corpus under ctest.
+function(skyseal_fuzzer name)
+  cmake_parse_arguments(arg "" "CORPUS" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/fuzz)
+  target_link_libraries(${name} PRIVATE skyseal_options ${arg_LINK})
+  if(SKYSEAL_FUZZ)
+    target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  else()
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/fuzz/replay_corpus.cpp)
+    add_test(NAME ${name} COMMAND ${name} ${arg_CORPUS})
+    set_tests_properties(${name} PROPERTIES LABELS fuzz-smoke TIMEOUT 60)
+  endif()
+endfunction()
+
+# skyseal_benchmark(NAME SOURCES … LINK …): a Google Benchmark program; `cmake --build … --target bench` runs all.
+function(skyseal_benchmark name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  if(NOT SKYSEAL_BENCH)
+    return()
+  endif()
+  find_package(benchmark REQUIRED)
+  add_executable(${name} ${arg_SOURCES})
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bench)
+  target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening benchmark::benchmark ${arg_LINK})
+  if(NOT TARGET bench)
+    add_custom_target(bench)
+  endif()
+  add_custom_target(run_${name} COMMAND ${name} --benchmark_min_time=0.2 USES_TERMINAL DEPENDS ${name})
+  add_dependencies(bench run_${name})
+endfunction()

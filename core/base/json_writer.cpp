@@ -1,0 +1,152 @@
+#include "core/base/json_writer.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace skyseal {
+
+namespace {
+
+template<typename T> void appendNumber(std::string &out, T number)
+{
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
+    out.append(digits, end);
+}
+
+void appendEscaped(std::string &out, std::string_view text)
+{
+    static constexpr char kDigits[] = "0123456789abcdef";
+    out.push_back('"');
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            out.push_back('\\');
+            out.push_back(c);
+        } else if (c == '\n') {
+            out += "\\n";
+        } else if (c == '\t') {
+            out += "\\t";
+        } else if (byte < 0x20 || byte == 0x7f) {
+            out += "\\u00";
+            out.push_back(kDigits[byte >> 4]);
+            out.push_back(kDigits[byte & 15]);
+        } else {
+            out.push_back(c);
+        }
+    }
+    out.push_back('"');
+}
+
+} // namespace
+
+void JsonWriter::separate()
+{
+    if (m_needsComma)
+        m_text.push_back(',');
+    m_needsComma = true;
+}
+
+void JsonWriter::raw(std::string_view token)
+{
+    separate();
+    m_text += token;
+}
+
+JsonWriter &JsonWriter::beginObject()
+{
+    raw("{");
+    m_needsComma = false;
+    return *this;
+}
+
+JsonWriter &JsonWriter::endObject()
+{
+    m_text.push_back('}');
+    m_needsComma = true;
+    return *this;
+}
+
+JsonWriter &JsonWriter::beginArray()
+{
+    raw("[");
+    m_needsComma = false;
+    return *this;
+}
+
+JsonWriter &JsonWriter::endArray()
+{
+    m_text.push_back(']');
+    m_needsComma = true;
+    return *this;
+}
+
+JsonWriter &JsonWriter::key(std::string_view name)
+{
+    separate();
+    appendEscaped(m_text, name);
+    m_text.push_back(':');
+    m_needsComma = false;
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(std::string_view text)
+{
+    separate();
+    appendEscaped(m_text, text);
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(bool flag)
+{
+    raw(flag ? "true" : "false");
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(double number)
+{
+    if (std::isnan(number))
+        return value("NaN");
+    if (std::isinf(number))
+        return value(number > 0 ? "Infinity" : "-Infinity");
+    separate();
+    appendNumber(m_text, number);
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(float number)
+{
+    if (!std::isfinite(number))
+        return value(static_cast<double>(number));
+    separate();
+    appendNumber(m_text, number);
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(std::int64_t number)
+{
+    separate();
+    appendNumber(m_text, number);
+    return *this;
+}
+
+JsonWriter &JsonWriter::value(std::uint64_t number)
+{
+    separate();
+    appendNumber(m_text, number);
+    return *this;
+}
+
+JsonWriter &JsonWriter::null()
+{
+    raw("null");
+    return *this;
+}
+
+void JsonWriter::clear()
+{
+    m_text.clear();
+    m_needsComma = false;
+}
+
+} // namespace skyseal

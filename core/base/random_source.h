@@ -1,0 +1,16 @@
+// Randomness is handed in, so that a protocol run can be repeated from a seed.
+#pragma once
+
+#include "core/base/bytes.h"
+
+namespace skyseal {
+
+/// Fills buffers with random bytes. The system's is in core/crypto; tests use a seeded one.
+class RandomSource
+{
+public:
+    virtual ~RandomSource() = default;
+    virtual void fill(MutableByteView out) = 0;
+};
+
+} // namespace skyseal

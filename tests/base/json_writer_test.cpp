@@ -1,0 +1,48 @@
+// JSON as other programs must be able to read it: QJsonDocument judges the syntax, exact texts judge the numbers.
+#include "core/base/json_writer.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtTest/QTest>
+
+#include <limits>
+
+using namespace skyseal;
+
+class JsonWriterTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void keepsOrderAndNests();
+    void numbersAreExact();
+    void textIsEscaped();
+};
+
+void JsonWriterTest::keepsOrderAndNests()
+{
+    JsonWriter json;
+    json.beginObject().field("event", "stats").key("rx").beginObject().field("good", 3u).field("late", 0u).endObject();
+    json.key("list").beginArray().value(1).value(true).null().beginObject().endObject().endArray().endObject();
+    QCOMPARE(json.text(), std::string(R"({"event":"stats","rx":{"good":3,"late":0},"list":[1,true,null,{}]})"));
+}
+
+void JsonWriterTest::numbersAreExact()
+{
+    JsonWriter json;
+    json.beginArray().value(-0.0).value(0.1).value(0.1f).value(std::numeric_limits<double>::quiet_NaN());
+    json.value(-std::numeric_limits<float>::infinity()).value(std::numeric_limits<std::uint64_t>::max()).endArray();
+    QCOMPARE(json.text(), std::string(R"([-0,0.1,0.1,"NaN","-Infinity",18446744073709551615])"));
+}
+
+void JsonWriterTest::textIsEscaped()
+{
+    const std::string hard = std::string("a\"b\\c\n\t") + '\x01' + "\xc3\xa9";
+    JsonWriter json;
+    json.beginObject().field("text", std::string_view(hard)).endObject();
+    const QJsonDocument read = QJsonDocument::fromJson(QByteArray::fromStdString(json.text()));
+    QCOMPARE(read.object()[QLatin1String("text")].toString().toStdString(), hard);
+}
+
+QTEST_APPLESS_MAIN(JsonWriterTest)
+#include "json_writer_test.moc"
