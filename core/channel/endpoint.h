@@ -1,0 +1,165 @@
+// One end of the secure channel: all sessions that run over one identity. A plain object without socket, thread or
+// clock; PROTOCOL.md beside this file describes what it speaks.
+//
+// Use, from one thread, in four groups:
+//   query     sessionInfo(), stats(), nextDeadline()
+//   input     handleDatagram(), handleDeadline()
+//   command   seal(), switchSuite(), rekey(), close()
+//   output    pollTransmit() until it gives nothing, then pollEvent() until it gives nothing. Poll after every input
+//             and command; then arm a timer for nextDeadline().
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/clock.h"
+#include "core/base/path.h"
+#include "core/base/random_source.h"
+#include "core/base/result.h"
+#include "core/channel/events.h"
+#include "core/channel/policy.h"
+#include "core/channel/stats.h"
+#include "core/crypto/x25519.h"
+
+#include <memory>
+#include <optional>
+
+namespace skyseal::channel {
+
+/// The station listens, learns where an agent is from its announcements, and starts the handshake (Noise initiator); the
+/// agent announces itself once a second until a session is up (Noise responder).
+enum class Role : std::uint8_t { Station, Agent };
+
+/// Counters that must never go back, over restarts: ours in first messages, and the last one seen of each peer. The owner keeps
+/// them on disk. Called rarely (once a handshake).
+class CounterStore
+{
+public:
+    virtual ~CounterStore() = default;
+    /// A number greater than every one given before, also by earlier runs.
+    virtual std::uint64_t next() = 0;
+    /// The greatest number accepted from `peer`; 0 when none.
+    virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
+    /// Remembers it durably; false when that failed (the handshake is then refused).
+    virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
+};
+
+/// The protocol's timers and limits; the defaults are the protocol's (PROTOCOL.md gives each its reason), tests lower them.
+struct Timing
+{
+    Duration announceEvery = std::chrono::seconds(1);
+    Duration handshakeRetry = std::chrono::milliseconds(250); ///< doubled each time, with jitter, up to 2 s
+    Duration keepAliveAfter = std::chrono::seconds(1);        ///< send something when nothing was sent for so long
+    Duration peerSilentAfter = std::chrono::milliseconds(2500); ///< then an agent announces and a station handshakes anew, beside the old session
+    Duration forgetAfter = std::chrono::minutes(10);          ///< a silent session ends
+    Duration switchConfirm = std::chrono::seconds(5);         ///< a switch not confirmed by then is rolled back
+    Duration switchRetry = std::chrono::milliseconds(100);
+    Duration oldKeysLinger = std::chrono::seconds(3);         ///< or 3 round trips, whichever is longer
+    Duration statsEvery = std::chrono::seconds(1);
+    Duration rekeyAfter = std::chrono::seconds(600);
+    std::uint32_t rekeyAfterRecords = 1u << 22;
+    std::uint32_t hardStopRecords = (1u << 24) - 1;
+};
+
+struct Config
+{
+    Role role = Role::Station;
+    std::shared_ptr<const crypto::KeyPair> identity; ///< our static key
+    std::vector<Peer> peers;
+    Policy policy;
+    Timing timing;
+    /// The agent's side: where to announce; more are learned from authenticated records.
+    std::vector<Path> announceTo;
+};
+
+/// A datagram to send as it is. The bytes live until the next call of a non-const member.
+struct Transmit
+{
+    Path to;
+    ByteView bytes;
+};
+
+/// Opened MAVLink frames (one or several whole ones, or what a peer sealed: parse them). The bytes lie in the datagram's
+/// buffer and live as long as it.
+struct Delivery
+{
+    SessionId session{};
+    Epoch epoch{};
+    crypto::SuiteId suite{};
+    ByteView frames;
+};
+
+enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom };
+
+/// How much a record adds to the frames it carries at the most, and the most that one may carry so that the datagram
+/// stays within 1200 bytes.
+inline constexpr std::size_t kMaxRecordOverhead = 40;
+inline constexpr std::size_t kMaxRecordPayload = 1200 - kMaxRecordOverhead;
+
+struct SessionInfo
+{
+    SessionId session{};
+    PublicKey peer{};
+    std::string peerName;
+    PeerRole role{};
+    Path path;
+    crypto::SuiteId suite{};
+    Epoch epoch{};
+    std::optional<crypto::SuiteId> pending;   ///< a switch that is under way
+    std::vector<crypto::SuiteId> permitted;   ///< by both ends
+    std::vector<crypto::SuiteId> peerOffered; ///< what the other end would accept, as it said in the handshake
+    bool silent = false; ///< nothing authentic for Timing::peerSilentAfter
+    TimePoint since{};
+    TimePoint lastReceived{};
+};
+
+class Endpoint
+{
+public:
+    /// `random` and `counters` must outlive the endpoint.
+    Endpoint(Config config, RandomSource &random, CounterStore &counters, TimePoint now);
+    ~Endpoint();
+    Endpoint(Endpoint &&) noexcept;
+    Endpoint &operator=(Endpoint &&) noexcept;
+
+    // query
+    std::vector<SessionId> sessions() const;
+    std::optional<SessionInfo> sessionInfo(SessionId) const;
+    std::optional<SessionStats> stats(SessionId) const;
+    /// Datagrams that belong to no session: malformed, unknown connection, refused handshakes.
+    const ReceiveCounters &strays() const;
+    /// When handleDeadline() must be called at the latest; kNever when there is nothing to wait for.
+    TimePoint nextDeadline() const;
+    /// True for a first byte that belongs to this protocol; MAVLink's 0xFD and 0xFE never do.
+    static bool owns(std::uint8_t firstByte);
+
+    // input
+    /// Takes one datagram whose first byte it owns and opens it in place. Gives frames only after their tag verified.
+    std::optional<Delivery> handleDatagram(TimePoint now, const Path &from, MutableByteView datagram);
+    void handleDeadline(TimePoint now);
+    /// Tells that clear MAVLink of `count` frames came from the path of a session, or claimed a pinned vehicle.
+    void countPlaintextDropped(SessionId, std::uint64_t count);
+
+    // command
+    /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead): the record's size. It goes to
+    /// sessionInfo(session)->path; see recordPath().
+    Result<std::size_t, SealError> seal(TimePoint now, SessionId, ByteView frames, MutableByteView out);
+    /// Where records of the session go now.
+    Path recordPath(SessionId) const;
+    /// Begins a live switch; the result comes as SwitchDone, a refusal at once as well.
+    void switchSuite(TimePoint now, SessionId, crypto::SuiteId);
+    void rekey(TimePoint now, SessionId);
+    /// Tells the peer, once and sealed, and forgets the session.
+    void close(TimePoint now, SessionId);
+    /// A new list of peers; sessions with keys that are no longer in it end at once.
+    void setPeers(TimePoint now, std::vector<Peer> peers);
+    void setPolicy(TimePoint now, Policy policy);
+
+    // output
+    std::optional<Transmit> pollTransmit();
+    std::optional<Event> pollEvent();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace skyseal::channel

@@ -1,0 +1,41 @@
+// Who may talk to us and how: the decisions a person made, as plain values.
+#pragma once
+
+#include "core/crypto/suite.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::channel {
+
+using PublicKey = std::array<std::uint8_t, 32>;
+
+/// What a known peer may do. An observer receives telemetry; what it sends never reaches the autopilot.
+enum class PeerRole : std::uint8_t { Pilot, Observer };
+
+/// A peer whose key a person confirmed.
+struct Peer
+{
+    PublicKey key{};
+    std::string name;
+    PeerRole role = PeerRole::Pilot;
+    std::vector<std::uint8_t> systemIds; ///< MAVLink system ids it may speak as; empty = any
+};
+
+/// What may be negotiated here.
+struct Policy
+{
+    /// In order of preference. Research suites are offered only with `allowResearch` and never chosen first.
+    std::vector<crypto::SuiteId> suites;
+    bool allowResearch = false;
+    /// Consent to plain MAVLink as the baseline of a measurement; the other end must consent as well.
+    bool allowPlain = false;
+};
+
+/// All authenticated suites, the default first, research suites last (they need `allowResearch` besides).
+std::vector<crypto::SuiteId> defaultSuites();
+
+} // namespace skyseal::channel
