@@ -1,0 +1,137 @@
+// All that a window or a report may know, as values, taken on the I/O thread and handed over whole: the reader never
+// sees a half of one moment and a half of another, and no packet crosses the threads.
+#pragma once
+
+#include "core/base/path.h"
+#include "core/channel/endpoint.h"
+#include "core/vehicle/mission.h"
+#include "core/vehicle/parameter.h"
+#include "core/vehicle/vehicle_state.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::engine {
+
+enum class LinkPhase : std::uint8_t { Closed, Opening, Listening, Connected, Waiting, Finished, Failed };
+
+struct LinkSnapshot
+{
+    LinkId id{};
+    std::string url;
+    LinkPhase phase{};
+    std::string localAddress;  ///< "0.0.0.0:14550"; always shown
+    std::string remoteAddress; ///< the last one heard of
+    std::string problem;       ///< the operating system's or the link's words; empty when all is well
+    bool addressInUse = false; ///< the problem is a port that somebody else has
+    double rxBytesPerSecond = 0, txBytesPerSecond = 0;
+    std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0, txDatagrams = 0, dropped = 0;
+    std::uint64_t badCrc = 0; ///< frames that failed their checksum
+};
+
+/// What the operator must see at one glance.
+enum class Security : std::uint8_t {
+    Nothing,     ///< nobody there
+    Plain,       ///< clear MAVLink: "not sealed"
+    Sealed,
+    Switching,   ///< sealed, another suite is being agreed
+    UnderAttack  ///< sealed, and forged or replayed records came in within the last minute
+};
+
+/// Cost of the suite in use, over the last second.
+struct SuiteCost
+{
+    double openNsP50 = 0, openNsP99 = 0, sealNsP50 = 0, sealNsP99 = 0;
+    double openedRecordsPerSecond = 0, openedFramesPerSecond = 0, openedBytesPerSecond = 0;
+    double cpuPercent = 0; ///< of one core, spent in seal and open
+};
+
+struct SessionSnapshot
+{
+    channel::SessionInfo info;
+    channel::SessionStats stats;
+    SuiteCost cost;
+    std::string fingerprint;   ///< of the peer's key
+    std::string remoteAddress;
+    double age = 0;            ///< seconds since the session is up
+    std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0;
+    double lossPercent = 0;    ///< to us, over the last second
+    double peerLossPercent = 0; ///< to the peer, over the last second
+};
+
+struct VehicleSnapshot
+{
+    vehicle::VehicleState state;
+    LinkId link{};
+    std::optional<channel::SessionId> session; ///< empty: plain
+    double lossPercent = 0; ///< by MAVLink sequence numbers, over the last second
+    double framesPerSecond = 0;
+    std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until asked for; shared while unchanged
+    std::uint32_t parametersExpected = 0;
+    std::shared_ptr<const std::vector<vehicle::MissionItem>> mission;  ///< as last read from the vehicle
+};
+
+/// One row of the inspector: a kind of message of one sender. Filled only while an inspector is watching.
+struct InspectorRow
+{
+    std::uint32_t messageId = 0;
+    std::string name;
+    std::uint8_t systemId = 0, componentId = 0;
+    std::uint64_t count = 0;
+    double rate = 0; ///< a second
+    std::uint8_t version = 2;
+    bool isSigned = false;
+    std::uint8_t payloadSize = 0;
+    std::array<std::uint8_t, 255> payload{}; ///< of the newest one, zero-filled
+    double age = 0; ///< seconds
+};
+
+/// One point of the diagnostics' time lines, four a second.
+struct MetricsSample
+{
+    std::uint64_t number = 0; ///< rises by one per sample
+    double time = 0;          ///< seconds since the station started
+    crypto::SuiteId suite{};  ///< None = plain
+    std::uint32_t epoch = 0;
+    bool linkUp = false;
+    double openedFramesPerSecond = 0;
+    double openedBytesPerSecond = 0;
+    double lossPercent = 0;     ///< channel, to us; MAVLink's where plain
+    double peerLossPercent = 0; ///< channel, to the peer
+    double mavlinkLossPercent = 0;
+    double processCpuPercent = 0;
+    double suiteCpuPercent = 0;
+    double openNsP50 = 0, openNsP99 = 0;
+    std::uint64_t residentBytes = 0;
+};
+
+struct RecordingSnapshot
+{
+    bool active = false;
+    std::string file;
+    std::uint64_t bytes = 0, frames = 0, dropped = 0;
+    std::string problem;
+};
+
+struct Snapshot
+{
+    std::uint64_t number = 0;
+    double time = 0; ///< seconds since the station started
+    Security security{};
+    std::vector<LinkSnapshot> links;
+    std::vector<SessionSnapshot> sessions;
+    std::vector<VehicleSnapshot> vehicles;
+    channel::ReceiveCounters strays;
+    std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet
+    std::vector<InspectorRow> inspector;
+    RecordingSnapshot recording;
+    double processCpuPercent = 0;
+    std::uint64_t residentBytes = 0;
+    std::uint64_t plaintextRefused = 0; ///< clear frames of a pinned vehicle, never shown as telemetry
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,93 @@
+// What is known of one vehicle, as plain values in the units that people read. Nothing is erased when a link is lost:
+// values keep their last state and an age.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+struct Position
+{
+    double latitude = kUnknown;  ///< degrees
+    double longitude = kUnknown; ///< degrees
+    double altitude = kUnknown;  ///< metres above mean sea level
+    bool known() const { return !std::isnan(latitude) && !std::isnan(longitude); }
+};
+
+/// One line of the vehicle's own words, long ones joined.
+struct StatusText
+{
+    std::uint64_t number = 0; ///< rises by one per vehicle, so that a reader sees which are new
+    std::uint8_t severity = 6; ///< MAV_SEVERITY: 0 emergency … 7 debug
+    std::string text;
+    WallTime time{};
+};
+
+/// Frames of one component counted by their sequence numbers, modulo 256.
+struct SequenceCounters
+{
+    std::uint64_t frames = 0;
+    std::uint64_t lost = 0;
+    std::uint64_t late = 0;
+    std::uint64_t duplicate = 0;
+};
+
+struct VehicleState
+{
+    std::uint8_t systemId = 0;
+    std::uint8_t componentId = 1;
+    std::uint8_t type = 0;      ///< MAV_TYPE
+    std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
+    std::string mode;           ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
+    std::uint32_t customMode = 0;
+    std::vector<std::string> modes; ///< that can be asked for
+    std::uint8_t systemStatus = 0;  ///< MAV_STATE
+    bool armed = false;
+
+    double roll = kUnknown, pitch = kUnknown, yaw = kUnknown; ///< radians
+    double rollSpeed = kUnknown, pitchSpeed = kUnknown, yawSpeed = kUnknown; ///< radians a second
+    Position position;
+    Position home;
+    double altitudeRelative = kUnknown; ///< metres above home
+    double groundSpeed = kUnknown;      ///< metres a second
+    double airSpeed = kUnknown;
+    double climb = kUnknown;
+    double heading = kUnknown; ///< degrees, 0..360
+    double throttle = kUnknown; ///< percent
+    double distanceHome = kUnknown; ///< metres
+    double flightTime = 0;          ///< seconds armed and off the ground, of this flight
+
+    double batteryVoltage = kUnknown; ///< volts
+    double batteryCurrent = kUnknown; ///< amperes
+    double batteryPercent = kUnknown;
+    int gpsFix = -1; ///< GPS_FIX_TYPE, -1 unknown
+    int satellites = -1;
+    double hdop = kUnknown;
+    std::optional<bool> ekfOk;
+    std::uint16_t ekfFlags = 0;
+    double cpuLoad = kUnknown; ///< the autopilot's, percent
+    double vibration = kUnknown; ///< m/s², the worst axis
+    int missionCurrent = -1;
+    double latency = kUnknown; ///< seconds there and back by TIMESYNC, smoothed
+
+    std::string firmware; ///< "ArduCopter 4.5.7"; empty until known
+    std::uint64_t capabilities = 0;
+    TimePoint lastHeartbeat{};
+    TimePoint lastMessage{}; ///< any message of the vehicle but RADIO_STATUS
+    double heartbeatAge = kUnknown; ///< seconds
+    double messageAge = kUnknown;   ///< seconds; values older than 3.5 are stale
+    bool lost = false; ///< no message for 3.5 s
+    SequenceCounters sequence;      ///< all components
+    std::vector<StatusText> texts; ///< the last 200
+};
+
+} // namespace skyseal::vehicle
