@@ -1,0 +1,55 @@
+// A flight written down in one line, as `skyseal-cli monitor --do` takes it: "mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;
+// land; wait armed==0 90". A number and a colon before a step pick the vehicle ("2: arm").
+//
+// Grammar: steps separated by ';', empty ones ignored. mode NAME | arm [force] | disarm [force] | takeoff ALT | land | rtl |
+// goto LAT LON ALT | speed V | wait FIELD OP VALUE [TIMEOUT] | sleep S | param NAME VALUE | item INDEX | start | reboot |
+// command NUMBER [P1 … P7]. Words are case-insensitive; OP is one of >= <= > < == !=; times are seconds.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/vehicle/state_fields.h"
+#include "core/vehicle/vehicle_command.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+enum class Comparison : std::uint8_t { AtLeast, AtMost, Greater, Less, Equal, NotEqual };
+
+/// Waits until the vehicle's state fulfils a condition. A value that is not known fulfils none.
+struct WaitUntil
+{
+    const StateField *field = nullptr;
+    Comparison comparison{};
+    double number = 0; ///< of numbers and flags
+    std::string text;  ///< of texts, compared without case
+    Duration timeout = std::chrono::seconds(60);
+
+    bool fulfilledBy(const VehicleState &state) const;
+};
+
+struct Sleep { Duration time{}; };
+struct WriteParameter { std::string name; double value = 0; };
+
+struct FlightStep
+{
+    std::optional<std::uint8_t> systemId; ///< nullopt: the first vehicle that the script met
+    std::variant<VehicleCommand, WaitUntil, Sleep, WriteParameter> action;
+    std::string text;       ///< as written, without the prefix
+    std::size_t column = 1; ///< where it begins
+};
+
+/// Longest accepted script and most steps in one.
+inline constexpr std::size_t kMaxScriptLength = 65536;
+inline constexpr std::size_t kMaxScriptSteps = 1000;
+
+/// The steps of a script. An error names the step by number, the column, what stands there and what is expected.
+Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view script);
+
+/// The canonical spelling of a step, prefix included; parses to the same step.
+std::string toText(const FlightStep &step);
+
+} // namespace skyseal::vehicle
