@@ -20,6 +20,9 @@ if(NOT SKYSEAL_SANITIZE)
 endif()
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
+# The moc of Qt 6.4 fails in libstdc++'s <concepts> unless some other standard header came before it.
+set(CMAKE_AUTOMOC_MOC_OPTIONS --include utility)
+
 if(SKYSEAL_SANITIZE)
   add_compile_options(-fsanitize=${SKYSEAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SKYSEAL_SANITIZE})

@@ -1,0 +1,39 @@
+// UDP on Linux with recvmmsg and sendmmsg behind a QSocketNotifier: one system call for up to 64 datagrams.
+#pragma once
+
+#include "core/link/datagram_socket.h"
+
+#include <QtCore/QSocketNotifier>
+
+namespace skyseal::link {
+
+class BatchSocket final : public DatagramSocket
+{
+    Q_OBJECT
+
+public:
+    BatchSocket();
+    ~BatchSocket() override;
+
+    std::optional<LinkError> bind(const Address &local, int receiveBufferBytes) override;
+    Address local() const override;
+    void shut() override;
+    Batch receive(LinkId id, LinkCounters &counters) override;
+    void send(const Address &to, ByteView datagram, LinkCounters &counters) override;
+    void flush(LinkCounters &counters) override;
+    std::uint64_t kernelDrops() const override;
+
+private:
+    struct Buffers;
+
+    int m_fd = -1;
+    bool m_ipv6 = false;
+    bool m_blocked = false; ///< the system takes nothing now; m_writeNotifier tells when it does
+    std::size_t m_first = 0; ///< oldest queued datagram, in the ring of kBatch
+    std::size_t m_queued = 0;
+    std::unique_ptr<Buffers> m_buffers;
+    std::unique_ptr<QSocketNotifier> m_readNotifier;
+    std::unique_ptr<QSocketNotifier> m_writeNotifier;
+};
+
+} // namespace skyseal::link

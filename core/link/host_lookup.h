@@ -1,0 +1,33 @@
+// From a host (name or literal) to an address without blocking: literals at once, names through the system's resolver.
+#pragma once
+
+#include "core/base/path.h"
+
+#include <QtNetwork/QHostInfo>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace skyseal::link {
+
+class HostLookup : public QObject
+{
+public:
+    using Answer = std::function<void(std::optional<Address>)>;
+
+    ~HostLookup() override { abort(); }
+
+    /// Calls `answer` with the address, or nullopt when the name is not known; for a literal before start() returns.
+    void start(const std::string &host, std::uint16_t port, Answer answer);
+    void abort();
+    bool isRunning() const { return m_id >= 0; }
+
+private:
+    void finish(const QHostInfo &info, std::uint16_t port);
+
+    int m_id = -1;
+    Answer m_answer;
+};
+
+} // namespace skyseal::link

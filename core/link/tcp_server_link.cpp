@@ -1,0 +1,148 @@
+#include "core/link/tcp_server_link.h"
+
+#include "core/link/address_text.h"
+#include "core/link/socket_error.h"
+
+#include <QtCore/QVariant>
+
+#include <algorithm>
+
+namespace skyseal::link {
+
+static constexpr qint64 kReadBuffer = 256 << 10;
+
+TcpServerLink::TcpServerLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
+    : Link(std::move(linkUrl), linkId, linkListener, linkOptions)
+{
+    m_clients.reserve(kMostClients);
+    connect(&m_server, &QTcpServer::newConnection, this, &TcpServerLink::accept);
+}
+
+TcpServerLink::~TcpServerLink()
+{
+    for (const Client &client : m_clients)
+        client.socket->disconnect(this);
+}
+
+std::optional<Address> TcpServerLink::localEndpoint() const
+{
+    return m_server.isListening() ? std::optional(fromQt(m_server.serverAddress(), m_server.serverPort())) : std::nullopt;
+}
+
+std::string TcpServerLink::localAddress() const
+{
+    const auto local = localEndpoint();
+    return local ? toText(*local) : Link::localAddress();
+}
+
+void TcpServerLink::open()
+{
+    if (state() != LinkState::Closed && state() != LinkState::Failed)
+        return;
+    setState(LinkState::Opening);
+    m_lookup.start(url().host(), url().port(), [this](std::optional<Address> address) { listen(address); });
+}
+
+void TcpServerLink::listen(std::optional<Address> address)
+{
+    if (!address) {
+        setState(LinkState::Failed, {LinkErrorCode::HostUnknown, url().host(), {}});
+        return;
+    }
+    const bool dualStack = !isIpv4(*address) && isAnyAddress(*address);
+    if (!m_server.listen(dualStack ? QHostAddress(QHostAddress::Any) : toQt(*address), address->port)) {
+        setState(LinkState::Failed, socketError(m_server.serverError(), m_server.errorString(), toText(*address)));
+        return;
+    }
+    setState(LinkState::Listening);
+}
+
+void TcpServerLink::accept()
+{
+    while (QTcpSocket *socket = m_server.nextPendingConnection()) {
+        if (m_clients.size() == kMostClients) {
+            socket->abort();
+            socket->deleteLater();
+            continue;
+        }
+        socket->setReadBufferSize(kReadBuffer);
+        socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
+        socket->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
+        const Path path{id(), fromQt(socket->peerAddress(), socket->peerPort())};
+        m_clients.push_back({socket, std::make_shared<StreamPeer>(*socket, path, options().streamQueueBytes)});
+        connect(socket, &QTcpSocket::readyRead, this, [this, socket] { receive(socket); });
+        connect(socket, &QTcpSocket::disconnected, this, [this, socket] { drop(socket); });
+        listener().linkPeerJoined(*this, path);
+        if (state() == LinkState::Closed)
+            return;
+        receive(socket);
+    }
+}
+
+std::vector<TcpServerLink::Client>::iterator TcpServerLink::find(QTcpSocket *socket)
+{
+    return std::find_if(m_clients.begin(), m_clients.end(), [&](const Client &client) { return client.socket == socket; });
+}
+
+void TcpServerLink::receive(QTcpSocket *socket)
+{
+    const auto client = find(socket);
+    if (client == m_clients.end())
+        return;
+    // Kept alive by the copy: the listener may close the link from within.
+    const std::shared_ptr<StreamPeer> peer = client->peer;
+    peer->receive(*this, listener(), m_counters);
+}
+
+void TcpServerLink::drop(QTcpSocket *socket)
+{
+    receive(socket);
+    const auto client = find(socket);
+    if (client == m_clients.end())
+        return;
+    const Path path = client->peer->path();
+    m_clients.erase(client);
+    socket->disconnect(this);
+    socket->deleteLater();
+    listener().linkPeerLeft(*this, path);
+}
+
+void TcpServerLink::send(const Address &to, ByteView block)
+{
+    bool found = false;
+    for (const Client &client : m_clients) {
+        if (to != Address{} && client.peer->path().remote != to)
+            continue;
+        client.peer->send(block, m_counters);
+        found = true;
+    }
+    if (!found)
+        ++m_counters.txDropped;
+}
+
+void TcpServerLink::flush()
+{
+    for (const Client &client : m_clients)
+        client.peer->flush(m_counters);
+}
+
+void TcpServerLink::close()
+{
+    if (state() == LinkState::Closed)
+        return;
+    m_lookup.abort();
+    m_server.close();
+    flush();
+    setState(LinkState::Closed);
+    const std::vector<Client> clients = std::exchange(m_clients, {});
+    for (const Client &client : clients) {
+        client.socket->disconnect(this);
+        // What was flushed still goes out; the socket deletes itself when it is done.
+        client.socket->setParent(nullptr);
+        connect(client.socket, &QTcpSocket::disconnected, client.socket, &QObject::deleteLater);
+        client.socket->disconnectFromHost();
+        listener().linkPeerLeft(*this, client.peer->path());
+    }
+}
+
+} // namespace skyseal::link

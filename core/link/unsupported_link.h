@@ -1,0 +1,26 @@
+// Stands for a kind of link that this build leaves out (serial without Qt SerialPort): it fails on open() and says why.
+#pragma once
+
+#include "core/link/link.h"
+
+namespace skyseal::link {
+
+class UnsupportedLink final : public Link
+{
+    Q_OBJECT
+
+public:
+    using Link::Link;
+
+    bool isStream() const override { return true; }
+    void open() override
+    {
+        setState(LinkState::Failed, {LinkErrorCode::NotSupported, url().toText(),
+                                     std::string("this program was built without ") + name(url().scheme()) + " links"});
+    }
+    void close() override { setState(LinkState::Closed); }
+    void send(const Address &, ByteView) override { ++m_counters.txDropped; }
+    void flush() override {}
+};
+
+} // namespace skyseal::link

@@ -1,0 +1,344 @@
+// UDP links over the loopback, each case with the batching socket and with QUdpSocket: both must behave alike.
+#include "core/link/address_text.h"
+#include "core/link/udp_link.h"
+#include "tests/link/recorder.h"
+
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+#include <numeric>
+
+using namespace skyseal;
+using namespace skyseal::link;
+using namespace skyseal::test;
+
+class UdpLinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase_data();
+    void carriesBothWays();
+    void tenThousandDatagramsArriveCompleteAndInOrder();
+    void carriesIpv6();
+    void dualStackReportsIpv4AsIpv4();
+    void portInUseFailsAndOpensWhenFree();
+    void foreignAddressIsNamed();
+    void unknownHostWaitsAndSaysSo();
+    void hostNameIsLookedUp();
+    void absentPeerDoesNotKillTheLink();
+    void tooLongDatagramsAreCountedAndLeftOut();
+    void floodLeavesRoomForTimers();
+    void listenerMayCloseTheLink();
+    void receivedBytesMayBeChangedInPlace();
+    void sendWithoutPeerIsCounted();
+
+private:
+    static LinkOptions options()
+    {
+        QFETCH_GLOBAL(bool, portable);
+        LinkOptions out;
+        out.portableUdp = portable;
+        out.retryFirst = std::chrono::milliseconds(20);
+        return out;
+    }
+};
+
+static ByteView text(std::string_view words)
+{
+    return asBytes(words);
+}
+
+void UdpLinkTest::initTestCase_data()
+{
+    QTest::addColumn<bool>("portable");
+    QTest::newRow("batch") << false;
+    QTest::newRow("qt") << true;
+}
+
+void UdpLinkTest::carriesBothWays()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options(), LinkId{7});
+    QCOMPARE(in->state(), LinkState::Listening);
+    QCOMPARE(in->localAddress(), "127.0.0.1:" + portOf(*in));
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options(), LinkId{8});
+    QCOMPARE(out->state(), LinkState::Connected);
+    QCOMPARE(toText(out->remote()), in->localAddress());
+
+    out->send({}, text("hello"));
+    out->send(out->remote(), text("again"));
+    out->flush();
+    QTRY_COMPARE(ground.blocks.size(), std::size_t(2));
+    QCOMPARE(ground.stream(), std::string("helloagain"));
+    const Path from = ground.blocks[0].path;
+    QCOMPARE(from.link, LinkId{7});
+    QCOMPARE(from.remote.port, out->localEndpoint()->port);
+    QVERIFY(isIpv4(from.remote));
+
+    in->send(from.remote, text("answer"));
+    in->flush();
+    QTRY_COMPARE(air.stream(), std::string("answer"));
+    QCOMPARE(air.blocks[0].path, (Path{LinkId{8}, *in->localEndpoint()}));
+    QCOMPARE(out->counters().txBlocks, std::uint64_t(2));
+    QCOMPARE(out->counters().txBytes, std::uint64_t(10));
+    QCOMPARE(in->counters().rxBlocks, std::uint64_t(2));
+    QCOMPARE(in->counters().rxBytes, std::uint64_t(10));
+}
+
+void UdpLinkTest::tenThousandDatagramsArriveCompleteAndInOrder()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
+    constexpr std::uint32_t kCount = 10'000;
+    std::vector<std::uint8_t> datagram(40);
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        for (std::size_t byte = 0; byte < 4; ++byte)
+            datagram[byte] = static_cast<std::uint8_t>(i >> (8 * byte));
+        out->send({}, datagram);
+        // The receiver must get its turn: the system's buffer is bounded, and its bound is none of ours.
+        if (i % 512 == 511) {
+            out->flush();
+            QTRY_COMPARE(ground.blocks.size(), std::size_t(i + 1));
+        }
+    }
+    out->flush();
+    QTRY_COMPARE(ground.blocks.size(), std::size_t(kCount));
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const Bytes &bytes = ground.blocks[i].bytes;
+        QCOMPARE(bytes.size(), datagram.size());
+        QCOMPARE(std::uint32_t(bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24), i);
+    }
+    QCOMPARE(in->counters().rxBlocks, std::uint64_t(kCount));
+    QCOMPARE(in->counters().rxBytes, std::uint64_t(kCount * datagram.size()));
+    QCOMPARE(in->counters().rxKernelDrops, std::uint64_t(0));
+    QCOMPARE(out->counters().txBlocks, std::uint64_t(kCount));
+    QVERIFY(ground.largestBatch > 1);
+}
+
+void UdpLinkTest::carriesIpv6()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:[::1]:0", ground, options());
+    if (in->state() != LinkState::Listening)
+        QSKIP("no IPv6 on this machine");
+    QCOMPARE(in->localAddress(), "[::1]:" + portOf(*in));
+    const auto out = openLink("udpout:[::1]:" + portOf(*in), air, options());
+    out->send({}, text("six"));
+    out->flush();
+    QTRY_COMPARE(ground.stream(), std::string("six"));
+    in->send(ground.blocks[0].path.remote, text("back"));
+    in->flush();
+    QTRY_COMPARE(air.stream(), std::string("back"));
+}
+
+void UdpLinkTest::dualStackReportsIpv4AsIpv4()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:[::]:0", ground, options());
+    if (in->state() != LinkState::Listening)
+        QSKIP("no IPv6 on this machine");
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
+    out->send({}, text("four"));
+    out->flush();
+    QTRY_COMPARE(ground.stream(), std::string("four"));
+    QCOMPARE(toText(ground.blocks[0].path.remote), "127.0.0.1:" + portOf(*out));
+    in->send(ground.blocks[0].path.remote, text("back"));
+    in->flush();
+    QTRY_COMPARE(air.stream(), std::string("back"));
+}
+
+void UdpLinkTest::portInUseFailsAndOpensWhenFree()
+{
+    Recorder listener;
+    const auto first = openLink("udpin:127.0.0.1:0", listener, options());
+    const std::string address = first->localAddress();
+    for (const std::string &host : {std::string("127.0.0.1"), std::string("0.0.0.0")}) {
+        const auto second = openLink("udpin:" + host + ":" + portOf(*first), listener, options());
+        QCOMPARE(second->state(), LinkState::Failed);
+        QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
+        QVERIFY(second->error().sentence().find(portOf(*first)) != std::string::npos);
+        // What was asked for is still shown.
+        QCOMPARE(second->localAddress(), host + ":" + portOf(*first));
+    }
+    const auto second = openLink("udpin:" + address, listener, options());
+    QCOMPARE(second->state(), LinkState::Failed);
+    first->close();
+    QCOMPARE(first->state(), LinkState::Closed);
+    second->open();
+    QCOMPARE(second->state(), LinkState::Listening);
+    QCOMPARE(second->localAddress(), address);
+}
+
+void UdpLinkTest::foreignAddressIsNamed()
+{
+    Recorder listener;
+    // TEST-NET-1 of RFC 5737 belongs to nobody.
+    const auto link = openLink("udpin:192.0.2.1:0", listener, options());
+    QCOMPARE(link->state(), LinkState::Failed);
+    QCOMPARE(link->error().code, LinkErrorCode::AddressUnavailable);
+    QCOMPARE(link->error().sentence(), std::string("192.0.2.1:0 is not an address of this machine"));
+}
+
+void UdpLinkTest::unknownHostWaitsAndSaysSo()
+{
+    if (options().portableUdp)
+        QSKIP("the lookup does not depend on the kind of socket, and may take the resolver long");
+    Recorder listener;
+    const auto link = openLink("udpout:no-such-host.invalid:14550", listener, options());
+    QTRY_COMPARE_WITH_TIMEOUT(link->state(), LinkState::Waiting, 30'000);
+    QCOMPARE(link->error().code, LinkErrorCode::HostUnknown);
+    QVERIFY(link->error().sentence().find("no-such-host.invalid") != std::string::npos);
+    link->send({}, text("x"));
+    QCOMPARE(link->counters().txDropped, std::uint64_t(1));
+    link->close();
+    QCOMPARE(link->state(), LinkState::Closed);
+    QCOMPARE(link->error().code, LinkErrorCode::None);
+}
+
+void UdpLinkTest::hostNameIsLookedUp()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const auto out = openLink("udpout:localhost:" + portOf(*in), air, options());
+    QCOMPARE(out->state(), LinkState::Opening);
+    QTRY_COMPARE_WITH_TIMEOUT(out->state(), LinkState::Connected, 30'000);
+    out->send({}, text("named"));
+    out->flush();
+    QTRY_COMPARE(ground.stream(), std::string("named"));
+}
+
+void UdpLinkTest::absentPeerDoesNotKillTheLink()
+{
+    Recorder ground;
+    Recorder air;
+    auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const std::string address = in->localAddress();
+    const auto out = openLink("udpout:" + in->localAddress(), air, options());
+    in->close();
+    // The system answers each of these with an ICMP error.
+    for (int i = 0; i < 5; ++i) {
+        out->send({}, text("lost"));
+        out->flush();
+        QCoreApplication::processEvents();
+    }
+    QCOMPARE(out->state(), LinkState::Connected);
+    in = openLink("udpin:" + address, ground, options());
+    QCOMPARE(in->state(), LinkState::Listening);
+    out->send({}, text("found"));
+    out->flush();
+    QTRY_COMPARE(ground.stream(), std::string("found"));
+}
+
+void UdpLinkTest::tooLongDatagramsAreCountedAndLeftOut()
+{
+    Recorder ground;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    QUdpSocket sender;
+    const auto write = [&](qsizetype size, char fill) {
+        const QByteArray bytes(size, fill);
+        QCOMPARE(sender.writeDatagram(bytes, QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port), bytes.size());
+    };
+    write(3, 'a');
+    write(kMaxDatagram + 1, 'b');
+    write(kMaxDatagram, 'c');
+    write(60'000, 'd');
+    write(0, 'e');
+    write(1, 'f');
+    QTRY_COMPARE(ground.blocks.size(), std::size_t(4));
+    QCOMPARE(ground.stream(), "aaa" + std::string(kMaxDatagram, 'c') + "f");
+    QCOMPARE(in->counters().rxOversized, std::uint64_t(2));
+    const auto out = openLink("udpout:" + in->localAddress(), ground, options());
+    out->send({}, Bytes(kMaxDatagram + 1));
+    QCOMPARE(out->counters().txDropped, std::uint64_t(1));
+}
+
+void UdpLinkTest::floodLeavesRoomForTimers()
+{
+    Recorder ground;
+    Recorder air;
+    LinkOptions bounded = options();
+    bounded.batchesPerWake = 1;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, bounded);
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
+    // Every datagram that arrives is sent again, so the socket never runs dry; the timer must come all the same.
+    ground.onReceived = [&](Link &) {
+        for (int i = 0; i < 64; ++i)
+            out->send({}, text("flood"));
+        out->flush();
+    };
+    for (int i = 0; i < 256; ++i)
+        out->send({}, text("flood"));
+    out->flush();
+    int ticks = 0;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, this, [&] { ++ticks; });
+    timer.start(1);
+    QTRY_VERIFY(ticks >= 20);
+    QVERIFY(ground.batches > 20);
+    in->close();
+}
+
+void UdpLinkTest::listenerMayCloseTheLink()
+{
+    Recorder ground;
+    Recorder air;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const std::string address = in->localAddress();
+    const auto out = openLink("udpout:" + address, air, options());
+    ground.onReceived = [](Link &link) { link.close(); };
+    for (int i = 0; i < 200; ++i)
+        out->send({}, text("x"));
+    out->flush();
+    QTRY_COMPARE(in->state(), LinkState::Closed);
+    QCOMPARE(ground.batches, std::size_t(1));
+    // The port is free at once.
+    Recorder other;
+    QCOMPARE(openLink("udpin:" + address, other, options())->state(), LinkState::Listening);
+}
+
+void UdpLinkTest::receivedBytesMayBeChangedInPlace()
+{
+    struct Inverter : LinkListener
+    {
+        void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override
+        {
+            for (const ReceivedBlock &block : blocks) {
+                for (std::uint8_t &byte : block.bytes)
+                    byte = static_cast<std::uint8_t>(~byte);
+                link.send(block.path.remote, block.bytes);
+            }
+            link.flush();
+        }
+    } inverter;
+    Recorder air;
+    const auto in = openLink("udpin:127.0.0.1:0", inverter, options());
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
+    Bytes all(256);
+    std::iota(all.begin(), all.end(), std::uint8_t(0));
+    out->send({}, all);
+    out->flush();
+    QTRY_COMPARE(air.blocks.size(), std::size_t(1));
+    std::reverse(all.begin(), all.end());
+    QVERIFY(air.blocks[0].bytes == all);
+}
+
+void UdpLinkTest::sendWithoutPeerIsCounted()
+{
+    Recorder ground;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    in->send({}, text("whom?"));
+    QCOMPARE(in->counters().txDropped, std::uint64_t(1));
+    in->close();
+    in->send(ipv4(0x7f000001, 9), text("closed"));
+    QCOMPARE(in->counters().txDropped, std::uint64_t(2));
+}
+
+QTEST_GUILESS_MAIN(UdpLinkTest)
+#include "udp_link_test.moc"
