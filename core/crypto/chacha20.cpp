@@ -1,0 +1,42 @@
+// ChaCha20 (RFC 8439 2.4) through libsodium, then HMAC.
+#include "core/crypto/encrypt_then_mac.h"
+#include "core/crypto/suite_factories.h"
+
+namespace skyseal::crypto {
+
+namespace {
+
+class ChaCha20Body : public SameLength
+{
+public:
+    ChaCha20Body(const DirectionSecret &secret, SuiteId suite)
+        : m_key(deriveRecordKey(secret, suite, "key")), m_nonces(secret, suite)
+    {
+    }
+
+    bool ready() const { return true; }
+
+    bool encrypt(std::uint64_t counter, ByteView plaintext, MutableByteView out)
+    {
+        const Nonce12 nonce = m_nonces.at(counter);
+        return crypto_stream_chacha20_ietf_xor(out.data(), plaintext.data(), plaintext.size(), nonce.data(), m_key.view().data()) == 0;
+    }
+
+    std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
+    {
+        return encrypt(counter, body, body) ? std::optional(body.size()) : std::nullopt;
+    }
+
+private:
+    Key32 m_key;
+    NonceBase m_nonces;
+};
+
+} // namespace
+
+std::unique_ptr<RecordCipher> makeChaCha20(const DirectionSecret &secret)
+{
+    return EncryptThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, secret);
+}
+
+} // namespace skyseal::crypto

@@ -1,0 +1,60 @@
+// ChaCha20-Poly1305 (RFC 8439) through libsodium.
+#include "core/crypto/record_keys.h"
+#include "core/crypto/suite_factories.h"
+
+#include <sodium.h>
+
+namespace skyseal::crypto {
+
+namespace {
+
+class ChaCha20Poly1305 final : public RecordCipher
+{
+public:
+    explicit ChaCha20Poly1305(const DirectionSecret &secret)
+        : m_key(deriveRecordKey(secret, SuiteId::ChaCha20Poly1305, "key")), m_nonces(secret, SuiteId::ChaCha20Poly1305)
+    {
+    }
+
+    SuiteId suite() const override { return SuiteId::ChaCha20Poly1305; }
+
+    std::size_t seal(std::uint64_t counter, ByteView associatedData, ByteView plaintext, MutableByteView out) override
+    {
+        const std::size_t size = plaintext.size();
+        if (out.size() < size + kTag)
+            return 0;
+        const Nonce12 nonce = m_nonces.at(counter);
+        crypto_aead_chacha20poly1305_ietf_encrypt_detached(out.data(), out.data() + size, nullptr, plaintext.data(), size,
+                                                           associatedData.data(), associatedData.size(), nullptr,
+                                                           nonce.data(), m_key.view().data());
+        return size + kTag;
+    }
+
+    std::optional<MutableByteView> open(std::uint64_t counter, ByteView associatedData, MutableByteView sealed) override
+    {
+        if (sealed.size() < kTag)
+            return std::nullopt;
+        const std::size_t size = sealed.size() - kTag;
+        const Nonce12 nonce = m_nonces.at(counter);
+        if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(sealed.data(), nullptr, sealed.data(), size,
+                                                               sealed.data() + size, associatedData.data(),
+                                                               associatedData.size(), nonce.data(), m_key.view().data()) != 0)
+            return std::nullopt;
+        return sealed.first(size);
+    }
+
+private:
+    static constexpr std::size_t kTag = crypto_aead_chacha20poly1305_ietf_ABYTES;
+
+    Key32 m_key;
+    NonceBase m_nonces;
+};
+
+} // namespace
+
+std::unique_ptr<RecordCipher> makeChaCha20Poly1305(const DirectionSecret &secret)
+{
+    return std::make_unique<ChaCha20Poly1305>(secret);
+}
+
+} // namespace skyseal::crypto

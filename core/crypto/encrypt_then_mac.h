@@ -1,0 +1,108 @@
+// The frame around a plain cipher: encrypt, then HMAC-SHA-256 over everything that the receiver must be sure of, and on
+// the way back the tag before anything else. See record_cipher.h for the bytes.
+#pragma once
+
+#include "core/crypto/hmac_sha256.h"
+#include "core/crypto/record_keys.h"
+
+#include <concepts>
+#include <cstring>
+
+namespace skyseal::crypto {
+
+/// A cipher that turns `n` bytes of plaintext into `bodySize(n)` of ciphertext. `out` of `encrypt` starts where the
+/// plaintext does or is apart from it; `decrypt` works in place and gives the plaintext's length.
+template<typename T>
+concept BodyCipher = requires(T cipher, std::uint64_t counter, ByteView in, MutableByteView out, std::size_t n) {
+    { T::bodySize(n) } -> std::same_as<std::size_t>;
+    { T::capacity(n) } -> std::same_as<std::optional<std::size_t>>;
+    { cipher.ready() } -> std::same_as<bool>;
+    { cipher.encrypt(counter, in, out) } -> std::same_as<bool>;
+    { cipher.decrypt(counter, out) } -> std::same_as<std::optional<std::size_t>>;
+};
+
+/// Lengths of a cipher that keeps them.
+struct SameLength
+{
+    static std::size_t bodySize(std::size_t n) { return n; }
+    static std::optional<std::size_t> capacity(std::size_t room) { return room; }
+};
+
+/// The tag of a record.
+class RecordMac
+{
+public:
+    static constexpr std::size_t kLength = 16;
+    using Tag = std::array<std::uint8_t, kLength>;
+
+    RecordMac(const DirectionSecret &secret, SuiteId suite) : m_hmac(deriveRecordKey(secret, suite, "mac").view()) {}
+
+    Tag tag(std::uint64_t counter, ByteView associatedData, ByteView ciphertext) const
+    {
+        std::array<std::uint8_t, 12> head;
+        for (std::size_t i = 0; i < 8; ++i)
+            head[i] = static_cast<std::uint8_t>(counter >> (8 * i));
+        for (std::size_t i = 0; i < 4; ++i)
+            head[8 + i] = static_cast<std::uint8_t>(associatedData.size() >> (8 * i));
+        Tag out;
+        m_hmac.compute(out, {head, associatedData, ciphertext});
+        return out;
+    }
+
+private:
+    HmacSha256 m_hmac;
+};
+
+template<BodyCipher Body> class EncryptThenMac final : public RecordCipher
+{
+public:
+    EncryptThenMac(SuiteId suite, const DirectionSecret &secret) : m_suite(suite), m_body(secret, suite), m_mac(secret, suite) {}
+
+    /// Null when the library refused the cipher.
+    static std::unique_ptr<RecordCipher> make(SuiteId suite, const DirectionSecret &secret)
+    {
+        auto cipher = std::make_unique<EncryptThenMac>(suite, secret);
+        return cipher->m_body.ready() ? std::move(cipher) : nullptr;
+    }
+
+    SuiteId suite() const override { return m_suite; }
+    std::size_t sealedSize(std::size_t plaintextSize) const override { return Body::bodySize(plaintextSize) + RecordMac::kLength; }
+    std::optional<std::size_t> plaintextCapacity(std::size_t room) const override
+    {
+        return room < RecordMac::kLength ? std::nullopt : Body::capacity(room - RecordMac::kLength);
+    }
+
+    std::size_t seal(std::uint64_t counter, ByteView associatedData, ByteView plaintext, MutableByteView out) override
+    {
+        const std::size_t bodySize = Body::bodySize(plaintext.size());
+        if (out.size() < bodySize + RecordMac::kLength)
+            return 0;
+        const MutableByteView body = out.first(bodySize);
+        if (!m_body.encrypt(counter, plaintext, body))
+            return 0;
+        const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
+        std::memcpy(out.data() + bodySize, tag.data(), tag.size());
+        return bodySize + RecordMac::kLength;
+    }
+
+    std::optional<MutableByteView> open(std::uint64_t counter, ByteView associatedData, MutableByteView sealed) override
+    {
+        if (sealed.size() < RecordMac::kLength)
+            return std::nullopt;
+        const MutableByteView body = sealed.first(sealed.size() - RecordMac::kLength);
+        const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
+        if (sodium_memcmp(tag.data(), body.data() + body.size(), tag.size()) != 0)
+            return std::nullopt;
+        const std::optional<std::size_t> length = m_body.decrypt(counter, body);
+        if (!length)
+            return std::nullopt;
+        return body.first(*length);
+    }
+
+private:
+    SuiteId m_suite;
+    Body m_body;
+    RecordMac m_mac;
+};
+
+} // namespace skyseal::crypto

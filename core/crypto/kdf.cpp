@@ -1,0 +1,40 @@
+#include "core/crypto/kdf.h"
+
+#include "core/crypto/hmac_sha256.h"
+
+#include <algorithm>
+
+namespace skyseal::crypto {
+
+Key32 hkdfExtractSha256(ByteView salt, ByteView keyMaterial)
+{
+    Key32 out;
+    hmacSha256(out.mutableView(), salt, {keyMaterial});
+    return out;
+}
+
+bool hkdfExpandSha256(MutableByteView out, ByteView secret, ByteView info)
+{
+    if (out.size() > 255 * kSha256Length)
+        return false;
+    const HmacSha256 hmac(secret);
+    Key32 block;
+    ByteView previous;
+    std::uint8_t number = 0;
+    for (std::size_t at = 0; at < out.size(); at += kSha256Length) {
+        ++number;
+        hmac.compute(block.mutableView(), {previous, info, ByteView(&number, 1)});
+        previous = block.view();
+        std::copy_n(previous.begin(), std::min(out.size() - at, kSha256Length), out.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    return true;
+}
+
+Key32 hkdfExpandKey(const Key32 &secret, ByteView info)
+{
+    Key32 out;
+    static_cast<void>(hkdfExpandSha256(out.mutableView(), secret.view(), info));
+    return out;
+}
+
+} // namespace skyseal::crypto

@@ -1,0 +1,28 @@
+#include "core/crypto/x25519.h"
+
+namespace skyseal::crypto {
+
+X25519KeyPair X25519KeyPair::fromSecret(Key32 &&secret)
+{
+    X25519KeyPair pair{std::move(secret), {}};
+    crypto_scalarmult_base(pair.publicKey.data(), pair.secret.view().data());
+    return pair;
+}
+
+X25519KeyPair X25519KeyPair::generate(RandomSource &random)
+{
+    Key32 secret;
+    random.fill(secret.mutableView());
+    return fromSecret(std::move(secret));
+}
+
+std::optional<Key32> x25519(const Key32 &secret, const PublicKey &publicKey)
+{
+    Key32 shared;
+    const int failed = crypto_scalarmult(shared.mutableView().data(), secret.view().data(), publicKey.data());
+    if (failed != 0 || shared.isZero())
+        return std::nullopt;
+    return shared;
+}
+
+} // namespace skyseal::crypto

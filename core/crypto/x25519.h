@@ -1,0 +1,31 @@
+// X25519 (RFC 7748) as the handshake uses it.
+#pragma once
+
+#include "core/base/random_source.h"
+#include "core/base/secret_bytes.h"
+
+#include <array>
+#include <optional>
+
+namespace skyseal::crypto {
+
+using PublicKey = std::array<std::uint8_t, 32>;
+
+/// A private scalar with its public point. Move-only, since the secret is.
+struct X25519KeyPair
+{
+    Key32 secret;
+    PublicKey publicKey{};
+
+    /// The pair that belongs to a secret; any 32 bytes are one (they are clamped when used).
+    static X25519KeyPair fromSecret(Key32 &&secret);
+    static X25519KeyPair generate(RandomSource &random);
+
+    X25519KeyPair clone() const { return {secret.clone(), publicKey}; }
+};
+
+/// The shared secret; nullopt when it is all zero, that is, when the other key is one of the few points of small order
+/// (RFC 7748 6.1).
+std::optional<Key32> x25519(const Key32 &secret, const PublicKey &publicKey);
+
+} // namespace skyseal::crypto

@@ -1,0 +1,97 @@
+// HandshakeState of the Noise specification (revision 34, 5.3): turns a pattern into messages, one call each, and ends in
+// transport secrets by a typed step. No I/O, no clock; randomness is handed in.
+#pragma once
+
+#include "core/base/random_source.h"
+#include "core/crypto/x25519.h"
+#include "core/noise/handshake_pattern.h"
+#include "core/noise/symmetric_state.h"
+
+#include <optional>
+#include <vector>
+
+namespace skyseal::noise {
+
+using crypto::PublicKey;
+using crypto::X25519KeyPair;
+
+enum class Role : std::uint8_t { Initiator, Responder };
+
+inline constexpr std::size_t kMaxMessageLength = 65535;
+
+/// What a handshake starts from. The prologue is only looked at by `initialize`.
+struct HandshakeConfig
+{
+    Role role = Role::Initiator;
+    std::string_view pattern = kKnownPeers;
+    ByteView prologue; ///< what both ends must agree on; a difference makes the first encrypted message fail
+    std::optional<X25519KeyPair> localStatic;
+    std::optional<PublicKey> remoteStatic;
+    std::vector<Key32> psks; ///< in the order of the pattern's psk tokens; may be given later, see `setPsks`
+};
+
+/// What is left of a finished handshake, from our own point of view: our `send` is the peer's `receive`.
+struct TransportSecrets
+{
+    Key32 send;
+    Key32 receive;
+    crypto::Hash64 handshakeHash{}; ///< names this session uniquely to both ends (11.2)
+};
+
+/// A call that fails leaves the handshake as it was: a forged message costs the time to refuse it, nothing else.
+class HandshakeState
+{
+public:
+    static Result<HandshakeState, NoiseError> initialize(HandshakeConfig &&config);
+
+    HandshakeState(HandshakeState &&) noexcept = default;
+    HandshakeState &operator=(HandshakeState &&) noexcept = default;
+
+    bool isComplete() const { return m_messageIndex >= m_pattern.messages.size(); }
+    bool isMyTurnToWrite() const;
+    /// Bytes that the next message, ours or the peer's, has beyond its payload. 0 when complete.
+    std::size_t nextOverhead() const;
+
+    /// Replaces the pre-shared keys: a responder learns whose they are only from the first message.
+    void setPsks(std::vector<Key32> &&psks) { m_psks = std::move(psks); }
+
+    /// Writes the next message to `out`, which needs room for payload + `nextOverhead()`, and gives its length.
+    Result<std::size_t, NoiseError> writeMessage(ByteView payload, MutableByteView out, RandomSource &random);
+
+    /// Reads the peer's next message and writes its payload, message - `nextOverhead()` bytes, to `payloadOut`. They must
+    /// not overlap. Safe for any bytes.
+    Result<std::size_t, NoiseError> readMessage(ByteView message, MutableByteView payloadOut);
+
+    /// The peer's static key, as soon as it is known. Authentic only as far as the pattern has got by then (7.7).
+    const std::optional<PublicKey> &remoteStatic() const { return m_keys.remoteStatic; }
+    const crypto::Hash64 &handshakeHash() const { return m_symmetric.handshakeHash(); }
+
+    /// Ends a complete handshake. The state is wiped, even when this fails.
+    Result<TransportSecrets, NoiseError> finish() &&;
+
+private:
+    /// The four key variables of 5.3 that messages change, with the static pair they are used with.
+    struct Keys
+    {
+        std::optional<X25519KeyPair> localStatic;
+        std::optional<X25519KeyPair> localEphemeral;
+        std::optional<PublicKey> remoteStatic;
+        std::optional<PublicKey> remoteEphemeral;
+    };
+    struct Attempt;
+
+    HandshakeState() = default;
+    Result<void, NoiseError> mixPreMessages();
+    Attempt begin() const;
+    void commit(Attempt &&attempt);
+
+    HandshakePattern m_pattern;
+    Role m_role = Role::Initiator;
+    std::size_t m_messageIndex = 0;
+    std::size_t m_pskIndex = 0;
+    std::vector<Key32> m_psks;
+    SymmetricState m_symmetric;
+    Keys m_keys;
+};
+
+} // namespace skyseal::noise
