@@ -1,0 +1,57 @@
+#include "core/metrics/process_usage.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include <time.h>
+#include <unistd.h>
+
+namespace skyseal::metrics {
+
+static Duration cpuTime(clockid_t clock)
+{
+    timespec time{};
+    ::clock_gettime(clock, &time);
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+Duration processCpuTime()
+{
+    return cpuTime(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+Duration threadCpuTime()
+{
+    return cpuTime(CLOCK_THREAD_CPUTIME_ID);
+}
+
+std::optional<std::uint64_t> residentBytes()
+{
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen("/proc/self/statm", "r"), &std::fclose);
+    unsigned long long size = 0;
+    unsigned long long resident = 0;
+    if (!file || std::fscanf(file.get(), "%llu %llu", &size, &resident) != 2)
+        return std::nullopt;
+    return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+double CpuSampler::sample(TimePoint now, Duration cpuTime)
+{
+    if (m_started && now > m_time)
+        m_percent = 100.0 * seconds(cpuTime - m_cpu) / seconds(now - m_time);
+    else if (m_started)
+        return m_percent;
+    m_started = true;
+    m_time = now;
+    m_cpu = cpuTime;
+    return m_percent;
+}
+
+void MemorySampler::sample(std::uint64_t bytes)
+{
+    m_bytes = bytes;
+    m_peak = std::max(m_peak, bytes);
+}
+
+} // namespace skyseal::metrics

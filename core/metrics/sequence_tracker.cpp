@@ -1,0 +1,86 @@
+#include "core/metrics/sequence_tracker.h"
+
+namespace skyseal::metrics {
+
+SequenceCounts &SequenceCounts::operator+=(const SequenceCounts &other)
+{
+    received += other.received;
+    lost += other.lost;
+    late += other.late;
+    duplicate += other.duplicate;
+    restarts += other.restarts;
+    return *this;
+}
+
+SequenceTracker::Verdict SequenceTracker::note(std::uint8_t sequence, TimePoint now)
+{
+    const bool silent = m_known && now - m_lastTime > kLongestSilence;
+    m_lastTime = now;
+    ++m_counts.received;
+    if (!m_known)
+        return begin(sequence);
+    const unsigned step = static_cast<std::uint8_t>(sequence - m_newest);
+    if (silent && step != 1) {
+        ++m_counts.restarts;
+        begin(sequence);
+        return Verdict::Restarted;
+    }
+    return step == 0 || step > 255 - kWindow ? behind(sequence, (256 - step) % 256) : ahead(sequence, step);
+}
+
+SequenceTracker::Verdict SequenceTracker::begin(std::uint8_t sequence)
+{
+    m_known = true;
+    m_newest = sequence;
+    m_missing.reset();
+    m_before.set();
+    m_inRun = false;
+    return Verdict::First;
+}
+
+SequenceTracker::Verdict SequenceTracker::ahead(std::uint8_t sequence, unsigned step)
+{
+    // The old newest becomes bit step − 1 (received), the numbers between are missing.
+    m_missing <<= step;
+    m_before <<= step;
+    for (unsigned k = 0; k + 1 < step && k < kWindow; ++k)
+        m_missing.set(k);
+    m_counts.lost += step - 1;
+    m_newest = sequence;
+    m_inRun = false;
+    return step == 1 ? Verdict::InOrder : Verdict::AfterGap;
+}
+
+SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned back)
+{
+    if (!m_inRun || sequence != m_runNext) {
+        m_inRun = true;
+        m_runDuplicates = 0;
+        m_beforeRun = m_counts;
+        --m_beforeRun.received;
+    }
+    m_runNext = static_cast<std::uint8_t>(sequence + 1);
+    if (back == 0 || (!m_missing.test(back - 1) && !m_before.test(back - 1))) {
+        ++m_counts.duplicate;
+        // Second copies come one by one between new frames; a whole run of them is a sender that counts anew.
+        return ++m_runDuplicates == kRestartRun ? restarted(sequence) : Verdict::Duplicate;
+    }
+    if (m_missing.test(back - 1))
+        --m_counts.lost;
+    m_missing.reset(back - 1);
+    m_before.reset(back - 1);
+    ++m_counts.late;
+    return Verdict::Late;
+}
+
+SequenceTracker::Verdict SequenceTracker::restarted(std::uint8_t sequence)
+{
+    const std::uint64_t received = m_counts.received;
+    m_counts = m_beforeRun;
+    m_counts.received = received;
+    ++m_counts.restarts;
+    begin(sequence);
+    return Verdict::Restarted;
+}
+
+} // namespace skyseal::metrics

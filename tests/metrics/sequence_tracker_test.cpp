@@ -1,0 +1,192 @@
+// Sequence loss against a brute-force account of what really happened to every frame, and the cases that mislead other
+// stations: a late frame, a duplicate, a sender that restarted.
+#include "core/metrics/sequence_table.h"
+
+#include <QtTest/QTest>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace skyseal;
+using namespace skyseal::metrics;
+using std::chrono::milliseconds;
+
+class SequenceTrackerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void countsWhatHappened();
+    void lateFrameTakesItsLossBack();
+    void lateFirstFramesAreNotLost();
+    void aBatchThatWasOvertakenIsLateNotARestart();
+    void restartIsNoticed();
+    void restartAheadCostsOneGap();
+    void announcedRestartCostsNothing();
+    void silenceIsNotCountedAcross();
+    void tableKeepsSendersApart();
+    void tableIsBounded();
+
+private:
+    static SequenceCounts run(std::initializer_list<int> sequence)
+    {
+        SequenceTracker tracker;
+        for (const int number : sequence)
+            tracker.note(static_cast<std::uint8_t>(number), TimePoint());
+        return tracker.counts();
+    }
+};
+
+void SequenceTrackerTest::countsWhatHappened()
+{
+    QVERIFY(rc::check("lost, late and duplicate equal the brute-force account", [] {
+        const int start = *rc::gen::inRange(0, 256);
+        const int count = *rc::gen::inRange(1, 1500);
+        const int lossPercent = *rc::gen::inRange(0, 60);
+        const int reach = *rc::gen::inRange(1, 24);
+        // Each frame: lost, or sent once or twice, each copy held back behind up to `reach` later ones.
+        std::vector<std::pair<int, int>> arrivals;
+        for (int i = 0; i < count; ++i) {
+            if (*rc::gen::inRange(0, 100) < lossPercent)
+                continue;
+            const int copies = *rc::gen::inRange(0, 10) == 0 ? 2 : 1;
+            for (int copy = 0; copy < copies; ++copy)
+                arrivals.emplace_back(i + *rc::gen::inRange(0, 4) / 3 * *rc::gen::inRange(0, reach), i);
+        }
+        std::stable_sort(arrivals.begin(), arrivals.end(), [](auto a, auto b) { return a.first < b.first; });
+
+        SequenceTracker tracker;
+        std::set<int> seen;
+        SequenceCounts expected;
+        int newest = -1;
+        int first = -1;
+        for (const auto &[when, index] : arrivals) {
+            tracker.note(static_cast<std::uint8_t>(start + index), TimePoint(milliseconds(20 * when)));
+            ++expected.received;
+            if (first < 0)
+                first = index;
+            if (!seen.insert(index).second)
+                ++expected.duplicate;
+            else if (index < newest)
+                ++expected.late;
+            newest = std::max(newest, index);
+        }
+        if (newest >= 0) {
+            for (int i = first; i <= newest; ++i)
+                expected.lost += seen.count(i) ? 0 : 1;
+        }
+        RC_ASSERT(tracker.counts().received == expected.received);
+        RC_ASSERT(tracker.counts().lost == expected.lost);
+        RC_ASSERT(tracker.counts().late == expected.late);
+        RC_ASSERT(tracker.counts().duplicate == expected.duplicate);
+        RC_ASSERT(tracker.counts().restarts == 0u);
+    }));
+}
+
+void SequenceTrackerTest::lateFrameTakesItsLossBack()
+{
+    SequenceTracker tracker;
+    using Verdict = SequenceTracker::Verdict;
+    QCOMPARE(tracker.note(254, TimePoint()), Verdict::First);
+    QCOMPARE(tracker.note(1, TimePoint()), Verdict::AfterGap);
+    QCOMPARE(tracker.counts().lost, std::uint64_t(2));
+    QCOMPARE(tracker.note(0, TimePoint()), Verdict::Late);
+    QCOMPARE(tracker.note(0, TimePoint()), Verdict::Duplicate);
+    QCOMPARE(tracker.note(255, TimePoint()), Verdict::Late);
+    QCOMPARE(tracker.note(2, TimePoint()), Verdict::InOrder);
+    QCOMPARE(tracker.counts(), (SequenceCounts{6, 0, 2, 1, 0}));
+}
+
+void SequenceTrackerTest::lateFirstFramesAreNotLost()
+{
+    // 9 and 8 were sent before 10, which came first: they were never counted as lost, so they take nothing back.
+    QCOMPARE(run({10, 9, 8, 8, 11}), (SequenceCounts{5, 0, 2, 1, 0}));
+}
+
+void SequenceTrackerTest::aBatchThatWasOvertakenIsLateNotARestart()
+{
+    SequenceTracker tracker;
+    tracker.note(99, TimePoint());
+    tracker.note(140, TimePoint());
+    QCOMPARE(tracker.counts().lost, std::uint64_t(40));
+    for (std::uint8_t i = 100; i < 140; ++i)
+        QCOMPARE(tracker.note(i, TimePoint()), SequenceTracker::Verdict::Late);
+    QCOMPARE(tracker.counts(), (SequenceCounts{42, 0, 40, 0, 0}));
+}
+
+void SequenceTrackerTest::restartIsNoticed()
+{
+    SequenceTracker tracker;
+    for (int i = 0; i <= 50; ++i)
+        tracker.note(static_cast<std::uint8_t>(i), TimePoint());
+    for (int i = 0; i < 400; ++i)
+        tracker.note(static_cast<std::uint8_t>(i), TimePoint());
+    // The run that gave the restart away is not held against the link.
+    QCOMPARE(tracker.counts(), (SequenceCounts{451, 0, 0, 0, 1}));
+}
+
+void SequenceTrackerTest::restartAheadCostsOneGap()
+{
+    SequenceTracker tracker;
+    for (int i = 0; i <= 200; ++i)
+        tracker.note(static_cast<std::uint8_t>(i), TimePoint());
+    for (int i = 0; i < 400; ++i)
+        tracker.note(static_cast<std::uint8_t>(i), TimePoint());
+    // From 200 to 0 looks like 55 lost frames, and nothing tells it from them; but it counts once.
+    QCOMPARE(tracker.counts(), (SequenceCounts{601, 55, 0, 0, 0}));
+}
+
+void SequenceTrackerTest::announcedRestartCostsNothing()
+{
+    SequenceTracker tracker;
+    tracker.note(200, TimePoint());
+    tracker.expectRestart();
+    tracker.note(0, TimePoint());
+    tracker.note(1, TimePoint());
+    QCOMPARE(tracker.counts(), (SequenceCounts{3, 0, 0, 0, 0}));
+}
+
+void SequenceTrackerTest::silenceIsNotCountedAcross()
+{
+    SequenceTracker tracker;
+    tracker.note(5, TimePoint());
+    tracker.note(30, TimePoint(SequenceTracker::kLongestSilence + milliseconds(1)));
+    QCOMPARE(tracker.counts(), (SequenceCounts{2, 0, 0, 0, 1}));
+    // A slow sender that did not miss a number is no restart.
+    tracker.note(31, TimePoint(3 * SequenceTracker::kLongestSilence));
+    QCOMPARE(tracker.counts(), (SequenceCounts{3, 0, 0, 0, 1}));
+}
+
+void SequenceTrackerTest::tableKeepsSendersApart()
+{
+    SequenceTable table;
+    const SequenceTable::Sender autopilot{LinkId{1}, 1, 1};
+    const SequenceTable::Sender gimbal{LinkId{1}, 1, 154};
+    const SequenceTable::Sender otherLink{LinkId{2}, 1, 1};
+    for (int i = 0; i < 100; ++i) {
+        table.note(autopilot, static_cast<std::uint8_t>(i), TimePoint());
+        table.note(gimbal, static_cast<std::uint8_t>(200 + i), TimePoint());
+        if (i % 2 == 0)
+            table.note(otherLink, static_cast<std::uint8_t>(i), TimePoint());
+    }
+    QCOMPARE(table.counts(autopilot), (SequenceCounts{100, 0, 0, 0, 0}));
+    QCOMPARE(table.counts(gimbal).lost, std::uint64_t(0));
+    QCOMPARE(table.counts(otherLink), (SequenceCounts{50, 49, 0, 0, 0}));
+    QCOMPARE(table.countsOfLink(LinkId{1}).received, std::uint64_t(200));
+    QCOMPARE(table.countsOfSystem(1).received, std::uint64_t(250));
+    QCOMPARE(table.total().lost, std::uint64_t(49));
+    QCOMPARE(table.counts({LinkId{9}, 9, 9}), SequenceCounts());
+}
+
+void SequenceTrackerTest::tableIsBounded()
+{
+    SequenceTable table;
+    for (std::uint32_t i = 0; i < SequenceTable::kMostSenders + 10; ++i)
+        table.note({LinkId{i}, 1, 1}, 0, TimePoint());
+    QCOMPARE(table.untracked(), std::uint64_t(10));
+    QCOMPARE(table.total().received, std::uint64_t(SequenceTable::kMostSenders));
+}
+
+QTEST_GUILESS_MAIN(SequenceTrackerTest)
+#include "sequence_tracker_test.moc"

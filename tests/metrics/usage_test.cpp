@@ -1,0 +1,106 @@
+// Rates over a sliding window on a simulated clock; CPU and memory readings of this very process.
+#include "core/metrics/cycle_clock.h"
+#include "core/metrics/process_usage.h"
+#include "core/metrics/rate_meter.h"
+
+#include <QtTest/QTest>
+
+#include <vector>
+
+using namespace skyseal;
+using namespace skyseal::metrics;
+using std::chrono::milliseconds;
+
+class UsageTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void steadyRateIsExact();
+    void rateFallsToZeroInSilence();
+    void earlyRateIsNotDiluted();
+    void cpuPercentOfOneCore();
+    void readsThisProcess();
+    void cycleClockAgreesWithCpuTime();
+};
+
+static TimePoint at(int ms)
+{
+    return TimePoint(std::chrono::seconds(1000) + milliseconds(ms));
+}
+
+void UsageTest::steadyRateIsExact()
+{
+    RateMeter meter;
+    for (int ms = 0; ms < 10'000; ms += 5)
+        meter.add(at(ms), 3);
+    QCOMPARE(meter.perSecond(at(10'000)), 600.0);
+    QCOMPARE(meter.total(), std::uint64_t(6000));
+}
+
+void UsageTest::rateFallsToZeroInSilence()
+{
+    RateMeter meter;
+    for (int ms = 0; ms < 3000; ms += 10)
+        meter.add(at(ms));
+    QCOMPARE(meter.perSecond(at(3000)), 100.0);
+    QCOMPARE(meter.perSecond(at(3500)), 50.0);
+    QCOMPARE(meter.perSecond(at(4100)), 0.0);
+    // What lies rounds back does not come again.
+    meter.add(at(60'000));
+    QCOMPARE(meter.perSecond(at(60'100)), 1.0);
+}
+
+void UsageTest::earlyRateIsNotDiluted()
+{
+    RateMeter meter;
+    QCOMPARE(meter.perSecond(at(0)), 0.0);
+    for (int ms = 0; ms < 500; ms += 10)
+        meter.add(at(ms));
+    QCOMPARE(meter.perSecond(at(500)), 100.0);
+}
+
+void UsageTest::cpuPercentOfOneCore()
+{
+    CpuSampler sampler;
+    QCOMPARE(sampler.sample(at(0), std::chrono::seconds(5)), 0.0);
+    QCOMPARE(sampler.sample(at(1000), std::chrono::seconds(5) + milliseconds(250)), 25.0);
+    QCOMPARE(sampler.sample(at(1000), std::chrono::seconds(9)), 25.0);
+    QCOMPARE(sampler.sample(at(2000), std::chrono::seconds(7) + milliseconds(250)), 200.0);
+    QCOMPARE(sampler.percent(), 200.0);
+    MemorySampler memory;
+    memory.sample(10);
+    memory.sample(30);
+    memory.sample(20);
+    QCOMPARE(memory.bytes(), std::uint64_t(20));
+    QCOMPARE(memory.peak(), std::uint64_t(30));
+}
+
+void UsageTest::readsThisProcess()
+{
+    const auto before = residentBytes();
+    QVERIFY(before && *before > 1'000'000);
+    std::vector<char> ballast(64 << 20, 1);
+    const auto after = residentBytes();
+    QVERIFY(after && *after > *before + (60u << 20));
+    QVERIFY(ballast[ballast.size() / 2] == 1);
+}
+
+void UsageTest::cycleClockAgreesWithCpuTime()
+{
+    const CycleClock clock = CycleClock::measure();
+    const auto wall = std::chrono::steady_clock::now();
+    const std::uint64_t begin = CycleClock::now();
+    const Duration cpu = threadCpuTime();
+    const Duration process = processCpuTime();
+    while (threadCpuTime() - cpu < milliseconds(20)) {
+    }
+    QVERIFY(processCpuTime() - process >= milliseconds(20));
+    const auto measured = static_cast<double>(clock.between(begin, CycleClock::now()));
+    const double passed = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - wall).count();
+    QVERIFY2(measured > 0.9 * passed && measured < 1.1 * passed, qPrintable(QString::number(measured / passed)));
+    QCOMPARE(clock.between(5, 4), std::uint64_t(0));
+}
+
+QTEST_GUILESS_MAIN(UsageTest)
+#include "usage_test.moc"
