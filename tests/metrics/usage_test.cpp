@@ -95,7 +95,8 @@ void UsageTest::cycleClockAgreesWithCpuTime()
     const Duration process = processCpuTime();
     while (threadCpuTime() - cpu < milliseconds(20)) {
     }
-    QVERIFY(processCpuTime() - process >= milliseconds(20));
+    // The process clock was read a little later than that of the thread.
+    QVERIFY(processCpuTime() - process >= milliseconds(15));
     const auto measured = static_cast<double>(clock.between(begin, CycleClock::now()));
     const double passed = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - wall).count();
     QVERIFY2(measured > 0.9 * passed && measured < 1.1 * passed, qPrintable(QString::number(measured / passed)));
