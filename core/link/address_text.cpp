@@ -29,10 +29,9 @@ Address ipv4(std::uint32_t hostOrder, std::uint16_t port)
 
 Address fromQt(const QHostAddress &host, std::uint16_t port)
 {
-    bool isFour = false;
-    const quint32 four = host.toIPv4Address(&isFour);
-    if (isFour && host.protocol() != QAbstractSocket::AnyIPProtocol)
-        return ipv4(four, port);
+    // Not toIPv4Address()'s own opinion: it also turns :: into 0.0.0.0.
+    if (host.protocol() == QAbstractSocket::IPv4Protocol)
+        return ipv4(host.toIPv4Address(), port);
     Address out;
     const Q_IPV6ADDR six = host.toIPv6Address();
     std::copy(std::begin(six.c), std::end(six.c), out.ip.begin());

@@ -1,0 +1,288 @@
+// TCP links over the loopback: both ends ours, peers that close and come back, several clients at once.
+#include "core/link/address_text.h"
+#include "core/link/tcp_link.h"
+#include "core/link/tcp_server_link.h"
+#include "tests/link/recorder.h"
+
+#include <QtNetwork/QTcpSocket>
+#include <QtTest/QTest>
+
+#include <numeric>
+
+using namespace skyseal;
+using namespace skyseal::link;
+using namespace skyseal::test;
+
+class TcpLinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void carriesBothWays();
+    void bulkArrivesCompleteAndInOrder();
+    void refusedWaitsAndConnectsWhenTheServerComes();
+    void closedPeerIsSaidAndComesBack();
+    void lastWordsBeforeTheEndArrive();
+    void serverKeepsClientsApart();
+    void serverRefusesTooManyClients();
+    void portInUseFails();
+    void unknownHostIsSaid();
+    void fullQueueDropsWholeBlocks();
+    void listenerMayCloseEitherEnd();
+    void closeSendsWhatWasQueued();
+};
+
+static LinkOptions quick()
+{
+    LinkOptions out;
+    out.retryFirst = std::chrono::milliseconds(20);
+    out.retryMax = std::chrono::milliseconds(50);
+    return out;
+}
+
+void TcpLinkTest::carriesBothWays()
+{
+    Recorder server;
+    Recorder client;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick(), LinkId{3});
+    QCOMPARE(in->state(), LinkState::Listening);
+    QVERIFY(in->isStream());
+    const auto out = openLink("tcp:" + in->localAddress(), client, quick(), LinkId{4});
+    QCOMPARE(out->state(), LinkState::Opening);
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    QCOMPARE(client.joined, (std::vector<Path>{{LinkId{4}, *in->localEndpoint()}}));
+    QCOMPARE(server.joined[0], (Path{LinkId{3}, *out->localEndpoint()}));
+    QCOMPARE(toText(out->remote()), in->localAddress());
+
+    out->send({}, asBytes("up"));
+    out->send({}, asBytes("link"));
+    out->flush();
+    QTRY_COMPARE(server.stream(), std::string("uplink"));
+    in->send(server.joined[0].remote, asBytes("down"));
+    in->flush();
+    QTRY_COMPARE(client.stream(), std::string("down"));
+    QCOMPARE(out->counters().txBlocks, std::uint64_t(2));
+    QCOMPARE(out->counters().txBytes, std::uint64_t(6));
+    QCOMPARE(in->counters().rxBytes, std::uint64_t(6));
+}
+
+void TcpLinkTest::bulkArrivesCompleteAndInOrder()
+{
+    Recorder server;
+    Recorder client;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const auto out = openLink("tcp:" + in->localAddress(), client, quick());
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    std::string expected;
+    for (int i = 0; i < 20'000; ++i) {
+        const std::string line = "frame " + std::to_string(i) + "\n";
+        expected += line;
+        out->send({}, asBytes(line));
+        if (i % 1000 == 999) {
+            out->flush();
+            QTRY_COMPARE(in->counters().rxBytes, std::uint64_t(expected.size()));
+        }
+    }
+    QVERIFY(server.stream() == expected);
+    QCOMPARE(out->counters().txDropped, std::uint64_t(0));
+}
+
+void TcpLinkTest::refusedWaitsAndConnectsWhenTheServerComes()
+{
+    Recorder server;
+    Recorder client;
+    auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const std::string address = in->localAddress();
+    in->close();
+    const auto out = openLink("tcp:" + address, client, quick());
+    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    QCOMPARE(out->error().code, LinkErrorCode::Refused);
+    QCOMPARE(out->error().sentence(), address + " refuses the connection (nothing listens there)");
+    in = openLink("tcpin:" + address, server, quick());
+    QCOMPARE(in->state(), LinkState::Listening);
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    QCOMPARE(out->error().code, LinkErrorCode::None);
+}
+
+void TcpLinkTest::closedPeerIsSaidAndComesBack()
+{
+    Recorder server;
+    Recorder client;
+    auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const std::string address = in->localAddress();
+    const auto out = openLink("tcp:" + address, client, quick());
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    std::vector<LinkState> states;
+    std::vector<LinkErrorCode> reasons;
+    connect(out.get(), &Link::stateChanged, this, [&](LinkState state) {
+        states.push_back(state);
+        reasons.push_back(out->error().code);
+    });
+    in->close();
+    QTRY_COMPARE(client.left.size(), std::size_t(1));
+    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    QCOMPARE(reasons.front(), LinkErrorCode::PeerClosed);
+    out->send({}, asBytes("lost"));
+    QCOMPARE(out->counters().txDropped, std::uint64_t(1));
+
+    in = openLink("tcpin:" + address, server, quick());
+    QCOMPARE(in->state(), LinkState::Listening);
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    QCOMPARE(client.joined.size(), std::size_t(2));
+    out->send({}, asBytes("again"));
+    out->flush();
+    QTRY_COMPARE(server.stream(), std::string("again"));
+}
+
+void TcpLinkTest::lastWordsBeforeTheEndArrive()
+{
+    Recorder server;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    QTcpSocket socket;
+    socket.connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
+    QVERIFY(socket.waitForConnected());
+    socket.write("last words");
+    socket.disconnectFromHost();
+    QTRY_COMPARE(server.left.size(), std::size_t(1));
+    QCOMPARE(server.stream(), std::string("last words"));
+    QCOMPARE(server.left, server.joined);
+    QCOMPARE(in->state(), LinkState::Listening);
+}
+
+void TcpLinkTest::serverKeepsClientsApart()
+{
+    Recorder server;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    std::array<Recorder, 3> clients;
+    std::vector<std::unique_ptr<Link>> links;
+    for (Recorder &client : clients) {
+        links.push_back(openLink("tcp:" + in->localAddress(), client, quick()));
+        QTRY_COMPARE(links.back()->state(), LinkState::Connected);
+        QTRY_COMPARE(server.joined.size(), links.size());
+    }
+    for (std::size_t i = 0; i < links.size(); ++i) {
+        links[i]->send({}, asBytes(std::to_string(i)));
+        links[i]->flush();
+    }
+    QTRY_COMPARE(server.blocks.size(), std::size_t(3));
+    for (const Recorder::Block &block : server.blocks) {
+        const auto index = static_cast<std::size_t>(std::stoi(std::string(asText(block.bytes))));
+        QCOMPARE(block.path.remote, *links[index]->localEndpoint());
+        in->send(block.path.remote, asBytes("to " + std::to_string(index)));
+    }
+    in->send({}, asBytes(" and all"));
+    in->flush();
+    for (std::size_t i = 0; i < links.size(); ++i)
+        QTRY_COMPARE(clients[i].stream(), "to " + std::to_string(i) + " and all");
+
+    links[1]->close();
+    QTRY_COMPARE(server.left, (std::vector<Path>{server.joined[1]}));
+    in->send(server.joined[1].remote, asBytes("gone"));
+    QCOMPARE(in->counters().txDropped, std::uint64_t(1));
+    links[2]->send({}, asBytes("still here"));
+    links[2]->flush();
+    QTRY_COMPARE(asText(server.blocks.back().bytes), std::string_view("still here"));
+}
+
+void TcpLinkTest::serverRefusesTooManyClients()
+{
+    Recorder server;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    std::vector<std::unique_ptr<QTcpSocket>> sockets;
+    for (std::size_t i = 0; i < TcpServerLink::kMostClients + 1; ++i) {
+        sockets.push_back(std::make_unique<QTcpSocket>());
+        sockets.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
+        QVERIFY(sockets.back()->waitForConnected());
+    }
+    QTRY_COMPARE(sockets.back()->state(), QAbstractSocket::UnconnectedState);
+    QCOMPARE(server.joined.size(), TcpServerLink::kMostClients);
+    QCOMPARE(sockets.front()->state(), QAbstractSocket::ConnectedState);
+}
+
+void TcpLinkTest::portInUseFails()
+{
+    Recorder server;
+    const auto first = openLink("tcpin:127.0.0.1:0", server, quick());
+    const auto second = openLink("tcpin:" + first->localAddress(), server, quick());
+    QCOMPARE(second->state(), LinkState::Failed);
+    QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
+    QCOMPARE(second->localAddress(), first->localAddress());
+    first->close();
+    second->open();
+    QCOMPARE(second->state(), LinkState::Listening);
+}
+
+void TcpLinkTest::unknownHostIsSaid()
+{
+    Recorder client;
+    const auto out = openLink("tcp:no-such-host.invalid:5760", client, quick());
+    QTRY_COMPARE_WITH_TIMEOUT(out->state(), LinkState::Waiting, 30'000);
+    QCOMPARE(out->error().code, LinkErrorCode::HostUnknown);
+    QCOMPARE(out->error().sentence(), std::string("the host name \"no-such-host.invalid\" is not known"));
+}
+
+void TcpLinkTest::fullQueueDropsWholeBlocks()
+{
+    Recorder server;
+    Recorder client;
+    LinkOptions small = quick();
+    small.streamQueueBytes = 1000;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const auto out = openLink("tcp:" + in->localAddress(), client, small);
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    const std::string block(300, 'x');
+    for (int i = 0; i < 5; ++i)
+        out->send({}, asBytes(block));
+    QCOMPARE(out->counters().txBlocks, std::uint64_t(3));
+    QCOMPARE(out->counters().txDropped, std::uint64_t(2));
+    out->flush();
+    QTRY_COMPARE(server.stream().size(), std::size_t(900));
+    out->send({}, asBytes(block));
+    out->flush();
+    QTRY_COMPARE(server.stream().size(), std::size_t(1200));
+}
+
+void TcpLinkTest::listenerMayCloseEitherEnd()
+{
+    Recorder server;
+    Recorder client;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const auto out = openLink("tcp:" + in->localAddress(), client, quick());
+    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    client.onReceived = [](Link &link) { link.close(); };
+    in->send({}, asBytes("stop"));
+    in->flush();
+    QTRY_COMPARE(out->state(), LinkState::Closed);
+    QTRY_COMPARE(server.left.size(), std::size_t(1));
+
+    client.onReceived = {};
+    out->open();
+    QTRY_COMPARE(server.joined.size(), std::size_t(2));
+    server.onReceived = [](Link &link) { link.close(); };
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    out->send({}, asBytes("stop"));
+    out->flush();
+    QTRY_COMPARE(in->state(), LinkState::Closed);
+    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    out->close();
+    QCOMPARE(client.joined.size(), client.left.size());
+    QCOMPARE(server.joined.size(), server.left.size());
+}
+
+void TcpLinkTest::closeSendsWhatWasQueued()
+{
+    Recorder server;
+    Recorder client;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    const auto out = openLink("tcp:" + in->localAddress(), client, quick());
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    out->send({}, asBytes("goodbye"));
+    out->close();
+    QTRY_COMPARE(server.left.size(), std::size_t(1));
+    QCOMPARE(server.stream(), std::string("goodbye"));
+}
+
+QTEST_GUILESS_MAIN(TcpLinkTest)
+#include "tcp_link_test.moc"
