@@ -4,8 +4,6 @@
 
 #include "core/base/bytes.h"
 
-#include <openssl/sha.h>
-
 #include <array>
 #include <initializer_list>
 
@@ -25,8 +23,11 @@ public:
     void compute(MutableByteView out, std::initializer_list<ByteView> parts) const;
 
 private:
-    SHA256_CTX m_inner;
-    SHA256_CTX m_outer;
+    /// The eight words of SHA-256 after the block that holds the padded key.
+    using State = std::array<std::uint32_t, 8>;
+
+    State m_inner;
+    State m_outer;
 };
 
 /// The MAC of one message under a key that is used once.

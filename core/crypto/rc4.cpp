@@ -72,8 +72,7 @@ private:
     bool crypt(std::uint64_t counter, ByteView in, std::uint8_t *out)
     {
         std::array<std::uint8_t, 8> message;
-        for (std::size_t i = 0; i < message.size(); ++i)
-            message[i] = static_cast<std::uint8_t>(counter >> (8 * i));
+        storeLittleEndian64(message.data(), counter);
         Key32 key;
         m_keys.compute(key.mutableView(), {message});
         int written = 0;

@@ -3,8 +3,10 @@
 
 #include "core/crypto/kdf.h"
 #include "core/crypto/record_cipher.h"
+#include "core/crypto/store_integer.h"
 
 #include <array>
+#include <cstring>
 #include <string>
 
 namespace skyseal::crypto {
@@ -26,12 +28,6 @@ inline Key32 deriveRecordKey(const DirectionSecret &secret, SuiteId suite, std::
     return key;
 }
 
-inline void storeBigEndian64(std::uint8_t *out, std::uint64_t value)
-{
-    for (int i = 0; i < 8; ++i)
-        out[i] = static_cast<std::uint8_t>(value >> (56 - 8 * i));
-}
-
 /// The IV of a direction, from which each record's nonce is made.
 class NonceBase
 {
@@ -42,10 +38,13 @@ public:
     Nonce12 at(std::uint64_t counter) const
     {
         Nonce12 nonce;
-        nonce.fill(0);
-        storeBigEndian64(nonce.data() + 4, counter);
-        for (std::size_t i = 0; i < nonce.size(); ++i)
-            nonce[i] = static_cast<std::uint8_t>(nonce[i] ^ m_iv.view()[i]);
+        std::uint64_t number = 0;
+        std::uint64_t low = 0;
+        storeBigEndian64(reinterpret_cast<std::uint8_t *>(&number), counter);
+        std::memcpy(&low, m_iv.view().data() + 4, sizeof low);
+        low ^= number;
+        std::memcpy(nonce.data(), m_iv.view().data(), 4);
+        std::memcpy(nonce.data() + 4, &low, sizeof low);
         return nonce;
     }
 

@@ -1,0 +1,39 @@
+// Integers to bytes on the hot paths. Written out as one swap and one store: byte by byte, compilers make up to eight
+// small stores of it, and the wide load that follows in a hash or cipher then waits for all of them.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+
+namespace skyseal::crypto {
+
+inline void storeBigEndian32(std::uint8_t *out, std::uint32_t value)
+{
+    if constexpr (std::endian::native == std::endian::little)
+        value = __builtin_bswap32(value);
+    std::memcpy(out, &value, sizeof value);
+}
+
+inline void storeBigEndian64(std::uint8_t *out, std::uint64_t value)
+{
+    if constexpr (std::endian::native == std::endian::little)
+        value = __builtin_bswap64(value);
+    std::memcpy(out, &value, sizeof value);
+}
+
+inline void storeLittleEndian32(std::uint8_t *out, std::uint32_t value)
+{
+    if constexpr (std::endian::native == std::endian::big)
+        value = __builtin_bswap32(value);
+    std::memcpy(out, &value, sizeof value);
+}
+
+inline void storeLittleEndian64(std::uint8_t *out, std::uint64_t value)
+{
+    if constexpr (std::endian::native == std::endian::big)
+        value = __builtin_bswap64(value);
+    std::memcpy(out, &value, sizeof value);
+}
+
+} // namespace skyseal::crypto
