@@ -1,0 +1,120 @@
+// The vehicle without its radio: a simulated quadcopter in a simulated world, and the autopilot that flies it, in steps of
+// 2.5 ms. Knows no MAVLink; every request is a method, every refusal a sentence.
+#pragma once
+
+#include "core/sim/airframe.h"
+#include "core/sim/battery_watch.h"
+#include "core/sim/estimator.h"
+#include "core/sim/flight_modes.h"
+#include "core/sim/land_detector.h"
+#include "core/sim/parameters.h"
+#include "core/sim/position_controller.h"
+#include "core/sim/status_texts.h"
+#include "core/sim/wind.h"
+
+namespace skyseal::sim {
+
+struct AutopilotConfig
+{
+    std::uint64_t seed = 1;
+    GeoPoint start{-35.363261, 149.165230, 584}; ///< the field in Canberra that ArduPilot's simulator starts from
+    double heading = 353;                        ///< degrees
+    double firstFix = 3;                         ///< s of flight time until the GPS has a fix
+};
+
+class Autopilot
+{
+public:
+    /// Why something was not done, as a sentence for the operator.
+    using Refusal = std::optional<std::string>;
+
+    explicit Autopilot(const AutopilotConfig &config);
+
+    static constexpr std::uint64_t kStep = 2500; ///< µs
+    void step();
+    std::uint64_t time() const { return m_time; } ///< µs of flight time since power-on
+
+    Refusal arm(bool force);
+    Refusal disarm(bool force);
+    Refusal enterMode(FlightMode mode);
+    Refusal takeOff(double height);
+    /// Goes to a place in GUIDED, NED from the origin.
+    Refusal goTo(const Vector3 &place);
+    Refusal move(const Vector3 &velocity);
+    /// Turns the nose (rad) in GUIDED and AUTO; `rate` in rad/s, 0 = the parameter's.
+    Refusal face(double heading, double rate);
+    enum class SpeedKind { Ground, Climb, Descent };
+    Refusal changeSpeed(SpeedKind kind, double speed);
+    Refusal startMission();
+    bool setHome(const Vector3 &place);
+    /// A failsafe acts: RTL, or landing where that cannot be flown; what stands on the ground is disarmed.
+    void failsafe(std::string_view cause, FlightMode action);
+
+    bool armed() const { return m_armed; }
+    bool landed() const { return m_landDetector.landed(); }
+    bool inFailsafe() const { return m_inFailsafe; }
+    void setInFailsafe(bool active) { m_inFailsafe = active; }
+    /// The first thing that speaks against arming, without "PreArm: "; nullopt when it could be armed now.
+    Refusal preArm() const;
+
+    Situation situation() const;
+    const Estimate &estimate() const { return m_estimator.estimate(); }
+    const Estimator &estimator() const { return m_estimator; }
+    const BodyState &truth() const { return m_airframe.state(); }
+    const Rotors &rotorCommands() const { return m_commands; }
+    double throttle() const { return m_thrust; }
+    const AttitudeController &attitudeController() const { return m_attitude; }
+    const Battery &battery() const { return m_battery; }
+    const BatteryWatch &batteryWatch() const { return m_batteryWatch; }
+    const GpsReport &gps() const { return m_gps.report(); }
+    const LocalFrame &world() const { return m_world; }
+    const Wind &wind() const { return m_wind; }
+    const std::optional<Vector3> &home() const { return m_home; }
+    double heightAboveHome() const { return situation().heightAboveHome(); }
+
+    FlightModes &modes() { return m_modes; }
+    const FlightModes &modes() const { return m_modes; }
+    Parameters &parameters() { return m_parameters; }
+    const Parameters &parameters() const { return m_parameters; }
+    PilotInput &pilot() { return m_pilot; }
+    const PilotInput &pilot() const { return m_pilot; }
+    StatusTexts &texts() { return m_texts; }
+
+private:
+    void control(double dt);
+    void watch(double dt);
+    void watchPosition();
+    void disarmNow();
+    bool landsHere() const;
+
+    Parameters m_parameters;
+    FlightSettings m_settings;
+    unsigned m_settingsRevision = ~0u;
+    LocalFrame m_world;
+    Wind m_wind;
+    Airframe m_airframe;
+    Battery m_battery;
+    Gps m_gps;
+    Estimator m_estimator;
+    PilotInput m_pilot;
+    FlightModes m_modes;
+    PositionController m_position;
+    AttitudeController m_attitude;
+    LandDetector m_landDetector;
+    BatteryWatch m_batteryWatch;
+    StatusTexts m_texts;
+
+    std::uint64_t m_time = 0;
+    Rotors m_commands{};
+    double m_thrust = 0;
+    bool m_idle = true;
+    bool m_armed = false;
+    bool m_flown = false; ///< since it was armed
+    bool m_inFailsafe = false;
+    bool m_aligned = false;
+    bool m_hadPosition = false;
+    bool m_homeLocked = false;
+    std::optional<Vector3> m_home;
+};
+
+} // namespace skyseal::sim

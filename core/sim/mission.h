@@ -1,0 +1,43 @@
+// A mission as MAVLink describes it: a list of items, the first of which is home.
+#pragma once
+
+#include "core/sim/geodesy.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace skyseal::sim {
+
+/// One MISSION_ITEM_INT without its addressing.
+struct MissionItem
+{
+    std::uint8_t frame = 0;    ///< MAV_FRAME
+    std::uint16_t command = 0; ///< MAV_CMD
+    bool autocontinue = true;
+    std::array<float, 4> parameters{};
+    std::int32_t x = 0; ///< latitude in 1e-7 degrees, or a parameter
+    std::int32_t y = 0; ///< longitude in 1e-7 degrees, or a parameter
+    float z = 0;        ///< altitude in m, in the item's frame, or a parameter
+
+    bool operator==(const MissionItem &) const = default;
+};
+
+/// Why an item cannot be part of a mission, numbered as MAV_MISSION_RESULT.
+enum class ItemError : std::uint8_t { UnsupportedFrame = 2, Unsupported = 3, Invalid = 5, InvalidX = 10, InvalidY = 11, InvalidZ = 12 };
+
+/// nullopt when the vehicle can fly it.
+std::optional<ItemError> checkItem(const MissionItem &item);
+
+/// Whether the item is a place to be at, rather than something to do on the way.
+bool isNavigation(const MissionItem &item);
+
+/// Where an item lies. Zero latitude and longitude mean "here", as ArduPilot reads them; heights are above sea level in
+/// the global frames and above home in the relative ones.
+Vector3 placeOf(const MissionItem &item, const LocalFrame &world, const Vector3 &home, const Vector3 &here);
+
+using Mission = std::vector<MissionItem>;
+inline constexpr std::size_t kMostMissionItems = 724;
+
+} // namespace skyseal::sim

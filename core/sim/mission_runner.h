@@ -1,0 +1,73 @@
+// AUTO: flies the mission item by item.
+#pragma once
+
+#include "core/sim/auto_yaw.h"
+#include "core/sim/mission.h"
+#include "core/sim/return_to_launch.h"
+#include "core/sim/take_off.h"
+
+#include <map>
+#include <utility>
+
+namespace skyseal::sim {
+
+class MissionRunner
+{
+public:
+    explicit MissionRunner(const LocalFrame &world) : m_world(world) {}
+
+    const Mission &mission() const { return m_mission; }
+    void load(Mission mission);
+    /// The item that is flown, or that a start begins with; 0 when there is none.
+    std::uint16_t current() const { return m_current; }
+    /// False when there is no such item.
+    bool setCurrent(std::uint16_t sequence);
+
+    /// Whether AUTO can be entered: there is something besides home, and it starts with a take-off if on the ground.
+    const char *refusal(bool landed) const;
+    /// Entering AUTO: goes on with the current item.
+    void begin(const Situation &s);
+    /// MISSION_START, or the raised throttle: a vehicle on the ground may now take off.
+    void start() { m_started = true; }
+    bool started() const { return m_started; }
+    FlightDemand update(double dt, const Situation &s);
+
+    bool finished() const { return m_finished; }
+    /// The item that was reached since the last call.
+    std::optional<std::uint16_t> takeReached() { return std::exchange(m_reached, std::nullopt); }
+    /// Where it is heading for now, NED.
+    const Vector3 &place() const { return m_place; }
+
+    void setSpeed(double speed) { m_speed = speed; }
+    void setClimb(double speed) { m_climb = speed; }
+    void setDescent(double speed) { m_descent = speed; }
+    AutoYaw &yaw() { return m_yaw; }
+
+private:
+    void startItem(const Situation &s);
+    void advance(const Situation &s);
+    bool execute(const MissionItem &item, const Situation &s);
+    bool itemDone(double dt, const Situation &s);
+    bool nearPlace(const Situation &s) const;
+    FlightDemand hold(const Situation &s);
+
+    const LocalFrame m_world;
+    Mission m_mission;
+    std::uint16_t m_current = 0;
+    bool m_started = false;
+    bool m_entered = false; ///< the current item was begun
+    bool m_finished = false;
+    std::optional<std::uint16_t> m_reached;
+    std::map<std::uint16_t, int> m_jumpsLeft;
+
+    Vector3 m_place;
+    double m_timeAtPlace = 0; ///< s
+    bool m_arrived = false;
+    std::optional<double> m_speed, m_climb, m_descent;
+    TakeOff m_takeOff;
+    Landing m_landing;
+    ReturnToLaunch m_return;
+    AutoYaw m_yaw;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,25 @@
+// The parameters that the vehicle has: names, types, defaults and limits as ArduCopter documents them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace skyseal::sim {
+
+/// Numbered as MAV_PARAM_TYPE.
+enum class ParameterType : std::uint8_t { Int8 = 2, Int16 = 4, Int32 = 6, Real32 = 9 };
+
+struct ParameterInfo
+{
+    std::string name; ///< at most 16 characters
+    ParameterType type = ParameterType::Real32;
+    float standard = 0;
+    float minimum = 0;
+    float maximum = 0;
+};
+
+/// All parameters, sorted by name: the position is the MAVLink index.
+const std::vector<ParameterInfo> &parameterTable();
+
+} // namespace skyseal::sim

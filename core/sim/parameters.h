@@ -1,0 +1,40 @@
+// The values of one vehicle's parameters.
+#pragma once
+
+#include "core/sim/parameter_table.h"
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace skyseal::sim {
+
+class Parameters
+{
+public:
+    Parameters();
+
+    std::size_t count() const { return m_values.size(); }
+    std::optional<std::size_t> find(std::string_view name) const;
+    const ParameterInfo &info(std::size_t index) const { return parameterTable()[index]; }
+
+    float value(std::size_t index) const { return m_values[index]; }
+    /// The value of a parameter that the table has; 0 for any other name.
+    float value(std::string_view name) const;
+    int integer(std::string_view name) const { return static_cast<int>(value(name)); }
+    bool flag(std::string_view name) const { return value(name) != 0; }
+
+    enum class SetResult { Stored, Unknown, NotFinite, OutOfRange };
+    /// Stores a value, rounded where the type is an integer. What is not stored leaves everything as it was.
+    SetResult set(std::size_t index, float value);
+    SetResult set(std::string_view name, float value);
+
+    /// Rises with every stored value: whoever keeps a copy of some values sees that it is old.
+    unsigned revision() const { return m_revision; }
+
+private:
+    std::vector<float> m_values;
+    unsigned m_revision = 0;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,65 @@
+#include "core/sim/return_to_launch.h"
+
+namespace skyseal::sim {
+
+void ReturnToLaunch::begin(const Situation &s)
+{
+    const FlightSettings &settings = s.settings;
+    const double height = s.heightAboveHome();
+    const double distance = std::hypot(s.home.x - s.estimate.position.x, s.home.y - s.estimate.position.y);
+    m_height = std::max(height + settings.rtlClimbMin, settings.rtlAltitude);
+    if (settings.rtlCone >= 0.5) // near home there is no need to climb high: stay below a cone over it
+        m_height = std::max({std::min(m_height, std::max(distance * settings.rtlCone, 2.0)), height + settings.rtlClimbMin});
+    m_waited = 0;
+    m_yaw.reset(s);
+    enter(Phase::Climb, s);
+}
+
+void ReturnToLaunch::enter(Phase phase, const Situation &s)
+{
+    m_phase = phase;
+    if (phase == Phase::Climb)
+        m_place = stoppingPoint(s);
+    else
+        m_place = {s.home.x, s.home.y, s.settings.rtlSpeed > 0 ? s.settings.rtlSpeed : s.settings.speed};
+    if (phase == Phase::Land)
+        m_landing.begin(s, m_place);
+}
+
+bool ReturnToLaunch::reached(const Situation &s) const
+{
+    return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y) < s.settings.waypointRadius;
+}
+
+FlightDemand ReturnToLaunch::update(double dt, const Situation &s)
+{
+    switch (m_phase) {
+    case Phase::Climb:
+        if (s.heightAboveHome() > m_height - 0.3)
+            enter(Phase::Return, s);
+        break;
+    case Phase::Return:
+        if (reached(s))
+            enter(Phase::Wait, s);
+        break;
+    case Phase::Wait:
+        m_waited += dt;
+        if (m_waited >= s.settings.rtlLoiter)
+            enter(s.settings.rtlFinalAltitude > 0 ? Phase::Descend : Phase::Land, s);
+        break;
+    case Phase::Descend:
+        break;
+    case Phase::Land:
+        return m_landing.update(s);
+    }
+
+    FlightDemand demand;
+    demand.horizontal = m_place;
+    const double height = m_phase == Phase::Descend ? s.settings.rtlFinalAltitude : m_height;
+    demand.vertical = HoldAltitude{height - s.home.z, s.settings.climb, s.settings.descent};
+    demand.yaw = m_phase == Phase::Return ? m_yaw.towards(s, m_place) : m_yaw.hold();
+    demand.idle = s.landed;
+    return demand;
+}
+
+} // namespace skyseal::sim

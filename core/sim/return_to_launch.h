@@ -1,0 +1,32 @@
+// RTL: climb to a safe height, fly home, wait a little, land. Phases and parameters as ArduCopter has them.
+#pragma once
+
+#include "core/sim/auto_yaw.h"
+#include "core/sim/landing.h"
+
+namespace skyseal::sim {
+
+class ReturnToLaunch
+{
+public:
+    void begin(const Situation &s);
+    FlightDemand update(double dt, const Situation &s);
+
+    enum class Phase { Climb, Return, Wait, Descend, Land };
+    Phase phase() const { return m_phase; }
+    /// Where it is heading for now.
+    const GoTo &place() const { return m_place; }
+
+private:
+    void enter(Phase phase, const Situation &s);
+    bool reached(const Situation &s) const;
+
+    Phase m_phase = Phase::Climb;
+    double m_height = 0; ///< m above home, of the way back
+    double m_waited = 0; ///< s
+    GoTo m_place;
+    AutoYaw m_yaw;
+    Landing m_landing;
+};
+
+} // namespace skyseal::sim

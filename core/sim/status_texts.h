@@ -1,0 +1,46 @@
+// What the vehicle has to say to people, waiting to be sent.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+namespace skyseal::sim {
+
+/// Numbered as MAV_SEVERITY.
+enum class Severity : std::uint8_t { Emergency, Alert, Critical, Error, Warning, Notice, Info, Debug };
+
+struct StatusText
+{
+    Severity severity = Severity::Info;
+    std::string text;
+};
+
+class StatusTexts
+{
+public:
+    static constexpr std::size_t kMost = 32;
+
+    /// Drops the oldest text when too many wait.
+    void say(Severity severity, std::string text)
+    {
+        if (m_waiting.size() == kMost)
+            m_waiting.pop_front();
+        m_waiting.push_back({severity, std::move(text)});
+    }
+
+    std::optional<StatusText> take()
+    {
+        if (m_waiting.empty())
+            return std::nullopt;
+        StatusText first = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        return first;
+    }
+
+private:
+    std::deque<StatusText> m_waiting;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,59 @@
+// Which message is due when: the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, and single messages
+// whose interval was set on its own. Rates are exact in the long run.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/sim/parameters.h"
+
+#include <array>
+#include <optional>
+
+namespace skyseal::sim {
+
+class StreamScheduler
+{
+public:
+    explicit StreamScheduler(TimePoint start) : m_start(start) {}
+
+    /// Takes over the SR0_ parameters where they changed.
+    void applyParameters(TimePoint now, const Parameters &parameters);
+
+    /// REQUEST_DATA_STREAM: sets the rate of a group (MAV_DATA_STREAM; 0 = all) in Hz through its parameter. False for an
+    /// unknown group.
+    static bool requestGroup(Parameters &parameters, std::uint8_t stream, int rate);
+    /// Single intervals of the group's messages are forgotten, as a later wish overrides an earlier one.
+    void forgetSingles(std::uint8_t stream);
+
+    /// Interval of one message: positive is a period, zero goes back to its group's rate, negative switches it off.
+    /// False for a message that cannot be streamed.
+    bool setInterval(TimePoint now, std::uint32_t message, Duration interval);
+    /// The interval in force; zero when the message is not streamed, nullopt when it cannot be.
+    std::optional<Duration> interval(std::uint32_t message) const;
+
+    /// The message that is due by `now`, one a call, in the order of their times; nullopt when none is left.
+    std::optional<std::uint32_t> pollDue(TimePoint now);
+    TimePoint nextDeadline() const;
+    /// After a long stop of the clock: what was missed is not sent in a burst.
+    void skipTo(TimePoint now);
+
+private:
+    static constexpr std::size_t kMessages = 27;
+    static constexpr unsigned kNoRevision = ~0u; ///< look at the parameters again, changed or not
+
+    struct Slot
+    {
+        Duration period{};  ///< zero: not streamed
+        bool single = false;
+        TimePoint due = kNever;
+    };
+    void setPeriod(std::size_t index, TimePoint now, Duration period);
+    std::size_t earliest() const;
+
+    TimePoint m_start;
+    std::array<Slot, kMessages> m_slots{};
+    std::array<int, 13> m_rates{}; ///< Hz per MAV_DATA_STREAM
+    unsigned m_revision = kNoRevision;
+    bool m_started = false;
+};
+
+} // namespace skyseal::sim
