@@ -1,0 +1,75 @@
+// A relay between two links that treats what passes as a bad radio would: the tool to try a protocol or a vehicle on a
+// link that loses, repeats, reorders, damages and delays. Each direction has its own Impairment; every drop can be
+// written down, so that what arrives can be checked against it frame by frame. Lives on the thread of its links.
+#pragma once
+
+#include "core/impair/impairment.h"
+#include "core/link/make_link.h"
+
+#include <QtCore/QTimer>
+
+#include <functional>
+
+namespace skyseal::link {
+
+class Impairer : public QObject, private LinkListener
+{
+    Q_OBJECT
+
+public:
+    enum class Direction : std::uint8_t { Forward, Backward }; ///< from `listen` to `to`, and back
+
+    /// Datagrams are impaired one by one; on streams (tcp) the chunks as they happen to arrive.
+    Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::Settings &settings, const LinkOptions &options = {});
+
+    void open();
+    void close();
+
+    Link &listenLink() { return *m_sides[0].link; }
+    Link &toLink() { return *m_sides[1].link; }
+
+    struct Totals
+    {
+        impair::Counters counters;
+        std::uint64_t unroutable = 0; ///< came before anyone was known on the other side: not offered, not counted there
+    };
+    Totals totals(Direction direction) const;
+
+    /// What was done with one datagram, at the time it came in.
+    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &)>;
+    /// Called for every datagram; nothing when empty.
+    void setLog(Log log) { m_log = std::move(log); }
+
+Q_SIGNALS:
+    /// One of the two links changed its state.
+    void linkStateChanged(skyseal::link::Link &link);
+
+private:
+    struct Side
+    {
+        std::unique_ptr<Link> link;
+        impair::Impairment outgoing; ///< towards this side's peer
+        Address peer; ///< whoever sent here last, for links without a fixed remote
+        std::uint64_t unroutable = 0;
+    };
+
+    void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override;
+    void linkPeerJoined(Link &link, const Path &path) override;
+    bool hasPeer(const Side &side) const;
+    void release();
+    Side makeSide(const LinkUrl &url, LinkId id, const impair::Settings &settings, const LinkOptions &options);
+
+    std::array<Side, 2> m_sides;
+    QTimer m_timer;
+    Log m_log;
+};
+
+/// "forward" or "backward".
+const char *name(Impairer::Direction direction);
+
+/// One JSON object: {"event":EVENT,"t":…,"forward":{…},"backward":{…}}, t in seconds since `start`.
+std::string statsJson(const char *event, const Impairer &impairer, Duration sinceStart);
+/// {"event":"drop","t":…,"direction":…,"sequence":…,"bytes":…,"reason":"loss"|"queue"}
+std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict);
+
+} // namespace skyseal::link

@@ -1,0 +1,192 @@
+// The relay with real sockets on both sides: what its log and counters say is exactly what arrives.
+#include "core/link/impairer.h"
+#include "tests/link/recorder.h"
+
+#include <QtTest/QTest>
+
+#include <map>
+
+using namespace skyseal;
+using namespace skyseal::link;
+using namespace skyseal::test;
+using std::chrono::milliseconds;
+
+class ImpairerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void perfectRelayCarriesBothWays();
+    void whatTheLogSaysIsWhatArrives();
+    void sameSeedDropsTheSame();
+    void relaysTcp();
+    void beforeAPeerIsKnownNothingIsOffered();
+    void jsonHasWhatScriptsNeed();
+
+private:
+    struct Setup
+    {
+        explicit Setup(const impair::Settings &settings)
+            : station(openLink("udpin:127.0.0.1:0", stationHeard)),
+              relay(*LinkUrl::parse("udpin:127.0.0.1:0"), *LinkUrl::parse("udpout:" + station->localAddress()), settings)
+        {
+            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict) {
+                verdicts[direction].push_back(verdict);
+            });
+            relay.open();
+            agent = openLink("udpout:" + relay.listenLink().localAddress(), agentHeard);
+        }
+
+        Recorder stationHeard;
+        Recorder agentHeard;
+        std::unique_ptr<Link> station;
+        Impairer relay;
+        std::unique_ptr<Link> agent;
+        std::map<Impairer::Direction, std::vector<impair::Verdict>> verdicts;
+    };
+};
+
+static Bytes numbered(std::uint32_t number)
+{
+    // The whole datagram follows from its number, so that a damaged number is noticed as well.
+    Bytes out(50);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i] = static_cast<std::uint8_t>(number >> (8 * (i % 4)));
+    return out;
+}
+
+static std::uint32_t numberOf(const Bytes &bytes)
+{
+    return std::uint32_t(bytes[0] | bytes[1] << 8 | bytes[2] << 16 | bytes[3] << 24);
+}
+
+void ImpairerTest::perfectRelayCarriesBothWays()
+{
+    Setup setup{{}};
+    setup.agent->send({}, asBytes("to the station"));
+    setup.agent->flush();
+    QTRY_COMPARE(setup.stationHeard.stream(), std::string("to the station"));
+    setup.station->send(setup.stationHeard.blocks[0].path.remote, asBytes("to the agent"));
+    setup.station->flush();
+    QTRY_COMPARE(setup.agentHeard.stream(), std::string("to the agent"));
+    QCOMPARE(setup.agentHeard.blocks[0].path.remote, *setup.relay.listenLink().localEndpoint());
+    QCOMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.delivered, std::uint64_t(1));
+    QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.deliveredBytes, std::uint64_t(12));
+}
+
+void ImpairerTest::whatTheLogSaysIsWhatArrives()
+{
+    impair::Settings settings;
+    settings.loss = 0.2;
+    settings.duplicate = 0.1;
+    settings.reorder = 0.1;
+    settings.corrupt = 0.05;
+    settings.jitter = milliseconds(20);
+    settings.seed = 11;
+    Setup setup{settings};
+    constexpr std::uint32_t kCount = 2000;
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        setup.agent->send({}, numbered(i));
+        if (i % 50 == 49) {
+            setup.agent->flush();
+            QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(i + 1));
+        }
+    }
+    const auto counters = [&] { return setup.relay.totals(Impairer::Direction::Forward).counters; };
+    QTRY_COMPARE(counters().waiting, std::uint64_t(0));
+    QTRY_COMPARE(setup.stationHeard.blocks.size(), std::size_t(counters().delivered));
+    QCOMPARE(counters().offered, std::uint64_t(kCount));
+    QCOMPARE(counters().offered + counters().duplicated, counters().dropped() + counters().delivered);
+    QVERIFY(counters().lost > 300 && counters().lost < 500);
+
+    std::map<std::uint32_t, int> copies;
+    int damaged = 0;
+    for (const Recorder::Block &block : setup.stationHeard.blocks) {
+        const bool intact = numberOf(block.bytes) < kCount && block.bytes == numbered(numberOf(block.bytes));
+        if (intact)
+            ++copies[numberOf(block.bytes)];
+        else
+            ++damaged;
+    }
+    int expectedDamaged = 0;
+    const auto &verdicts = setup.verdicts[Impairer::Direction::Forward];
+    QCOMPARE(verdicts.size(), std::size_t(kCount));
+    for (std::uint32_t i = 0; i < kCount; ++i) {
+        const impair::Verdict &verdict = verdicts[i];
+        const int sent = verdict.dropped() ? 0 : verdict.duplicated ? 2 : 1;
+        expectedDamaged += verdict.corrupted ? sent : 0;
+        QCOMPARE(copies[i], verdict.corrupted ? 0 : sent);
+    }
+    QCOMPARE(damaged, expectedDamaged);
+}
+
+void ImpairerTest::sameSeedDropsTheSame()
+{
+    impair::Settings settings;
+    settings.loss = 0.3;
+    settings.seed = 5;
+    const auto run = [&] {
+        Setup setup{settings};
+        for (std::uint32_t i = 0; i < 200; ++i)
+            setup.agent->send({}, numbered(i));
+        setup.agent->flush();
+        [&] { QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(200)); }();
+        [&] {
+            QTRY_COMPARE(setup.stationHeard.blocks.size(),
+                         std::size_t(setup.relay.totals(Impairer::Direction::Forward).counters.delivered));
+        }();
+        std::vector<std::uint32_t> out;
+        for (const Recorder::Block &block : setup.stationHeard.blocks)
+            out.push_back(numberOf(block.bytes));
+        return out;
+    };
+    const auto first = run();
+    QVERIFY(first.size() > 100 && first.size() < 180);
+    QCOMPARE(run(), first);
+}
+
+void ImpairerTest::relaysTcp()
+{
+    Recorder vehicle;
+    Recorder station;
+    const auto server = openLink("tcpin:127.0.0.1:0", vehicle);
+    Impairer relay(*LinkUrl::parse("tcpin:127.0.0.1:0"), *LinkUrl::parse("tcp:" + server->localAddress()), {});
+    relay.open();
+    const auto client = openLink("tcp:" + relay.listenLink().localAddress(), station);
+    QTRY_COMPARE(client->state(), LinkState::Connected);
+    QTRY_COMPARE(relay.toLink().state(), LinkState::Connected);
+    client->send({}, asBytes("up"));
+    client->flush();
+    QTRY_COMPARE(vehicle.stream(), std::string("up"));
+    server->send({}, asBytes("down"));
+    server->flush();
+    QTRY_COMPARE(station.stream(), std::string("down"));
+}
+
+void ImpairerTest::beforeAPeerIsKnownNothingIsOffered()
+{
+    Setup setup{{}};
+    // The relay's own socket is bound to every address; it is reached by the loopback's.
+    Address loopback = *setup.relay.listenLink().localEndpoint();
+    loopback.port = setup.relay.toLink().localEndpoint()->port;
+    setup.station->send(loopback, asBytes("early"));
+    setup.station->flush();
+    QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Backward).unroutable, std::uint64_t(1));
+    QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.offered, std::uint64_t(0));
+}
+
+void ImpairerTest::jsonHasWhatScriptsNeed()
+{
+    Setup setup{{}};
+    QCOMPARE(statsJson("summary", setup.relay, milliseconds(1500)).substr(0, 49),
+             std::string(R"({"event":"summary","t":1.5,"forward":{"offered":0)"));
+    impair::Verdict verdict;
+    verdict.sequence = 7;
+    verdict.bytes = 50;
+    verdict.fate = impair::Verdict::Fate::Lost;
+    QCOMPARE(dropJson(Impairer::Direction::Backward, milliseconds(250), verdict),
+             std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss"})"));
+}
+
+QTEST_GUILESS_MAIN(ImpairerTest)
+#include "impairer_test.moc"
