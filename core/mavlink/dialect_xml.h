@@ -1,0 +1,16 @@
+// Reads dialect definitions in MAVLink's XML (https://mavlink.io/en/guide/xml_schema.html), with their includes. Used by the generator
+// at build time and for dialects of a user at run time, so it trusts nothing in the files.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/mavlink/dialect_definition.h"
+
+#include <string>
+
+namespace skyseal::mavlink {
+
+/// Everything that `path` and the files it includes (relative to it, each once) define, laid out. Limits: 16 MiB a file, 64 files,
+/// 8 levels of includes.
+Result<DialectDefinition, InputError> readDialectXml(const std::string &path);
+
+} // namespace skyseal::mavlink

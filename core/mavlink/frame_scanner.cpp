@@ -1,0 +1,72 @@
+#include "core/mavlink/frame_scanner.h"
+
+namespace skyseal::mavlink {
+
+namespace {
+
+bool isMagic(std::uint8_t byte)
+{
+    return byte == kMagic1 || byte == kMagic2;
+}
+
+} // namespace
+
+std::optional<ScanItem> FrameScanner::next()
+{
+    if (m_position >= m_buffer.size())
+        return std::nullopt;
+    const auto frame = readAt(m_position);
+    if (frame) {
+        const ScanItem item{*frame, {}, m_position, frame->bytes()};
+        m_position += frame->bytes().size();
+        return item;
+    }
+    const auto [fault, length] = frame.error();
+    switch (fault) {
+    case FrameFault::UnknownIncompatFlags:
+        return bad(fault, m_position + length); // its checksum vouches for its length
+    case FrameFault::UnknownMessage: {
+        // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is inside.
+        const std::size_t end = m_position + length;
+        const bool fits = end == m_buffer.size() || isMagic(m_buffer[end]);
+        if (fits && nextValid(m_position + 1, end) == end)
+            return bad(fault, end);
+        return bad(FrameFault::Garbage, nextStart(m_position + 1));
+    }
+    case FrameFault::BadCrc: {
+        const std::size_t end = m_position + length;
+        return bad(fault, nextValid(m_position + 1, end));
+    }
+    case FrameFault::Truncated:
+        return bad(fault, nextValid(m_position + 1, m_buffer.size()));
+    default:
+        return bad(FrameFault::Garbage, nextStart(m_position + 1));
+    }
+}
+
+/// The first offset in [from, limit) at which a valid frame begins; `limit` when there is none.
+std::size_t FrameScanner::nextValid(std::size_t from, std::size_t limit) const
+{
+    for (std::size_t at = from; at < limit; ++at) {
+        if (isMagic(m_buffer[at]) && readAt(at))
+            return at;
+    }
+    return limit;
+}
+
+/// The first offset from `from` at which a frame might begin.
+std::size_t FrameScanner::nextStart(std::size_t from) const
+{
+    while (from < m_buffer.size() && !isMagic(m_buffer[from]))
+        ++from;
+    return from;
+}
+
+ScanItem FrameScanner::bad(FrameFault fault, std::size_t end)
+{
+    const ScanItem item{std::nullopt, fault, m_position, m_buffer.subspan(m_position, end - m_position)};
+    m_position = end;
+    return item;
+}
+
+} // namespace skyseal::mavlink

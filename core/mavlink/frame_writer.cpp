@@ -1,0 +1,41 @@
+#include "core/mavlink/frame_writer.h"
+
+#include "core/mavlink/crc.h"
+
+#include <cstring>
+
+namespace skyseal::mavlink {
+
+MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId, std::uint8_t componentId,
+                           std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
+                           std::uint8_t incompatFlags)
+{
+    std::size_t length = std::min<std::size_t>(payload.size(), 255);
+    if (version == 2) {
+        while (length > 1 && payload[length - 1] == 0)
+            --length;
+    } else {
+        length = std::min<std::size_t>(length, minLength);
+    }
+    const std::size_t header = version == 2 ? 10 : 6;
+    const std::size_t signature = version == 2 && (incompatFlags & kFlagSigned) ? kSignatureLength : 0;
+    if (out.size() < header + length + 2 + signature || (version != 2 && messageId > 255))
+        return {};
+    if (version == 2) {
+        const std::uint8_t fields[] = {kMagic2,  static_cast<std::uint8_t>(length),    incompatFlags, 0, sequence, systemId,
+                                       componentId, static_cast<std::uint8_t>(messageId), static_cast<std::uint8_t>(messageId >> 8),
+                                       static_cast<std::uint8_t>(messageId >> 16)};
+        std::memcpy(out.data(), fields, sizeof fields);
+    } else {
+        const std::uint8_t fields[] = {kMagic1, static_cast<std::uint8_t>(length), sequence, systemId, componentId, static_cast<std::uint8_t>(messageId)};
+        std::memcpy(out.data(), fields, sizeof fields);
+    }
+    std::memcpy(out.data() + header, payload.data(), length);
+    std::uint16_t crc = crcAccumulate(kCrcStart, out.subspan(1, header - 1 + length));
+    crc = crcAccumulate(crc, {&crcExtra, 1});
+    out[header + length] = static_cast<std::uint8_t>(crc);
+    out[header + length + 1] = static_cast<std::uint8_t>(crc >> 8);
+    return out.first(header + length + 2 + signature);
+}
+
+} // namespace skyseal::mavlink

@@ -1,0 +1,50 @@
+// Writes messages as frames of one sender.
+#pragma once
+
+#include "core/mavlink/frame.h"
+
+#include <array>
+
+namespace skyseal::mavlink {
+
+/// Writes one frame into `out` and gives its bytes; empty when they do not fit (kMaxFrameLength always suffices).
+/// `payload` is the whole payload; for MAVLink 2 its trailing zeros are cut, down to one byte; for MAVLink 1 it is cut to `minLength`.
+MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId, std::uint8_t componentId,
+                           std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
+                           std::uint8_t incompatFlags = 0);
+
+/// A sender: its ids, its protocol version and its running sequence number.
+class FrameWriter
+{
+public:
+    FrameWriter(std::uint8_t systemId, std::uint8_t componentId, int version = 2)
+        : m_systemId(systemId), m_componentId(componentId), m_version(version)
+    {
+    }
+
+    void setVersion(int version) { m_version = version; }
+    int version() const { return m_version; }
+
+    /// A typed message (messages.h).
+    template<typename Message> MutableByteView write(const Message &message, MutableByteView out)
+    {
+        std::array<std::uint8_t, Message::kMaxLength> payload;
+        message.encode(payload);
+        return write(Message::kId, Message::kCrcExtra, Message::kMinLength, payload, out);
+    }
+
+    MutableByteView write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload, MutableByteView out)
+    {
+        const MutableByteView frame = writeFrame(out, m_version, m_sequence, m_systemId, m_componentId, messageId, crcExtra, minLength, payload);
+        m_sequence = static_cast<std::uint8_t>(m_sequence + !frame.empty());
+        return frame;
+    }
+
+private:
+    std::uint8_t m_systemId;
+    std::uint8_t m_componentId;
+    int m_version;
+    std::uint8_t m_sequence = 0;
+};
+
+} // namespace skyseal::mavlink

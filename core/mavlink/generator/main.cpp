@@ -1,0 +1,161 @@
+// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the tables, the enums and the typed messages that core/mavlink compiles.
+#include "core/mavlink/dialect_xml.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <fstream>
+#include <set>
+#include <string>
+
+using namespace skyseal::mavlink;
+
+namespace {
+
+const char kHead[] = "// Generated from resources/dialects; do not edit.\n";
+
+std::string quoted(const std::string &text)
+{
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\')
+            out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
+const char *enumeratorOf(FieldType type)
+{
+    static const char *const kNames[] = {"Char", "Uint8", "Int8", "Uint16", "Int16", "Uint32", "Int32", "Uint64", "Int64", "Float", "Double"};
+    return kNames[static_cast<int>(type)];
+}
+
+std::string cppTypeOf(FieldType type)
+{
+    if (type == FieldType::Char || type == FieldType::Float || type == FieldType::Double)
+        return std::string(nameOf(type));
+    return "std::" + std::string(nameOf(type));
+}
+
+/// GLOBAL_POSITION_INT -> GlobalPositionInt
+std::string typeNameOf(const std::string &message)
+{
+    std::string out;
+    bool upper = true;
+    for (const char c : message) {
+        if (c == '_') {
+            upper = true;
+            continue;
+        }
+        out += static_cast<char>(upper ? std::toupper(c) : std::tolower(c));
+        upper = false;
+    }
+    return out;
+}
+
+void writeTables(const DialectDefinition &dialect, std::ofstream &out)
+{
+    out << kHead << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
+    for (const MessageDefinition &m : dialect.messages) {
+        out << "constexpr FieldInfo k" << m.name << "[] = {\n";
+        for (const FieldDefinition &f : m.fields) {
+            out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength) << ", " << int(f.offset) << ", "
+                << (f.extension ? "true" : "false") << ", " << (f.isMavlinkVersion ? "true" : "false") << ", " << quoted(f.enumName) << ", "
+                << quoted(f.units) << ", " << quoted(f.printFormat) << ", " << quoted(f.invalid) << "},\n";
+        }
+        out << "};\n";
+    }
+    out << "\nconstexpr MessageInfo kMessages[] = {\n";
+    for (const MessageDefinition &m : dialect.messages) {
+        out << "    {" << m.id << ", " << quoted(m.name) << ", " << int(m.crcExtra) << ", " << int(m.minLength) << ", " << int(m.maxLength) << ", "
+            << m.targetSystemOffset << ", " << m.targetComponentOffset << ", k" << m.name << "},\n";
+    }
+    out << "};\n\n";
+    for (const EnumDefinition &e : dialect.enums) {
+        if (e.entries.empty())
+            continue;
+        out << "constexpr EnumEntry k" << e.name << "[] = {\n";
+        for (const EnumEntryDefinition &entry : e.entries)
+            out << "    {" << entry.value << "u, " << quoted(entry.name) << "},\n";
+        out << "};\n";
+    }
+    out << "\nconstexpr EnumInfo kEnums[] = {\n";
+    for (const EnumDefinition &e : dialect.enums)
+        out << "    {" << quoted(e.name) << ", " << (e.bitmask ? "true" : "false") << ", " << (e.entries.empty() ? "{}" : "k" + e.name) << "},\n";
+    out << "};\n\n} // namespace\n\nstd::span<const MessageInfo> messages() { return kMessages; }\nstd::span<const EnumInfo> enums() { return kEnums; }\n\n"
+           "} // namespace skyseal::mavlink::builtin\n";
+}
+
+void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
+{
+    out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\n";
+    for (const EnumDefinition &e : dialect.enums) {
+        const bool wide = std::any_of(e.entries.begin(), e.entries.end(), [](const auto &entry) { return entry.value > 0xffffffffu; });
+        out << "enum " << e.name << " : std::uint" << (wide ? 64 : 32) << "_t {\n";
+        for (const EnumEntryDefinition &entry : e.entries)
+            out << "    " << entry.name << " = " << entry.value << (entry.value > 0x7fffffffu ? "u" : "") << ",\n";
+        out << "};\n\n";
+    }
+    out << "} // namespace skyseal::mavlink\n";
+}
+
+void writeMessage(const MessageDefinition &m, std::ofstream &out)
+{
+    const std::string type = typeNameOf(m.name);
+    out << "struct " << type << "\n{\n    static constexpr std::uint32_t kId = " << m.id << ";\n    static constexpr std::uint8_t kCrcExtra = "
+        << int(m.crcExtra) << ", kMinLength = " << int(m.minLength) << ", kMaxLength = " << int(m.maxLength) << ";\n\n";
+    for (const FieldDefinition &f : m.fields) {
+        const std::string element = cppTypeOf(f.type);
+        const std::string member = f.arrayLength ? "std::array<" + element + ", " + std::to_string(f.arrayLength) + ">" : element;
+        out << "    " << member << ' ' << f.name << (f.isMavlinkVersion ? " = 3" : "{}") << ";";
+        if (!f.units.empty())
+            out << " ///< " << f.units;
+        out << '\n';
+    }
+    out << "\n    /// Bytes that the payload does not have read as zero.\n    static " << type << " decode(ByteView payload)\n    {\n"
+        << "        const PayloadBytes<kMaxLength> raw(payload);\n        " << type << " out;\n";
+    for (const FieldDefinition &f : m.fields)
+        out << "        raw.load(" << int(f.offset) << ", out." << f.name << ");\n";
+    out << "        return out;\n    }\n\n    /// Writes all kMaxLength bytes.\n    void encode(std::span<std::uint8_t, kMaxLength> out) const\n    {\n";
+    for (const FieldDefinition &f : m.fields)
+        out << "        storeField(out.data() + " << int(f.offset) << ", " << f.name << ");\n";
+    out << "    }\n};\n\n";
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    if (argc != 4) {
+        std::fprintf(stderr, "usage: dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER\n");
+        return 2;
+    }
+    const auto dialect = readDialectXml(argv[1]);
+    if (!dialect) {
+        std::fprintf(stderr, "%s\n", dialect.error().text().c_str());
+        return 1;
+    }
+    std::set<std::string> typed;
+    std::ifstream list(argv[2]);
+    for (std::string name; list >> name;)
+        typed.insert(name);
+
+    const std::string folder = argv[3];
+    std::ofstream tables(folder + "/builtin_tables.cpp");
+    std::ofstream enums(folder + "/enums.h");
+    std::ofstream messages(folder + "/messages.h");
+    writeTables(*dialect, tables);
+    writeEnums(*dialect, enums);
+    messages << kHead << "#pragma once\n\n#include \"core/mavlink/enums.h\"\n#include \"core/mavlink/payload_bytes.h\"\n\nnamespace skyseal::mavlink {\n\n";
+    for (const MessageDefinition &message : dialect->messages) {
+        if (typed.erase(message.name))
+            writeMessage(message, messages);
+    }
+    messages << "} // namespace skyseal::mavlink\n";
+    if (!typed.empty()) {
+        std::fprintf(stderr, "%s: no message is named %s\n", argv[2], typed.begin()->c_str());
+        return 1;
+    }
+    return tables.good() && enums.good() && messages.good() ? 0 : 1;
+}

@@ -1,0 +1,51 @@
+// How the generated messages read and write their fields: little-endian at fixed offsets.
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <string_view>
+
+namespace skyseal::mavlink {
+
+static_assert(std::endian::native == std::endian::little, "the fields are copied as they lie on the wire");
+
+/// The first N bytes of a payload, zeros where it is shorter (MAVLink 2 trims trailing zeros).
+template<std::size_t N> class PayloadBytes
+{
+public:
+    explicit PayloadBytes(ByteView payload)
+    {
+        const std::size_t size = std::min(N, payload.size());
+        std::memcpy(m_raw.data(), payload.data(), size);
+        std::memset(m_raw.data() + size, 0, N - size);
+    }
+
+    template<typename T> void load(std::size_t offset, T &field) const { std::memcpy(&field, m_raw.data() + offset, sizeof(T)); }
+
+private:
+    std::array<std::uint8_t, N> m_raw;
+};
+
+template<typename T> void storeField(std::uint8_t *out, const T &field)
+{
+    std::memcpy(out, &field, sizeof(T));
+}
+
+/// The text of a char array: up to its first NUL, or all of it when there is none.
+template<std::size_t N> std::string_view textOf(const std::array<char, N> &field)
+{
+    return {field.data(), static_cast<std::size_t>(std::find(field.begin(), field.end(), '\0') - field.begin())};
+}
+
+/// Copies a text into a char array, cut to its length, the rest zero.
+template<std::size_t N> void setText(std::array<char, N> &field, std::string_view text)
+{
+    field.fill('\0');
+    std::copy_n(text.begin(), std::min(N, text.size()), field.begin());
+}
+
+} // namespace skyseal::mavlink

@@ -1,0 +1,70 @@
+// Frames out of a byte stream that comes in pieces (TCP, serial line, file): keeps the beginning of a frame until its end has come.
+#pragma once
+
+#include "core/mavlink/frame_scanner.h"
+
+#include <array>
+#include <concepts>
+
+namespace skyseal::mavlink {
+
+class StreamParser
+{
+public:
+    explicit StreamParser(const Dialect &dialect) : m_dialect(&dialect) {}
+
+    /// Takes the next piece and calls `deliver(const ScanItem &)` for everything that is complete; views live during that call.
+    /// Offsets count from the beginning of the stream.
+    template<std::invocable<const ScanItem &> Deliver> void feed(ByteView piece, Deliver &&deliver)
+    {
+        while (!piece.empty()) {
+            const ByteView taken = piece.first(std::min(piece.size(), m_buffer.size() - m_size));
+            std::copy(taken.begin(), taken.end(), m_buffer.begin() + static_cast<std::ptrdiff_t>(m_size));
+            m_size += taken.size();
+            piece = piece.subspan(taken.size());
+            deliverComplete(deliver, false);
+        }
+    }
+
+    /// The stream has ended or broke off: what is left is no frame any more.
+    template<std::invocable<const ScanItem &> Deliver> void finish(Deliver &&deliver)
+    {
+        deliverComplete(deliver, true);
+        reset();
+    }
+
+    void reset() { m_size = 0; }
+
+private:
+    template<typename Deliver> void deliverComplete(Deliver &deliver, bool atEnd)
+    {
+        const ByteView content(m_buffer.data(), m_size);
+        FrameScanner scanner(content, *m_dialect);
+        std::size_t used = 0;
+        while (used < m_size) {
+            // A frame whose end is still to come: wait for it, as long as it can fit at all.
+            if (!atEnd && pending(content.subspan(used)))
+                break;
+            ScanItem item = *scanner.next();
+            used = scanner.position();
+            item.offset += m_streamOffset;
+            deliver(static_cast<const ScanItem &>(item));
+        }
+        m_streamOffset += used;
+        m_size -= used;
+        std::copy_n(m_buffer.begin() + static_cast<std::ptrdiff_t>(used), m_size, m_buffer.begin());
+    }
+
+    bool pending(ByteView content) const
+    {
+        const auto frame = readFrame(content, *m_dialect);
+        return !frame && frame.error().fault == FrameFault::Truncated;
+    }
+
+    const Dialect *m_dialect;
+    std::array<std::uint8_t, 4096> m_buffer;
+    std::size_t m_size = 0;
+    std::size_t m_streamOffset = 0;
+};
+
+} // namespace skyseal::mavlink
