@@ -1,5 +1,8 @@
 #include "core/link/make_link.h"
 
+#if defined(SKYSEAL_HAVE_SERIAL)
+#include "core/link/serial_link.h"
+#endif
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
 #include "core/link/udp_link.h"

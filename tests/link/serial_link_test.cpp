@@ -1,0 +1,145 @@
+// The serial link on a pseudo-terminal, whose other end the test holds: both ways, a device that is missing, one that is
+// unplugged and comes back.
+#include "tests/link/recorder.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <cstdlib>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+using namespace skyseal;
+using namespace skyseal::link;
+using namespace skyseal::test;
+
+namespace {
+
+/// The radio's end of the line.
+class PseudoTerminal
+{
+public:
+    PseudoTerminal() : m_fd(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK))
+    {
+        if (m_fd < 0 || ::grantpt(m_fd) != 0 || ::unlockpt(m_fd) != 0)
+            qFatal("no pseudo-terminal");
+    }
+    ~PseudoTerminal() { ::close(m_fd); }
+    PseudoTerminal(const PseudoTerminal &) = delete;
+    PseudoTerminal &operator=(const PseudoTerminal &) = delete;
+
+    std::string device() const { return ::ptsname(m_fd); }
+    bool write(std::string_view text) { return ::write(m_fd, text.data(), text.size()) == ssize_t(text.size()); }
+    const std::string &read()
+    {
+        std::array<char, 4096> buffer;
+        for (ssize_t length; (length = ::read(m_fd, buffer.data(), buffer.size())) > 0;)
+            m_heard.append(buffer.data(), std::size_t(length));
+        return m_heard;
+    }
+
+private:
+    int m_fd;
+    std::string m_heard;
+};
+
+} // namespace
+
+class SerialLinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void carriesBothWays();
+    void bytesPassUnchanged();
+    void missingDeviceIsSaidAndWaitedFor();
+    void unpluggedDeviceIsSaid();
+
+private:
+    static LinkOptions quick()
+    {
+        LinkOptions out;
+        out.retryFirst = std::chrono::milliseconds(20);
+        out.retryMax = std::chrono::milliseconds(50);
+        return out;
+    }
+};
+
+void SerialLinkTest::initTestCase()
+{
+    Recorder recorder;
+    const auto link = openLink("serial:/dev/no-such-device:57600", recorder, quick());
+    if (link->error().code == LinkErrorCode::NotSupported) {
+        QVERIFY(link->error().sentence().find("built without serial links") != std::string::npos);
+        QSKIP("built without Qt SerialPort");
+    }
+}
+
+void SerialLinkTest::carriesBothWays()
+{
+    PseudoTerminal radio;
+    Recorder recorder;
+    const auto link = openLink("serial:" + radio.device() + ":57600", recorder, quick(), LinkId{5});
+    QCOMPARE(link->state(), LinkState::Connected);
+    QVERIFY(link->isStream());
+    QCOMPARE(link->localAddress(), radio.device() + ":57600");
+    QCOMPARE(recorder.joined, (std::vector<Path>{{LinkId{5}, {}}}));
+    QVERIFY(radio.write("from the radio"));
+    QTRY_COMPARE(recorder.stream(), std::string("from the radio"));
+    link->send({}, asBytes("to the radio"));
+    link->flush();
+    QTRY_COMPARE(radio.read(), std::string("to the radio"));
+    link->close();
+    QCOMPARE(recorder.left, recorder.joined);
+}
+
+void SerialLinkTest::bytesPassUnchanged()
+{
+    PseudoTerminal radio;
+    Recorder recorder;
+    const auto link = openLink("serial:" + radio.device() + ":57600", recorder, quick());
+    std::string all;
+    for (int i = 0; i < 256; ++i)
+        all.push_back(static_cast<char>(i));
+    QVERIFY(radio.write(all));
+    QTRY_COMPARE(recorder.stream(), all);
+    link->send({}, asBytes(all));
+    link->flush();
+    QTRY_COMPARE(radio.read(), all);
+}
+
+void SerialLinkTest::missingDeviceIsSaidAndWaitedFor()
+{
+    QTemporaryDir folder;
+    const QString name = folder.filePath(QStringLiteral("radio"));
+    Recorder recorder;
+    const auto link = openLink("serial:" + name.toStdString(), recorder, quick());
+    QCOMPARE(link->state(), LinkState::Waiting);
+    QCOMPARE(link->error().code, LinkErrorCode::DeviceMissing);
+    QCOMPARE(link->error().sentence(), "there is no device " + name.toStdString());
+    PseudoTerminal radio;
+    QVERIFY(QFile::link(QString::fromStdString(radio.device()), name));
+    QTRY_COMPARE(link->state(), LinkState::Connected);
+    QVERIFY(radio.write("here"));
+    QTRY_COMPARE(recorder.stream(), std::string("here"));
+}
+
+void SerialLinkTest::unpluggedDeviceIsSaid()
+{
+    auto radio = std::make_unique<PseudoTerminal>();
+    Recorder recorder;
+    const auto link = openLink("serial:" + radio->device() + ":57600", recorder, quick());
+    QCOMPARE(link->state(), LinkState::Connected);
+    radio.reset();
+    QTRY_COMPARE(link->state(), LinkState::Waiting);
+    QCOMPARE(link->error().code, LinkErrorCode::DeviceMissing);
+    QCOMPARE(recorder.left.size(), std::size_t(1));
+    link->send({}, asBytes("lost"));
+    QCOMPARE(link->counters().txDropped, std::uint64_t(1));
+}
+
+QTEST_GUILESS_MAIN(SerialLinkTest)
+#include "serial_link_test.moc"
