@@ -1,0 +1,63 @@
+#include "ui/flight/flight_panel.h"
+
+#include "ui/flight/horizon.h"
+#include "ui/flight/values_panel.h"
+
+#include <QtWidgets/QVBoxLayout>
+
+#include <numbers>
+
+namespace skyseal::ui {
+
+namespace {
+
+constexpr double kFeetPerMetre = 3.280839895;
+constexpr double kMilesPerHourPerMetreASecond = 2.236936292;
+
+double degrees(double radians)
+{
+    return radians * 180 / std::numbers::pi;
+}
+
+} // namespace
+
+FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
+    : QWidget(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)), m_actions(new VehicleActions(commands, this))
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_horizon->setMaximumHeight(320);
+    column->addWidget(m_horizon, 1);
+    column->addWidget(m_values);
+    column->addWidget(m_actions);
+    column->addStretch(0);
+}
+
+void FlightPanel::showScene(const Scene &scene)
+{
+    Attitude attitude;
+    if (scene.vehicle) {
+        const auto &state = scene.vehicle->state;
+        const bool metric = m_units == UnitSystem::Metric;
+        attitude.roll = degrees(state.roll);
+        attitude.pitch = degrees(state.pitch);
+        attitude.heading = state.heading;
+        attitude.speed = state.groundSpeed * (metric ? 1 : kMilesPerHourPerMetreASecond);
+        attitude.altitude = state.altitudeRelative * (metric ? 1 : kFeetPerMetre);
+        attitude.climb = state.climb;
+        attitude.stale = scene.stale();
+    }
+    m_horizon->setAttitude(attitude);
+    m_values->showScene(scene);
+    m_actions->showScene(scene);
+}
+
+void FlightPanel::setUnits(UnitSystem units)
+{
+    m_units = units;
+    m_horizon->setUnits(units);
+    m_values->setUnits(units);
+}
+
+} // namespace skyseal::ui

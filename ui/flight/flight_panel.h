@@ -1,0 +1,32 @@
+// The left dock: horizon, values and the buttons that move the vehicle.
+#pragma once
+
+#include "ui/flight/vehicle_actions.h"
+#include "ui/scene.h"
+#include "ui/text/units.h"
+
+#include <QtWidgets/QWidget>
+
+namespace skyseal::ui {
+
+class Horizon;
+class ValuesPanel;
+
+class FlightPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit FlightPanel(VehicleCommands &commands, QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+    void setUnits(UnitSystem units);
+
+private:
+    Horizon *m_horizon;
+    ValuesPanel *m_values;
+    VehicleActions *m_actions;
+    UnitSystem m_units = UnitSystem::Metric;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,39 @@
+// The artificial horizon: attitude in the middle, speed on the left, altitude on the right, compass below. Repaints only
+// when something that can be seen has changed.
+#pragma once
+
+#include "ui/flight/attitude.h"
+#include "ui/text/units.h"
+
+#include <QtWidgets/QWidget>
+
+namespace skyseal::ui {
+
+class Horizon : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit Horizon(QWidget *parent = nullptr);
+
+    void setAttitude(const Attitude &attitude);
+    void setUnits(UnitSystem units);
+    const Attitude &attitude() const { return m_attitude; }
+
+    QSize sizeHint() const override { return {272, 224}; }
+    QSize minimumSizeHint() const override { return {216, 136}; }
+
+protected:
+    void paintEvent(QPaintEvent *) override;
+
+private:
+    void paintWorld(QPainter &painter, const QRectF &area) const;
+    void paintLadder(QPainter &painter, double pixelsPerDegree) const;
+    void paintRollScale(QPainter &painter, const QRectF &area) const;
+    void paintAircraft(QPainter &painter, const QRectF &area) const;
+
+    Attitude m_attitude;
+    UnitSystem m_units = UnitSystem::Metric;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,115 @@
+#include "ui/flight/vehicle_actions.h"
+
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QGridLayout>
+#include <QtWidgets/QLabel>
+
+namespace skyseal::ui {
+
+VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWidget(parent), m_commands(commands)
+{
+    m_arm = new HoldButton(tr("Arm"), this);
+    m_arm->setObjectName(QStringLiteral("armButton"));
+    m_takeOff = new HoldButton(tr("Take off"), this);
+    m_takeOff->setObjectName(QStringLiteral("takeOffButton"));
+    m_land = new HoldButton(tr("Land"), this);
+    m_land->setObjectName(QStringLiteral("landButton"));
+    m_return = new HoldButton(tr("Return"), this);
+    m_return->setObjectName(QStringLiteral("returnButton"));
+    m_setMode = new HoldButton(tr("Set mode"), this);
+    m_setMode->setObjectName(QStringLiteral("setModeButton"));
+    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
+        button->setAccessibleName(button->text());
+    m_modes = new QComboBox(this);
+    m_modes->setObjectName(QStringLiteral("modeBox"));
+    m_modes->setAccessibleName(tr("Flight mode to set"));
+    m_modes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_modes->setMinimumContentsLength(8);
+    m_altitude = new QDoubleSpinBox(this);
+    m_altitude->setObjectName(QStringLiteral("takeOffAltitude"));
+    m_altitude->setAccessibleName(tr("Take-off altitude"));
+    m_altitude->setRange(1, 1000);
+    m_altitude->setDecimals(0);
+    m_altitude->setValue(10);
+    m_altitude->setSuffix(QStringLiteral(" m"));
+    m_result = new QLabel(this);
+    m_result->setObjectName(QStringLiteral("commandResult"));
+    m_result->setAccessibleName(tr("Result of the last command"));
+    m_result->setWordWrap(true);
+    m_result->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());
+
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(kGrid, kHalfGrid, kGrid, kGrid);
+    grid->setSpacing(kHalfGrid);
+    for (int column = 0; column < 6; ++column)
+        grid->setColumnStretch(column, 1);
+    grid->addWidget(m_arm, 0, 0, 1, 2);
+    grid->addWidget(m_land, 0, 2, 1, 2);
+    grid->addWidget(m_return, 0, 4, 1, 2);
+    grid->addWidget(m_altitude, 1, 0, 1, 3);
+    grid->addWidget(m_takeOff, 1, 3, 1, 3);
+    grid->addWidget(m_modes, 2, 0, 1, 3);
+    grid->addWidget(m_setMode, 2, 3, 1, 3);
+    grid->addWidget(m_result, 3, 0, 1, 6);
+
+    connect(m_arm, &HoldButton::confirmed, this, [this] {
+        m_commands.send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
+    });
+    connect(m_takeOff, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::TakeOff{m_altitude->value()}); });
+    connect(m_land, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::Land{}); });
+    connect(m_return, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::ReturnToLaunch{}); });
+    connect(m_setMode, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
+    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
+        connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
+    connect(&commands, &VehicleCommands::said, this, &VehicleActions::say);
+    showScene({});
+}
+
+void VehicleActions::showScene(const Scene &scene)
+{
+    const bool present = scene.vehicle != nullptr;
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_arm, m_takeOff, m_land, m_return, m_altitude})
+        widget->setEnabled(present);
+    m_armed = present && scene.vehicle->state.armed;
+    const QString word = m_armed ? tr("Disarm") : tr("Arm");
+    if (m_arm->text() != word) {
+        m_arm->setText(word);
+        m_arm->setAccessibleName(word);
+    }
+    if (present)
+        showModes(scene.vehicle->state.modes, scene.vehicle->state.mode);
+    else
+        showModes({}, {});
+    m_modes->setEnabled(!m_knownModes.empty());
+    m_setMode->setEnabled(!m_knownModes.empty());
+}
+
+void VehicleActions::showModes(const std::vector<std::string> &modes, const std::string &current)
+{
+    if (modes == m_knownModes)
+        return;
+    m_knownModes = modes;
+    m_modes->clear();
+    for (const std::string &mode : modes)
+        m_modes->addItem(fromStd(mode));
+    m_modes->setCurrentIndex(m_modes->findText(fromStd(current)));
+    if (m_modes->currentIndex() < 0)
+        m_modes->setCurrentIndex(0);
+}
+
+void VehicleActions::say(const QString &line, bool ok)
+{
+    m_result->setText(line);
+    QPalette colors = palette();
+    if (!ok)
+        colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
+    m_result->setPalette(colors);
+}
+
+} // namespace skyseal::ui

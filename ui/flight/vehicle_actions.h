@@ -1,0 +1,38 @@
+// The buttons that move the vehicle, each held to confirm, and the line that says what became of it.
+#pragma once
+
+#include "ui/flight/hold_button.h"
+#include "ui/flight/vehicle_commands.h"
+#include "ui/scene.h"
+
+#include <QtWidgets/QWidget>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace skyseal::ui {
+
+class VehicleActions : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit VehicleActions(VehicleCommands &commands, QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+    void say(const QString &line, bool ok);
+
+private:
+    void showModes(const std::vector<std::string> &modes, const std::string &current);
+
+    VehicleCommands &m_commands;
+    HoldButton *m_arm, *m_takeOff, *m_land, *m_return, *m_setMode;
+    QComboBox *m_modes;
+    QDoubleSpinBox *m_altitude;
+    QLabel *m_result;
+    std::vector<std::string> m_knownModes;
+    bool m_armed = false;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,35 @@
+#include "ui/flight/vehicle_commands.h"
+
+#include "ui/text/words.h"
+
+namespace skyseal::ui {
+
+VehicleCommands::VehicleCommands(StationPort &station, QObject *parent) : QObject(parent), m_station(station)
+{
+    connect(&station, &StationPort::happened, this, &VehicleCommands::take);
+}
+
+void VehicleCommands::send(const vehicle::VehicleCommand &command)
+{
+    if (m_systemId == 0)
+        return;
+    const QString words = commandWords(command);
+    const vehicle::CommandId id = m_station.command(m_systemId, command);
+    m_asked.insert(static_cast<quint32>(id), words);
+    Q_EMIT said(tr("%1: asked …").arg(words), true);
+}
+
+void VehicleCommands::take(const engine::Happening &happening)
+{
+    const auto *result = std::get_if<vehicle::CommandResult>(&happening);
+    if (!result)
+        return;
+    const auto asked = m_asked.constFind(static_cast<quint32>(result->id));
+    if (asked == m_asked.constEnd())
+        return;
+    const QString line = tr("%1: %2").arg(asked.value(), commandOutcomeWords(*result));
+    m_asked.erase(asked);
+    Q_EMIT said(line, result->outcome == vehicle::CommandOutcome::Accepted);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,263 @@
+#include "ui/main_window.h"
+
+#include "ui/flight/flight_panel.h"
+#include "ui/flight/vehicle_commands.h"
+#include "ui/links/problem_banner.h"
+#include "ui/main_menus.h"
+#include "ui/map/empty_state.h"
+#include "ui/map/map_view.h"
+#include "ui/messages/messages_panel.h"
+#include "ui/security/secure_link_panel.h"
+#include "ui/security/suite_actions.h"
+#include "ui/status/status_strip.h"
+#include "ui/status/traffic_bar.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/icons.h"
+
+#include <QtCore/QSettings>
+#include <QtGui/QCloseEvent>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QToolBar>
+#include <QtWidgets/QVBoxLayout>
+
+namespace skyseal::ui {
+
+namespace {
+constexpr int kArrangementVersion = 1;
+}
+
+MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts facts, QWidget *parent)
+    : QMainWindow(parent), m_station(station), m_store(store), m_facts(std::move(facts)), m_settings(loadSettings(store)),
+      m_suites(new SuiteActions(station, this)), m_commands(new VehicleCommands(station, this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowTitle(tr("Skyseal"));
+    setWindowIcon(icon(QStringLiteral("skyseal")));
+    setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    makeCentre();
+    makeDocks();
+    new MainMenus(*this);
+    connectPanels();
+    resize(1280, 800);
+    m_defaultArrangement = saveState(kArrangementVersion);
+    restoreArrangement();
+    applySettings(m_settings);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::makeCentre()
+{
+    auto *bar = new QToolBar(tr("Status"), this);
+    bar->setObjectName(QStringLiteral("statusToolBar"));
+    bar->setMovable(false);
+    bar->setContextMenuPolicy(Qt::PreventContextMenu);
+    bar->toggleViewAction()->setEnabled(false);
+    bar->setContentsMargins(0, 0, 0, 0);
+    bar->layout()->setContentsMargins(0, 0, 0, 0);
+    m_strip = new StatusStrip(bar);
+    bar->addWidget(m_strip);
+    addToolBar(Qt::TopToolBarArea, bar);
+
+    auto *centre = new QWidget(this);
+    m_banner = new ProblemBanner(centre);
+    m_map = new MapView(centre);
+    m_empty = new EmptyState(centre);
+    m_empty->setDemoAvailable(m_facts.demoAvailable);
+    m_empty->setAutoFillBackground(true);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto *ground = new QGridLayout;
+    ground->addWidget(m_map, 0, 0);
+    ground->addWidget(m_empty, 0, 0, Qt::AlignCenter);
+    column->addWidget(m_banner);
+    column->addLayout(ground, 1);
+    setCentralWidget(centre);
+
+    m_traffic = new TrafficBar(this);
+    setStatusBar(m_traffic);
+}
+
+QDockWidget *MainWindow::addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area, bool scrolls)
+{
+    auto *dock = new QDockWidget(title, this);
+    dock->setObjectName(name);
+    dock->setAccessibleName(title);
+    if (scrolls) {
+        auto *scroll = new QScrollArea(dock);
+        scroll->setWidget(panel);
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        scroll->setMinimumWidth(panel->minimumSizeHint().width() + 2 * kGrid);
+        dock->setWidget(scroll);
+    } else {
+        dock->setWidget(panel);
+    }
+    addDockWidget(area, dock);
+    m_docks.push_back(dock);
+    return dock;
+}
+
+void MainWindow::makeDocks()
+{
+    m_flight = new FlightPanel(*m_commands, this);
+    m_secure = new SecureLinkPanel(*m_suites, this);
+    m_messages = new MessagesPanel(this);
+    QDockWidget *flight = addDock(tr("Flight"), QStringLiteral("dockFlight"), m_flight, Qt::LeftDockWidgetArea, true);
+    QDockWidget *secure = addDock(tr("Secure link"), QStringLiteral("dockSecure"), m_secure, Qt::RightDockWidgetArea, true);
+    QDockWidget *messages = addDock(tr("Messages"), QStringLiteral("dockMessages"), m_messages, Qt::BottomDockWidgetArea);
+    resizeDocks({flight, secure}, {280, 264}, Qt::Horizontal);
+    resizeDocks({messages}, {200}, Qt::Vertical);
+}
+
+void MainWindow::connectPanels()
+{
+    connect(&m_station, &StationPort::snapshotReady, this, &MainWindow::showSnapshot);
+    connect(&m_station, &StationPort::happened, this, &MainWindow::take);
+    connect(m_strip, &StatusStrip::lockClicked, this, [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockSecure"))); });
+    connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
+    connect(m_strip, &StatusStrip::linkClicked, this, [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockLinks"))); });
+    connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
+    connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
+    connect(m_secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
+    connect(m_secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
+        for (const auto &vehicle : m_scene.snapshot->vehicles)
+            if (vehicle.session && static_cast<quint32>(*vehicle.session) == session)
+                chooseVehicle(vehicle.state.systemId);
+    });
+    connect(m_commands, &VehicleCommands::said, this, [this](const QString &line, bool ok) {
+        constexpr std::uint8_t kWarning = 4, kInfo = 6;
+        m_messages->say(line, ok ? kInfo : kWarning);
+    });
+}
+
+void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
+{
+    m_scene = sceneOf(snapshot, m_chosenVehicle);
+    m_commands->setVehicle(m_scene.vehicle ? m_scene.vehicle->state.systemId : 0);
+    m_suites->showScene(m_scene);
+    m_strip->showScene(m_scene);
+    m_traffic->showScene(m_scene);
+    m_map->showScene(m_scene);
+    m_empty->showScene(m_scene);
+    m_flight->showScene(m_scene);
+    m_secure->showScene(m_scene);
+}
+
+void MainWindow::take(const engine::Happening &happening)
+{
+    m_messages->take(happening);
+    if (const auto *changed = std::get_if<engine::LinkChanged>(&happening); changed && changed->link.addressInUse)
+        tellPortInUse(changed->link);
+}
+
+void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)
+{
+    const QString url = fromStd(link.url);
+    const qsizetype colon = url.lastIndexOf(QLatin1Char(':'));
+    bool ok = false;
+    const int port = url.mid(colon + 1).toInt(&ok);
+    if (!ok || port <= 0 || port >= 65535) {
+        tellProblem(tr("%1 is in use by another program: %2").arg(url, fromStd(link.problem)));
+        return;
+    }
+    const QString other = url.left(colon + 1) + QString::number(port + 1);
+    const LinkId id = link.id;
+    tellProblem(tr("Port %1 is in use, probably by another ground station on this machine (%2).").arg(port).arg(fromStd(link.problem)),
+                tr("Listen on %1 instead").arg(port + 1), [this, other, id] {
+                    m_station.removeLink(id);
+                    addLink(other);
+                });
+}
+
+void MainWindow::tellProblem(const QString &problem, const QString &remedy, std::function<void()> act)
+{
+    m_banner->tell(problem, remedy, std::move(act));
+}
+
+void MainWindow::addLink(const QString &url)
+{
+    const auto added = m_station.addLink(url.toStdString());
+    if (!added)
+        tellProblem(fromStd(added.error().text()));
+}
+
+void MainWindow::chooseVehicle(std::uint8_t systemId)
+{
+    m_chosenVehicle = systemId;
+    if (m_scene.snapshot)
+        showSnapshot(m_scene.snapshot);
+}
+
+void MainWindow::popUpVehicles()
+{
+    if (!m_scene.snapshot || m_scene.snapshot->vehicles.empty())
+        return;
+    QMenu menu(this);
+    for (const auto &vehicle : m_scene.snapshot->vehicles) {
+        const std::uint8_t id = vehicle.state.systemId;
+        const QString type = vehicleTypeWord(vehicle.state.type);
+        QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type) : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
+        action->setCheckable(true);
+        action->setChecked(m_scene.vehicle && m_scene.vehicle->state.systemId == id);
+        connect(action, &QAction::triggered, this, [this, id] { chooseVehicle(id); });
+    }
+    menu.exec(m_strip->mapToGlobal(QPoint(kGrid, m_strip->height())));
+}
+
+void MainWindow::revealDock(QDockWidget *dock)
+{
+    if (!dock)
+        return;
+    dock->show();
+    dock->raise();
+    if (QWidget *inside = dock->widget())
+        inside->setFocus(Qt::ShortcutFocusReason);
+}
+
+void MainWindow::openLinkDialog() {}
+void MainWindow::openSettings() {}
+void MainWindow::openHelp(const QString &) {}
+
+void MainWindow::applySettings(const Settings &settings)
+{
+    const bool changed = !(settings == m_settings);
+    m_settings = settings;
+    applyTheme(settings.theme);
+    m_flight->setUnits(settings.units);
+    m_suites->setResearchAllowed(settings.allowResearch);
+    if (m_scene.snapshot)
+        showSnapshot(m_scene.snapshot);
+    if (!changed)
+        return;
+    storeSettings(m_store, settings);
+    m_station.setAllowResearch(settings.allowResearch);
+    m_station.setRecording(settings.record);
+    Q_EMIT settingsChanged(settings);
+}
+
+void MainWindow::restoreArrangement()
+{
+    restoreGeometry(m_store.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(m_store.value(QStringLiteral("window/docks")).toByteArray(), kArrangementVersion);
+}
+
+void MainWindow::resetArrangement()
+{
+    restoreState(m_defaultArrangement, kArrangementVersion);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    m_store.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    m_store.setValue(QStringLiteral("window/docks"), saveState(kArrangementVersion));
+    event->accept();
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,104 @@
+// The window: status strip on top, map in the middle, docks around it. It hands every snapshot to the panels and wires
+// their wishes to the station; what the panels look like is their own business.
+#pragma once
+
+#include "ui/scene.h"
+#include "ui/settings.h"
+
+#include <QtWidgets/QMainWindow>
+
+#include <vector>
+
+class QDockWidget;
+class QMenu;
+class QSettings;
+
+namespace skyseal::ui {
+
+class EmptyState;
+class FlightPanel;
+class MapView;
+class MessagesPanel;
+class ProblemBanner;
+class SecureLinkPanel;
+class StatusStrip;
+class SuiteActions;
+class TrafficBar;
+class VehicleCommands;
+
+/// Facts about this program that some dialogs show.
+struct ProgramFacts
+{
+    QString version;
+    QString identityFile, peersFile; ///< empty: a station that can only do plain links
+    QString recordFolder;
+    QString demoCommand;             ///< words of the empty state; unused when empty
+    bool demoAvailable = false;
+};
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    /// `store` keeps settings and the arrangement of the docks; it and `station` must outlive the window.
+    MainWindow(StationPort &station, QSettings &store, ProgramFacts facts, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    void showSnapshot(const SnapshotPtr &snapshot);
+    /// Something that the operator must know; `remedy` is a button's text.
+    void tellProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
+    /// Adds a link by its URL; a bad URL is told in the window.
+    void addLink(const QString &url);
+    const Settings &settings() const { return m_settings; }
+    const Scene &scene() const { return m_scene; }
+    SuiteActions &suites() { return *m_suites; }
+
+Q_SIGNALS:
+    void demoWanted();
+    void settingsChanged(const skyseal::ui::Settings &settings);
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    friend class MainMenus;
+
+    void makeCentre();
+    void makeDocks();
+    QDockWidget *addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area, bool scrolls = false);
+    void connectPanels();
+    void take(const engine::Happening &happening);
+    void tellPortInUse(const engine::LinkSnapshot &link);
+    void chooseVehicle(std::uint8_t systemId);
+    void popUpVehicles();
+    void revealDock(QDockWidget *dock);
+    void openLinkDialog();
+    void openSettings();
+    void openHelp(const QString &page);
+    void applySettings(const Settings &settings);
+    void restoreArrangement();
+    void resetArrangement();
+
+    StationPort &m_station;
+    QSettings &m_store;
+    ProgramFacts m_facts;
+    Settings m_settings;
+    Scene m_scene;
+    std::uint8_t m_chosenVehicle = 0;
+
+    SuiteActions *m_suites;
+    VehicleCommands *m_commands;
+    StatusStrip *m_strip;
+    TrafficBar *m_traffic;
+    MapView *m_map;
+    EmptyState *m_empty;
+    ProblemBanner *m_banner;
+    FlightPanel *m_flight;
+    SecureLinkPanel *m_secure;
+    MessagesPanel *m_messages;
+    std::vector<QDockWidget *> m_docks; ///< in the order of Ctrl+1 … n
+    QByteArray m_defaultArrangement;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,94 @@
+#include "ui/map/empty_state.h"
+
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QVBoxLayout>
+
+namespace skyseal::ui {
+
+EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
+{
+    setObjectName(QStringLiteral("emptyState"));
+    setFrameShape(QFrame::NoFrame);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(3 * kGrid, 3 * kGrid, 3 * kGrid, 3 * kGrid);
+    column->setSpacing(kGrid);
+    m_title = new QLabel(this);
+    m_title->setObjectName(QStringLiteral("emptyTitle"));
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() + 3);
+    large.setWeight(QFont::DemiBold);
+    m_title->setFont(large);
+    m_title->setWordWrap(true);
+    m_text = new QLabel(this);
+    m_text->setObjectName(QStringLiteral("emptyText"));
+    m_text->setWordWrap(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_demo = new QPushButton(tr("Start the demo"), this);
+    m_demo->setObjectName(QStringLiteral("demoButton"));
+    m_demo->setAccessibleName(m_demo->text());
+    m_demo->hide();
+    m_connect = new QPushButton(tr("Add a link …"), this);
+    m_connect->setObjectName(QStringLiteral("connectButton"));
+    m_connect->setAccessibleName(m_connect->text());
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(kGrid);
+    buttons->addWidget(m_demo);
+    buttons->addWidget(m_connect);
+    buttons->addStretch(1);
+    column->addSpacing(kGrid);
+    column->addLayout(buttons);
+    connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
+    connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
+    showScene({});
+}
+
+void EmptyState::setDemoAvailable(bool available)
+{
+    m_demo->setVisible(available);
+}
+
+void EmptyState::showScene(const Scene &scene)
+{
+    setVisible(!scene.vehicle);
+    if (scene.vehicle)
+        return;
+    QString listening;
+    bool replaying = false;
+    if (scene.snapshot) {
+        for (const auto &link : scene.snapshot->links) {
+            if (link.phase == engine::LinkPhase::Failed)
+                continue;
+            replaying |= link.url.starts_with("tlog");
+            if (listening.isEmpty())
+                listening = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
+        }
+    }
+    QString title, text;
+    if (scene.session) {
+        title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
+        text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
+    } else if (replaying) {
+        title = tr("Replaying a log");
+        text = tr("No vehicle in it so far.");
+    } else if (listening.isEmpty()) {
+        title = tr("Nothing is connected");
+        text = tr("Add a link to the vehicle, or listen for one on UDP port 14550.");
+    } else {
+        title = tr("Waiting for a vehicle on %1").arg(listening);
+        text = tr("Start one with\n    skyseal-air --vehicle tcp:127.0.0.1:5760 --ground udpout:127.0.0.1:14550\n"
+                  "beside an autopilot, or let any autopilot send plain MAVLink here.");
+    }
+    if (m_title->text() != title)
+        m_title->setText(title);
+    if (m_text->text() != text)
+        m_text->setText(text);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,33 @@
+// What stands over the map while there is no vehicle: what is waited for, where, and what to do about it.
+#pragma once
+
+#include "ui/scene.h"
+
+#include <QtWidgets/QFrame>
+
+class QLabel;
+class QPushButton;
+
+namespace skyseal::ui {
+
+class EmptyState : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit EmptyState(QWidget *parent = nullptr);
+
+    /// Hides itself once there is a vehicle.
+    void showScene(const Scene &scene);
+    void setDemoAvailable(bool available);
+
+Q_SIGNALS:
+    void demoWanted();
+    void connectWanted();
+
+private:
+    QLabel *m_title, *m_text;
+    QPushButton *m_demo, *m_connect;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,32 @@
+// Degrees to metres and back around one origin: a plane is exact enough for the few kilometres that a link reaches.
+#pragma once
+
+#include <QtCore/QPointF>
+
+#include <cmath>
+#include <numbers>
+
+namespace skyseal::ui {
+
+struct LocalFrame
+{
+    double latitude = 0, longitude = 0; ///< of the origin, degrees
+
+    static constexpr double kMetresPerDegree = 111319.49079327358; ///< on WGS84's equator
+
+    /// Metres east (x) and north (y).
+    QPointF toMetres(double lat, double lon) const
+    {
+        return {(lon - longitude) * kMetresPerDegree * shrink(), (lat - latitude) * kMetresPerDegree};
+    }
+    /// Latitude in y, longitude in x.
+    QPointF toDegrees(const QPointF &metres) const
+    {
+        return {longitude + metres.x() / (kMetresPerDegree * shrink()), latitude + metres.y() / kMetresPerDegree};
+    }
+
+private:
+    double shrink() const { return std::cos(latitude * std::numbers::pi / 180); }
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,46 @@
+// Where the vehicle has been, with the suite that sealed its words at each point.
+#pragma once
+
+#include "core/crypto/suite.h"
+
+#include <QtCore/QPointF>
+
+#include <deque>
+
+namespace skyseal::ui {
+
+struct TrackPoint
+{
+    QPointF metres;
+    crypto::SuiteId suite{};
+};
+
+/// Points at least a metre apart, the newest 4,000.
+class Track
+{
+public:
+    static constexpr std::size_t kMost = 4000;
+    static constexpr double kApart = 1.0;
+
+    /// True when the point was far enough from the last one (or another suite) to be kept.
+    bool append(const QPointF &metres, crypto::SuiteId suite)
+    {
+        if (!m_points.empty()) {
+            const QPointF step = metres - m_points.back().metres;
+            if (QPointF::dotProduct(step, step) < kApart * kApart && suite == m_points.back().suite)
+                return false;
+        }
+        m_points.push_back({metres, suite});
+        if (m_points.size() > kMost)
+            m_points.pop_front();
+        return true;
+    }
+
+    void clear() { m_points.clear(); }
+    const std::deque<TrackPoint> &points() const { return m_points; }
+
+private:
+    std::deque<TrackPoint> m_points;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,93 @@
+#include "ui/messages/message_model.h"
+
+#include "ui/text/words.h"
+#include "ui/theme/palettes.h"
+
+#include <QtGui/QFont>
+#include <QtGui/QGuiApplication>
+
+namespace skyseal::ui {
+
+namespace {
+constexpr std::uint8_t kError = 3, kWarning = 4, kNotice = 5;
+}
+
+void MessageModel::append(const Message &message)
+{
+    if (static_cast<int>(m_messages.size()) >= kMost) {
+        beginRemoveRows({}, 0, 0);
+        m_messages.pop_front();
+        endRemoveRows();
+    }
+    const int row = static_cast<int>(m_messages.size());
+    beginInsertRows({}, row, row);
+    m_messages.push_back(message);
+    endInsertRows();
+}
+
+void MessageModel::clear()
+{
+    beginResetModel();
+    m_messages.clear();
+    endResetModel();
+}
+
+int MessageModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_messages.size());
+}
+
+int MessageModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : Columns;
+}
+
+QVariant MessageModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount())
+        return {};
+    const Message &message = m_messages[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        switch (index.column()) {
+        case Time: return message.time.toString(QStringLiteral("HH:mm:ss.zzz"));
+        case Vehicle: return message.systemId == 0 ? tr("station") : QString::number(message.systemId);
+        case Severity: return severityWord(message.severity);
+        case Text: return message.text;
+        default: return {};
+        }
+    case Qt::ToolTipRole: return index.column() == Text ? QVariant(message.text) : QVariant();
+    case Qt::ForegroundRole: {
+        const StateColors &colors = stateColors(QGuiApplication::palette());
+        if (message.severity <= kError)
+            return colors.alarm;
+        if (message.severity <= kNotice)
+            return index.column() == Severity || message.severity == kWarning ? QVariant(colors.warning) : QVariant();
+        return index.column() == Text ? QVariant() : QVariant(colors.dim);
+    }
+    case Qt::FontRole:
+        if (message.severity <= kError) {
+            QFont bold;
+            bold.setBold(true);
+            return bold;
+        }
+        return {};
+    case SeverityRole: return message.severity;
+    default: return {};
+    }
+}
+
+QVariant MessageModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case Time: return tr("Time");
+    case Vehicle: return tr("From");
+    case Severity: return tr("Severity");
+    case Text: return tr("Message");
+    default: return {};
+    }
+}
+
+} // namespace skyseal::ui

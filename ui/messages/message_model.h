@@ -1,0 +1,44 @@
+// What the vehicles said, newest last, bounded. Severity has a colour and a word.
+#pragma once
+
+#include "core/vehicle/vehicle_state.h"
+
+#include <QtCore/QAbstractTableModel>
+#include <QtCore/QDateTime>
+
+#include <deque>
+
+namespace skyseal::ui {
+
+struct Message
+{
+    QDateTime time;
+    std::uint8_t systemId = 0; ///< 0 = the station itself
+    std::uint8_t severity = 6; ///< MAV_SEVERITY
+    QString text;
+};
+
+class MessageModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    static constexpr int kMost = 2000;
+    enum Column { Time, Vehicle, Severity, Text, Columns };
+    enum Role { SeverityRole = Qt::UserRole };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void append(const Message &message);
+    void clear();
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    std::deque<Message> m_messages;
+};
+
+} // namespace skyseal::ui

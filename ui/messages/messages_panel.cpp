@@ -1,0 +1,115 @@
+#include "ui/messages/messages_panel.h"
+
+#include "ui/messages/happening_words.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+
+#include <QtGui/QAction>
+#include <QtGui/QClipboard>
+#include <QtGui/QGuiApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QTreeView>
+
+namespace skyseal::ui {
+
+MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
+{
+    m_filter.setSourceModel(&m_model);
+    m_view = new QTreeView(this);
+    m_view->setObjectName(QStringLiteral("messageView"));
+    m_view->setAccessibleName(tr("Messages"));
+    m_view->setModel(&m_filter);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_view->setFrameShape(QFrame::NoFrame);
+    QHeaderView *header = m_view->header();
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    const QFontMetrics metrics(font());
+    header->resizeSection(MessageModel::Time, metrics.horizontalAdvance(QStringLiteral("88:88:88.888")) + 3 * kGrid);
+    header->resizeSection(MessageModel::Vehicle, metrics.horizontalAdvance(tr("station")) + 3 * kGrid);
+    header->resizeSection(MessageModel::Severity, metrics.horizontalAdvance(severityWord(0)) + 3 * kGrid);
+    header->setStretchLastSection(true);
+
+    auto *copy = new QAction(tr("Copy"), m_view);
+    copy->setShortcut(QKeySequence::Copy);
+    copy->setShortcutContext(Qt::WidgetShortcut);
+    connect(copy, &QAction::triggered, this, &MessagesPanel::copySelected);
+    m_view->addAction(copy);
+    m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+
+    auto *wanted = new QLineEdit(this);
+    wanted->setObjectName(QStringLiteral("messageFilter"));
+    wanted->setPlaceholderText(tr("Filter"));
+    wanted->setAccessibleName(tr("Filter of the messages"));
+    wanted->setClearButtonEnabled(true);
+    connect(wanted, &QLineEdit::textChanged, this, [this](const QString &text) { m_filter.setWanted(text); });
+    auto *grave = new QComboBox(this);
+    grave->setObjectName(QStringLiteral("messageSeverity"));
+    grave->setAccessibleName(tr("Least severity shown"));
+    grave->addItem(tr("all"), 7);
+    grave->addItem(tr("notices and above"), 5);
+    grave->addItem(tr("warnings and above"), 4);
+    grave->addItem(tr("errors and above"), 3);
+    connect(grave, &QComboBox::currentIndexChanged, this, [this, grave] { m_filter.setLeastGrave(grave->currentData().toInt()); });
+    auto *copyButton = new QPushButton(tr("Copy"), this);
+    copyButton->setAccessibleName(tr("Copy the messages"));
+    connect(copyButton, &QPushButton::clicked, this, &MessagesPanel::copySelected);
+    auto *clear = new QPushButton(tr("Clear"), this);
+    clear->setAccessibleName(tr("Clear the messages"));
+    connect(clear, &QPushButton::clicked, &m_model, &MessageModel::clear);
+
+    auto *tools = new QHBoxLayout;
+    tools->setSpacing(kGrid);
+    tools->addWidget(wanted, 1);
+    tools->addWidget(grave);
+    tools->addWidget(copyButton);
+    tools->addWidget(clear);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addLayout(tools);
+    column->addWidget(m_view, 1);
+}
+
+void MessagesPanel::take(const engine::Happening &happening)
+{
+    if (const auto line = happeningLine(happening))
+        append({QDateTime::currentDateTime(), line->systemId, line->severity, line->text});
+}
+
+void MessagesPanel::say(const QString &text, std::uint8_t severity)
+{
+    append({QDateTime::currentDateTime(), 0, severity, text});
+}
+
+void MessagesPanel::append(const Message &message)
+{
+    const QScrollBar *bar = m_view->verticalScrollBar();
+    const bool atEnd = bar->value() >= bar->maximum();
+    m_model.append(message);
+    if (atEnd)
+        m_view->scrollToBottom();
+}
+
+void MessagesPanel::copySelected() const
+{
+    QStringList lines;
+    const bool some = m_view->selectionModel()->hasSelection();
+    for (int row = 0; row < m_filter.rowCount(); ++row) {
+        if (some && !m_view->selectionModel()->isRowSelected(row, {}))
+            continue;
+        QStringList cells;
+        for (int column = 0; column < MessageModel::Columns; ++column)
+            cells << m_filter.index(row, column).data().toString();
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace skyseal::ui

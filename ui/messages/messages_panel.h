@@ -1,0 +1,35 @@
+// The console: what the vehicles say (STATUSTEXT) and what happened on the links, with filter and copy.
+#pragma once
+
+#include "ui/messages/message_filter.h"
+#include "ui/messages/message_model.h"
+#include "ui/scene.h"
+
+#include <QtWidgets/QWidget>
+
+class QTreeView;
+
+namespace skyseal::ui {
+
+class MessagesPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MessagesPanel(QWidget *parent = nullptr);
+
+    void take(const engine::Happening &happening);
+    /// A line of the station's own.
+    void say(const QString &text, std::uint8_t severity);
+    MessageModel &model() { return m_model; }
+
+private:
+    void append(const Message &message);
+    void copySelected() const;
+
+    MessageModel m_model;
+    MessageFilter m_filter;
+    QTreeView *m_view;
+};
+
+} // namespace skyseal::ui

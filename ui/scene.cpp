@@ -1,0 +1,30 @@
+#include "ui/scene.h"
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
+{
+    Scene scene{std::move(snapshot)};
+    if (!scene.snapshot)
+        return scene;
+    const auto &vehicles = scene.snapshot->vehicles;
+    const auto &sessions = scene.snapshot->sessions;
+    const auto chosen = std::ranges::find_if(vehicles, [&](const auto &v) { return v.state.systemId == systemId; });
+    if (chosen != vehicles.end())
+        scene.vehicle = &*chosen;
+    else if (!vehicles.empty())
+        scene.vehicle = &vehicles.front();
+
+    if (scene.vehicle && scene.vehicle->session) {
+        const auto own = std::ranges::find_if(sessions, [&](const auto &s) { return s.info.session == *scene.vehicle->session; });
+        if (own != sessions.end())
+            scene.session = &*own;
+    } else if (!scene.vehicle && !sessions.empty()) {
+        scene.session = &sessions.front();
+    }
+    return scene;
+}
+
+} // namespace skyseal::ui

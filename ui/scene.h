@@ -1,0 +1,26 @@
+// What the panels draw: one snapshot, and which vehicle and session of it the operator looks at.
+#pragma once
+
+#include "ui/station_port.h"
+
+namespace skyseal::ui {
+
+/// Values older than this are shown as stale (the same limit as a lost link).
+inline constexpr double kStaleAfterSeconds = 3.5;
+
+/// Never null once a first snapshot came; `vehicle` and `session` point into `snapshot`.
+struct Scene
+{
+    SnapshotPtr snapshot;
+    const engine::VehicleSnapshot *vehicle = nullptr;
+    const engine::SessionSnapshot *session = nullptr;
+
+    /// True where the vehicle's values are older than the limit.
+    bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }
+};
+
+/// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet, the first
+/// session stands in, so that an agent without an autopilot is seen.
+Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId);
+
+} // namespace skyseal::ui

@@ -1,0 +1,76 @@
+#include "ui/security/counters_table.h"
+
+#include "ui/text/figures.h"
+#include "ui/text/units.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+#include <QtWidgets/QGridLayout>
+
+namespace skyseal::ui {
+
+CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
+{
+    using channel::ReceiveCounters;
+    struct Entry
+    {
+        QString name, tip;
+        std::uint64_t ReceiveCounters::*counter;
+        bool alarming;
+    };
+    const Entry entries[] = {
+        {tr("good"), tr("Records whose seal verified"), &ReceiveCounters::good, false},
+        {tr("late"), tr("Good, but after a newer one"), &ReceiveCounters::late, false},
+        {tr("lost"), tr("Sent, but never arrived"), &ReceiveCounters::lost, false},
+        {tr("replayed"), tr("Seen before, refused"), &ReceiveCounters::replayed, true},
+        {tr("forged"), tr("Seal did not verify, refused"), &ReceiveCounters::forged, true},
+        {tr("malformed"), tr("No record at all, refused"), &ReceiveCounters::malformed, true},
+        {tr("plain"), tr("Clear MAVLink of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
+    };
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(kGrid);
+    grid->setVerticalSpacing(2);
+    int column = 1;
+    for (const QString &head : {tr("to us"), tr("to it")}) {
+        auto *label = new QLabel(head, this);
+        label->setForegroundRole(QPalette::PlaceholderText);
+        grid->addWidget(label, 0, column++, Qt::AlignRight);
+    }
+    int row = 1;
+    for (const Entry &entry : entries) {
+        auto *name = new QLabel(entry.name, this);
+        name->setForegroundRole(QPalette::PlaceholderText);
+        name->setToolTip(entry.tip);
+        grid->addWidget(name, row, 0);
+        Row cells{entry.counter, entry.alarming, new FigureLabel(this), new FigureLabel(this)};
+        int at = 1;
+        for (FigureLabel *cell : {cells.toUs, cells.toIt}) {
+            cell->setSample(QStringLiteral("8 888 888"), {});
+            cell->setAccessibleName(tr("%1 %2").arg(entry.name, at == 1 ? tr("to us") : tr("to it")));
+            cell->setObjectName(QStringLiteral("counter_%1_%2").arg(row).arg(at));
+            cell->setToolTip(entry.tip);
+            grid->addWidget(cell, row, at++);
+        }
+        m_rows.push_back(cells);
+        ++row;
+    }
+    grid->setColumnStretch(0, 1);
+    showStats(nullptr);
+}
+
+void CountersTable::showStats(const channel::SessionStats *stats)
+{
+    const QColor alarm = stateColors(palette()).alarm;
+    const auto put = [&](FigureLabel *label, bool known, std::uint64_t value, bool alarming) {
+        label->setFigure(known ? grouped(value) : dash());
+        label->setColor(known && alarming && value > 0 ? alarm : QColor());
+    };
+    for (const Row &row : m_rows) {
+        put(row.toUs, stats != nullptr, stats ? stats->rx.*row.counter : 0, row.alarming);
+        const bool reported = stats && stats->peerReported;
+        put(row.toIt, reported, reported ? stats->peerRx.*row.counter : 0, row.alarming);
+    }
+}
+
+} // namespace skyseal::ui

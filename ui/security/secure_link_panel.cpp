@@ -1,0 +1,208 @@
+#include "ui/security/secure_link_panel.h"
+
+#include "ui/security/counters_table.h"
+#include "ui/security/suite_actions.h"
+#include "ui/security/suite_row.h"
+#include "ui/status/lock_face.h"
+#include "ui/text/units.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/palettes.h"
+
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QFrame>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QVBoxLayout>
+
+namespace skyseal::ui {
+
+using engine::Security;
+
+namespace {
+
+void put(QLabel *label, const QString &text)
+{
+    if (label->text() != text)
+        label->setText(text);
+    label->setVisible(!text.isEmpty());
+}
+
+/// Groups of four letters, so that two people can read it to each other; the break keeps it in a narrow dock.
+QString readable(const QString &fingerprint)
+{
+    return fingerprint;
+}
+
+} // namespace
+
+SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidget(parent), m_suites(suites)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kHalfGrid);
+
+    auto *head = new QHBoxLayout;
+    head->setSpacing(kGrid);
+    m_icon = new QLabel(this);
+    m_icon->setFixedSize(24, 24);
+    m_title = new QLabel(this);
+    m_title->setObjectName(QStringLiteral("secureTitle"));
+    m_title->setWordWrap(true);
+    QFont strong = font();
+    strong.setWeight(QFont::DemiBold);
+    m_title->setFont(strong);
+    head->addWidget(m_icon);
+    head->addWidget(m_title, 1);
+    column->addLayout(head);
+
+    m_sessions = new QComboBox(this);
+    m_sessions->setObjectName(QStringLiteral("sessionBox"));
+    m_sessions->setAccessibleName(tr("Session to show"));
+    m_sessions->hide();
+    connect(m_sessions, &QComboBox::activated, this, [this] { Q_EMIT sessionChosen(m_sessions->currentData().toUInt()); });
+    column->addWidget(m_sessions);
+
+    const auto fact = [&](const char *objectName, const QString &accessible) {
+        auto *label = new QLabel(this);
+        label->setObjectName(QLatin1String(objectName));
+        label->setAccessibleName(accessible);
+        label->setForegroundRole(QPalette::PlaceholderText);
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        column->addWidget(label);
+        return label;
+    };
+    m_peer = fact("securePeer", tr("Peer"));
+    m_since = fact("secureSince", tr("Sealed since"));
+    m_fingerprint = fact("secureFingerprint", tr("Fingerprint of the peer's key"));
+    m_fingerprint->setWordWrap(true);
+
+    m_advice = new QLabel(this);
+    m_advice->setObjectName(QStringLiteral("secureAdvice"));
+    m_advice->setWordWrap(true);
+    column->addWidget(m_advice);
+    m_help = new QPushButton(tr("How to seal this link"), this);
+    m_help->setObjectName(QStringLiteral("secureHelp"));
+    m_help->setAccessibleName(m_help->text());
+    connect(m_help, &QPushButton::clicked, this, [this] { Q_EMIT helpWanted(QStringLiteral("sealing")); });
+    column->addWidget(m_help, 0, Qt::AlignLeft);
+
+    column->addSpacing(kHalfGrid);
+    for (QAction *action : suites.actions())
+        column->addWidget(new SuiteRow(*action, this));
+    m_note = new QLabel(this);
+    m_note->setObjectName(QStringLiteral("switchNote"));
+    m_note->setAccessibleName(tr("Result of the last switch"));
+    m_note->setWordWrap(true);
+    m_note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_note->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    column->addWidget(m_note);
+    auto *line = new QFrame(this);
+    line->setFrameShape(QFrame::HLine);
+    line->setForegroundRole(QPalette::Mid);
+    line->setFrameShadow(QFrame::Plain);
+    column->addWidget(line);
+    m_counters = new CountersTable(this);
+    column->addWidget(m_counters);
+    column->addStretch(1);
+
+    connect(&suites, &SuiteActions::noteChanged, this, &SecureLinkPanel::showNote);
+    showScene({});
+}
+
+void SecureLinkPanel::showScene(const Scene &scene)
+{
+    showHead(scene);
+    showSessions(scene);
+    m_counters->showStats(scene.session ? &scene.session->stats : nullptr);
+}
+
+void SecureLinkPanel::showHead(const Scene &scene)
+{
+    const StateColors &colors = stateColors(palette());
+    const LockFace face = lockFaceOf(scene);
+    QString title, advice;
+    QColor color = colors.dim;
+    switch (face.security) {
+    case Security::Nothing:
+        title = tr("No sealed link");
+        advice = tr("The session starts by itself once a known agent announces itself.");
+        break;
+    case Security::Plain:
+        title = tr("Not sealed");
+        advice = tr("This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
+        color = colors.warning;
+        break;
+    case Security::Sealed:
+        title = tr("Sealed");
+        color = colors.good;
+        break;
+    case Security::Switching:
+        title = tr("Sealed, switching…");
+        color = colors.good;
+        break;
+    case Security::UnderAttack:
+        title = scene.session ? tr("Under attack: %1 forged, %2 replayed in the last minute, all refused")
+                                    .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute))
+                              : tr("Under attack");
+        color = colors.alarm;
+        break;
+    }
+    put(m_title, title);
+    put(m_advice, advice);
+    m_help->setVisible(!scene.session);
+    const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
+    if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
+        m_icon->setPixmap(picture);
+    QPalette titleColors = palette();
+    if (face.security == Security::UnderAttack || face.security == Security::Plain)
+        titleColors.setColor(QPalette::WindowText, color);
+    if (m_title->palette().color(QPalette::WindowText) != titleColors.color(QPalette::WindowText))
+        m_title->setPalette(titleColors);
+
+    if (!scene.session) {
+        for (QLabel *label : {m_peer, m_since, m_fingerprint})
+            put(label, {});
+        return;
+    }
+    const auto &info = scene.session->info;
+    const QString name = info.peerName.empty() ? tr("unnamed peer") : fromStd(info.peerName);
+    put(m_peer, tr("%1 ✓ · %2").arg(name, fromStd(scene.session->remoteAddress)));
+    put(m_since, tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(scene.session->age)));
+    put(m_fingerprint, readable(fromStd(scene.session->fingerprint)));
+}
+
+void SecureLinkPanel::showSessions(const Scene &scene)
+{
+    const std::size_t count = scene.snapshot ? scene.snapshot->sessions.size() : 0;
+    m_sessions->setVisible(count > 1);
+    if (count <= 1)
+        return;
+    if (static_cast<std::size_t>(m_sessions->count()) != count) {
+        m_sessions->clear();
+        for (const auto &session : scene.snapshot->sessions)
+            m_sessions->addItem({}, static_cast<quint32>(session.info.session));
+    }
+    for (int i = 0; i < m_sessions->count(); ++i) {
+        const auto &session = scene.snapshot->sessions[static_cast<std::size_t>(i)];
+        const QString text = tr("%1 · %2").arg(fromStd(session.info.peerName), suiteName(session.info.suite));
+        if (m_sessions->itemText(i) != text)
+            m_sessions->setItemText(i, text);
+        m_sessions->setItemData(i, static_cast<quint32>(session.info.session));
+        if (scene.session == &session && m_sessions->currentIndex() != i && !m_sessions->view())
+            m_sessions->setCurrentIndex(i);
+    }
+}
+
+void SecureLinkPanel::showNote()
+{
+    put(m_note, m_suites.note());
+    m_note->show();
+    QPalette colors = palette();
+    if (m_suites.noteIsProblem())
+        colors.setColor(QPalette::WindowText, stateColors(palette()).warning);
+    m_note->setPalette(colors);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,142 @@
+#include "ui/security/suite_actions.h"
+
+#include "ui/text/words.h"
+
+#include <QtGui/QAction>
+#include <QtGui/QActionGroup>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+using crypto::SuiteId;
+
+SuiteActions::SuiteActions(StationPort &station, QObject *parent) : QObject(parent), m_station(station), m_group(new QActionGroup(this))
+{
+    for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
+        const SuiteId suite = kChoosableSuites[i];
+        auto *action = new QAction(suiteDot(suite), suiteName(suite), this);
+        action->setObjectName(QStringLiteral("suite_") + fromStd(crypto::suiteInfo(suite).name));
+        action->setCheckable(true);
+        action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_1 + i)));
+        m_group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, suite] { choose(suite); });
+        m_actions[i] = action;
+    }
+    m_group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    connect(&station, &StationPort::happened, this, &SuiteActions::take);
+    refresh();
+}
+
+QAction *SuiteActions::action(SuiteId suite) const
+{
+    const auto at = std::ranges::find(kChoosableSuites, suite);
+    return at == kChoosableSuites.end() ? nullptr : m_actions[static_cast<std::size_t>(at - kChoosableSuites.begin())];
+}
+
+std::optional<SuiteId> SuiteActions::pending() const
+{
+    if (m_asked)
+        return m_asked;
+    return m_info ? m_info->pending : std::nullopt;
+}
+
+QString SuiteActions::whyNot(SuiteId suite) const
+{
+    if (!m_info)
+        return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+    if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
+        return {};
+    if (crypto::suiteInfo(suite).research && !m_researchAllowed)
+        return tr("research suites are off");
+    if (std::ranges::find(m_info->peerOffered, suite) == m_info->peerOffered.end())
+        return tr("not offered by the vehicle");
+    return tr("not allowed here");
+}
+
+void SuiteActions::choose(SuiteId suite)
+{
+    if (m_info && suite != m_info->suite && whyNot(suite).isEmpty()) {
+        m_asked = suite;
+        m_station.switchSuite(m_info->session, suite);
+    }
+    refresh(); // puts the mark back on the suite that is in use
+}
+
+void SuiteActions::showScene(const Scene &scene)
+{
+    m_plain = scene.vehicle && !scene.session;
+    if (!scene.session) {
+        m_info.reset();
+        m_asked.reset();
+    } else {
+        if (m_info && m_info->session != scene.session->info.session)
+            m_asked.reset();
+        m_info = scene.session->info;
+    }
+    refresh();
+}
+
+void SuiteActions::take(const engine::Happening &happening)
+{
+    if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
+        if (!m_info || done->session != m_info->session || done->rekey)
+            return;
+        m_asked.reset();
+        m_info->pending.reset();
+        const bool committed = done->failure == channel::SwitchFailure::None;
+        if (committed) {
+            m_info->suite = done->to;
+            m_info->epoch = done->epoch;
+            setNote(tr("Now %1, after %2 ms").arg(suiteName(done->to)).arg(qRound(seconds(done->took) * 1000)), false);
+        } else {
+            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureWords(done->failure)), true);
+        }
+        refresh();
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
+        if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
+            setNote(tr("Session ended: %1").arg(downReasonWords(down->reason)), true);
+    }
+}
+
+void SuiteActions::setResearchAllowed(bool allowed)
+{
+    m_researchAllowed = allowed;
+    refresh();
+}
+
+void SuiteActions::setNote(const QString &note, bool problem)
+{
+    m_note = note;
+    m_noteIsProblem = problem;
+    Q_EMIT noteChanged();
+}
+
+void SuiteActions::refresh()
+{
+    bool any = false;
+    const auto underWay = pending();
+    for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
+        const SuiteId suite = kChoosableSuites[i];
+        QAction *action = m_actions[i];
+        const bool inUse = m_info && m_info->suite == suite;
+        const QString why = whyNot(suite);
+        QString text = suiteName(suite);
+        if (underWay == suite && !inUse)
+            text += QStringLiteral(" · ") + tr("switching…");
+        const QString tip = why.isEmpty() ? suiteName(suite) : tr("%1: %2").arg(suiteName(suite), why);
+        const bool enabled = why.isEmpty() && (!underWay || inUse || underWay == suite);
+        if (action->text() == text && action->toolTip() == tip && action->isEnabled() == enabled && action->isChecked() == inUse)
+            continue;
+        action->setText(text);
+        action->setToolTip(tip);
+        action->setStatusTip(tip);
+        action->setEnabled(enabled);
+        action->setChecked(inUse);
+        any = true;
+    }
+    if (any)
+        Q_EMIT changed();
+}
+
+} // namespace skyseal::ui

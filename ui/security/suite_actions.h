@@ -1,0 +1,62 @@
+// The choice of the cipher suite, once, as actions: the Security menu and the Secure link panel are two views of it. The
+// mark follows what both ends have agreed, never what was asked for: until a switch is confirmed it reads "switching…",
+// a roll-back leaves the old suite and one line why.
+#pragma once
+
+#include "ui/scene.h"
+#include "ui/theme/suite_style.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QString>
+
+#include <array>
+#include <optional>
+
+class QAction;
+class QActionGroup;
+
+namespace skyseal::ui {
+
+class SuiteActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SuiteActions(StationPort &station, QObject *parent = nullptr);
+
+    QAction *action(crypto::SuiteId suite) const;
+    const std::array<QAction *, kChoosableSuites.size()> &actions() const { return m_actions; }
+
+    void showScene(const Scene &scene);
+    void take(const engine::Happening &happening);
+    void setResearchAllowed(bool allowed);
+
+    /// Why `suite` cannot be chosen now; empty when it can.
+    QString whyNot(crypto::SuiteId suite) const;
+    /// The suite that is being agreed.
+    std::optional<crypto::SuiteId> pending() const;
+    /// What became of the last switch, in one line; empty before the first.
+    const QString &note() const { return m_note; }
+    bool noteIsProblem() const { return m_noteIsProblem; }
+
+Q_SIGNALS:
+    void changed();
+    void noteChanged();
+
+private:
+    void choose(crypto::SuiteId suite);
+    void refresh();
+    void setNote(const QString &note, bool problem);
+
+    StationPort &m_station;
+    QActionGroup *m_group;
+    std::array<QAction *, kChoosableSuites.size()> m_actions{};
+    std::optional<channel::SessionInfo> m_info;
+    std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered
+    bool m_researchAllowed = false;
+    bool m_plain = false;
+    QString m_note;
+    bool m_noteIsProblem = false;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,27 @@
+// One suite of the Secure link panel: a radio button that shows its action and never marks itself, since only an agreed
+// switch moves the mark. The arrow keys move the focus, Space or a click chooses.
+#pragma once
+
+#include <QtWidgets/QRadioButton>
+
+class QAction;
+
+namespace skyseal::ui {
+
+class SuiteRow : public QRadioButton
+{
+    Q_OBJECT
+
+public:
+    explicit SuiteRow(QAction &action, QWidget *parent = nullptr);
+
+protected:
+    void nextCheckState() override {}
+
+private:
+    void refresh();
+
+    QAction &m_action;
+};
+
+} // namespace skyseal::ui

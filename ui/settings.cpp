@@ -1,0 +1,48 @@
+#include "ui/settings.h"
+
+#include <QtCore/QSettings>
+
+namespace skyseal::ui {
+
+namespace {
+
+int inRange(const QSettings &store, const char *key, int low, int high, int otherwise)
+{
+    bool ok = false;
+    const int value = store.value(QLatin1String(key), otherwise).toInt(&ok);
+    return ok && value >= low && value <= high ? value : otherwise;
+}
+
+} // namespace
+
+Settings loadSettings(const QSettings &store)
+{
+    Settings s;
+    s.theme = static_cast<Theme>(inRange(store, "view/theme", 0, 3, static_cast<int>(s.theme)));
+    s.units = static_cast<UnitSystem>(inRange(store, "view/units", 0, 1, static_cast<int>(s.units)));
+    s.systemId = inRange(store, "station/systemId", 1, 255, s.systemId);
+    s.componentId = inRange(store, "station/componentId", 1, 255, s.componentId);
+    s.record = store.value(QStringLiteral("log/record"), s.record).toBool();
+    s.recordFolder = store.value(QStringLiteral("log/folder")).toString();
+    s.allowResearch = store.value(QStringLiteral("security/allowResearch"), s.allowResearch).toBool();
+    s.requireSealed = store.value(QStringLiteral("security/requireSealed"), s.requireSealed).toBool();
+    const QString link = store.value(QStringLiteral("link/default")).toString();
+    if (!link.isEmpty())
+        s.defaultLink = link;
+    return s;
+}
+
+void storeSettings(QSettings &store, const Settings &settings)
+{
+    store.setValue(QStringLiteral("view/theme"), static_cast<int>(settings.theme));
+    store.setValue(QStringLiteral("view/units"), static_cast<int>(settings.units));
+    store.setValue(QStringLiteral("station/systemId"), settings.systemId);
+    store.setValue(QStringLiteral("station/componentId"), settings.componentId);
+    store.setValue(QStringLiteral("log/record"), settings.record);
+    store.setValue(QStringLiteral("log/folder"), settings.recordFolder);
+    store.setValue(QStringLiteral("security/allowResearch"), settings.allowResearch);
+    store.setValue(QStringLiteral("security/requireSealed"), settings.requireSealed);
+    store.setValue(QStringLiteral("link/default"), settings.defaultLink);
+}
+
+} // namespace skyseal::ui

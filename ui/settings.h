@@ -1,0 +1,33 @@
+// What the operator chose, as one value; kept by QSettings between runs. Only the application reads and writes it, every
+// panel gets what it needs passed in.
+#pragma once
+
+#include "ui/text/units.h"
+#include "ui/theme/palettes.h"
+
+#include <QtCore/QString>
+
+class QSettings;
+
+namespace skyseal::ui {
+
+struct Settings
+{
+    Theme theme = Theme::Desktop;
+    UnitSystem units = UnitSystem::Metric;
+    int systemId = 255;
+    int componentId = 190;
+    bool record = true;
+    QString recordFolder; ///< empty = the application's own folder
+    bool allowResearch = false;
+    bool requireSealed = false; ///< clear MAVLink is never shown
+    QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
+
+    bool operator==(const Settings &) const = default;
+};
+
+/// Values that are missing or out of range keep their defaults.
+Settings loadSettings(const QSettings &store);
+void storeSettings(QSettings &store, const Settings &settings);
+
+} // namespace skyseal::ui

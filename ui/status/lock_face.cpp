@@ -1,0 +1,93 @@
+#include "ui/status/lock_face.h"
+
+#include "ui/text/units.h"
+#include "ui/text/words.h"
+#include "ui/theme/suite_style.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::ui {
+
+using engine::Security;
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("skyseal::ui::LockFace", text);
+}
+
+QString peerName(const engine::SessionSnapshot &session)
+{
+    return session.info.peerName.empty() ? tr("peer") : fromStd(session.info.peerName);
+}
+
+QString sealedToolTip(const engine::SessionSnapshot &session)
+{
+    return tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
+        .arg(suiteName(session.info.suite), durationText(session.age), peerName(session), fromStd(session.remoteAddress),
+             fromStd(session.fingerprint));
+}
+
+} // namespace
+
+Security securityOf(const Scene &scene)
+{
+    if (!scene.session)
+        return scene.vehicle ? Security::Plain : scene.snapshot ? scene.snapshot->security : Security::Nothing;
+    if (scene.session->forgedLastMinute + scene.session->replayedLastMinute > 0)
+        return scene.snapshot->sessions.size() == 1 ? scene.snapshot->security : Security::UnderAttack;
+    return scene.session->info.pending ? Security::Switching : Security::Sealed;
+}
+
+LockFace lockFaceOf(const Scene &scene)
+{
+    LockFace face;
+    face.security = securityOf(scene);
+    if (!scene.session) {
+        if (face.security == Security::Nothing) {
+            face.icon = QStringLiteral("lock-none");
+            face.variants = {tr("no link"), tr("no link")};
+            face.toolTip = tr("No vehicle and no session yet");
+            return face;
+        }
+        face.icon = QStringLiteral("lock-open");
+        face.variants = {tr("Not sealed · plain MAVLink"), tr("Not sealed")};
+        face.toolTip = tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
+        face.suite = crypto::SuiteId::None;
+        return face;
+    }
+    const auto &session = *scene.session;
+    const QString suite = suiteName(session.info.suite);
+    const QString peer = peerName(session) + QStringLiteral(" ✓");
+    const QString dot = QStringLiteral(" · ");
+    face.suite = session.info.suite;
+    face.toolTip = sealedToolTip(session);
+    switch (face.security) {
+    case Security::Switching: {
+        const QString to = suiteName(session.info.pending.value_or(session.info.suite));
+        face.icon = QStringLiteral("lock-switching");
+        face.variants = {suite + QStringLiteral(" → ") + to + dot + tr("switching…"), suite + dot + tr("switching…")};
+        face.toolTip += QLatin1Char('\n') + tr("Switching to %1").arg(to);
+        break;
+    }
+    case Security::UnderAttack: {
+        const QString count = tr("%1 forged or replayed in the last minute")
+                                  .arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
+        const QString brief = tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
+        face.icon = QStringLiteral("lock-alert");
+        face.variants = {suite + dot + peer + dot + tr("under attack, %1").arg(brief), suite + dot + brief};
+        face.toolTip += QLatin1Char('\n') + tr("Under attack: %1. All of them were refused.").arg(count);
+        break;
+    }
+    default: {
+        const QString epoch = tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
+        face.icon = QStringLiteral("lock-closed");
+        face.variants = {suite + dot + peer + dot + epoch, suite + dot + peer, suite};
+        break;
+    }
+    }
+    return face;
+}
+
+} // namespace skyseal::ui

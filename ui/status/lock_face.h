@@ -1,0 +1,26 @@
+// What the lock shows: one of its faces and the words beside it, from one scene. Kept apart from the painting, so that
+// strip, panel and tests agree about it.
+#pragma once
+
+#include "ui/scene.h"
+
+#include <QtCore/QString>
+#include <QtCore/QStringList>
+
+namespace skyseal::ui {
+
+struct LockFace
+{
+    engine::Security security = engine::Security::Nothing;
+    QString icon;
+    QStringList variants; ///< of the words, the longest first; each names the suite
+    QString toolTip;
+    std::optional<crypto::SuiteId> suite; ///< for the colour
+    bool operator==(const LockFace &) const = default;
+};
+
+/// The state of the scene's own session (or of the whole station where it has none).
+engine::Security securityOf(const Scene &scene);
+LockFace lockFaceOf(const Scene &scene);
+
+} // namespace skyseal::ui

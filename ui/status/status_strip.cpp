@@ -1,0 +1,228 @@
+#include "ui/status/status_strip.h"
+
+#include "ui/status/lock_face.h"
+#include "ui/text/units.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+#include "ui/theme/suite_style.h"
+
+#include <QtCore/QEvent>
+#include <QtGui/QPainter>
+
+#include <cmath>
+
+namespace skyseal::ui {
+
+using engine::Security;
+
+namespace {
+
+constexpr double kLowBatteryPercent = 20;
+const QString kDot = QStringLiteral(" · ");
+
+} // namespace
+
+StatusStrip::StatusStrip(QWidget *parent)
+    : QWidget(parent), m_vehicle(new StripItem(tr("Vehicle"), this)), m_armed(new StripItem(tr("Armed state"), this)),
+      m_mode(new StripItem(tr("Flight mode"), this)), m_gps(new StripItem(tr("GPS"), this)),
+      m_battery(new StripItem(tr("Battery"), this)), m_lock(new StripItem(tr("Link security"), this)),
+      m_link(new StripItem(tr("Link quality"), this))
+{
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_vehicle->setObjectName(QStringLiteral("stripVehicle"));
+    m_armed->setObjectName(QStringLiteral("stripArmed"));
+    m_mode->setObjectName(QStringLiteral("stripMode"));
+    m_gps->setObjectName(QStringLiteral("stripGps"));
+    m_battery->setObjectName(QStringLiteral("stripBattery"));
+    m_lock->setObjectName(QStringLiteral("stripLock"));
+    m_link->setObjectName(QStringLiteral("stripLink"));
+
+    m_armed->setStrong(true);
+    m_armed->setSamples({tr("DISARMED")});
+    m_gps->setSamples({tr("RTK fixed") + kDot + tr("%1 sat").arg(88), QString(), QString()});
+    m_battery->setSamples({QStringLiteral("88.8 V · 100 %"), QStringLiteral("100 %")});
+    m_link->setSamples({tr("Link OK %1 %").arg(QStringLiteral("100.0")) + QStringLiteral(" · 888 ms · 8.8 s"),
+                        tr("Link OK %1 %").arg(QStringLiteral("100.0")) + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
+    m_lock->setClickable(true);
+    m_vehicle->setClickable(true);
+    m_link->setClickable(true);
+    connect(m_lock, &QAbstractButton::clicked, this, &StatusStrip::lockClicked);
+    connect(m_vehicle, &QAbstractButton::clicked, this, &StatusStrip::vehicleClicked);
+    connect(m_link, &QAbstractButton::clicked, this, &StatusStrip::linkClicked);
+    for (StripItem *item : {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_lock, m_link})
+        connect(item, &StripItem::widthChanged, this, &StatusStrip::arrange);
+    showScene({});
+}
+
+void StatusStrip::showScene(const Scene &scene)
+{
+    showVehicle(scene);
+    showLock(scene);
+    showLink(scene);
+}
+
+void StatusStrip::showVehicle(const Scene &scene)
+{
+    const StateColors &colors = stateColors(palette());
+    const bool present = scene.vehicle != nullptr;
+    for (StripItem *item : {m_armed, m_mode, m_gps, m_battery})
+        item->setVisible(present);
+    if (!present) {
+        m_vehicle->setContent({tr("No vehicle")}, QStringLiteral("vehicle"));
+        m_vehicle->setTextColor(colors.dim);
+        arrange();
+        return;
+    }
+    const auto &state = scene.vehicle->state;
+    const QColor aged = scene.stale() ? colors.dim : QColor();
+    m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)}, QStringLiteral("vehicle"));
+    m_vehicle->setToolTip(vehicleTypeWord(state.type) + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
+    m_vehicle->setTextColor(aged);
+    m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")}, state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));
+    m_armed->setTextColor(scene.stale() ? colors.dim : state.armed ? colors.alarm : QColor());
+    m_mode->setContent({state.mode.empty() ? dash() : fromStd(state.mode)});
+    m_mode->setTextColor(aged);
+
+    const QString fix = fixWord(state.gpsFix);
+    const QString satellites = state.satellites < 0 ? QString() : tr("%1 sat").arg(state.satellites);
+    m_gps->setContent({satellites.isEmpty() ? fix : fix + kDot + satellites, fix, fix}, QStringLiteral("satellite"));
+    m_gps->setTextColor(scene.stale() ? colors.dim : state.gpsFix >= 0 && state.gpsFix < 3 ? colors.warning : QColor());
+    m_gps->setToolTip(tr("HDOP %1").arg(number(state.hdop, 1)));
+
+    const QString volts = number(state.batteryVoltage, 1) + QStringLiteral(" V");
+    const QString percent = number(state.batteryPercent, 0) + QStringLiteral(" %");
+    const bool low = state.batteryPercent <= kLowBatteryPercent;
+    m_battery->setContent({low ? volts + kDot + percent + kDot + tr("low") : volts + kDot + percent, percent}, QStringLiteral("battery"));
+    m_battery->setTextColor(scene.stale() ? colors.dim : low ? colors.alarm : QColor());
+    arrange();
+}
+
+void StatusStrip::showLock(const Scene &scene)
+{
+    const StateColors &colors = stateColors(palette());
+    const LockFace face = lockFaceOf(scene);
+    m_lock->setContent(face.variants, face.icon);
+    m_lock->setToolTip(face.toolTip);
+    m_lock->setStrong(face.security == Security::UnderAttack || face.security == Security::Plain);
+    switch (face.security) {
+    case Security::Nothing:
+        m_lock->setTextColor(colors.dim);
+        m_lock->setIconColor(colors.dim);
+        break;
+    case Security::Plain:
+        m_lock->setTextColor(colors.warning);
+        m_lock->setIconColor(colors.warning);
+        break;
+    case Security::UnderAttack:
+        m_lock->setTextColor(colors.alarm);
+        m_lock->setIconColor(colors.alarm);
+        break;
+    case Security::Sealed:
+    case Security::Switching:
+        m_lock->setTextColor({});
+        m_lock->setIconColor(face.suite ? suiteColor(*face.suite) : QColor());
+        break;
+    }
+}
+
+void StatusStrip::showLink(const Scene &scene)
+{
+    const StateColors &colors = stateColors(palette());
+    if (!scene.vehicle) {
+        m_link->setContent({tr("No link"), tr("No link"), dash()}, QStringLiteral("link"));
+        m_link->setTextColor(colors.dim);
+        return;
+    }
+    const auto &state = scene.vehicle->state;
+    const QString age = tr("%1 s").arg(number(state.messageAge, 1));
+    if (state.lost || scene.stale()) {
+        m_link->setContent({tr("Link lost") + kDot + age, tr("Lost") + kDot + age, age}, QStringLiteral("link"));
+        m_link->setTextColor(colors.alarm);
+        return;
+    }
+    const double arrived = 100.0 - (scene.session ? scene.session->lossPercent : scene.vehicle->lossPercent);
+    const double latency = std::isfinite(state.latency) ? state.latency
+                           : scene.session && scene.session->stats.roundTrip.count() > 0
+                               ? seconds(scene.session->stats.roundTrip)
+                               : vehicle::kUnknown;
+    const bool poor = arrived < 90;
+    const QString percent = number(arrived, 1) + QStringLiteral(" %");
+    const QString word = poor ? tr("Link poor %1") : tr("Link OK %1");
+    m_link->setContent({word.arg(percent) + kDot + latencyText(latency) + kDot + age, word.arg(percent) + kDot + latencyText(latency), percent},
+                       QStringLiteral("link"));
+    m_link->setTextColor(poor ? colors.warning : QColor());
+    m_link->setToolTip(tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
+                           .arg(number(scene.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
+}
+
+void StatusStrip::arrange()
+{
+    // Who gives way first.
+    StripItem *const order[] = {m_link, m_lock, m_gps, m_battery, m_vehicle, m_link, m_lock, m_gps, m_mode};
+    StripItem *const left[] = {m_vehicle, m_armed, m_mode, m_gps, m_battery};
+    StripItem *const right[] = {m_link, m_lock};
+    int variants[7] = {};
+    StripItem *const all[7] = {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_lock, m_link};
+    const auto total = [&] {
+        int sum = 2 * kHalfGrid;
+        for (int i = 0; i < 7; ++i)
+            sum += all[i]->isHidden() ? 0 : all[i]->widthOf(variants[i]);
+        return sum;
+    };
+    for (StripItem *item : order) {
+        if (total() <= width())
+            break;
+        for (int i = 0; i < 7; ++i)
+            if (all[i] == item && variants[i] + 1 < item->variantCount())
+                ++variants[i];
+    }
+    for (int i = 0; i < 7; ++i)
+        all[i]->setVariant(variants[i]);
+
+    int x = kHalfGrid;
+    for (StripItem *item : left) {
+        if (item->isHidden())
+            continue;
+        item->setGeometry(x, 0, item->sizeHint().width(), height());
+        x += item->width();
+    }
+    int end = width() - kHalfGrid;
+    for (StripItem *item : right) {
+        const int wide = item->sizeHint().width();
+        item->setGeometry(end - wide, 0, wide, height());
+        end -= wide;
+    }
+}
+
+QSize StatusStrip::sizeHint() const
+{
+    return {640, 5 * kGrid};
+}
+
+QSize StatusStrip::minimumSizeHint() const
+{
+    return {320, 5 * kGrid};
+}
+
+void StatusStrip::resizeEvent(QResizeEvent *)
+{
+    arrange();
+}
+
+void StatusStrip::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::FontChange)
+        arrange();
+    QWidget::changeEvent(event);
+}
+
+void StatusStrip::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const StateColors &colors = stateColors(palette());
+    painter.fillRect(rect(), colors.panel);
+    painter.fillRect(0, height() - 1, width(), 1, colors.line);
+}
+
+} // namespace skyseal::ui

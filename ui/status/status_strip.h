@@ -1,0 +1,43 @@
+// The strip under the menu: all that must be seen at one glance, in one line. It never wraps; where room is short its
+// parts shorten, the least important first, and the name of the cipher suite last.
+#pragma once
+
+#include "ui/scene.h"
+#include "ui/status/strip_item.h"
+
+#include <QtWidgets/QWidget>
+
+namespace skyseal::ui {
+
+class StatusStrip : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit StatusStrip(QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void lockClicked();
+    void vehicleClicked();
+    void linkClicked();
+
+protected:
+    void resizeEvent(QResizeEvent *) override;
+    void changeEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *) override;
+
+private:
+    void showVehicle(const Scene &scene);
+    void showLink(const Scene &scene);
+    void showLock(const Scene &scene);
+    void arrange();
+
+    StripItem *m_vehicle, *m_armed, *m_mode, *m_gps, *m_battery, *m_lock, *m_link;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,131 @@
+#include "ui/status/strip_item.h"
+
+#include "ui/text/figures.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/palettes.h"
+
+#include <QtGui/QPainter>
+#include <QtGui/QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyseal::ui {
+
+namespace {
+constexpr int kIcon = 16;
+constexpr int kIconGap = 6;
+} // namespace
+
+StripItem::StripItem(const QString &accessibleName, QWidget *parent) : QAbstractButton(parent)
+{
+    setAccessibleName(accessibleName);
+    setClickable(false);
+}
+
+void StripItem::setContent(const QStringList &variants, const QString &iconName)
+{
+    if (variants == m_variants && iconName == m_icon)
+        return;
+    const int before = variantCount() ? widthOf(m_variant) : 0;
+    m_variants = variants;
+    m_icon = iconName;
+    m_variant = std::min(m_variant, std::max(0, variantCount() - 1));
+    setText(m_variants.value(0)); // what assistive technology reads: always the whole
+    update();
+    if (widthOf(m_variant) != before)
+        Q_EMIT widthChanged();
+}
+
+void StripItem::setSamples(const QStringList &samples)
+{
+    m_samples = samples;
+}
+
+void StripItem::setIconColor(const QColor &color)
+{
+    if (color != m_iconColor) {
+        m_iconColor = color;
+        update();
+    }
+}
+
+void StripItem::setTextColor(const QColor &color)
+{
+    if (color != m_textColor) {
+        m_textColor = color;
+        update();
+    }
+}
+
+void StripItem::setStrong(bool strong)
+{
+    if (strong != m_strong) {
+        m_strong = strong;
+        update();
+        Q_EMIT widthChanged();
+    }
+}
+
+void StripItem::setClickable(bool clickable)
+{
+    m_clickable = clickable;
+    setFocusPolicy(clickable ? Qt::TabFocus : Qt::NoFocus);
+    setCursor(clickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+QFont StripItem::textFont() const
+{
+    QFont font = this->font();
+    if (m_strong)
+        font.setWeight(QFont::DemiBold);
+    return font;
+}
+
+int StripItem::widthOf(int variant) const
+{
+    const QFontMetricsF metrics(textFont());
+    const qreal text = std::max(figuresWidth(metrics, m_variants.value(variant)), figuresWidth(metrics, m_samples.value(variant)));
+    const int iconRoom = m_icon.isEmpty() ? 0 : kIcon + kIconGap;
+    return static_cast<int>(std::ceil(text)) + 1 + iconRoom + 2 * kGrid;
+}
+
+void StripItem::setVariant(int variant)
+{
+    if (variant != m_variant) {
+        m_variant = variant;
+        update();
+    }
+}
+
+QSize StripItem::sizeHint() const
+{
+    return {widthOf(m_variant), 4 * kGrid};
+}
+
+void StripItem::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_clickable && (underMouse() || hasFocus())) {
+        QColor wash = palette().color(QPalette::WindowText);
+        wash.setAlphaF(0.07f);
+        painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 1.5) : Qt::NoPen);
+        painter.setBrush(wash);
+        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 3, -1, -3), 4, 4);
+    }
+    const QColor text = m_textColor.isValid() ? m_textColor : palette().color(QPalette::WindowText);
+    qreal x = kGrid;
+    if (!m_icon.isEmpty()) {
+        const QColor color = m_iconColor.isValid() ? m_iconColor : text;
+        painter.drawPixmap(QPointF(x, (height() - kIcon) / 2.0), iconPixmap(m_icon, kIcon, color, devicePixelRatioF()));
+        x += kIcon + kIconGap;
+    }
+    painter.setFont(textFont());
+    painter.setPen(text);
+    const QFontMetricsF metrics(textFont());
+    drawFigures(painter, QPointF(x, (height() + metrics.ascent() - metrics.descent()) / 2), m_variants.value(m_variant));
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,29 @@
+// The line at the bottom: where we listen, what comes in and goes out, what is being recorded. Always there, so that
+// nobody has to ask on which port the station is.
+#pragma once
+
+#include "ui/scene.h"
+
+#include <QtWidgets/QStatusBar>
+
+class QLabel;
+
+namespace skyseal::ui {
+
+class FigureLabel;
+
+class TrafficBar : public QStatusBar
+{
+    Q_OBJECT
+
+public:
+    explicit TrafficBar(QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+
+private:
+    QLabel *m_links;
+    FigureLabel *m_rx, *m_tx, *m_recording;
+};
+
+} // namespace skyseal::ui

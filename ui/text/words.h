@@ -1,0 +1,29 @@
+// The words for what the engine reports as numbers and enums. Made in one place, so that the same thing has the same
+// name everywhere.
+#pragma once
+
+#include "core/channel/events.h"
+#include "core/engine/snapshot.h"
+#include "core/vehicle/vehicle_command.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::ui {
+
+QString fromStd(std::string_view text);
+
+/// "3D fix", "no fix", …; a dash where unknown.
+QString fixWord(int gpsFixType);
+/// MAV_TYPE in words: "quadrotor", "plane", …
+QString vehicleTypeWord(std::uint8_t type);
+/// MAV_SEVERITY: "error", "warning", …
+QString severityWord(std::uint8_t severity);
+QString switchFailureWords(channel::SwitchFailure failure);
+QString downReasonWords(channel::DownReason reason);
+QString refusalWords(channel::RefusalReason reason);
+QString linkPhaseWord(engine::LinkPhase phase);
+QString commandOutcomeWords(const vehicle::CommandResult &result);
+/// What was asked for: "Arm", "Take off to 10 m", …
+QString commandWords(const vehicle::VehicleCommand &command);
+
+} // namespace skyseal::ui
