@@ -46,6 +46,7 @@ MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts fact
     m_defaultArrangement = saveState(kArrangementVersion);
     restoreArrangement();
     applySettings(m_settings);
+    m_map->setFocus();
 }
 
 MainWindow::~MainWindow() = default;

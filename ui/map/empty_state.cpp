@@ -24,6 +24,7 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     large.setWeight(QFont::DemiBold);
     m_title->setFont(large);
     m_title->setWordWrap(true);
+    setMinimumWidth(50 * kGrid);
     m_text = new QLabel(this);
     m_text->setObjectName(QStringLiteral("emptyText"));
     m_text->setWordWrap(true);
@@ -82,8 +83,11 @@ void EmptyState::showScene(const Scene &scene)
         text = tr("Add a link to the vehicle, or listen for one on UDP port 14550.");
     } else {
         title = tr("Waiting for a vehicle on %1").arg(listening);
-        text = tr("Start one with\n    skyseal-air --vehicle tcp:127.0.0.1:5760 --ground udpout:127.0.0.1:14550\n"
-                  "beside an autopilot, or let any autopilot send plain MAVLink here.");
+        text = tr("Start an agent beside an autopilot:\n\n"
+                  "skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
+                  "        --ground udpout:127.0.0.1:14550 \\\n"
+                  "        --identity air.key --peers air.peers\n\n"
+                  "or let any autopilot send plain MAVLink here.");
     }
     if (m_title->text() != title)
         m_title->setText(title);

@@ -48,9 +48,9 @@ QString SuiteActions::whyNot(SuiteId suite) const
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
     if (crypto::suiteInfo(suite).research && !m_researchAllowed)
-        return tr("research suites are off");
+        return tr("research is off");
     if (std::ranges::find(m_info->peerOffered, suite) == m_info->peerOffered.end())
-        return tr("not offered by the vehicle");
+        return tr("not offered by it");
     return tr("not allowed here");
 }
 
@@ -124,6 +124,8 @@ void SuiteActions::refresh()
         QString text = suiteName(suite);
         if (underWay == suite && !inUse)
             text += QStringLiteral(" · ") + tr("switching…");
+        else if (m_info && !why.isEmpty())
+            text += QStringLiteral(" · ") + why;
         const QString tip = why.isEmpty() ? suiteName(suite) : tr("%1: %2").arg(suiteName(suite), why);
         const bool enabled = why.isEmpty() && (!underWay || inUse || underWay == suite);
         if (action->text() == text && action->toolTip() == tip && action->isEnabled() == enabled && action->isChecked() == inUse)

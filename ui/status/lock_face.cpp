@@ -47,7 +47,7 @@ LockFace lockFaceOf(const Scene &scene)
     if (!scene.session) {
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
-            face.variants = {tr("no link"), tr("no link")};
+            face.variants = {tr("Nothing sealed"), tr("Nothing sealed")};
             face.toolTip = tr("No vehicle and no session yet");
             return face;
         }

@@ -1,6 +1,7 @@
 #include "ui/theme/palettes.h"
 
 #include <QtWidgets/QApplication>
+#include <QtWidgets/QStyle>
 #include <QtWidgets/QStyleFactory>
 
 namespace skyseal::ui {
@@ -54,7 +55,7 @@ const StateColors kLightState{QColor(0x1a7f4b), QColor(0x9a5b00), QColor(0xb3261
 const StateColors kDarkState{QColor(0x4cc38a), QColor(0xf0b429), QColor(0xff7b72), QColor(0x8d96a1), QColor(0x343a42),
                              QColor(0x23282e), QColor(0x2f628f), QColor(0x5f4a37), QColor(0x58a6e8), QColor(0x262b31)};
 const StateColors kContrastState{QColor(0x5cff9d), QColor(0xffe100), QColor(0xff8a80), QColor(0xd6d6d6), QColor(0xffffff),
-                                 QColor(0x000000), QColor(0x0050a0), QColor(0x5a3c1e), QColor(0xffe100), QColor(0x4a4a4a)};
+                                 QColor(Qt::black), QColor(0x0050a0), QColor(0x5a3c1e), QColor(0xffe100), QColor(0x4a4a4a)};
 
 } // namespace
 

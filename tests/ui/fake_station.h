@@ -1,0 +1,54 @@
+// A station without sockets: remembers what the windows asked of it and shows them what a test (or the gallery) wants.
+#pragma once
+
+#include "ui/station_port.h"
+
+#include <utility>
+
+namespace skyseal::ui {
+
+class FakeStation : public StationPort
+{
+    Q_OBJECT
+
+public:
+    using StationPort::StationPort;
+
+    Result<LinkId, InputError> addLink(const std::string &url) override
+    {
+        if (url.find(':') == std::string::npos)
+            return tl::unexpected(InputError{"\"" + url + "\" is no link URL", {}});
+        addedLinks.push_back(url);
+        return LinkId{static_cast<std::uint32_t>(addedLinks.size())};
+    }
+    void removeLink(LinkId link) override { removedLinks.push_back(link); }
+    void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
+    void setAllowResearch(bool allow) override { allowResearch = allow; }
+    vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override
+    {
+        commands.emplace_back(systemId, std::move(command));
+        return vehicle::CommandId{static_cast<std::uint32_t>(commands.size())};
+    }
+    void requestParameters(std::uint8_t systemId) override { parameterRequests.push_back(systemId); }
+    void writeParameter(std::uint8_t, std::string name, double value) override { written.emplace_back(std::move(name), value); }
+    void readMission(std::uint8_t systemId) override { missionReads.push_back(systemId); }
+    void writeMission(std::uint8_t, std::vector<vehicle::MissionItem> items) override { missionWrites.push_back(std::move(items)); }
+    void setInspecting(bool on) override { inspecting = on; }
+    void setRecording(bool on) override { recording = on; }
+    std::optional<channel::PublicKey> publicKey() const override { return key; }
+
+    void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
+    void tell(const engine::Happening &happening) { Q_EMIT happened(happening); }
+
+    std::vector<std::string> addedLinks;
+    std::vector<LinkId> removedLinks;
+    std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;
+    std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;
+    std::vector<std::uint8_t> parameterRequests, missionReads;
+    std::vector<std::pair<std::string, double>> written;
+    std::vector<std::vector<vehicle::MissionItem>> missionWrites;
+    bool allowResearch = false, inspecting = false, recording = false;
+    std::optional<channel::PublicKey> key;
+};
+
+} // namespace skyseal::ui

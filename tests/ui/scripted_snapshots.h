@@ -1,0 +1,18 @@
+// Snapshots as the engine would make them, for tests and pictures: a copter on a circle above home, sealed or not.
+#pragma once
+
+#include "core/engine/snapshot.h"
+
+namespace skyseal::ui {
+
+/// What the tests' agent permits: all but the research suite.
+std::vector<crypto::SuiteId> usualSuites();
+
+engine::Snapshot waitingSnapshot();
+/// `time` in seconds since the start moves the vehicle along its circle.
+engine::Snapshot plainSnapshot(double time);
+engine::Snapshot sealedSnapshot(double time, crypto::SuiteId suite = crypto::SuiteId::ChaCha20Poly1305, std::uint32_t epoch = 3);
+/// Samples of the diagnostics from `fromTime` to `toTime`, four a second, as one suite.
+std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, crypto::SuiteId suite, std::uint32_t epoch);
+
+} // namespace skyseal::ui
