@@ -62,7 +62,7 @@ struct Timing
 struct Config
 {
     Role role = Role::Station;
-    std::shared_ptr<const crypto::KeyPair> identity; ///< our static key
+    std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
     std::vector<Peer> peers;
     Policy policy;
     Timing timing;
