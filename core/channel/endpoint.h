@@ -87,7 +87,9 @@ struct Delivery
     ByteView frames;
 };
 
-enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom };
+/// NotFrames: empty, or begins with a byte below 0x10, which marks the channel's own messages (MAVLink begins with 0xFD or
+/// 0xFE). Exhausted: the hard limit of an epoch whose rekey never succeeded; the session ends.
+enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom, NotFrames };
 
 /// How much a record adds to the frames it carries at the most, and the most that one may carry so that the datagram
 /// stays within 1200 bytes.

@@ -1,0 +1,185 @@
+#include "core/channel/control.h"
+
+#include "core/base/byte_reader.h"
+#include "core/base/byte_writer.h"
+
+namespace skyseal::channel {
+
+namespace {
+
+enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 4, Confirmed = 5, Report = 6, Close = 7 };
+
+// The order of the counters on the wire.
+constexpr std::uint64_t ReceiveCounters::*kReceived[] = {
+    &ReceiveCounters::good, &ReceiveCounters::late, &ReceiveCounters::lost, &ReceiveCounters::replayed,
+    &ReceiveCounters::forged, &ReceiveCounters::malformed, &ReceiveCounters::plaintextDropped,
+    &ReceiveCounters::openedBytes};
+constexpr std::uint64_t SendCounters::*kSent[] = {&SendCounters::records, &SendCounters::sealedBytes};
+
+// LEB128: counters are small for most of a flight, and a report goes out every second.
+void writeVarint(ByteWriter &out, std::uint64_t value)
+{
+    for (; value >= 0x80; value >>= 7)
+        out.u8(static_cast<std::uint8_t>(value | 0x80));
+    out.u8(static_cast<std::uint8_t>(value));
+}
+
+std::optional<std::uint64_t> readVarint(ByteReader &in)
+{
+    std::uint64_t value = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+        const std::uint8_t byte = in.u8();
+        if (shift == 63 && byte > 1)
+            return std::nullopt;
+        value |= std::uint64_t{byte & 0x7fu} << shift;
+        if (byte < 0x80)
+            return value;
+    }
+    return std::nullopt;
+}
+
+struct Writer
+{
+    ByteWriter &out;
+
+    void type(Type t) const { out.u8(static_cast<std::uint8_t>(t)); }
+    void id(ProposalId value) const { out.u32(static_cast<std::uint32_t>(value)); }
+    void epoch(Epoch value) const { out.u32(static_cast<std::uint32_t>(value)); }
+
+    void operator()(const Propose &m) const
+    {
+        type(Type::Propose);
+        id(m.id);
+        epoch(m.epoch);
+        out.u8(static_cast<std::uint8_t>(m.suite));
+        out.bytes(m.nonce);
+    }
+    void operator()(const Accept &m) const
+    {
+        type(Type::Accept);
+        id(m.id);
+        out.bytes(m.nonce);
+    }
+    void operator()(const Refuse &m) const
+    {
+        type(Type::Refuse);
+        id(m.id);
+    }
+    void operator()(const Confirm &m) const
+    {
+        type(Type::Confirm);
+        epoch(m.epoch);
+        out.u32(m.sentBefore);
+    }
+    void operator()(const Confirmed &m) const
+    {
+        type(Type::Confirmed);
+        epoch(m.epoch);
+        out.u32(m.sentBefore);
+    }
+    void operator()(const Report &m) const
+    {
+        type(Type::Report);
+        out.u8(m.answerAtOnce ? 1 : 0);
+        out.u32(m.stamp);
+        out.u32(m.echo);
+        out.u32(m.held);
+        for (const auto counter : kReceived)
+            writeVarint(out, m.rx.*counter);
+        for (const auto counter : kSent)
+            writeVarint(out, m.tx.*counter);
+    }
+    void operator()(const Close &) const { type(Type::Close); }
+};
+
+void readNonce(ByteReader &in, EpochNonce &nonce)
+{
+    const ByteView raw = in.bytes(nonce.size());
+    std::copy(raw.begin(), raw.end(), nonce.begin());
+}
+
+std::optional<Report> readReport(ByteReader &in)
+{
+    Report report;
+    const std::uint8_t flags = in.u8();
+    if (flags > 1)
+        return std::nullopt;
+    report.answerAtOnce = flags == 1;
+    report.stamp = in.u32();
+    report.echo = in.u32();
+    report.held = in.u32();
+    for (const auto counter : kReceived) {
+        const auto value = readVarint(in);
+        if (!value)
+            return std::nullopt;
+        report.rx.*counter = *value;
+    }
+    for (const auto counter : kSent) {
+        const auto value = readVarint(in);
+        if (!value)
+            return std::nullopt;
+        report.tx.*counter = *value;
+    }
+    return report;
+}
+
+std::optional<ControlMessage> readBody(Type type, ByteReader &in)
+{
+    switch (type) {
+    case Type::Propose: {
+        Propose m;
+        m.id = ProposalId{in.u32()};
+        m.epoch = Epoch{in.u32()};
+        const auto suite = crypto::suiteFromNumber(in.u8());
+        readNonce(in, m.nonce);
+        if (!suite)
+            return std::nullopt;
+        m.suite = *suite;
+        return m;
+    }
+    case Type::Accept: {
+        Accept m;
+        m.id = ProposalId{in.u32()};
+        readNonce(in, m.nonce);
+        return m;
+    }
+    case Type::Refuse:
+        return Refuse{ProposalId{in.u32()}};
+    case Type::Confirm: {
+        const Epoch epoch{in.u32()};
+        return Confirm{epoch, in.u32()};
+    }
+    case Type::Confirmed: {
+        const Epoch epoch{in.u32()};
+        return Confirmed{epoch, in.u32()};
+    }
+    case Type::Report:
+        if (const auto report = readReport(in))
+            return *report;
+        return std::nullopt;
+    case Type::Close:
+        return Close{};
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+std::size_t writeControl(const ControlMessage &message, MutableByteView out)
+{
+    ByteWriter writer(out);
+    std::visit(Writer{writer}, message);
+    return writer.ok() ? writer.size() : 0;
+}
+
+std::optional<ControlMessage> readControl(ByteView plaintext)
+{
+    ByteReader in(plaintext);
+    const auto type = static_cast<Type>(in.u8());
+    auto message = readBody(type, in);
+    if (!message || !in.ok() || !in.atEnd())
+        return std::nullopt;
+    return message;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,117 @@
+#include "core/channel/epochs.h"
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr std::size_t kHistory = 16;
+
+void add(ReceiveCounters &sum, const ReceiveCounters &part)
+{
+    sum.good += part.good;
+    sum.late += part.late;
+    sum.lost += part.lost;
+    sum.replayed += part.replayed;
+    sum.forged += part.forged;
+    sum.malformed += part.malformed;
+    sum.plaintextDropped += part.plaintextDropped;
+    sum.openedBytes += part.openedBytes;
+}
+
+void add(SendCounters &sum, const SendCounters &part)
+{
+    sum.records += part.records;
+    sum.sealedBytes += part.sealedBytes;
+}
+
+} // namespace
+
+EpochStats LiveEpoch::stats() const
+{
+    EpochStats out{number, suite, rx, tx};
+    out.rx.lost = window.missing();
+    return out;
+}
+
+LiveEpoch *Epochs::byBits(std::uint8_t bits)
+{
+    const auto matches = [bits](const std::unique_ptr<LiveEpoch> &epoch) {
+        return epoch && (static_cast<std::uint32_t>(epoch->number) & 3) == bits;
+    };
+    if (matches(m_current))
+        return m_current.get();
+    if (matches(m_previous))
+        return m_previous.get();
+    return matches(m_next) ? m_next.get() : nullptr;
+}
+
+void Epochs::advance()
+{
+    retirePrevious();
+    m_previous = std::move(m_current);
+    if (m_previous)
+        m_previous->writer.reset();
+    m_current = std::move(m_next);
+}
+
+void Epochs::retirePrevious()
+{
+    if (!m_previous)
+        return;
+    if (m_last) {
+        add(m_receivedBefore, m_last->stats.rx);
+        add(m_sentBefore, m_last->stats.tx);
+        m_history.push_back(m_last->stats);
+        if (m_history.size() > kHistory)
+            m_history.pop_front();
+    }
+    m_last = Retired{m_previous->stats(), m_previous->window};
+    m_previous.reset();
+}
+
+void Epochs::expectBeforeCurrent(std::uint32_t records)
+{
+    if (m_previous) {
+        m_previous->window.expect(records);
+    } else if (m_last) {
+        m_last->window.expect(records);
+        m_last->stats.rx.lost = m_last->window.missing();
+    }
+}
+
+ReceiveCounters Epochs::received() const
+{
+    ReceiveCounters sum = m_receivedBefore;
+    if (m_last)
+        add(sum, m_last->stats.rx);
+    if (m_previous)
+        add(sum, m_previous->stats().rx);
+    add(sum, m_current->stats().rx);
+    return sum;
+}
+
+SendCounters Epochs::sent() const
+{
+    SendCounters sum = m_sentBefore;
+    if (m_last)
+        add(sum, m_last->stats.tx);
+    if (m_previous)
+        add(sum, m_previous->tx);
+    add(sum, m_current->tx);
+    return sum;
+}
+
+std::vector<EpochStats> Epochs::history() const
+{
+    std::vector<EpochStats> out(m_history.begin(), m_history.end());
+    if (m_last)
+        out.push_back(m_last->stats);
+    if (m_previous)
+        out.push_back(m_previous->stats());
+    out.push_back(m_current->stats());
+    if (out.size() > kHistory)
+        out.erase(out.begin(), out.end() - kHistory);
+    return out;
+}
+
+} // namespace skyseal::channel

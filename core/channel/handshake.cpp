@@ -1,0 +1,114 @@
+#include "core/channel/handshake.h"
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr std::size_t kFirstNoise = kFirstLength - 1 - kMacLength;
+constexpr std::size_t kAnswerNoise = kAnswerLength - 3 - kMacLength;
+
+constexpr std::array<std::uint8_t, 19> kPrologue{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l',
+                                                 ' ', 'v', '0' + kProtocolVersion,
+                                                 static_cast<std::uint8_t>(Carrier::Datagram)};
+
+noise::HandshakeConfig configFor(noise::Role role, const crypto::X25519KeyPair &identity)
+{
+    noise::HandshakeConfig config;
+    config.role = role;
+    config.prologue = kPrologue;
+    config.localStatic = identity.clone();
+    config.psks.emplace_back();
+    return config;
+}
+
+} // namespace
+
+std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity, const PublicKey &peer, FirstPayload payload,
+                                          RandomSource &random)
+{
+    auto config = configFor(noise::Role::Initiator, identity);
+    config.remoteStatic = peer;
+    auto noise = noise::HandshakeState::initialize(std::move(config));
+    if (!noise)
+        return std::nullopt;
+
+    Initiator out(std::move(*noise), std::move(payload), identity.publicKey);
+    out.m_message[0] = firstByte(HandshakeMessage::First);
+    const auto written = out.m_noise.writeMessage(out.m_payload.write(),
+                                                  MutableByteView(out.m_message).subspan(1, kFirstNoise), random);
+    if (!written || *written != kFirstNoise)
+        return std::nullopt;
+    Mac1(peer).sign(out.m_message);
+    return out;
+}
+
+Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
+{
+    if (datagram.size() != kAnswerLength || !m_answerMac.verify(datagram))
+        return tl::unexpected(RefusalReason::WrongKey);
+    std::array<std::uint8_t, AnswerPayload::kLength> plain;
+    const auto length = m_noise.readMessage(datagram.subspan(3, kAnswerNoise), plain);
+    if (!length)
+        return tl::unexpected(RefusalReason::WrongKey);
+
+    const auto answer = AnswerPayload::read(ByteView(plain).first(*length));
+    if (!answer)
+        return tl::unexpected(RefusalReason::OfferTampered);
+    if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen)
+        return tl::unexpected(RefusalReason::OfferTampered);
+    const auto secrets = std::move(m_noise).finish();
+    if (!secrets)
+        return tl::unexpected(RefusalReason::WrongKey);
+    return Agreement{answer->connection, answer->offer, answer->chosen,
+                     KeyChain(secrets->send, secrets->receive, secrets->handshakeHash)};
+}
+
+Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram)
+{
+    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, identity));
+    if (!noise)
+        return tl::unexpected(RefusalReason::WrongKey);
+    std::array<std::uint8_t, FirstPayload::kLength> plain;
+    const auto length = noise->readMessage(datagram.subspan(1, kFirstNoise), plain);
+    if (!length)
+        return tl::unexpected(RefusalReason::WrongKey);
+    const auto payload = FirstPayload::read(ByteView(plain).first(*length));
+    const auto &peer = noise->remoteStatic();
+    if (!payload || !peer)
+        return tl::unexpected(RefusalReason::WrongKey);
+    const PublicKey key = *peer;
+    return Responder(std::move(*noise), key, *payload);
+}
+
+Result<Responder::Answer, RefusalReason> Responder::answer(ConnectionId ours, const SuiteOffer &offer,
+                                                           RandomSource &random) &&
+{
+    const auto suite = chooseSuite(m_payload.offer, offer);
+    if (!suite)
+        return tl::unexpected(RefusalReason::NoCommonSuite);
+
+    AnswerMessage message{};
+    message[0] = firstByte(HandshakeMessage::Answer);
+    message[1] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(m_payload.connection));
+    message[2] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(m_payload.connection) >> 8);
+    const AnswerPayload payload{ours, offer, *suite};
+    const auto written = m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoise), random);
+    if (!written || *written != kAnswerNoise)
+        return tl::unexpected(RefusalReason::WrongKey);
+    Mac1(m_peer).sign(message);
+
+    const auto secrets = std::move(m_noise).finish();
+    if (!secrets)
+        return tl::unexpected(RefusalReason::WrongKey);
+    return Answer{message, Agreement{m_payload.connection, m_payload.offer, *suite,
+                                     KeyChain(secrets->receive, secrets->send, secrets->handshakeHash)}};
+}
+
+std::optional<ConnectionId> answeredConnection(ByteView datagram)
+{
+    if (datagram.size() != kAnswerLength || datagram[0] != firstByte(HandshakeMessage::Answer))
+        return std::nullopt;
+    return static_cast<ConnectionId>(datagram[1] | datagram[2] << 8);
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,92 @@
+// The two messages of Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b in their framing:
+//
+//   first    0x59 | Noise message 110 (e 32, s 48, payload 14 + 16) | mac1 16                                127 bytes
+//   answer   0x5A | connection id of the initiator 2 | Noise message 55 (e 32, payload 7 + 16) | mac1 16      74 bytes
+//
+// Both fit the 128 bytes of a MAVLink TUNNEL. The psk is all zero where the two share none. The prologue holds the
+// protocol's version and carrier, so that ends which differ in these cannot agree.
+#pragma once
+
+#include "core/base/random_source.h"
+#include "core/base/result.h"
+#include "core/channel/events.h"
+#include "core/channel/handshake_payload.h"
+#include "core/channel/key_chain.h"
+#include "core/channel/mac1.h"
+#include "core/noise/handshake_state.h"
+
+namespace skyseal::channel {
+
+inline constexpr std::size_t kFirstLength = 127;
+inline constexpr std::size_t kAnswerLength = 74;
+static_assert(Announcement::kLength >= kFirstLength, "a first message must not be longer than the announcement it answers");
+
+using FirstMessage = std::array<std::uint8_t, kFirstLength>;
+using AnswerMessage = std::array<std::uint8_t, kAnswerLength>;
+
+/// What both ends have when the handshake is over.
+struct Agreement
+{
+    ConnectionId peerConnection{};
+    SuiteOffer peerOffer;
+    crypto::SuiteId suite{};
+    KeyChain chain;
+};
+
+/// The station's half. The message may be sent any number of times; a wrong answer changes nothing.
+class Initiator
+{
+public:
+    /// nullopt when `peer` is no usable key.
+    static std::optional<Initiator> begin(const crypto::X25519KeyPair &identity, const PublicKey &peer, FirstPayload payload,
+                                          RandomSource &random);
+
+    const FirstMessage &message() const { return m_message; }
+    ConnectionId connection() const { return m_payload.connection; }
+    Result<Agreement, RefusalReason> takeAnswer(ByteView datagram);
+
+private:
+    Initiator(noise::HandshakeState noise, FirstPayload payload, const PublicKey &identity)
+        : m_noise(std::move(noise)), m_payload(std::move(payload)), m_answerMac(identity)
+    {
+    }
+
+    noise::HandshakeState m_noise;
+    FirstPayload m_payload;
+    Mac1 m_answerMac;
+    FirstMessage m_message{};
+};
+
+/// The agent's half: one first message that was read and not yet answered.
+class Responder
+{
+public:
+    /// `datagram` has kFirstLength bytes and its mac1 was verified.
+    static Result<Responder, RefusalReason> read(const crypto::X25519KeyPair &identity, ByteView datagram);
+
+    const PublicKey &peer() const { return m_peer; }
+    const FirstPayload &payload() const { return m_payload; }
+
+    struct Answer
+    {
+        AnswerMessage message{};
+        Agreement agreement;
+    };
+    /// NoCommonSuite, or WrongKey when the library fails.
+    Result<Answer, RefusalReason> answer(ConnectionId ours, const SuiteOffer &offer, RandomSource &random) &&;
+
+private:
+    Responder(noise::HandshakeState noise, const PublicKey &peer, FirstPayload payload)
+        : m_noise(std::move(noise)), m_peer(peer), m_payload(std::move(payload))
+    {
+    }
+
+    noise::HandshakeState m_noise;
+    PublicKey m_peer;
+    FirstPayload m_payload;
+};
+
+/// The connection id that an answer is addressed to; nullopt for a datagram that is no answer.
+std::optional<ConnectionId> answeredConnection(ByteView datagram);
+
+} // namespace skyseal::channel

@@ -1,0 +1,227 @@
+#include "core/channel/live_switch.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+Epoch after(Epoch epoch) { return Epoch{static_cast<std::uint32_t>(epoch) + 1}; }
+
+} // namespace
+
+LiveSwitch::LiveSwitch(SessionId session, bool initiator, const Timing &timing)
+    : m_session(session), m_initiator(initiator), m_timing(timing)
+{
+}
+
+std::optional<crypto::SuiteId> LiveSwitch::pending() const
+{
+    if (m_own)
+        return m_own->to;
+    if (m_theirs && !m_theirs->toldFailed)
+        return m_theirs->to;
+    return std::nullopt;
+}
+
+TimePoint LiveSwitch::deadline() const
+{
+    TimePoint due = kNever;
+    if (m_own)
+        due = std::min({due, m_own->repeatAt, m_own->since + m_timing.switchConfirm});
+    if (m_theirs && !m_theirs->toldFailed)
+        due = std::min(due, m_theirs->since + m_timing.switchConfirm);
+    if (m_confirming)
+        due = std::min(due, m_confirming->repeatAt);
+    return due;
+}
+
+void LiveSwitch::request(TimePoint now, crypto::SuiteId suite, bool rekey, SwitchActions &actions)
+{
+    if (m_own)
+        finishOwn(now, SwitchFailure::Superseded, actions);
+    Own own;
+    own.id = ProposalId{++m_proposals};
+    own.from = actions.currentSuite();
+    own.to = suite;
+    own.epoch = after(actions.currentEpoch());
+    own.rekey = rekey;
+    own.since = now;
+    own.repeatAt = now;
+    m_own = own;
+    tellPending(own, false, actions);
+    if (!actions.permittedHere(suite))
+        return finishOwn(now, SwitchFailure::NotAllowedHere, actions);
+    if (!actions.permittedByPeer(suite))
+        return finishOwn(now, SwitchFailure::NotAllowedByPeer, actions);
+    proposeIfReady(now, actions);
+}
+
+void LiveSwitch::proposeIfReady(TimePoint now, SwitchActions &actions)
+{
+    const bool peersTurn = m_theirs && !m_theirs->toldFailed;
+    if (!m_own->proposed && (!m_settled || peersTurn || !actions.previousDispensable(now))) {
+        m_own->repeatAt = now + m_timing.switchRetry;
+        return;
+    }
+    if (!m_own->proposed) {
+        m_own->proposed = true;
+        m_own->from = actions.currentSuite();
+        m_own->epoch = after(actions.currentEpoch());
+        m_own->nonce = actions.freshNonce();
+    }
+    m_own->repeatAt = now + std::max(m_timing.switchRetry, actions.answerTime());
+    actions.send(now, Propose{m_own->id, m_own->epoch, m_own->to, m_own->nonce});
+}
+
+void LiveSwitch::handle(TimePoint now, const Propose &message, SwitchActions &actions)
+{
+    if (message.id < m_newestOfPeer || message.epoch != after(actions.currentEpoch()))
+        return;
+    if (message.id == m_newestOfPeer) {
+        if (m_refusedNewest)
+            actions.send(now, Refuse{message.id});
+        else if (m_theirs && m_theirs->id == message.id)
+            actions.send(now, Accept{message.id, m_theirs->answer});
+        return;
+    }
+    // Two proposals that cross: the initiator's stands, so it does not answer the responder's.
+    if (m_own && m_own->proposed && m_initiator)
+        return;
+    const bool allowed = actions.permittedHere(message.suite);
+    if (allowed && (!m_settled || !actions.previousDispensable(now)))
+        return; // It is repeated, and by then the last switch is settled.
+
+    m_newestOfPeer = message.id;
+    m_refusedNewest = !allowed;
+    if (m_own && m_own->proposed)
+        finishOwn(now, SwitchFailure::Superseded, actions);
+    if (m_theirs) { // The peer has given that one up, or it would not propose again for the same epoch.
+        if (!m_theirs->toldFailed)
+            tellDone(now, *m_theirs, true, SwitchFailure::Superseded, actions);
+        m_theirs.reset();
+        actions.dropNext();
+    }
+    if (allowed)
+        accept(now, message, actions);
+    else
+        actions.send(now, Refuse{message.id});
+}
+
+void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &actions)
+{
+    Theirs theirs;
+    theirs.id = message.id;
+    theirs.from = actions.currentSuite();
+    theirs.to = message.suite;
+    theirs.epoch = message.epoch;
+    theirs.rekey = theirs.from == theirs.to;
+    theirs.since = now;
+    theirs.answer = actions.freshNonce();
+    m_theirs = theirs;
+    actions.prepareNext(message.suite, message.nonce, theirs.answer);
+    tellPending(theirs, true, actions);
+    actions.send(now, Accept{message.id, theirs.answer});
+}
+
+void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &actions)
+{
+    if (!m_own || !m_own->proposed || m_own->id != message.id)
+        return;
+    // An in-doubt proposal of the peer is void now: it would not have accepted ours had it committed its own.
+    m_theirs.reset();
+    actions.prepareNext(m_own->to, m_own->nonce, message.nonce);
+    actions.commitNext(now);
+    m_settled = false;
+    m_confirming = Confirming{m_own->epoch, now, now + std::max(m_timing.switchRetry, actions.answerTime())};
+    actions.send(now, Confirm{m_own->epoch, actions.sentBefore()});
+    finishOwn(now, SwitchFailure::None, actions);
+}
+
+void LiveSwitch::handle(TimePoint now, const Refuse &message, SwitchActions &actions)
+{
+    if (m_own && m_own->proposed && m_own->id == message.id)
+        finishOwn(now, SwitchFailure::NotAllowedByPeer, actions);
+}
+
+void LiveSwitch::handleRecordUnderNext(TimePoint now, SwitchActions &actions)
+{
+    if (!m_theirs)
+        return;
+    const Theirs theirs = *m_theirs;
+    m_theirs.reset();
+    actions.commitNext(now);
+    m_settled = false;
+    if (theirs.toldFailed)
+        tellPending(theirs, true, actions);
+    tellDone(now, theirs, true, SwitchFailure::None, actions);
+    if (m_own && m_own->proposed)
+        finishOwn(now, SwitchFailure::Superseded, actions);
+}
+
+void LiveSwitch::handle(TimePoint now, const Confirm &message, SwitchActions &actions)
+{
+    if (message.epoch != actions.currentEpoch() || m_confirming)
+        return;
+    if (!m_settled)
+        actions.peerSentBefore(message.sentBefore);
+    m_settled = true;
+    actions.send(now, Confirmed{message.epoch, actions.sentBefore()});
+}
+
+void LiveSwitch::handle(TimePoint, const Confirmed &message, SwitchActions &actions)
+{
+    if (!m_confirming || message.epoch != m_confirming->epoch)
+        return;
+    actions.peerSentBefore(message.sentBefore);
+    m_confirming.reset();
+    m_settled = true;
+}
+
+void LiveSwitch::handleDeadline(TimePoint now, SwitchActions &actions)
+{
+    if (m_confirming && now >= m_confirming->repeatAt) {
+        const bool fresh = now - m_confirming->since < m_timing.switchConfirm;
+        const Duration pause = fresh ? m_timing.switchRetry : m_timing.keepAliveAfter;
+        m_confirming->repeatAt = now + std::max(pause, actions.answerTime());
+        actions.send(now, Confirm{m_confirming->epoch, actions.sentBefore()});
+    }
+    if (m_theirs && !m_theirs->toldFailed && now >= m_theirs->since + m_timing.switchConfirm) {
+        m_theirs->toldFailed = true;
+        tellDone(now, *m_theirs, true, SwitchFailure::NotConfirmed, actions);
+    }
+    if (m_own && now >= m_own->since + m_timing.switchConfirm)
+        finishOwn(now, SwitchFailure::NotConfirmed, actions);
+    else if (m_own && now >= m_own->repeatAt)
+        proposeIfReady(now, actions);
+}
+
+void LiveSwitch::end(TimePoint now, SwitchActions &actions)
+{
+    if (m_own)
+        finishOwn(now, SwitchFailure::SessionEnded, actions);
+    if (m_theirs && !m_theirs->toldFailed)
+        tellDone(now, *m_theirs, true, SwitchFailure::SessionEnded, actions);
+    m_theirs.reset();
+    m_confirming.reset();
+}
+
+void LiveSwitch::finishOwn(TimePoint now, SwitchFailure failure, SwitchActions &actions)
+{
+    const Own own = *m_own;
+    m_own.reset();
+    tellDone(now, own, false, failure, actions);
+}
+
+void LiveSwitch::tellPending(const Switch &s, bool byPeer, SwitchActions &actions) const
+{
+    actions.tell(SwitchPending{m_session, s.from, s.to, s.epoch, byPeer, s.rekey});
+}
+
+void LiveSwitch::tellDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure,
+                          SwitchActions &actions) const
+{
+    actions.tell(SwitchDone{m_session, s.from, s.to, s.epoch, byPeer, s.rekey, failure, now - s.since});
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,59 @@
+#include "core/channel/negotiation.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+using crypto::SuiteId;
+
+namespace {
+
+bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
+{
+    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
+}
+
+bool isResearch(SuiteId suite) { return crypto::suiteInfo(suite).research; }
+
+} // namespace
+
+std::vector<SuiteId> defaultSuites()
+{
+    using enum SuiteId;
+    return {ChaCha20Poly1305, Aes256Gcm, Aes256Ctr, Aes256Cbc, ChaCha20, Rc4};
+}
+
+SuiteOffer offerOf(const Policy &policy)
+{
+    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain};
+    for (const SuiteId suite : policy.suites) {
+        const bool wanted = suite != SuiteId::None && (policy.allowResearch || !isResearch(suite));
+        if (wanted && !holds(offer.suites, suite) && offer.suites.size() < kMaxOfferedSuites)
+            offer.suites.push_back(suite);
+    }
+    return offer;
+}
+
+std::vector<SuiteId> permittedSuites(const SuiteOffer &initiator, const SuiteOffer &responder)
+{
+    std::vector<SuiteId> both;
+    const bool research = initiator.allowResearch && responder.allowResearch;
+    for (const SuiteId suite : initiator.suites) {
+        if (suite != SuiteId::None && (research || !isResearch(suite)) && holds(responder.suites, suite))
+            both.push_back(suite);
+    }
+    if (initiator.allowPlain && responder.allowPlain)
+        both.push_back(SuiteId::None);
+    return both;
+}
+
+std::optional<SuiteId> chooseSuite(const SuiteOffer &initiator, const SuiteOffer &responder)
+{
+    for (const SuiteId suite : permittedSuites(initiator, responder)) {
+        if (suite != SuiteId::None && !isResearch(suite))
+            return suite;
+    }
+    return std::nullopt;
+}
+
+} // namespace skyseal::channel

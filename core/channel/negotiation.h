@@ -1,0 +1,36 @@
+// Which suites two ends share and which one a session begins with: pure functions of the two offers, so that both
+// ends compute the same, and the initiator can check the responder's choice.
+#pragma once
+
+#include "core/channel/policy.h"
+#include "core/crypto/suite.h"
+
+#include <optional>
+#include <vector>
+
+namespace skyseal::channel {
+
+/// What one end is ready to use, as it travels inside the handshake. At most six sealed suites, best first.
+struct SuiteOffer
+{
+    std::vector<crypto::SuiteId> suites; ///< never None; no suite twice
+    bool allowResearch = false;
+    bool allowPlain = false;
+
+    bool operator==(const SuiteOffer &) const = default;
+};
+
+inline constexpr std::size_t kMaxOfferedSuites = 6;
+
+/// The offer that a policy gives: research suites only with `allowResearch`, None only as `allowPlain`.
+SuiteOffer offerOf(const Policy &policy);
+
+/// Every suite that both ends allow, in the initiator's order; research suites only when both allow them, None last
+/// and only when both allow plain.
+std::vector<crypto::SuiteId> permittedSuites(const SuiteOffer &initiator, const SuiteOffer &responder);
+
+/// The suite that a session begins with: the first one permitted that is neither research nor None, which take an
+/// explicit switch. nullopt when there is none.
+std::optional<crypto::SuiteId> chooseSuite(const SuiteOffer &initiator, const SuiteOffer &responder);
+
+} // namespace skyseal::channel

@@ -1,0 +1,152 @@
+// One session: its epochs, counters, switch, reports and the address where the peer was heard last. It seals and opens;
+// everything it has to say by itself goes to the outbox, everything its owner must know to the events.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "core/channel/epochs.h"
+#include "core/channel/key_chain.h"
+#include "core/channel/live_switch.h"
+#include "core/channel/negotiation.h"
+#include "core/channel/outbox.h"
+#include "core/channel/record.h"
+#include "core/channel/round_trip.h"
+
+#include <deque>
+
+namespace skyseal::channel {
+
+/// What sessions share with their endpoint; outlives them.
+struct Surroundings
+{
+    RandomSource &random;
+    Outbox outbox;
+    std::deque<Event> events;
+    SuiteOffer offer; ///< what our policy allows now
+    Timing timing;
+};
+
+/// What a finished handshake gives.
+struct SessionSetup
+{
+    SessionId id{};
+    bool initiator = false;
+    Peer peer;
+    ConnectionId ours{};   ///< in the records that come to us
+    ConnectionId theirs{}; ///< in the records that we send
+    SuiteOffer peerOffer;
+    crypto::SuiteId suite{};
+    KeyChain chain;
+    Path path;
+};
+
+class Session final : private SwitchActions
+{
+public:
+    Session(SessionSetup setup, Surroundings &around, TimePoint now);
+
+    // query
+    SessionId id() const { return m_setup.id; }
+    ConnectionId connection() const { return m_setup.ours; }
+    const Peer &peer() const { return m_setup.peer; }
+    const Path &path() const { return m_setup.path; }
+    const Path &origin() const { return m_origin; }
+    SessionInfo info(TimePoint now) const;
+    SessionStats stats() const;
+    TimePoint deadline() const;
+    TimePoint lastReceived() const { return m_lastReceived; }
+    TimePoint silentFrom() const { return m_lastReceived + m_around.timing.peerSilentAfter; }
+    bool silent(TimePoint now) const { return now - m_lastReceived >= m_around.timing.peerSilentAfter; }
+    /// True once something authentic came: only then is the other end known to be alive and not a replay.
+    bool confirmed() const { return m_confirmed; }
+    /// Set when the session cannot go on.
+    std::optional<DownReason> finished() const { return m_finished; }
+
+    // input
+    struct Opened
+    {
+        bool authentic = false;
+        bool routine = false; ///< frames under the current epoch and nothing else happened: no timer changed
+        std::optional<Delivery> delivery;
+    };
+    Opened open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram);
+    void handleDeadline(TimePoint now);
+    void addRoundTrip(Duration sample) { m_roundTrip.add(sample); }
+    void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
+    void countMalformed() { ++m_epochs.current().rx.malformed; }
+
+    // command
+    Result<std::size_t, SealError> seal(TimePoint now, ByteView plaintext, MutableByteView out);
+    void switchSuite(TimePoint now, crypto::SuiteId suite);
+    void rekey(TimePoint now);
+    /// A report with the wish for an answer: a sign of life, sent at once.
+    void callPeer(TimePoint now) { sendReport(now, true); }
+    /// Keys changed in the list of peers: role and name follow.
+    void updatePeer(const Peer &peer) { m_setup.peer = peer; }
+    void policyChanged(TimePoint now);
+    /// Says goodbye when the peer can hear it, and fails what is pending.
+    void end(TimePoint now, bool sayGoodbye);
+
+private:
+    // SwitchActions
+    Epoch currentEpoch() const override { return m_epochs.current().number; }
+    crypto::SuiteId currentSuite() const override { return m_epochs.current().suite; }
+    bool permittedHere(crypto::SuiteId suite) const override;
+    bool permittedByPeer(crypto::SuiteId suite) const override;
+    bool previousDispensable(TimePoint now) const override;
+    Duration answerTime() const override { return m_roundTrip.smoothed(); }
+    EpochNonce freshNonce() override;
+    void send(TimePoint now, const ControlMessage &message) override;
+    void prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override;
+    void dropNext() override;
+    void commitNext(TimePoint now) override;
+    std::uint32_t sentBefore() const override { return m_sentBefore; }
+    void peerSentBefore(std::uint32_t records) override;
+    void tell(const Event &event) override { m_around.events.push_back(event); }
+
+    void prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
+    Direction ourDirection() const { return m_setup.initiator ? Direction::FromInitiator : Direction::FromResponder; }
+    std::vector<crypto::SuiteId> permitted() const;
+
+    Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
+    Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
+    void handleControl(TimePoint now, ByteView plaintext);
+    void handleReport(TimePoint now, const Report &report);
+    void sendReport(TimePoint now, bool answerAtOnce);
+    void rekeyWhenDue(TimePoint now);
+    void tellMove(TimePoint now);
+    void alarmWhenDue(TimePoint now);
+    Result<std::size_t, SealError> sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
+    std::uint32_t stamp(TimePoint now) const;
+
+    SessionSetup m_setup;
+    Surroundings &m_around;
+    Path m_origin;
+    Epochs m_epochs;
+    KeyChain m_chain;                   ///< for the epoch after the current one
+    std::optional<KeyChain> m_chainAfterNext;
+    LiveSwitch m_switch;
+    RoundTrip m_roundTrip;
+    std::optional<DownReason> m_finished;
+    bool m_confirmed = false;
+
+    TimePoint m_since;
+    TimePoint m_lastReceived;
+    TimePoint m_lastSent;
+    TimePoint m_reportDue;
+    TimePoint m_epochSince;
+    TimePoint m_rekeyNotBefore;
+    std::optional<TimePoint> m_peerMovedOn; ///< since when the peer sends under the current epoch; none = not yet
+    bool m_previousComplete = false;        ///< the peer has said how many records the previous epoch had
+    std::uint32_t m_sentBefore = 0;
+
+    std::optional<Report> m_peerReport;
+    TimePoint m_peerReportAt;
+
+    Path m_toldPath; ///< the path that the owner knows
+    TimePoint m_moveTold;
+    std::uint64_t m_forgedUntold = 0;
+    std::uint64_t m_replayedUntold = 0;
+    TimePoint m_alarmTold;
+};
+
+} // namespace skyseal::channel

@@ -1,0 +1,114 @@
+// What a session does when time passes, and what it tells about itself.
+#include "core/channel/session.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr Duration kEventPause = std::chrono::seconds(1);
+
+} // namespace
+
+TimePoint Session::deadline() const
+{
+    if (m_finished)
+        return TimePoint::min();
+    const Timing &timing = m_around.timing;
+    TimePoint due = std::min({m_reportDue, m_switch.deadline(), m_lastReceived + timing.forgetAfter});
+    if (m_epochs.previous() && m_peerMovedOn)
+        due = std::min(due, *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()));
+    if (m_toldPath != m_setup.path)
+        due = std::min(due, m_moveTold + kEventPause);
+    if (m_forgedUntold > 0)
+        due = std::min(due, m_alarmTold + kEventPause);
+    return due;
+}
+
+void Session::handleDeadline(TimePoint now)
+{
+    const Timing &timing = m_around.timing;
+    if (m_finished)
+        return;
+    if (now >= m_lastReceived + timing.forgetAfter) {
+        m_finished = DownReason::TimedOut;
+        return;
+    }
+    if (m_epochs.previous() && m_peerMovedOn
+        && now >= *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()))
+        m_epochs.retirePrevious();
+    m_switch.handleDeadline(now, *this);
+    rekeyWhenDue(now);
+    if (now >= m_reportDue) {
+        // Quicker until both ends are sure of each other and know the round trip, by which a switch is timed.
+        const bool calm = m_confirmed && m_roundTrip.settled();
+        m_reportDue = now + (calm ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry);
+        sendReport(now, !m_confirmed);
+    }
+    if (m_toldPath != m_setup.path && now >= m_moveTold + kEventPause)
+        tellMove(now);
+    alarmWhenDue(now);
+}
+
+void Session::tellMove(TimePoint now)
+{
+    if (now < m_moveTold + kEventPause)
+        return;
+    tell(PeerMoved{id(), m_toldPath, m_setup.path});
+    m_toldPath = m_setup.path;
+    m_moveTold = now;
+}
+
+void Session::alarmWhenDue(TimePoint now)
+{
+    if (m_forgedUntold == 0 || now < m_alarmTold + kEventPause)
+        return;
+    tell(ForgeryAlarm{id(), m_forgedUntold, m_replayedUntold});
+    m_forgedUntold = 0;
+    m_replayedUntold = 0;
+    m_alarmTold = now;
+}
+
+void Session::end(TimePoint now, bool sayGoodbye)
+{
+    m_switch.end(now, *this);
+    if (sayGoodbye)
+        send(now, Close{});
+}
+
+SessionInfo Session::info(TimePoint now) const
+{
+    SessionInfo info;
+    info.session = id();
+    info.peer = m_setup.peer.key;
+    info.peerName = m_setup.peer.name;
+    info.role = m_setup.peer.role;
+    info.path = m_setup.path;
+    info.suite = currentSuite();
+    info.epoch = currentEpoch();
+    info.pending = m_switch.pending();
+    info.permitted = permitted();
+    info.peerOffered = m_setup.peerOffer.suites;
+    info.silent = silent(now);
+    info.since = m_since;
+    info.lastReceived = m_lastReceived;
+    return info;
+}
+
+SessionStats Session::stats() const
+{
+    SessionStats stats;
+    stats.rx = m_epochs.received();
+    stats.tx = m_epochs.sent();
+    stats.epochs = m_epochs.history();
+    stats.roundTrip = m_roundTrip.smoothed();
+    if (m_peerReport) {
+        stats.peerReported = true;
+        stats.peerRx = m_peerReport->rx;
+        stats.peerTx = m_peerReport->tx;
+    }
+    return stats;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,57 @@
+// The first byte of every datagram of this protocol, and the sizes that the formats share.
+//
+//   0 1 | version (2 bits) | kind (2 bits) | low (2 bits)        value 0x40-0x7F, MAVLink's magics are 0xFD and 0xFE
+//
+// `low` is the epoch of a record and the number of the message within a handshake.
+#pragma once
+
+#include "core/base/bytes.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace skyseal::channel {
+
+inline constexpr std::uint8_t kProtocolVersion = 1;
+
+enum class DatagramKind : std::uint8_t {
+    Record = 0,       ///< with a connection id, for carriers that many sessions share (UDP, TUNNEL)
+    SingleRecord = 1, ///< without, for a serial pair
+    Handshake = 2,
+    Pairing = 3
+};
+
+enum class HandshakeMessage : std::uint8_t { Announcement = 0, First = 1, Answer = 2, Cookie = 3 };
+
+/// What the record travels in. It is authenticated, so that a record taken from one carrier is refused on another.
+enum class Carrier : std::uint8_t { Datagram = 1, Tunnel = 2, Serial = 3 };
+
+/// Who sealed: the two directions have keys of their own, and say so in the associated data as well.
+enum class Direction : std::uint8_t { FromInitiator = 0, FromResponder = 1 };
+
+inline constexpr Direction opposite(Direction d)
+{
+    return d == Direction::FromInitiator ? Direction::FromResponder : Direction::FromInitiator;
+}
+
+/// Names a session to the one that receives; chosen by the receiver, its low byte is the receiver's slot.
+enum class ConnectionId : std::uint16_t {};
+
+inline constexpr std::size_t kMacLength = 16;
+inline constexpr std::size_t kMaxDatagram = 1200;
+
+constexpr std::uint8_t firstByte(DatagramKind kind, std::uint8_t low)
+{
+    return static_cast<std::uint8_t>(0x40 | kProtocolVersion << 4 | static_cast<std::uint8_t>(kind) << 2 | (low & 3));
+}
+
+constexpr std::uint8_t firstByte(HandshakeMessage message)
+{
+    return firstByte(DatagramKind::Handshake, static_cast<std::uint8_t>(message));
+}
+
+constexpr bool isOurs(std::uint8_t first) { return (first & 0xc0) == 0x40; }
+constexpr std::uint8_t versionOf(std::uint8_t first) { return first >> 4 & 3; }
+constexpr DatagramKind kindOf(std::uint8_t first) { return static_cast<DatagramKind>(first >> 2 & 3); }
+
+} // namespace skyseal::channel
