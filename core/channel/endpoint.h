@@ -45,10 +45,11 @@ public:
 /// The protocol's timers and limits; the defaults are the protocol's (PROTOCOL.md gives each its reason), tests lower them.
 struct Timing
 {
-    Duration announceEvery = std::chrono::seconds(1);
+    Duration announceEvery = std::chrono::milliseconds(500); ///< while no session is up
     Duration handshakeRetry = std::chrono::milliseconds(250); ///< doubled each time, with jitter, up to 2 s
     Duration keepAliveAfter = std::chrono::seconds(1);        ///< send something when nothing was sent for so long
-    Duration peerSilentAfter = std::chrono::milliseconds(2500); ///< then an agent announces and a station handshakes anew, beside the old session
+    /// Then a station handshakes anew, beside the old session. An agent announces itself after 1.5 x keepAliveAfter already.
+    Duration peerSilentAfter = std::chrono::milliseconds(2500);
     Duration forgetAfter = std::chrono::minutes(10);          ///< a silent session ends
     Duration switchConfirm = std::chrono::seconds(5);         ///< a switch not confirmed by then is rolled back
     Duration switchRetry = std::chrono::milliseconds(100);
@@ -126,7 +127,8 @@ public:
     std::vector<SessionId> sessions() const;
     std::optional<SessionInfo> sessionInfo(SessionId) const;
     std::optional<SessionStats> stats(SessionId) const;
-    /// Datagrams that belong to no session: malformed, unknown connection, refused handshakes.
+    /// Datagrams that belong to no session. malformed: no message of this version, or of an unknown connection; forged: a
+    /// handshake message that is not meant for our key; replayed: one that came before.
     const ReceiveCounters &strays() const;
     /// When handleDeadline() must be called at the latest; kNever when there is nothing to wait for.
     TimePoint nextDeadline() const;

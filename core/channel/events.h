@@ -30,6 +30,7 @@ struct SessionDown
 {
     SessionId session{};
     DownReason reason{};
+    SessionStats stats; ///< the last there will be
 };
 
 /// The peer's authenticated records now come from elsewhere.

@@ -106,29 +106,43 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHea
             routine = false;
         }
     }
-    if (isControl(plaintext)) {
+    if (isControl(plaintext))
         handleControl(now, plaintext);
-        return {true, false, std::nullopt};
+    if (m_closingUntil) {
+        routine = false;
+        if (nothingMissing())
+            m_finished = DownReason::PeerClosed;
     }
+    if (isControl(plaintext))
+        return {true, false, std::nullopt};
     epoch.rx.openedBytes += plaintext.size();
     return {true, routine, Delivery{id(), epoch.number, epoch.suite, plaintext}};
+}
+
+bool Session::nothingMissing() const
+{
+    const LiveEpoch *previous = m_epochs.previous();
+    return m_epochs.current().window.missing() == 0 && (!previous || previous->window.missing() == 0);
 }
 
 Session::Opened Session::refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch)
 {
     ++(epoch.rx.*counter);
-    if (counter == &ReceiveCounters::forged)
-        ++m_forgedUntold;
-    else
+    if (counter != &ReceiveCounters::forged) {
         ++m_replayedUntold;
+        return {false, true, std::nullopt};
+    }
+    ++m_forgedUntold;
     alarmWhenDue(now);
-    return {};
+    return {false, m_forgedUntold > 1, std::nullopt};
 }
 
 // ---- control
 
 void Session::send(TimePoint now, const ControlMessage &message)
 {
+    if (m_closingUntil)
+        return;
     std::array<std::uint8_t, kMaxControl> plaintext;
     const std::size_t length = writeControl(message, plaintext);
     Outbox::Item &draft = m_around.outbox.draft();
@@ -144,7 +158,7 @@ void Session::handleControl(TimePoint now, ByteView plaintext)
     if (const auto *report = std::get_if<Report>(&*message))
         handleReport(now, *report);
     else if (std::holds_alternative<Close>(*message))
-        m_finished = DownReason::PeerClosed;
+        m_closingUntil = now + (m_roundTrip.settled() ? m_roundTrip.generous() : m_around.timing.oldKeysLinger);
     else if (const auto *propose = std::get_if<Propose>(&*message))
         m_switch.handle(now, *propose, *this);
     else if (const auto *accept = std::get_if<Accept>(&*message))

@@ -55,6 +55,9 @@ public:
     TimePoint deadline() const;
     TimePoint lastReceived() const { return m_lastReceived; }
     TimePoint silentFrom() const { return m_lastReceived + m_around.timing.peerSilentAfter; }
+    /// A living session is never quiet for so long, unless records were lost. Earlier than silent, and without consequence
+    /// for the session: an agent starts to announce itself again.
+    TimePoint quietFrom() const { return m_lastReceived + m_around.timing.keepAliveAfter * 3 / 2; }
     bool silent(TimePoint now) const { return now - m_lastReceived >= m_around.timing.peerSilentAfter; }
     /// True once something authentic came: only then is the other end known to be alive and not a replay.
     bool confirmed() const { return m_confirmed; }
@@ -107,12 +110,15 @@ private:
     Direction ourDirection() const { return m_setup.initiator ? Direction::FromInitiator : Direction::FromResponder; }
     std::vector<crypto::SuiteId> permitted() const;
 
+    bool nothingMissing() const;
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
     void handleControl(TimePoint now, ByteView plaintext);
     void handleReport(TimePoint now, const Report &report);
     void sendReport(TimePoint now, bool answerAtOnce);
     void rekeyWhenDue(TimePoint now);
+    /// A session that was only answered is not known to its owner yet.
+    bool mayTell() const { return m_confirmed || m_setup.initiator; }
     void tellMove(TimePoint now);
     void alarmWhenDue(TimePoint now);
     Result<std::size_t, SealError> sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
@@ -127,6 +133,7 @@ private:
     LiveSwitch m_switch;
     RoundTrip m_roundTrip;
     std::optional<DownReason> m_finished;
+    std::optional<TimePoint> m_closingUntil; ///< the peer said goodbye; what it overtook is still taken
     bool m_confirmed = false;
 
     TimePoint m_since;

@@ -17,11 +17,13 @@ TimePoint Session::deadline() const
         return TimePoint::min();
     const Timing &timing = m_around.timing;
     TimePoint due = std::min({m_reportDue, m_switch.deadline(), m_lastReceived + timing.forgetAfter});
+    if (m_closingUntil)
+        due = std::min(due, *m_closingUntil);
     if (m_epochs.previous() && m_peerMovedOn)
         due = std::min(due, *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()));
     if (m_toldPath != m_setup.path)
         due = std::min(due, m_moveTold + kEventPause);
-    if (m_forgedUntold > 0)
+    if (m_forgedUntold > 0 && mayTell())
         due = std::min(due, m_alarmTold + kEventPause);
     return due;
 }
@@ -33,6 +35,10 @@ void Session::handleDeadline(TimePoint now)
         return;
     if (now >= m_lastReceived + timing.forgetAfter) {
         m_finished = DownReason::TimedOut;
+        return;
+    }
+    if (m_closingUntil && now >= *m_closingUntil) {
+        m_finished = DownReason::PeerClosed;
         return;
     }
     if (m_epochs.previous() && m_peerMovedOn
@@ -62,7 +68,7 @@ void Session::tellMove(TimePoint now)
 
 void Session::alarmWhenDue(TimePoint now)
 {
-    if (m_forgedUntold == 0 || now < m_alarmTold + kEventPause)
+    if (m_forgedUntold == 0 || !mayTell() || now < m_alarmTold + kEventPause)
         return;
     tell(ForgeryAlarm{id(), m_forgedUntold, m_replayedUntold});
     m_forgedUntold = 0;

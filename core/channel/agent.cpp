@@ -1,0 +1,171 @@
+#include "core/channel/agent.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+/// Diffie-Hellman computations for strangers: about a percent of one core of a small companion computer.
+constexpr double kHandshakesPerSecond = 50;
+constexpr double kHandshakesAtOnce = 20;
+constexpr Duration kAnswerKept = std::chrono::seconds(10);
+
+bool holds(const std::vector<Path> &paths, const Path &path)
+{
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+} // namespace
+
+Agent::Agent(EndpointCore &core, TimePoint now)
+    : m_core(core), m_announcement(core.config.identity->publicKey), m_announceDue(now), m_credit(kHandshakesAtOnce),
+      m_creditAt(now)
+{
+}
+
+void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
+{
+    if (!m_core.ownMac.verify(datagram))
+        return refuse(now, from, RefusalReason::WrongKey);
+    for (const Answered &answered : m_answered) {
+        // A copy: our answer may have been lost. The same one again, and nothing is computed.
+        if (std::equal(datagram.begin(), datagram.end(), answered.first.begin(), answered.first.end()))
+            return m_core.around.outbox.send(from, answered.answer);
+    }
+    if (!mayCompute(now))
+        return;
+    auto responder = Responder::read(*m_core.config.identity, datagram);
+    if (!responder)
+        return refuse(now, from, responder.error());
+    const PublicKey key = responder->peer();
+    const Peer *peer = m_core.peer(key);
+    if (!peer)
+        return refuse(now, from, RefusalReason::UnknownPeer, key);
+    const std::uint64_t counter = responder->payload().counter;
+    if (counter <= m_core.counters.lastSeen(key))
+        return refuse(now, from, RefusalReason::ReplayedHandshake, key);
+
+    // A station that still has the old session takes this as its answer; one that has restarted ignores it.
+    if (Session *old = m_core.table.upWith(key))
+        old->callPeer(now);
+
+    const auto connection = m_core.table.reserve(m_core.around.random);
+    if (!connection)
+        return;
+    auto answer = std::move(*responder).answer(*connection, m_core.around.offer, m_core.around.random);
+    const bool remembered = answer && m_core.counters.remember(key, counter);
+    if (!remembered) {
+        m_core.table.release(*connection);
+        if (!answer)
+            refuse(now, from, answer.error(), key);
+        return;
+    }
+    forget(key);
+    Agreement &agreement = answer->agreement;
+    SessionSetup setup{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection,
+                       std::move(agreement.peerOffer), agreement.suite, std::move(agreement.chain), from};
+    Answered answered{key, setup.id, now + kAnswerKept, {}, answer->message};
+    std::copy(datagram.begin(), datagram.end(), answered.first.begin());
+    m_answered.push_back(answered);
+    m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
+    m_core.around.outbox.send(from, answer->message);
+}
+
+void Agent::confirmed(TimePoint now, SessionTable::Entry &entry)
+{
+    std::erase_if(m_answered, [&](const Answered &a) { return a.session == entry.session->id(); });
+    m_core.bringUp(now, entry);
+}
+
+void Agent::forget(const PublicKey &peer)
+{
+    std::erase_if(m_answered, [&](const Answered &answered) {
+        if (answered.peer != peer)
+            return false;
+        m_core.table.erase(answered.session);
+        return true;
+    });
+}
+
+void Agent::peersChanged()
+{
+    std::vector<PublicKey> gone;
+    for (const Answered &answered : m_answered) {
+        if (!m_core.peer(answered.peer))
+            gone.push_back(answered.peer);
+    }
+    for (const PublicKey &key : gone)
+        forget(key);
+}
+
+void Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer)
+{
+    if (reason == RefusalReason::ReplayedHandshake)
+        ++m_core.strays.replayed;
+    else
+        ++m_core.strays.forged;
+    m_core.tellRefused(now, from, reason, peer);
+}
+
+bool Agent::mayCompute(TimePoint now)
+{
+    m_credit = std::min(kHandshakesAtOnce, m_credit + seconds(now - m_creditAt) * kHandshakesPerSecond);
+    m_creditAt = now;
+    if (m_credit < 1)
+        return false;
+    m_credit -= 1;
+    return true;
+}
+
+std::vector<Path> Agent::announceTargets(TimePoint now)
+{
+    std::vector<Path> targets = m_core.config.announceTo;
+    std::vector<Path> served;
+    m_core.table.forEach([&](SessionTable::Entry &entry) {
+        if (!entry.up)
+            return;
+        const Session &session = *entry.session;
+        if (now < session.quietFrom()) {
+            served.push_back(session.path());
+            served.push_back(session.origin());
+        } else if (!holds(targets, session.path())) {
+            targets.push_back(session.path());
+        }
+    });
+    std::erase_if(targets, [&](const Path &path) { return holds(served, path); });
+    return targets;
+}
+
+void Agent::handleDeadline(TimePoint now)
+{
+    for (std::size_t i = m_answered.size(); i-- > 0;) {
+        if (now >= m_answered[i].until)
+            forget(PublicKey(m_answered[i].peer));
+    }
+    if (now < m_announceDue)
+        return;
+    const auto targets = announceTargets(now);
+    if (targets.empty())
+        return;
+    const auto datagram = m_announcement.make(m_core.around.random);
+    for (const Path &path : targets)
+        m_core.around.outbox.send(path, datagram);
+    m_announceDue = now + m_core.config.timing.announceEvery;
+}
+
+TimePoint Agent::deadline(TimePoint now)
+{
+    TimePoint due = kNever;
+    for (const Answered &answered : m_answered)
+        due = std::min(due, answered.until);
+    if (!announceTargets(now).empty())
+        return std::min(due, m_announceDue);
+    m_core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up && now < entry.session->quietFrom())
+            due = std::min(due, std::max(m_announceDue, entry.session->quietFrom()));
+    });
+    return due;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,45 @@
+// The agent's side of getting sessions: it announces itself where no station listens to it yet, and answers first messages.
+#pragma once
+
+#include "core/channel/endpoint_core.h"
+
+namespace skyseal::channel {
+
+class Agent
+{
+public:
+    Agent(EndpointCore &core, TimePoint now);
+
+    /// A first message whose length is right.
+    void handleFirst(TimePoint now, const Path &from, ByteView datagram);
+    /// The first authentic record of a session that was answered: the station is no replay.
+    void confirmed(TimePoint now, SessionTable::Entry &entry);
+    void peersChanged();
+    void handleDeadline(TimePoint now);
+    TimePoint deadline(TimePoint now);
+
+private:
+    /// An answered first message whose station has not shown yet that it took the answer.
+    struct Answered
+    {
+        PublicKey peer{};
+        SessionId session{};
+        TimePoint until{};
+        FirstMessage first{};
+        AnswerMessage answer{};
+    };
+
+    void refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
+    bool mayCompute(TimePoint now);
+    void forget(const PublicKey &peer);
+    std::vector<Path> announceTargets(TimePoint now);
+
+    EndpointCore &m_core;
+    Announcement m_announcement;
+    std::vector<Answered> m_answered;
+    TimePoint m_announceDue;
+    double m_credit;
+    TimePoint m_creditAt;
+};
+
+} // namespace skyseal::channel

@@ -1,0 +1,272 @@
+#include "core/channel/endpoint.h"
+
+#include "core/channel/agent.h"
+#include "core/channel/endpoint_core.h"
+#include "core/channel/station.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+struct Endpoint::State
+{
+    State(Config config, RandomSource &random, CounterStore &counters, TimePoint start)
+        : core(std::move(config), random, counters), now(start)
+    {
+        if (core.config.role == Role::Station)
+            station.emplace(core);
+        else
+            agent.emplace(core, now);
+        refresh(now);
+    }
+
+    /// After anything that may have changed a timer or ended a session.
+    void refresh(TimePoint at);
+    void handleDeadline(TimePoint at);
+    std::optional<Delivery> handleRecord(TimePoint at, const Path &from, MutableByteView datagram);
+    void handleHandshake(TimePoint at, const Path &from, ByteView datagram);
+
+    EndpointCore core;
+    std::optional<Station> station;
+    std::optional<Agent> agent;
+    TimePoint deadline = kNever;
+    TimePoint now; ///< of the last input or command
+};
+
+void Endpoint::State::refresh(TimePoint at)
+{
+    now = at;
+    core.reap(now);
+    deadline = station ? station->deadline(now) : agent->deadline(now);
+    core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up)
+            deadline = std::min(deadline, entry.session->deadline());
+    });
+}
+
+void Endpoint::State::handleDeadline(TimePoint at)
+{
+    now = at;
+    core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up)
+            entry.session->handleDeadline(now);
+    });
+    core.reap(now);
+    if (station)
+        station->handleDeadline(now);
+    else
+        agent->handleDeadline(now);
+    refresh(now);
+}
+
+std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &from, MutableByteView datagram)
+{
+    now = at;
+    const auto header = RecordHeader::read(datagram);
+    SessionTable::Entry *entry = header ? core.table.find(header->connection) : nullptr;
+    if (!entry || header->kind != DatagramKind::Record) {
+        ++core.strays.malformed;
+        return std::nullopt;
+    }
+    auto opened = entry->session->open(now, from, *header, datagram);
+    if (opened.authentic && !entry->up)
+        agent->confirmed(now, *entry);
+    if (opened.authentic && station && !station->idle())
+        station->sessionLives(entry->session->peer().key);
+    if (!opened.routine)
+        handleDeadline(now);
+    return opened.delivery;
+}
+
+void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView datagram)
+{
+    now = at;
+    const auto message = static_cast<HandshakeMessage>(datagram[0] & 3);
+    if (message == HandshakeMessage::First && agent && datagram.size() == kFirstLength)
+        agent->handleFirst(now, from, datagram);
+    else if (message == HandshakeMessage::Answer && station)
+        station->handleAnswer(now, from, datagram);
+    else if (message == HandshakeMessage::Announcement && station)
+        station->handleAnnouncement(now, from, datagram);
+    else
+        ++core.strays.malformed;
+    handleDeadline(now);
+}
+
+Endpoint::Endpoint(Config config, RandomSource &random, CounterStore &counters, TimePoint now)
+    : m_state(std::make_unique<State>(std::move(config), random, counters, now))
+{
+}
+
+Endpoint::~Endpoint() = default;
+Endpoint::Endpoint(Endpoint &&) noexcept = default;
+Endpoint &Endpoint::operator=(Endpoint &&) noexcept = default;
+
+// ---- query
+
+std::vector<SessionId> Endpoint::sessions() const
+{
+    std::vector<SessionId> out;
+    m_state->core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up)
+            out.push_back(entry.session->id());
+    });
+    return out;
+}
+
+std::optional<SessionInfo> Endpoint::sessionInfo(SessionId session) const
+{
+    const auto *entry = m_state->core.table.find(session);
+    if (!entry || !entry->up)
+        return std::nullopt;
+    return entry->session->info(m_state->now);
+}
+
+std::optional<SessionStats> Endpoint::stats(SessionId session) const
+{
+    const auto *entry = m_state->core.table.find(session);
+    if (!entry || !entry->up)
+        return std::nullopt;
+    return entry->session->stats();
+}
+
+const ReceiveCounters &Endpoint::strays() const
+{
+    return m_state->core.strays;
+}
+
+TimePoint Endpoint::nextDeadline() const
+{
+    return m_state->deadline;
+}
+
+bool Endpoint::owns(std::uint8_t firstByte)
+{
+    return isOurs(firstByte);
+}
+
+// ---- input
+
+std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from, MutableByteView datagram)
+{
+    if (datagram.empty() || !isOurs(datagram[0])) {
+        ++m_state->core.strays.malformed;
+        return std::nullopt;
+    }
+    if (versionOf(datagram[0]) != kProtocolVersion) {
+        ++m_state->core.strays.malformed;
+        m_state->core.tellRefused(now, from, RefusalReason::Version);
+        return std::nullopt;
+    }
+    if (kindOf(datagram[0]) == DatagramKind::Record)
+        return m_state->handleRecord(now, from, datagram);
+    if (kindOf(datagram[0]) == DatagramKind::Handshake)
+        m_state->handleHandshake(now, from, datagram);
+    else
+        ++m_state->core.strays.malformed;
+    return std::nullopt;
+}
+
+void Endpoint::handleDeadline(TimePoint now)
+{
+    m_state->handleDeadline(now);
+}
+
+void Endpoint::countPlaintextDropped(SessionId session, std::uint64_t count)
+{
+    if (auto *entry = m_state->core.table.find(session))
+        entry->session->countPlaintextDropped(count);
+    else
+        m_state->core.strays.plaintextDropped += count;
+}
+
+// ---- command
+
+Result<std::size_t, SealError> Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)
+{
+    auto *entry = m_state->core.table.find(session);
+    if (!entry || !entry->up)
+        return tl::unexpected(SealError::NoSession);
+    const auto sealed = entry->session->seal(now, frames, out);
+    if (!sealed && sealed.error() == SealError::Exhausted)
+        m_state->handleDeadline(now);
+    return sealed;
+}
+
+Path Endpoint::recordPath(SessionId session) const
+{
+    const auto *entry = m_state->core.table.find(session);
+    return entry ? entry->session->path() : Path{};
+}
+
+void Endpoint::switchSuite(TimePoint now, SessionId session, crypto::SuiteId suite)
+{
+    if (auto *entry = m_state->core.table.find(session); entry && entry->up)
+        entry->session->switchSuite(now, suite);
+    m_state->refresh(now);
+}
+
+void Endpoint::rekey(TimePoint now, SessionId session)
+{
+    if (auto *entry = m_state->core.table.find(session); entry && entry->up)
+        entry->session->rekey(now);
+    m_state->refresh(now);
+}
+
+void Endpoint::close(TimePoint now, SessionId session)
+{
+    if (auto *entry = m_state->core.table.find(session); entry && entry->up)
+        m_state->core.end(now, *entry->session, DownReason::Closed);
+    m_state->refresh(now);
+}
+
+void Endpoint::setPeers(TimePoint now, std::vector<Peer> peers)
+{
+    State &state = *m_state;
+    state.core.config.peers = std::move(peers);
+    state.core.table.forEach([&](SessionTable::Entry &entry) {
+        if (const Peer *peer = state.core.peer(entry.session->peer().key))
+            entry.session->updatePeer(*peer);
+        else if (entry.up)
+            state.core.end(now, *entry.session, DownReason::Revoked);
+    });
+    if (state.station)
+        state.station->peersChanged();
+    else
+        state.agent->peersChanged();
+    state.refresh(now);
+}
+
+void Endpoint::setPolicy(TimePoint now, Policy policy)
+{
+    State &state = *m_state;
+    state.core.config.policy = std::move(policy);
+    state.core.around.offer = offerOf(state.core.config.policy);
+    state.core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up)
+            entry.session->policyChanged(now);
+    });
+    state.refresh(now);
+}
+
+// ---- output
+
+std::optional<Transmit> Endpoint::pollTransmit()
+{
+    const Outbox::Item *item = m_state->core.around.outbox.take();
+    if (!item)
+        return std::nullopt;
+    return Transmit{item->to, item->view()};
+}
+
+std::optional<Event> Endpoint::pollEvent()
+{
+    auto &events = m_state->core.around.events;
+    if (events.empty())
+        return std::nullopt;
+    Event event = std::move(events.front());
+    events.pop_front();
+    return event;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,76 @@
+#include "core/channel/endpoint_core.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr Duration kRefusalPause = std::chrono::seconds(1);
+
+bool sayGoodbyeFor(DownReason reason)
+{
+    return reason == DownReason::Closed || reason == DownReason::Revoked;
+}
+
+} // namespace
+
+EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
+    : config(std::move(configuration)), counters(store),
+      around{random, {}, {}, offerOf(config.policy), config.timing}, ownMac(config.identity->publicKey)
+{
+}
+
+const Peer *EndpointCore::peer(const PublicKey &key) const
+{
+    const auto found = std::find_if(config.peers.begin(), config.peers.end(), [&](const Peer &p) { return p.key == key; });
+    return found == config.peers.end() ? nullptr : &*found;
+}
+
+void EndpointCore::tellRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
+{
+    std::optional<Told> *slot = nullptr;
+    for (auto &told : m_told) {
+        const bool current = told && now < told->at + kRefusalPause;
+        if (current && told->path == path)
+            return;
+        if (!current)
+            slot = &told;
+    }
+    if (!slot)
+        return;
+    *slot = Told{path, now};
+    around.events.push_back(HandshakeRefused{path, reason, key});
+}
+
+void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
+{
+    Session &session = *entry.session;
+    table.forEach([&](SessionTable::Entry &other) {
+        if (other.session.get() != &session && other.session->peer().key == session.peer().key && other.up)
+            end(now, *other.session, DownReason::PeerRestarted);
+    });
+    entry.up = true;
+    const SessionInfo info = session.info(now);
+    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path});
+}
+
+void EndpointCore::end(TimePoint now, Session &session, DownReason reason)
+{
+    const SessionTable::Entry *entry = table.find(session.id());
+    if (entry && entry->up) {
+        session.end(now, sayGoodbyeFor(reason));
+        around.events.push_back(SessionDown{session.id(), reason, session.stats()});
+    }
+    table.erase(session.id());
+}
+
+void EndpointCore::reap(TimePoint now)
+{
+    table.forEach([&](SessionTable::Entry &entry) {
+        if (const auto reason = entry.session->finished())
+            end(now, *entry.session, *reason);
+    });
+}
+
+} // namespace skyseal::channel

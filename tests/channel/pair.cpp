@@ -1,0 +1,163 @@
+#include "pair.h"
+
+#include "core/base/byte_reader.h"
+#include "core/base/byte_writer.h"
+
+#include <algorithm>
+
+namespace skyseal::test {
+
+Pair::Pair(PairOptions options)
+    : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
+      m_random(options.seed)
+{
+    for (const Side side : {Ground, Air}) {
+        ends[side].identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+        ends[side].policy = side == Ground ? m_options.ground : m_options.air;
+        ends[side].port = side == Ground ? 14550 : 40000;
+    }
+    start(Ground);
+    start(Air);
+}
+
+Path Pair::pathOf(Side side) const
+{
+    Path path{LinkId{1}, {}};
+    path.remote.ip[15] = static_cast<std::uint8_t>(side + 1);
+    path.remote.port = ends[side].port;
+    return path;
+}
+
+Config Pair::configOf(Side side) const
+{
+    const Side other = side == Ground ? Air : Ground;
+    Config config;
+    config.role = side == Ground ? Role::Station : Role::Agent;
+    config.identity = ends[side].identity;
+    config.peers.push_back({ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}});
+    config.policy = ends[side].policy;
+    config.timing = m_options.timing;
+    if (side == Air)
+        config.announceTo.push_back(pathOf(Ground));
+    return config;
+}
+
+void Pair::start(Side side)
+{
+    ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, now);
+}
+
+void Pair::every(Duration period, std::function<void()> act)
+{
+    m_tasks.push_back({now + period, period, std::move(act)});
+}
+
+void Pair::pump()
+{
+    for (const Side side : {Ground, Air}) {
+        End &end = ends[side];
+        if (!end.endpoint)
+            continue;
+        while (const auto transmit = end.endpoint->pollTransmit()) {
+            end.bytesOut += transmit->bytes.size();
+            ++end.datagramsOut;
+            link.send(now, {side, end.port, 0, Bytes(transmit->bytes.begin(), transmit->bytes.end())});
+        }
+        while (auto event = end.endpoint->pollEvent())
+            end.events.push_back(std::move(*event));
+    }
+}
+
+bool Pair::run(Duration span, const std::function<bool()> &until)
+{
+    const TimePoint stop = now + span;
+    pump();
+    while (!(until && until())) {
+        TimePoint due = link.next();
+        for (const End &end : ends)
+            due = end.endpoint ? std::min(due, end.endpoint->nextDeadline()) : due;
+        for (const Task &task : m_tasks)
+            due = std::min(due, task.due);
+        if (due > stop) {
+            now = stop;
+            return false;
+        }
+        now = std::max(now, due);
+        if (link.next() <= now)
+            arrive(link.take());
+        for (End &end : ends) {
+            if (end.endpoint && end.endpoint->nextDeadline() <= now)
+                end.endpoint->handleDeadline(now);
+        }
+        for (std::size_t i = 0; i < m_tasks.size(); ++i) {
+            if (m_tasks[i].due <= now) {
+                m_tasks[i].due += m_tasks[i].period;
+                m_tasks[i].act();
+            }
+        }
+        pump();
+    }
+    return true;
+}
+
+void Pair::arrive(Flight flight)
+{
+    const Side to = flight.from == Ground ? Air : Ground;
+    End &end = ends[to];
+    if (!end.endpoint) {
+        if (flight.tag)
+            dropped[flight.from].insert(flight.tag);
+        return;
+    }
+    Path path = pathOf(flight.from);
+    path.remote.port = flight.sourcePort;
+    const auto delivery = end.endpoint->handleDatagram(now, path, flight.bytes);
+    if (!delivery)
+        return;
+    ByteReader reader(delivery->frames);
+    reader.u8();
+    ++end.delivered[reader.u64()];
+    end.epochs.push_back(static_cast<std::uint32_t>(delivery->epoch));
+}
+
+std::uint64_t Pair::sendFrame(Side from, std::size_t size)
+{
+    End &end = ends[from];
+    if (!end.up())
+        return 0;
+    const std::uint64_t number = ++m_frames;
+    Bytes frame(std::max<std::size_t>(size, 9));
+    ByteWriter writer(frame);
+    writer.u8(0xfd);
+    writer.u64(number);
+    Bytes record(frame.size() + kMaxRecordOverhead);
+    const SessionId session = end.session();
+    const auto sealed = end.endpoint->seal(now, session, frame, record);
+    if (!sealed)
+        return 0;
+    record.resize(*sealed);
+    sent[from].insert(number);
+    if (!link.send(now, {from, end.port, number, std::move(record)}))
+        dropped[from].insert(number);
+    return number;
+}
+
+std::string Pair::accountFrom(Side side) const
+{
+    const End &receiver = ends[side == Ground ? Air : Ground];
+    std::size_t missing = 0, twice = 0, unexpected = 0;
+    for (const std::uint64_t number : sent[side]) {
+        const auto found = receiver.delivered.find(number);
+        const bool arrived = found != receiver.delivered.end();
+        missing += !arrived && !dropped[side].contains(number);
+        twice += arrived && found->second > 1;
+    }
+    for (const auto &[number, count] : receiver.delivered)
+        unexpected += !sent[side].contains(number) || dropped[side].contains(number);
+    if (missing + twice + unexpected == 0)
+        return {};
+    return "of " + std::to_string(sent[side].size()) + " sent: " + std::to_string(missing) + " missing, "
+        + std::to_string(twice) + " twice, " + std::to_string(unexpected) + " that cannot be";
+}
+
+} // namespace skyseal::test

@@ -1,0 +1,136 @@
+// A ground station's endpoint and an agent's on one virtual clock and a simulated link, with an exact account of every
+// frame that was sealed: whether the link let it through, and how often it was delivered.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "simulated_link.h"
+
+#include <set>
+#include <string>
+#include <unordered_map>
+
+namespace skyseal::test {
+
+using namespace skyseal::channel;
+
+/// Deterministic bytes from a seed.
+class SeededRandom final : public RandomSource
+{
+public:
+    explicit SeededRandom(std::uint64_t seed) : m_random(seed) {}
+    void fill(MutableByteView out) override
+    {
+        for (auto &byte : out)
+            byte = static_cast<std::uint8_t>(m_random());
+    }
+
+private:
+    std::mt19937_64 m_random;
+};
+
+/// Survives a restart of its endpoint, as a file would.
+class MemoryCounterStore final : public CounterStore
+{
+public:
+    std::uint64_t next() override { return ++m_own; }
+    std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
+    bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
+    {
+        if (fails)
+            return false;
+        m_seen[peer] = counter;
+        return true;
+    }
+    bool fails = false;
+
+private:
+    std::uint64_t m_own = 0;
+    std::map<channel::PublicKey, std::uint64_t> m_seen;
+};
+
+struct PairOptions
+{
+    std::uint64_t seed = 1;
+    LinkModel link;
+    Timing timing;
+    Policy ground{defaultSuites(), true, false};
+    Policy air{defaultSuites(), true, false};
+};
+
+class Pair
+{
+public:
+    explicit Pair(PairOptions options = {});
+
+    struct End
+    {
+        std::unique_ptr<Endpoint> endpoint;
+        MemoryCounterStore counters;
+        std::shared_ptr<const crypto::X25519KeyPair> identity;
+        channel::Policy policy;
+        std::uint16_t port = 0;
+        std::vector<Event> events;
+        std::unordered_map<std::uint64_t, int> delivered; ///< frame number -> how often
+        std::vector<std::uint32_t> epochs;                ///< of deliveries, in order
+        std::uint64_t bytesOut = 0;
+        std::uint64_t datagramsOut = 0;
+
+        SessionId session() const { return endpoint->sessions().empty() ? SessionId{} : endpoint->sessions().back(); }
+        bool up() const { return endpoint && !endpoint->sessions().empty(); }
+        template<typename E> std::vector<E> all() const
+        {
+            std::vector<E> out;
+            for (const Event &event : events) {
+                if (const E *e = std::get_if<E>(&event))
+                    out.push_back(*e);
+            }
+            return out;
+        }
+    };
+
+    End &ground() { return ends[Ground]; }
+    End &air() { return ends[Air]; }
+    bool bothUp() const { return ends[Ground].up() && ends[Air].up(); }
+
+    void start(Side side);
+    void kill(Side side) { ends[side].endpoint.reset(); }
+
+    /// Runs the clock to now + `span`; `until` ends it early and gives true.
+    bool run(Duration span, const std::function<bool()> &until = {});
+    /// Lets `act` happen every `period` from now on.
+    void every(Duration period, std::function<void()> act);
+    void stopTraffic() { m_tasks.clear(); }
+
+    /// Seals one frame of `size` bytes (at least 9) and sends it; its number, 0 when there was no session.
+    std::uint64_t sendFrame(Side from, std::size_t size = 28);
+    /// Sends whatever the endpoints want to send, and collects their events. run() does so by itself.
+    void pump();
+
+    /// What went wrong with the frames that went from `side` to the other one; empty when all is as it must be.
+    std::string accountFrom(Side side) const;
+
+    TimePoint now{};
+    SimulatedLink link;
+    std::array<End, 2> ends;
+    std::set<std::uint64_t> sent[2];    ///< frame numbers sealed, by sender
+    std::set<std::uint64_t> dropped[2]; ///< of these, what the link swallowed or damaged
+
+    Config configOf(Side side) const;
+    Path pathOf(Side side) const; ///< where its datagrams come from
+
+private:
+    struct Task
+    {
+        TimePoint due;
+        Duration period;
+        std::function<void()> act;
+    };
+    void arrive(Flight flight);
+
+    PairOptions m_options;
+    SeededRandom m_random;
+    std::vector<Task> m_tasks;
+    std::uint64_t m_frames = 0;
+};
+
+} // namespace skyseal::test

@@ -1,0 +1,261 @@
+// Two endpoints from their first announcement on: a session comes up, carries frames of every suite, survives what links and
+// processes do, and every frame is accounted for.
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+
+class SessionTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void comesUpWithinASecond();
+    void carriesFramesInEverySuite();
+    void comesUpOverABadLink();
+    void stationRestarts();
+    void agentRestarts();
+    void restartsAgainAndAgain();
+    void outageResumesWithoutHandshake();
+    void roams();
+    void closesOnce();
+    void countersAgreeOnBothEnds();
+};
+
+namespace {
+
+LinkModel badLink()
+{
+    LinkModel link;
+    link.loss = 0.2;
+    link.duplicate = 0.1;
+    link.reorder = 0.1;
+    link.delay = 10ms;
+    link.jitter = 50ms;
+    return link;
+}
+
+void traffic(Pair &pair)
+{
+    pair.every(20ms, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground, 40);
+    });
+}
+
+} // namespace
+
+#define VERIFY_ACCOUNTS(pair) \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString()); \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString())
+
+void SessionTest::comesUpWithinASecond()
+{
+    Pair pair;
+    QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
+    const auto info = pair.ground().endpoint->sessionInfo(pair.ground().session());
+    QVERIFY(info);
+    QCOMPARE(info->suite, SuiteId::ChaCha20Poly1305);
+    QCOMPARE(info->peer, pair.air().identity->publicKey);
+    QCOMPARE(info->peerName, std::string("air"));
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    pair.run(60s);
+    QCOMPARE(pair.ground().events.size(), 1u);
+    QCOMPARE(pair.air().events.size(), 1u);
+    // A quiet session costs its reports, not more.
+    QVERIFY2(pair.air().datagramsOut < 80, qPrintable(QString::number(pair.air().datagramsOut)));
+}
+
+void SessionTest::carriesFramesInEverySuite()
+{
+    Pair pair;
+    QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
+    traffic(pair);
+    std::uint32_t epoch = 0;
+    for (const auto &suite : crypto::suites()) {
+        if (suite.id == SuiteId::None || !crypto::suiteAvailable(suite.id) || suite.id == SuiteId::ChaCha20Poly1305)
+            continue;
+        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suite.id);
+        pair.run(1s);
+        ++epoch;
+        for (auto &end : pair.ends) {
+            const auto info = end.endpoint->sessionInfo(end.session());
+            QCOMPARE(info->suite, suite.id);
+            QCOMPARE(info->epoch, Epoch{epoch});
+            QVERIFY(!info->pending);
+            const auto done = end.all<SwitchDone>();
+            QCOMPARE(done.size(), std::size_t(epoch));
+            QCOMPARE(done.back().failure, SwitchFailure::None);
+            QCOMPARE(done.back().to, suite.id);
+        }
+    }
+    QVERIFY(epoch >= 4);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ACCOUNTS(pair);
+    QCOMPARE(pair.dropped[Air].size(), 0u);
+}
+
+void SessionTest::comesUpOverABadLink()
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link = badLink();
+        Pair pair(options);
+        traffic(pair);
+        QVERIFY2(pair.run(10s, [&] { return pair.bothUp(); }), qPrintable(QString::number(seed)));
+        pair.run(10s);
+        pair.stopTraffic();
+        pair.run(2s);
+        VERIFY_ACCOUNTS(pair);
+    }
+}
+
+void SessionTest::stationRestarts()
+{
+    Pair pair;
+    traffic(pair);
+    pair.run(5s);
+    pair.kill(Ground);
+    pair.run(700ms);
+    pair.start(Ground);
+    const TimePoint back = pair.now;
+    QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
+    qInfo("station back in session after %.3f s", seconds(pair.now - back));
+    QCOMPARE(pair.air().all<SessionDown>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionDown>()[0].reason, DownReason::PeerRestarted);
+    QCOMPARE(pair.air().endpoint->sessions().size(), 1u);
+}
+
+void SessionTest::agentRestarts()
+{
+    Pair pair;
+    traffic(pair);
+    pair.run(5s);
+    pair.kill(Air);
+    pair.run(700ms);
+    pair.start(Air);
+    const TimePoint back = pair.now;
+    QVERIFY(pair.run(3s, [&] { return pair.air().up() && pair.ground().all<SessionUp>().size() == 2; }));
+    qInfo("agent back in session after %.3f s", seconds(pair.now - back));
+    QCOMPARE(pair.ground().all<SessionDown>().size(), 1u);
+    QCOMPARE(pair.ground().all<SessionDown>()[0].reason, DownReason::PeerRestarted);
+    QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
+}
+
+void SessionTest::restartsAgainAndAgain()
+{
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        Pair pair(options);
+        traffic(pair);
+        for (int i = 0; i < 20; ++i) {
+            const Side side = (seed + static_cast<std::uint64_t>(i) * 7) % 3 ? Air : Ground;
+            pair.run(std::chrono::milliseconds(100 + (seed * 97 + static_cast<std::uint64_t>(i) * 331) % 3000));
+            pair.kill(side);
+            pair.run(std::chrono::milliseconds((seed * 131 + static_cast<std::uint64_t>(i) * 577) % 4000));
+            pair.start(side);
+            const auto ups = pair.ends[1 - side].all<SessionUp>().size();
+            QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.ends[1 - side].all<SessionUp>().size() > ups; }));
+        }
+    }
+}
+
+void SessionTest::outageResumesWithoutHandshake()
+{
+    for (const Duration outage : {Duration(4s), Duration(60s), Duration(300s)}) {
+        Pair pair;
+        pair.every(10ms, [&pair] { pair.sendFrame(Air); });
+        pair.run(5s);
+        pair.link.attacker = [](TimePoint, Flight &) { return false; };
+        pair.run(outage);
+        QVERIFY(pair.ground().endpoint->sessionInfo(pair.ground().session())->silent);
+        pair.link.attacker = nullptr;
+        const auto before = pair.ground().delivered.size();
+        pair.run(30ms);
+        QVERIFY(pair.ground().delivered.size() > before);
+        pair.run(10s);
+        QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+        QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+        QCOMPARE(pair.ground().all<SessionDown>().size(), 0u);
+        pair.stopTraffic();
+        pair.run(2s);
+        VERIFY_ACCOUNTS(pair);
+    }
+}
+
+void SessionTest::roams()
+{
+    Pair pair;
+    traffic(pair);
+    pair.run(3s);
+    pair.air().port = 50001;
+    pair.run(1s);
+    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(50001));
+    QCOMPARE(pair.ground().all<PeerMoved>().size(), 1u);
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    // To and fro with every record: told, but no more than once a second.
+    pair.every(20ms, [&pair] { pair.air().port = static_cast<std::uint16_t>(50000 + (pair.air().port + 1) % 100); });
+    pair.run(10s);
+    QVERIFY(pair.ground().all<PeerMoved>().size() <= 12);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ACCOUNTS(pair);
+}
+
+void SessionTest::closesOnce()
+{
+    Pair pair;
+    traffic(pair);
+    pair.run(3s);
+    pair.stopTraffic();
+    pair.air().endpoint->close(pair.now, pair.air().session());
+    pair.run(50ms);
+    QCOMPARE(pair.air().all<SessionDown>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionDown>()[0].reason, DownReason::Closed);
+    QCOMPARE(pair.ground().all<SessionDown>().size(), 1u);
+    QCOMPARE(pair.ground().all<SessionDown>()[0].reason, DownReason::PeerClosed);
+    QVERIFY(pair.ground().all<SessionDown>()[0].stats.rx.good > 100);
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+}
+
+void SessionTest::countersAgreeOnBothEnds()
+{
+    PairOptions options;
+    options.link = badLink();
+    Pair pair(options);
+    std::uint64_t recordsDropped[2] = {};
+    traffic(pair);
+    pair.run(20s);
+    pair.stopTraffic();
+    pair.link.model = {};
+    pair.run(5s); // The last reports pass.
+    for (const Side side : {Ground, Air}) {
+        const auto &here = pair.ends[side];
+        const auto &there = pair.ends[1 - side];
+        const auto mine = here.endpoint->stats(here.session());
+        const auto yours = there.endpoint->stats(there.session());
+        QVERIFY(mine && yours && mine->peerReported);
+        QVERIFY(mine->rx.good <= yours->tx.records);
+        // Everything that was sent arrived or is lost; nothing is under way any more but the report of this moment.
+        const auto accounted = mine->rx.good + mine->rx.lost;
+        QCOMPARE(accounted, yours->tx.records);
+        QVERIFY(yours->peerRx.good + 3 >= mine->rx.good && yours->peerRx.good <= mine->rx.good);
+        QVERIFY(mine->rx.lost > 100 && mine->rx.late > 10 && mine->rx.replayed > 10);
+        QVERIFY(mine->roundTrip > 1ms);
+        recordsDropped[side] = mine->rx.lost;
+    }
+    QVERIFY(recordsDropped[Ground] >= pair.dropped[Air].size());
+}
+
+QTEST_GUILESS_MAIN(SessionTest)
+#include "session_test.moc"

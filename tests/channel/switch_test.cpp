@@ -1,0 +1,348 @@
+// The live switch over links that lose, repeat, reorder and delay, with both ends proposing: whatever happens, each frame
+// that the link let through is delivered, once.
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+
+class SwitchTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void everySecondOnABadLink();
+    void every50MillisecondsOnAGoodLink();
+    void stormWithBothEndsProposing();
+    void bothAtTheSameInstant();
+    void refusedByPolicyHere();
+    void refusedByThePeer();
+    void unansweredRollsBackOnce();
+    void confirmationLostForLong();
+    void noneIsRefused();
+    void replacedWishIsSuperseded();
+    void endsWithTheSession();
+};
+
+namespace {
+
+LinkModel stormyLink()
+{
+    LinkModel link;
+    link.loss = 0.2;
+    link.duplicate = 0.1;
+    link.reorder = 0.1;
+    link.delay = 5ms;
+    link.jitter = 300ms;
+    return link;
+}
+
+SuiteId suiteAt(std::size_t i)
+{
+    static const std::vector<SuiteId> usable = [] {
+        std::vector<SuiteId> out;
+        for (const SuiteId suite : defaultSuites()) {
+            if (crypto::suiteAvailable(suite))
+                out.push_back(suite);
+        }
+        return out;
+    }();
+    return usable[i % usable.size()];
+}
+
+void traffic(Pair &pair, Duration period = 20ms)
+{
+    pair.every(period, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground, 40);
+    });
+}
+
+std::size_t committed(const Pair::End &end)
+{
+    std::size_t count = 0;
+    for (const SwitchDone &done : end.all<SwitchDone>())
+        count += done.failure == SwitchFailure::None;
+    return count;
+}
+
+/// Pending and done alternate as they should, and the epochs of commits go up one by one.
+QString eventsInOrder(const Pair::End &end)
+{
+    int open = 0;
+    std::uint32_t epoch = 0;
+    for (const Event &event : end.events) {
+        if (std::holds_alternative<SwitchPending>(event))
+            ++open;
+        if (const auto *done = std::get_if<SwitchDone>(&event)) {
+            if (--open < 0)
+                return QStringLiteral("done without pending");
+            if (done->failure == SwitchFailure::None && static_cast<std::uint32_t>(done->epoch) != ++epoch)
+                return QStringLiteral("epoch %1 after %2").arg(static_cast<std::uint32_t>(done->epoch)).arg(epoch - 1);
+        }
+    }
+    return open == 0 ? QString() : QStringLiteral("%1 never done").arg(open);
+}
+
+QString epochsMonotone(const Pair::End &end)
+{
+    // Deliveries may come late under the previous epoch, but never two epochs late.
+    std::uint32_t newest = 0;
+    for (const std::uint32_t epoch : end.epochs) {
+        if (epoch + 1 < newest)
+            return QStringLiteral("epoch %1 after %2").arg(epoch).arg(newest);
+        newest = std::max(newest, epoch);
+    }
+    return {};
+}
+
+} // namespace
+
+#define VERIFY_ALL(pair) \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString()); \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString()); \
+    QCOMPARE(eventsInOrder(pair.ground()), QString()); \
+    QCOMPARE(eventsInOrder(pair.air()), QString()); \
+    QCOMPARE(epochsMonotone(pair.ground()), QString()); \
+    QCOMPARE(epochsMonotone(pair.air()), QString()); \
+    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.forged, std::uint64_t(0)); \
+    QCOMPARE(pair.air().endpoint->stats(pair.air().session())->rx.forged, std::uint64_t(0))
+
+void SwitchTest::everySecondOnABadLink()
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link = stormyLink();
+        options.link.jitter = 50ms;
+        Pair pair(options);
+        traffic(pair);
+        QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+        pair.run(2s);
+        std::size_t step = 0;
+        pair.every(1s, [&] {
+            pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step));
+        });
+        pair.run(60s);
+        pair.stopTraffic();
+        pair.run(10s);
+        VERIFY_ALL(pair);
+        QVERIFY2(committed(pair.ground()) >= 55, qPrintable(QString::number(committed(pair.ground()))));
+        QCOMPARE(committed(pair.ground()), committed(pair.air()));
+    }
+}
+
+void SwitchTest::every50MillisecondsOnAGoodLink()
+{
+    Pair pair;
+    traffic(pair, 2ms);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    std::size_t step = 0;
+    pair.every(50ms, [&] {
+        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step));
+    });
+    pair.run(10s);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ALL(pair);
+    QCOMPARE(committed(pair.ground()), step);
+    QCOMPARE(committed(pair.air()), step);
+}
+
+void SwitchTest::stormWithBothEndsProposing()
+{
+    const std::size_t wanted = qEnvironmentVariableIsSet("SKYSEAL_SWITCHES")
+        ? static_cast<std::size_t>(qEnvironmentVariableIntValue("SKYSEAL_SWITCHES")) : 200;
+    PairOptions options;
+    options.seed = 7;
+    options.link = stormyLink();
+    Pair pair(options);
+    traffic(pair);
+    QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+    std::size_t step = 0;
+    for (const Side side : {Ground, Air}) {
+        pair.every(side == Ground ? Duration(1100ms) : Duration(1300ms), [&pair, &step, side] {
+            auto &end = pair.ends[side];
+            if (end.up() && !end.endpoint->sessionInfo(end.session())->pending)
+                end.endpoint->switchSuite(pair.now, end.session(), suiteAt(++step));
+        });
+    }
+    QVERIFY(pair.run(std::chrono::seconds(20) * wanted, [&] { return committed(pair.ground()) >= wanted; }));
+    const Duration took = pair.now - TimePoint(1h);
+    pair.stopTraffic();
+    pair.run(20s);
+    VERIFY_ALL(pair);
+    QCOMPARE(committed(pair.ground()), committed(pair.air()));
+    qInfo("%zu switches of %zu asked for in %.0f s, %zu frames sent, %zu dropped by the link, the rest arrived once",
+          committed(pair.ground()), step, seconds(took), pair.sent[Air].size() + pair.sent[Ground].size(),
+          pair.dropped[Air].size() + pair.dropped[Ground].size());
+}
+
+void SwitchTest::bothAtTheSameInstant()
+{
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        options.link.jitter = 30ms;
+        Pair pair(options);
+        traffic(pair);
+        QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+        pair.run(3s);
+        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+        pair.air().endpoint->switchSuite(pair.now, pair.air().session(), SuiteId::Aes256Ctr);
+        pair.run(5s);
+        // The station's stands; the agent's is told as superseded.
+        for (auto &end : pair.ends)
+            QCOMPARE(end.endpoint->sessionInfo(end.session())->suite, SuiteId::Aes256Gcm);
+        const auto done = pair.air().all<SwitchDone>();
+        QCOMPARE(done.size(), 2u);
+        QCOMPARE(done[0].failure, SwitchFailure::Superseded);
+        QVERIFY(!done[0].byPeer);
+        QCOMPARE(done[1].failure, SwitchFailure::None);
+        QVERIFY(done[1].byPeer);
+        pair.stopTraffic();
+        pair.run(2s);
+        VERIFY_ALL(pair);
+    }
+}
+
+void SwitchTest::refusedByPolicyHere()
+{
+    PairOptions options;
+    options.ground.allowResearch = false;
+    Pair pair(options);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Rc4);
+    pair.run(1s);
+    const auto done = pair.ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::NotAllowedHere);
+    QCOMPARE(pair.air().all<SwitchPending>().size(), 0u);
+}
+
+void SwitchTest::refusedByThePeer()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    // Its policy became stricter after the handshake, so only the peer itself knows.
+    channel::Policy strict = pair.air().policy;
+    strict.suites = {SuiteId::ChaCha20Poly1305};
+    pair.air().endpoint->setPolicy(pair.now, strict);
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.run(1s);
+    const auto done = pair.ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
+    QCOMPARE(pair.air().all<SwitchPending>().size(), 0u);
+    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::ChaCha20Poly1305);
+}
+
+void SwitchTest::unansweredRollsBackOnce()
+{
+    Pair pair;
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; }; // Nothing comes back.
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.run(4900ms);
+    QCOMPARE(pair.ground().all<SwitchDone>().size(), 0u);
+    pair.run(200ms);
+    const auto done = pair.ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::NotConfirmed);
+    pair.link.attacker = nullptr;
+    pair.run(10s);
+    QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
+    QCOMPARE(pair.air().all<SwitchDone>().size(), 1u);
+    QCOMPARE(pair.air().all<SwitchDone>()[0].failure, SwitchFailure::NotConfirmed);
+    // And the next one works, in either direction.
+    pair.air().endpoint->switchSuite(pair.now, pair.air().session(), SuiteId::ChaCha20);
+    pair.run(3s);
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
+    pair.run(3s);
+    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::Aes256Cbc);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ALL(pair);
+}
+
+void SwitchTest::confirmationLostForLong()
+{
+    // The agent has accepted, the station has committed, and then the station is not heard for a minute: the agent tells that
+    // nothing came of it, and yet reads the new epoch when the link is back.
+    Pair pair;
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    bool cut = false;
+    pair.link.attacker = [&cut](TimePoint, Flight &flight) { return !(cut && flight.from == Ground); };
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    QVERIFY(pair.run(1s, [&] { return !pair.air().all<SwitchPending>().empty(); }));
+    cut = true;
+    pair.run(60s);
+    QCOMPARE(committed(pair.ground()), 1u);
+    QCOMPARE(pair.air().all<SwitchDone>().size(), 1u);
+    QCOMPARE(pair.air().all<SwitchDone>()[0].failure, SwitchFailure::NotConfirmed);
+    cut = false;
+    pair.run(5s);
+    QCOMPARE(committed(pair.air()), 1u);
+    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::Aes256Gcm);
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ALL(pair);
+}
+
+void SwitchTest::noneIsRefused()
+{
+    PairOptions options;
+    options.ground.allowPlain = options.air.allowPlain = true;
+    Pair pair(options);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::None);
+    pair.run(1s);
+    QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
+    QCOMPARE(pair.ground().all<SwitchDone>()[0].failure, SwitchFailure::NotAllowedHere);
+}
+
+void SwitchTest::replacedWishIsSuperseded()
+{
+    Pair pair;
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    for (const SuiteId suite : {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::ChaCha20})
+        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suite);
+    pair.run(3s);
+    const auto done = pair.ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 3u);
+    QCOMPARE(done[0].failure, SwitchFailure::Superseded);
+    QCOMPARE(done[1].failure, SwitchFailure::Superseded);
+    QCOMPARE(done[2].failure, SwitchFailure::None);
+    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->suite, SuiteId::ChaCha20);
+    pair.stopTraffic();
+    pair.run(2s);
+    VERIFY_ALL(pair);
+}
+
+void SwitchTest::endsWithTheSession()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.run(1s);
+    pair.ground().endpoint->close(pair.now, pair.ground().session());
+    pair.run(1s);
+    const auto done = pair.ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::SessionEnded);
+}
+
+QTEST_GUILESS_MAIN(SwitchTest)
+#include "switch_test.moc"
