@@ -28,8 +28,8 @@ namespace skyseal::channel {
 /// agent announces itself once a second until a session is up (Noise responder).
 enum class Role : std::uint8_t { Station, Agent };
 
-/// Counters that must never go back, over restarts: ours in first messages, and the last one seen of each peer. The owner keeps
-/// them on disk. Called rarely (once a handshake).
+/// Counters that must never go back, over restarts: ours in first messages, and the last one seen of each peer. The owner
+/// keeps them on disk. Called rarely (once a handshake).
 class CounterStore
 {
 public:

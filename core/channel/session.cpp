@@ -19,8 +19,8 @@ bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
     : m_setup(std::move(setup)), m_around(around), m_origin(m_setup.path), m_chain(std::move(m_setup.chain)),
       m_switch(m_setup.id, m_setup.initiator, around.timing), m_since(now), m_lastReceived(now), m_lastSent(now),
-      m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now), m_toldPath(m_setup.path),
-      m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
+      m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
+      m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
 {
     prepare(Epoch{0}, m_setup.suite, {}, {});
     m_epochs.advance();
@@ -67,7 +67,7 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     LiveEpoch *epoch = m_epochs.byBits(header.epochBits);
     if (!epoch) {
         // No keys: either of an epoch that is over, or of one that nobody has agreed on.
-        const std::uint8_t ahead = static_cast<std::uint8_t>(header.epochBits - static_cast<std::uint8_t>(currentEpoch())) & 3;
+        const auto ahead = (header.epochBits - static_cast<unsigned>(currentEpoch())) & 3;
         return refuse(now, ahead == 1 ? &ReceiveCounters::forged : &ReceiveCounters::replayed, m_epochs.current());
     }
     if (!epoch->window.fresh(header.counter))

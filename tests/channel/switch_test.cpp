@@ -274,8 +274,8 @@ void SwitchTest::unansweredRollsBackOnce()
 
 void SwitchTest::confirmationLostForLong()
 {
-    // The agent has accepted, the station has committed, and then the station is not heard for a minute: the agent tells that
-    // nothing came of it, and yet reads the new epoch when the link is back.
+    // The agent has accepted, the station has committed, and then the station is not heard for a minute: the agent tells
+    // that nothing came of it, and yet reads the new epoch when the link is back.
     Pair pair;
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
