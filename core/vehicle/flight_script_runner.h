@@ -35,6 +35,13 @@ struct StepReport
     std::string reason;
 };
 
+/// A vehicle that was not seen yet may take this long to appear.
+inline constexpr Duration kVehicleTimeout = std::chrono::seconds(30);
+/// Longest wait for the answer to an order; vehicles' commands end by themselves well before.
+inline constexpr Duration kAnswerTimeout = std::chrono::seconds(60);
+/// After an answer, states handed in may still be from before it for this long (they come as snapshots, the answer at once).
+inline constexpr Duration kSettleTime = std::chrono::milliseconds(250);
+
 /// Something that a vehicle is to be asked for.
 struct ScriptOrder
 {
@@ -60,21 +67,24 @@ public:
     bool failed() const { return m_failed; }
 
 private:
-    enum class Phase : std::uint8_t { Idle, WaitingForVehicle, Sent, Waiting };
+    enum class Phase : std::uint8_t { Idle, WaitingForVehicle, WaitingForAnswer, WaitingForState, Sleeping };
 
     const VehicleState *pickVehicle(std::span<const VehicleState *const> vehicles);
-    bool begin(TimePoint now, const VehicleState &vehicle);
+    void begin(TimePoint now, const VehicleState &vehicle);
+    void watch(TimePoint now, const VehicleState &vehicle, const WaitUntil &wait);
     void end(StepResult result, std::string reason = {});
 
     std::vector<FlightStep> m_steps;
     std::size_t m_index = 0;
     Phase m_phase = Phase::Idle;
     TimePoint m_deadline{};
-    std::uint8_t m_firstSystem = 0;
+    std::uint8_t m_firstSystem = 0; ///< the vehicle of steps that name none; 0 = none met yet
     std::uint8_t m_stepSystem = 0;
     std::optional<CommandId> m_awaited;
     std::optional<ScriptOrder> m_order;
     std::deque<StepReport> m_reports;
+    bool m_answered = false;              ///< an answer came since the last advance()
+    TimePoint m_settled = TimePoint::min(); ///< states are believed from here on
     bool m_failed = false;
 };
 

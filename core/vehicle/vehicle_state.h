@@ -48,6 +48,7 @@ struct VehicleState
     std::uint8_t type = 0;      ///< MAV_TYPE
     std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
     std::string mode;           ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
+    std::uint8_t baseMode = 0; ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
     std::vector<std::string> modes; ///< that can be asked for
     std::uint8_t systemStatus = 0;  ///< MAV_STATE

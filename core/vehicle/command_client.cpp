@@ -1,0 +1,139 @@
+#include "core/vehicle/command_client.h"
+
+#include "core/vehicle/message_io.h"
+
+#include <algorithm>
+
+namespace skyseal::vehicle {
+
+namespace {
+constexpr std::uint8_t kInProgress = 5; // MAV_RESULT_IN_PROGRESS
+}
+
+CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace, Outbox &outbox)
+{
+    const auto ticket = CommandTicket{++m_lastTicket};
+    if (replace) {
+        std::erase_if(m_pending, [&](const Pending &pending) {
+            if (pending.order.command != order.command)
+                return false;
+            m_answers.push_back({pending.ticket, CommandAnswer::Kind::Replaced, 0});
+            return true;
+        });
+    }
+    if (m_pending.size() >= kMostWaiting) {
+        m_answers.push_back({ticket, CommandAnswer::Kind::TimedOut, 0});
+        return ticket;
+    }
+    m_pending.push_back({ticket, order});
+    startWaiting(now, order.command, outbox);
+    return ticket;
+}
+
+bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, Outbox &outbox)
+{
+    const auto found = std::find_if(m_pending.begin(), m_pending.end(), [command](const Pending &pending) {
+        return pending.order.command == command && pending.attempts > 0;
+    });
+    if (found == m_pending.end())
+        return false;
+    if (result == kInProgress) {
+        found->inProgress = true;
+        found->deadline = now + kProgressTimeout;
+        return true;
+    }
+    m_answers.push_back({found->ticket, CommandAnswer::Kind::Answered, result});
+    m_pending.erase(found);
+    startWaiting(now, command, outbox);
+    return true;
+}
+
+void CommandClient::handleDeadline(TimePoint now, Outbox &outbox)
+{
+    for (std::size_t i = 0; i < m_pending.size();) {
+        Pending &pending = m_pending[i];
+        if (now < pending.deadline) {
+            ++i;
+        } else if (!pending.inProgress && pending.attempts < kAttempts) {
+            transmit(now, pending, outbox);
+            ++i;
+        } else {
+            const std::uint16_t command = pending.order.command;
+            m_answers.push_back({pending.ticket, CommandAnswer::Kind::TimedOut, 0});
+            m_pending.erase(m_pending.begin() + static_cast<std::ptrdiff_t>(i));
+            startWaiting(now, command, outbox);
+        }
+    }
+}
+
+TimePoint CommandClient::nextDeadline() const
+{
+    TimePoint next = kNever;
+    for (const Pending &pending : m_pending)
+        next = std::min(next, pending.deadline);
+    return next;
+}
+
+std::optional<CommandAnswer> CommandClient::poll()
+{
+    if (m_answers.empty())
+        return std::nullopt;
+    const CommandAnswer answer = m_answers.front();
+    m_answers.pop_front();
+    return answer;
+}
+
+void CommandClient::transmit(TimePoint now, Pending &pending, Outbox &outbox)
+{
+    const CommandOrder &order = pending.order;
+    if (order.asInt) {
+        mavlink::CommandInt message;
+        message.target_system = m_addressing.system;
+        message.target_component = m_addressing.component;
+        message.command = order.command;
+        message.frame = order.frame;
+        message.param1 = order.parameters[0];
+        message.param2 = order.parameters[1];
+        message.param3 = order.parameters[2];
+        message.param4 = order.parameters[3];
+        message.x = order.x;
+        message.y = order.y;
+        message.z = order.parameters[6];
+        push(outbox, message, true);
+    } else {
+        mavlink::CommandLong message;
+        message.target_system = m_addressing.system;
+        message.target_component = m_addressing.component;
+        message.command = order.command;
+        message.confirmation = static_cast<std::uint8_t>(pending.attempts);
+        message.param1 = order.parameters[0];
+        message.param2 = order.parameters[1];
+        message.param3 = order.parameters[2];
+        message.param4 = order.parameters[3];
+        message.param5 = order.parameters[4];
+        message.param6 = order.parameters[5];
+        message.param7 = order.parameters[6];
+        push(outbox, message, true);
+    }
+    ++pending.attempts;
+    pending.deadline = now + kAckTimeout;
+}
+
+void CommandClient::startWaiting(TimePoint now, std::uint16_t command, Outbox &outbox)
+{
+    if (isUnderWay(command))
+        return;
+    const auto next = std::find_if(m_pending.begin(), m_pending.end(),
+                                   [command](const Pending &pending) { return pending.order.command == command; });
+    if (next != m_pending.end())
+        transmit(now, *next, outbox);
+}
+
+bool CommandClient::isUnderWay(std::uint16_t command) const
+{
+    return std::any_of(m_pending.begin(), m_pending.end(), [command](const Pending &pending) {
+        return pending.order.command == command && pending.attempts > 0;
+    });
+}
+
+} // namespace skyseal::vehicle

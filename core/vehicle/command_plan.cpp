@@ -1,0 +1,226 @@
+#include "core/vehicle/command_plan.h"
+
+#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/message_io.h"
+#include "core/vehicle/words.h"
+
+#include <cmath>
+
+namespace skyseal::vehicle {
+
+namespace {
+
+using Plan = Result<CommandPlan, std::string>;
+
+// Numbers of MAV_CMD.
+constexpr std::uint16_t kNavReturnToLaunch = 20, kNavLand = 21, kNavTakeOff = 22, kDoSetMode = 176, kDoChangeSpeed = 178,
+                        kDoReposition = 192, kPreflightReboot = 246, kMissionStart = 300, kArmDisarm = 400;
+constexpr float kForceDisarm = 21196, kForceArm = 21196;
+constexpr float kForceArmArduPilot = 2989; // ArduPilot's own number for arming without checks
+constexpr std::uint8_t kFrameGlobal = 0, kFrameRelative = 3, kFrameRelativeInt = 6; // MAV_FRAME
+
+tl::unexpected<std::string> refuse(std::string why)
+{
+    return tl::make_unexpected(std::move(why));
+}
+
+CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0, float p7 = 0)
+{
+    return {command, {p1, p2, p3, p4, p5, p6, p7}};
+}
+
+Plan plan(CommandOrder what, Sign sign = {})
+{
+    return CommandPlan{{std::move(what)}, std::move(sign)};
+}
+
+std::int32_t degreesE7(double degrees)
+{
+    return static_cast<std::int32_t>(std::llround(degrees * 1e7));
+}
+
+/// Plans on one kind of vehicle in one state.
+class Planner
+{
+public:
+    Planner(const VehicleState &state, const Addressing &addressing)
+        : m_state(state), m_addressing(addressing), m_kind{state.type, state.autopilot} {}
+
+    Plan operator()(const Arm &arm) const
+    {
+        const float force = m_kind.isArduPilot() ? kForceArmArduPilot : kForceArm;
+        return plan(order(kArmDisarm, 1, arm.force ? force : 0), ArmedIs{true});
+    }
+
+    Plan operator()(const Disarm &disarm) const
+    {
+        return plan(order(kArmDisarm, 0, disarm.force ? kForceDisarm : 0), ArmedIs{false});
+    }
+
+    Plan operator()(const SetMode &mode) const
+    {
+        const auto number = modeNumber(m_kind, mode.mode);
+        if (number)
+            return setMode(*number);
+        if (m_state.modes.empty())
+            return refuse("the modes of this kind of vehicle are not known");
+        std::string names;
+        for (const std::string &name : m_state.modes)
+            names += (names.empty() ? "" : ", ") + name;
+        return refuse("the vehicle has no mode '" + mode.mode + "'; it has " + names);
+    }
+
+    Plan operator()(const TakeOff &takeOff) const
+    {
+        if (!(takeOff.altitude > 0))
+            return refuse("the altitude of a take-off must be above 0 m");
+        double altitude = takeOff.altitude;
+        if (m_kind.isArduPilot()) {
+            if (m_kind.isRover() || m_kind.isSubmarine())
+                return refuse("this kind of vehicle does not fly");
+            if (m_state.mode != "GUIDED")
+                return refuse("take-off needs the mode GUIDED, the vehicle is in " + m_state.mode);
+            if (!m_state.armed)
+                return refuse("take-off needs an armed vehicle, it is disarmed");
+        } else if (m_kind.isPx4()) {
+            // PX4 takes altitudes above the sea.
+            const double ground = m_state.home.known() ? m_state.home.altitude : m_state.position.altitude;
+            if (std::isnan(ground))
+                return refuse("take-off needs a known position");
+            altitude += ground;
+        }
+        CommandOrder what = order(kNavTakeOff);
+        what.parameters[6] = static_cast<float>(altitude);
+        if (m_kind.isPx4())
+            what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf(""); // here, heading as it is
+        return plan(what);
+    }
+
+    Plan operator()(const Land &) const
+    {
+        if (m_kind.isArduPilot())
+            return firstMode({"LAND", "QLAND", "SURFACE"}, "this kind of vehicle has no mode to land in");
+        CommandOrder what = order(kNavLand);
+        if (m_kind.isPx4())
+            what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf("");
+        return plan(what);
+    }
+
+    Plan operator()(const ReturnToLaunch &) const
+    {
+        if (m_kind.isArduPilot())
+            return firstMode({"RTL"}, "this kind of vehicle has no mode to return in");
+        return plan(order(kNavReturnToLaunch));
+    }
+
+    Plan operator()(const GoTo &place) const
+    {
+        if (!(std::abs(place.latitude) <= 90 && std::abs(place.longitude) <= 180 && std::isfinite(place.altitudeRelative)))
+            return refuse("the place is not on the globe");
+        if (m_kind.isArduPilot() && m_state.mode != "GUIDED")
+            return refuse("going to a place needs the mode GUIDED, the vehicle is in " + m_state.mode);
+        CommandOrder reposition = order(kDoReposition, -1);
+        reposition.asInt = true;
+        reposition.frame = kFrameRelative;
+        reposition.x = degreesE7(place.latitude);
+        reposition.y = degreesE7(place.longitude);
+        reposition.parameters[3] = std::nanf(""); // heading as the vehicle likes
+        reposition.parameters[6] = static_cast<float>(place.altitudeRelative);
+        if (m_kind.isPx4()) {
+            if (std::isnan(m_state.home.altitude))
+                return refuse("going to a place needs a known home altitude");
+            reposition.frame = kFrameGlobal;
+            reposition.parameters[1] = 1; // changes to the mode that it needs
+            reposition.parameters[6] = static_cast<float>(place.altitudeRelative + m_state.home.altitude);
+            return plan(reposition);
+        }
+        CommandPlan out{{reposition}, {}};
+        if (m_kind.isArduPilot()) {
+            out.ways.push_back(RepeatedMessage{positionTarget(place), false});
+            out.sign = TargetIs{reposition.x, reposition.y};
+        }
+        return out;
+    }
+
+    Plan operator()(const ChangeSpeed &speed) const
+    {
+        if (!(speed.metresPerSecond > 0))
+            return refuse("the speed must be above 0 m/s");
+        const float kind = m_kind.isPlane() ? 0 : 1; // air or ground speed
+        return plan(order(kDoChangeSpeed, kind, static_cast<float>(speed.metresPerSecond), -1));
+    }
+
+    Plan operator()(const SetCurrentMissionItem &item) const
+    {
+        mavlink::MissionSetCurrent message;
+        message.target_system = m_addressing.system;
+        message.target_component = m_addressing.component;
+        message.seq = item.index;
+        return CommandPlan{{RepeatedMessage{pack(message, true), true}}, MissionItemIs{item.index}};
+    }
+
+    Plan operator()(const StartMission &) const { return plan(order(kMissionStart)); }
+    Plan operator()(const Reboot &) const { return plan(order(kPreflightReboot, 1)); }
+
+    Plan operator()(const RawCommand &raw) const
+    {
+        CommandOrder what = order(raw.command);
+        std::copy(std::begin(raw.parameters), std::end(raw.parameters), what.parameters);
+        CommandPlan out{{what}, {}};
+        out.replaces = false; // two servos are two wishes
+        return out;
+    }
+
+private:
+    Plan firstMode(std::initializer_list<std::string_view> names, std::string otherwise) const
+    {
+        for (const std::string_view name : names) {
+            if (const auto number = modeNumber(m_kind, name))
+                return setMode(*number);
+        }
+        return refuse(std::move(otherwise));
+    }
+
+    /// DO_SET_MODE, and the old SET_MODE message for firmware that does not know it.
+    Plan setMode(std::uint32_t number) const
+    {
+        constexpr std::uint8_t kCustomModeEnabled = 1;
+        CommandOrder command = order(kDoSetMode, kCustomModeEnabled, static_cast<float>(number));
+        if (m_kind.isPx4()) {
+            command.parameters[1] = static_cast<float>(number >> 16 & 0xff);
+            command.parameters[2] = static_cast<float>(number >> 24);
+        }
+        mavlink::SetMode message;
+        message.target_system = m_addressing.system;
+        message.base_mode = kCustomModeEnabled;
+        message.custom_mode = number;
+        return CommandPlan{{command, RepeatedMessage{pack(message, true), true}},
+                           ModeIs{number, modeName(m_kind, kCustomModeEnabled, number)}};
+    }
+
+    OutMessage positionTarget(const GoTo &place) const
+    {
+        mavlink::SetPositionTargetGlobalInt message;
+        message.target_system = m_addressing.system;
+        message.target_component = m_addressing.component;
+        message.coordinate_frame = kFrameRelativeInt;
+        message.type_mask = 0x0df8; // only the position counts: no velocity, acceleration, yaw, yaw rate
+        message.lat_int = degreesE7(place.latitude);
+        message.lon_int = degreesE7(place.longitude);
+        message.alt = static_cast<float>(place.altitudeRelative);
+        return pack(message, true);
+    }
+
+    const VehicleState &m_state;
+    const Addressing &m_addressing;
+    VehicleKind m_kind;
+};
+
+} // namespace
+
+Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing)
+{
+    return std::visit(Planner(state, addressing), command);
+}
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,76 @@
+#include "core/vehicle/firmware_info.h"
+
+#include "core/vehicle/message_io.h"
+
+namespace skyseal::vehicle {
+
+namespace {
+
+constexpr std::uint16_t kRequestMessage = 512, kRequestCapabilities = 520; // MAV_CMD
+constexpr std::uint32_t kAutopilotVersion = 148;
+
+std::string productName(VehicleKind kind)
+{
+    if (kind.isPx4())
+        return "PX4";
+    if (!kind.isArduPilot())
+        return "autopilot " + std::to_string(kind.autopilot);
+    if (kind.isCopter())
+        return "ArduCopter";
+    if (kind.isPlane())
+        return "ArduPlane";
+    if (kind.isRover())
+        return "ArduRover";
+    if (kind.isSubmarine())
+        return "ArduSub";
+    return "ArduPilot";
+}
+
+/// FIRMWARE_VERSION_TYPE: 0 development, 64 alpha, 128 beta, 192 candidate, 255 official.
+std::string suffix(std::uint8_t type)
+{
+    if (type == 255)
+        return {};
+    if (type >= 192)
+        return "-rc";
+    if (type >= 128)
+        return "-beta";
+    if (type >= 64)
+        return "-alpha";
+    return "-dev";
+}
+
+} // namespace
+
+void FirmwareInfo::start(TimePoint now)
+{
+    if (m_attempts == 0 && m_text.empty())
+        m_next = now;
+}
+
+void FirmwareInfo::handleVersion(std::uint32_t version, VehicleKind kind)
+{
+    m_next = kNever;
+    m_text = productName(kind);
+    if (version == 0)
+        return;
+    m_text += " " + std::to_string(version >> 24) + "." + std::to_string(version >> 16 & 0xff) + "." + std::to_string(version >> 8 & 0xff)
+        + suffix(static_cast<std::uint8_t>(version & 0xff));
+}
+
+void FirmwareInfo::handleDeadline(TimePoint now, Outbox &outbox)
+{
+    if (now < m_next)
+        return;
+    mavlink::CommandLong request;
+    request.target_system = m_addressing.system;
+    request.target_component = m_addressing.component;
+    const bool oldWay = m_attempts % 2 == 1;
+    request.command = oldWay ? kRequestCapabilities : kRequestMessage;
+    request.param1 = oldWay ? 1 : kAutopilotVersion;
+    push(outbox, request);
+    ++m_attempts;
+    m_next = m_attempts < kAttempts ? now + kInterval : kNever;
+}
+
+} // namespace skyseal::vehicle

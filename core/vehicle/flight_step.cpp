@@ -1,0 +1,99 @@
+// What the steps of a flight script mean and how they are spelt; the parser is in flight_script.cpp.
+#include "core/vehicle/flight_script.h"
+#include "core/vehicle/words.h"
+
+#include <array>
+#include <charconv>
+
+namespace skyseal::vehicle {
+
+namespace {
+
+/// The shortest spelling that reads back to the same number.
+template<typename T> std::string exact(T value)
+{
+    std::array<char, 64> buffer{};
+    const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return error == std::errc() ? std::string(buffer.data(), end) : std::string("0");
+}
+
+struct CommandText
+{
+    std::string operator()(const Arm &arm) const { return arm.force ? "arm force" : "arm"; }
+    std::string operator()(const Disarm &disarm) const { return disarm.force ? "disarm force" : "disarm"; }
+    std::string operator()(const TakeOff &takeOff) const { return "takeoff " + exact(takeOff.altitude); }
+    std::string operator()(const Land &) const { return "land"; }
+    std::string operator()(const ReturnToLaunch &) const { return "rtl"; }
+    std::string operator()(const SetMode &mode) const { return "mode " + mode.mode; }
+    std::string operator()(const GoTo &place) const
+    {
+        return "goto " + exact(place.latitude) + " " + exact(place.longitude) + " " + exact(place.altitudeRelative);
+    }
+    std::string operator()(const ChangeSpeed &speed) const { return "speed " + exact(speed.metresPerSecond); }
+    std::string operator()(const SetCurrentMissionItem &item) const { return "item " + std::to_string(item.index); }
+    std::string operator()(const StartMission &) const { return "start"; }
+    std::string operator()(const Reboot &) const { return "reboot"; }
+    std::string operator()(const RawCommand &raw) const
+    {
+        std::string out = "command " + std::to_string(raw.command);
+        for (const float parameter : raw.parameters)
+            out += " " + exact(parameter);
+        return out;
+    }
+};
+
+std::string_view sign(Comparison comparison)
+{
+    switch (comparison) {
+    case Comparison::AtLeast: return ">=";
+    case Comparison::AtMost: return "<=";
+    case Comparison::Greater: return ">";
+    case Comparison::Less: return "<";
+    case Comparison::Equal: return "==";
+    case Comparison::NotEqual: return "!=";
+    }
+    return "==";
+}
+
+struct ActionText
+{
+    std::string operator()(const VehicleCommand &command) const { return std::visit(CommandText{}, command); }
+    std::string operator()(const WaitUntil &wait) const
+    {
+        const bool isText = wait.field->kind == StateField::Kind::Text;
+        return "wait " + std::string(wait.field->name) + std::string(sign(wait.comparison)) + (isText ? wait.text : exact(wait.number))
+            + " " + exact(seconds(wait.timeout));
+    }
+    std::string operator()(const Sleep &sleep) const { return "sleep " + exact(seconds(sleep.time)); }
+    std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + exact(write.value); }
+};
+
+} // namespace
+
+bool WaitUntil::fulfilledBy(const VehicleState &state) const
+{
+    if (field->kind == StateField::Kind::Text) {
+        const bool same = sameWord(field->text(state), text);
+        return comparison == Comparison::Equal ? same : !same;
+    }
+    const double value = field->number(state);
+    if (std::isnan(value))
+        return false;
+    switch (comparison) {
+    case Comparison::AtLeast: return value >= number;
+    case Comparison::AtMost: return value <= number;
+    case Comparison::Greater: return value > number;
+    case Comparison::Less: return value < number;
+    case Comparison::Equal: return value == number;
+    case Comparison::NotEqual: return value != number;
+    }
+    return false;
+}
+
+std::string toText(const FlightStep &step)
+{
+    const std::string prefix = step.systemId ? std::to_string(*step.systemId) + ": " : std::string();
+    return prefix + std::visit(ActionText{}, step.action);
+}
+
+} // namespace skyseal::vehicle

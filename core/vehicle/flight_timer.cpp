@@ -1,0 +1,34 @@
+#include "core/vehicle/flight_timer.h"
+
+namespace skyseal::vehicle {
+
+void FlightTimer::update(TimePoint now, bool armed, double altitudeRelative)
+{
+    if (armed && !m_armed)
+        m_newFlight = true;
+    m_armed = armed;
+    const bool flying = armed && offGround(altitudeRelative);
+    if (flying && !m_flying) {
+        if (m_newFlight)
+            m_before = {};
+        m_newFlight = false;
+        m_since = now;
+    } else if (!flying && m_flying) {
+        m_before += now - m_since;
+    }
+    m_flying = flying;
+}
+
+double FlightTimer::flightTime(TimePoint now) const
+{
+    return seconds(m_before + (m_flying ? now - m_since : Duration{}));
+}
+
+bool FlightTimer::offGround(double altitudeRelative) const
+{
+    if (m_landed != LandedState::Undefined)
+        return m_landed != LandedState::OnGround;
+    return altitudeRelative > 0.5; // false for NaN
+}
+
+} // namespace skyseal::vehicle

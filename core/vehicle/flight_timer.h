@@ -1,0 +1,36 @@
+// How long this flight has lasted: the seconds armed and off the ground. It stays readable after landing and begins anew at
+// the next take-off after arming.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <cstdint>
+
+namespace skyseal::vehicle {
+
+/// MAV_LANDED_STATE.
+enum class LandedState : std::uint8_t { Undefined, OnGround, InAir, TakeOff, Landing };
+
+class FlightTimer
+{
+public:
+    void handleLandedState(LandedState state) { m_landed = state; }
+    /// With every heartbeat and position. Without a landed state of the vehicle's own, more than half a metre above home is
+    /// off the ground.
+    void update(TimePoint now, bool armed, double altitudeRelative);
+
+    /// Seconds, counting on while in the air.
+    double flightTime(TimePoint now) const;
+
+private:
+    bool offGround(double altitudeRelative) const;
+
+    LandedState m_landed = LandedState::Undefined;
+    bool m_armed = false;
+    bool m_flying = false;
+    bool m_newFlight = true;
+    TimePoint m_since{};
+    Duration m_before{};
+};
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,184 @@
+#include "core/vehicle/stream_requester.h"
+
+#include "core/vehicle/message_io.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyseal::vehicle {
+
+namespace {
+
+/// A group of ArduPilot's streams, with the messages by which one sees that it comes.
+struct Group
+{
+    std::uint8_t stream; ///< MAV_DATA_STREAM
+    double standard, lowBandwidth; ///< Hz, 0 = stop
+    std::array<std::uint32_t, 3> witnesses;
+};
+
+constexpr std::array<Group, 7> kStreamGroups{{
+    {1, 2, 0, {27, 29, 116}},   // RAW_SENSORS: RAW_IMU, SCALED_PRESSURE, SCALED_IMU2
+    {2, 2, 1, {1, 24, 42}},     // EXTENDED_STATUS: SYS_STATUS, GPS_RAW_INT, MISSION_CURRENT
+    {3, 2, 0, {65, 35, 36}},    // RC_CHANNELS: RC_CHANNELS, RC_CHANNELS_RAW, SERVO_OUTPUT_RAW
+    {6, 3, 1, {33, 32, 33}},    // POSITION: GLOBAL_POSITION_INT, LOCAL_POSITION_NED
+    {10, 10, 2, {30, 30, 30}},  // EXTRA1: ATTITUDE
+    {11, 10, 1, {74, 74, 74}},  // EXTRA2: VFR_HUD
+    {12, 3, 1, {193, 241, 147}} // EXTRA3: EKF_STATUS_REPORT, VIBRATION, BATTERY_STATUS
+}};
+
+/// Single messages: what is in no group of ArduPilot's, and for other autopilots what the groups give there.
+struct Single
+{
+    std::uint32_t message;
+    double standard, lowBandwidth; ///< Hz
+    bool inGroups; ///< ArduPilot sends it with a group
+};
+
+constexpr std::array<Single, 8> kSingleMessages{{
+    {242, 0.5, 0.1, false}, // HOME_POSITION
+    {245, 1, 0.5, false},   // EXTENDED_SYS_STATE
+    {30, 10, 2, true},      // ATTITUDE
+    {33, 3, 1, true},       // GLOBAL_POSITION_INT
+    {74, 10, 1, true},      // VFR_HUD
+    {1, 2, 1, true},        // SYS_STATUS
+    {24, 2, 1, true},       // GPS_RAW_INT
+    {230, 1, 0.5, true}     // ESTIMATOR_STATUS
+}};
+
+constexpr std::uint16_t kSetMessageInterval = 511; // MAV_CMD_SET_MESSAGE_INTERVAL
+
+} // namespace
+
+void StreamRequester::Expectation::asked(TimePoint now)
+{
+    due = now + patience;
+    patience = std::min(patience * 2, kLongestSilence);
+}
+
+void StreamRequester::Expectation::came(TimePoint now)
+{
+    if (due == kNever)
+        return;
+    patience = kSilence;
+    due = now + kSilence;
+}
+
+StreamRequester::StreamRequester(const Addressing &addressing, StreamProfile profile, double rate)
+    : m_addressing(addressing), m_profile(profile), m_rate(rate)
+{
+    static_assert(kStreamGroups.size() == kGroups && kSingleMessages.size() == kMessages);
+}
+
+void StreamRequester::setProfile(TimePoint now, StreamProfile profile, double rate)
+{
+    m_profile = profile;
+    m_rate = rate;
+    restart(now);
+}
+
+void StreamRequester::handleHeartbeat(TimePoint now, VehicleKind kind)
+{
+    if (m_kind && *m_kind == kind)
+        return;
+    m_kind = kind;
+    restart(now);
+}
+
+void StreamRequester::handleMessage(TimePoint now, std::uint32_t messageId)
+{
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        const auto &witnesses = kStreamGroups[i].witnesses;
+        if (std::find(witnesses.begin(), witnesses.end(), messageId) != witnesses.end())
+            m_groups[i].came(now);
+    }
+    for (std::size_t i = 0; i < kMessages; ++i) {
+        if (kSingleMessages[i].message == messageId)
+            m_messages[i].came(now);
+    }
+}
+
+void StreamRequester::handleReturn(TimePoint now)
+{
+    restart(now);
+}
+
+void StreamRequester::handleIntervalResult(std::uint8_t result)
+{
+    constexpr std::uint8_t kUnsupported = 3;
+    if (result == kUnsupported)
+        m_intervalsUnderstood = false;
+    if (!m_intervalsUnderstood)
+        m_messages.fill({});
+}
+
+void StreamRequester::handleDeadline(TimePoint now, Outbox &outbox)
+{
+    const bool low = m_profile == StreamProfile::LowBandwidth;
+    for (std::size_t i = 0; i < kGroups; ++i) {
+        if (now < m_groups[i].due)
+            continue;
+        const Group &group = kStreamGroups[i];
+        const double rate = m_rate > 0 ? m_rate : low ? group.lowBandwidth : group.standard;
+        mavlink::RequestDataStream request;
+        request.target_system = m_addressing.system;
+        request.target_component = m_addressing.component;
+        request.req_stream_id = group.stream;
+        request.req_message_rate = static_cast<std::uint16_t>(std::clamp(std::ceil(rate), 0.0, 1000.0));
+        request.start_stop = rate > 0;
+        push(outbox, request);
+        m_groups[i].asked(now);
+        if (!(rate > 0))
+            m_groups[i] = {}; // stopped: silence is what was asked for
+    }
+    for (std::size_t i = 0; i < kMessages; ++i) {
+        if (now < m_messages[i].due)
+            continue;
+        const Single &single = kSingleMessages[i];
+        // What is in no group changes slowly and is not worth a higher rate.
+        const double rate = m_rate > 0 && single.inGroups ? m_rate : low ? single.lowBandwidth : single.standard;
+        mavlink::CommandLong request;
+        request.target_system = m_addressing.system;
+        request.target_component = m_addressing.component;
+        request.command = kSetMessageInterval;
+        request.param1 = static_cast<float>(single.message);
+        request.param2 = static_cast<float>(1e6 / rate); // microseconds
+        push(outbox, request);
+        m_messages[i].asked(now);
+    }
+}
+
+TimePoint StreamRequester::nextDeadline() const
+{
+    TimePoint next = kNever;
+    for (const Expectation &group : m_groups)
+        next = std::min(next, group.due);
+    for (const Expectation &message : m_messages)
+        next = std::min(next, message.due);
+    return next;
+}
+
+void StreamRequester::restart(TimePoint now)
+{
+    m_groups.fill({});
+    m_messages.fill({});
+    if (!isActive())
+        return;
+    if (m_kind->isArduPilot()) {
+        for (Expectation &group : m_groups)
+            group.due = now;
+    }
+    if (!m_intervalsUnderstood)
+        return;
+    for (std::size_t i = 0; i < kMessages; ++i) {
+        if (!kSingleMessages[i].inGroups || !m_kind->isArduPilot())
+            m_messages[i].due = now;
+    }
+}
+
+bool StreamRequester::isActive() const
+{
+    return m_profile != StreamProfile::Quiet && m_kind && !m_kind->isPx4();
+}
+
+} // namespace skyseal::vehicle
