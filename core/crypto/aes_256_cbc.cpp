@@ -13,10 +13,10 @@ constexpr std::size_t kBlock = 16;
 class CbcIvs
 {
 public:
-    CbcIvs(const DirectionSecret &secret, SuiteId suite)
+    explicit CbcIvs(const Key32 &key)
     {
         static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-ECB", nullptr));
-        m_context = makeEvpContext(cipher.get(), deriveRecordKey(secret, suite, "iv").view().data(), EvpDirection::Encrypt);
+        m_context = makeEvpContext(cipher.get(), key.view().data(), EvpDirection::Encrypt);
     }
 
     bool ready() const { return m_context != nullptr; }
@@ -51,12 +51,11 @@ private:
 class Aes256CbcBody
 {
 public:
-    Aes256CbcBody(const DirectionSecret &secret, SuiteId suite) : m_ivs(secret, suite)
+    explicit Aes256CbcBody(const RecordKeys &keys) : m_ivs(keys.iv)
     {
         static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-CBC", nullptr));
-        const Key32 key = deriveRecordKey(secret, suite, "key");
-        m_encrypt = makeEvpContext(cipher.get(), key.view().data(), EvpDirection::Encrypt);
-        m_decrypt = makeEvpContext(cipher.get(), key.view().data(), EvpDirection::Decrypt);
+        m_encrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Encrypt);
+        m_decrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Decrypt);
     }
 
     bool ready() const { return m_encrypt && m_decrypt && m_ivs.ready(); }
@@ -110,9 +109,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeAes256Cbc(const DirectionSecret &secret)
+std::unique_ptr<RecordCipher> makeAes256Cbc(const RecordKeys &keys)
 {
-    return EncryptThenMac<Aes256CbcBody>::make(SuiteId::Aes256Cbc, secret);
+    return EncryptThenMac<Aes256CbcBody>::make(SuiteId::Aes256Cbc, keys);
 }
 
 } // namespace skyseal::crypto

@@ -10,10 +10,10 @@ namespace {
 class Aes256CtrBody : public SameLength
 {
 public:
-    Aes256CtrBody(const DirectionSecret &secret, SuiteId suite) : m_nonces(secret, suite)
+    explicit Aes256CtrBody(const RecordKeys &keys) : m_nonces(keys.iv)
     {
         static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-CTR", nullptr));
-        m_context = makeEvpContext(cipher.get(), deriveRecordKey(secret, suite, "key").view().data(), EvpDirection::Encrypt);
+        m_context = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Encrypt);
     }
 
     bool ready() const { return m_context != nullptr; }
@@ -45,9 +45,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeAes256Ctr(const DirectionSecret &secret)
+std::unique_ptr<RecordCipher> makeAes256Ctr(const RecordKeys &keys)
 {
-    return EncryptThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, secret);
+    return EncryptThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, keys);
 }
 
 } // namespace skyseal::crypto

@@ -10,9 +10,8 @@ namespace {
 class Aes256Gcm final : public RecordCipher
 {
 public:
-    Aes256Gcm(const DirectionSecret &secret, const EVP_CIPHER *cipher)
-        : m_context(makeEvpContext(cipher, deriveRecordKey(secret, SuiteId::Aes256Gcm, "key").view().data(), EvpDirection::Encrypt)),
-          m_nonces(secret, SuiteId::Aes256Gcm)
+    Aes256Gcm(const RecordKeys &keys, const EVP_CIPHER *cipher)
+        : m_context(makeEvpContext(cipher, keys.key.view().data(), EvpDirection::Encrypt)), m_nonces(keys.iv)
     {
     }
 
@@ -72,10 +71,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeAes256Gcm(const DirectionSecret &secret)
+std::unique_ptr<RecordCipher> makeAes256Gcm(const RecordKeys &keys)
 {
     static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-GCM", nullptr));
-    auto made = std::make_unique<Aes256Gcm>(secret, cipher.get());
+    auto made = std::make_unique<Aes256Gcm>(keys, cipher.get());
     return made->ready() ? std::move(made) : nullptr;
 }
 

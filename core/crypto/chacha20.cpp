@@ -9,10 +9,7 @@ namespace {
 class ChaCha20Body : public SameLength
 {
 public:
-    ChaCha20Body(const DirectionSecret &secret, SuiteId suite)
-        : m_key(deriveRecordKey(secret, suite, "key")), m_nonces(secret, suite)
-    {
-    }
+    explicit ChaCha20Body(const RecordKeys &keys) : m_key(keys.key.clone()), m_nonces(keys.iv) {}
 
     bool ready() const { return true; }
 
@@ -34,9 +31,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeChaCha20(const DirectionSecret &secret)
+std::unique_ptr<RecordCipher> makeChaCha20(const RecordKeys &keys)
 {
-    return EncryptThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, secret);
+    return EncryptThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, keys);
 }
 
 } // namespace skyseal::crypto

@@ -11,10 +11,7 @@ namespace {
 class ChaCha20Poly1305 final : public RecordCipher
 {
 public:
-    explicit ChaCha20Poly1305(const DirectionSecret &secret)
-        : m_key(deriveRecordKey(secret, SuiteId::ChaCha20Poly1305, "key")), m_nonces(secret, SuiteId::ChaCha20Poly1305)
-    {
-    }
+    explicit ChaCha20Poly1305(const RecordKeys &keys) : m_key(keys.key.clone()), m_nonces(keys.iv) {}
 
     SuiteId suite() const override { return SuiteId::ChaCha20Poly1305; }
 
@@ -52,9 +49,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeChaCha20Poly1305(const DirectionSecret &secret)
+std::unique_ptr<RecordCipher> makeChaCha20Poly1305(const RecordKeys &keys)
 {
-    return std::make_unique<ChaCha20Poly1305>(secret);
+    return std::make_unique<ChaCha20Poly1305>(keys);
 }
 
 } // namespace skyseal::crypto

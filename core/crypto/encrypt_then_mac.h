@@ -36,7 +36,7 @@ public:
     static constexpr std::size_t kLength = 16;
     using Tag = std::array<std::uint8_t, kLength>;
 
-    RecordMac(const DirectionSecret &secret, SuiteId suite) : m_hmac(deriveRecordKey(secret, suite, "mac").view()) {}
+    explicit RecordMac(const Key32 &key) : m_hmac(key.view()) {}
 
     Tag tag(std::uint64_t counter, ByteView associatedData, ByteView ciphertext) const
     {
@@ -62,12 +62,12 @@ private:
 template<BodyCipher Body> class EncryptThenMac final : public RecordCipher
 {
 public:
-    EncryptThenMac(SuiteId suite, const DirectionSecret &secret) : m_suite(suite), m_body(secret, suite), m_mac(secret, suite) {}
+    EncryptThenMac(SuiteId suite, const RecordKeys &keys) : m_suite(suite), m_body(keys), m_mac(keys.mac) {}
 
     /// Null when the library refused the cipher.
-    static std::unique_ptr<RecordCipher> make(SuiteId suite, const DirectionSecret &secret)
+    static std::unique_ptr<RecordCipher> make(SuiteId suite, const RecordKeys &keys)
     {
-        auto cipher = std::make_unique<EncryptThenMac>(suite, secret);
+        auto cipher = std::make_unique<EncryptThenMac>(suite, keys);
         return cipher->m_body.ready() ? std::move(cipher) : nullptr;
     }
 

@@ -2,7 +2,7 @@
 // neither call allocates.
 //
 // Keys: K(use) = HKDF-Expand-SHA256(direction secret, "skyseal v1 record " + suite name + " " + use, length), with the
-// suite names of suite.h, RFC 5869, and no terminator:
+// suite names of suite.h, RFC 5869, and no terminator. A shorter length takes the front of the longer output. Lengths:
 //
 //   suite               use "key"   use "iv"     use "mac"
 //   chacha20-poly1305   32          12           -

@@ -13,26 +13,29 @@ namespace skyseal::crypto {
 
 using Nonce12 = std::array<std::uint8_t, 12>;
 
-/// Fills `out` with K(use), see record_cipher.h.
-inline void deriveRecordKey(MutableByteView out, const DirectionSecret &secret, SuiteId suite, std::string_view use)
-{
-    std::string info("skyseal v1 record ");
-    info.append(suiteInfo(suite).name).append(" ").append(use);
-    static_cast<void>(hkdfExpandSha256(out, secret.view(), asBytes(info)));
-}
-
-inline Key32 deriveRecordKey(const DirectionSecret &secret, SuiteId suite, std::string_view use)
+/// What a suite works with, see record_cipher.h; each uses those that it needs, and of `iv` as much as it needs.
+struct RecordKeys
 {
     Key32 key;
-    deriveRecordKey(key.mutableView(), secret, suite, use);
-    return key;
-}
+    Key32 iv;
+    Key32 mac;
+
+    static RecordKeys derive(const DirectionSecret &secret, SuiteId suite)
+    {
+        const auto derived = [&](std::string_view use) {
+            std::string info("skyseal v1 record ");
+            info.append(suiteInfo(suite).name).append(" ").append(use);
+            return hkdfExpandKey(secret, asBytes(info));
+        };
+        return {derived("key"), derived("iv"), derived("mac")};
+    }
+};
 
 /// The IV of a direction, from which each record's nonce is made.
 class NonceBase
 {
 public:
-    NonceBase(const DirectionSecret &secret, SuiteId suite) { deriveRecordKey(m_iv.mutableView(), secret, suite, "iv"); }
+    explicit NonceBase(const Key32 &iv) : m_iv(iv.view().first<12>()) {}
 
     /// iv xor (4 zero bytes, counter as 64-bit big-endian).
     Nonce12 at(std::uint64_t counter) const

@@ -50,6 +50,12 @@ bool suiteAvailable(SuiteId id)
 std::unique_ptr<RecordCipher> makeRecordCipher(SuiteId suite, DirectionSecret &&secret)
 {
     const DirectionSecret taken = std::move(secret);
+    return makeRecordCipherFromKeys(suite, RecordKeys::derive(taken, suite));
+}
+
+std::unique_ptr<RecordCipher> makeRecordCipherFromKeys(SuiteId suite, RecordKeys &&keys)
+{
+    const RecordKeys taken = std::move(keys);
     const CipherFactory factory = kFactories[static_cast<std::size_t>(suiteInfo(suite).id)];
     return factory ? factory(taken) : nullptr;
 }

@@ -1,0 +1,95 @@
+// Sealing and opening must not allocate: the packet path runs for hours at hundreds of records a second.
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/record_cipher.h"
+
+#include <QtTest/QTest>
+
+#include <cstdlib>
+
+// Every allocation of the process goes through these, OpenSSL's and libsodium's too. Sanitizers bring their own.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SKYSEAL_COUNTS_ALLOCATIONS 0
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SKYSEAL_COUNTS_ALLOCATIONS 0
+#endif
+#endif
+#ifndef SKYSEAL_COUNTS_ALLOCATIONS
+#define SKYSEAL_COUNTS_ALLOCATIONS 1
+#endif
+
+static thread_local std::size_t allocations = 0;
+
+#if SKYSEAL_COUNTS_ALLOCATIONS
+extern "C" void *__libc_malloc(std::size_t size);
+extern "C" void *__libc_calloc(std::size_t count, std::size_t size);
+extern "C" void *__libc_realloc(void *old, std::size_t size);
+
+extern "C" void *malloc(std::size_t size)
+{
+    ++allocations;
+    return __libc_malloc(size);
+}
+
+extern "C" void *calloc(std::size_t count, std::size_t size)
+{
+    ++allocations;
+    return __libc_calloc(count, size);
+}
+
+extern "C" void *realloc(void *old, std::size_t size)
+{
+    ++allocations;
+    return __libc_realloc(old, size);
+}
+#endif
+
+using namespace skyseal;
+using namespace skyseal::crypto;
+
+class AllocationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(initCrypto()); }
+    void countsAtAll();
+    void nothingPerRecord();
+};
+
+void AllocationTest::countsAtAll()
+{
+    if (!SKYSEAL_COUNTS_ALLOCATIONS)
+        QSKIP("SKIPPED: a sanitizer counts allocations itself");
+    const std::size_t before = allocations;
+    const auto bytes = std::make_unique<Bytes>(100);
+    QVERIFY(bytes->size() == 100 && allocations >= before + 2);
+}
+
+void AllocationTest::nothingPerRecord()
+{
+    if (!SKYSEAL_COUNTS_ALLOCATIONS)
+        QSKIP("SKIPPED: a sanitizer counts allocations itself");
+    for (const SuiteInfo &info : suites()) {
+        const auto cipher = makeRecordCipher(info.id, DirectionSecret());
+        if (!cipher)
+            continue;
+        std::array<std::uint8_t, 512> buffer{};
+        const std::array<std::uint8_t, 10> associated{};
+        const std::size_t before = allocations; // from the first record on
+        bool opened = true;
+        for (std::uint64_t counter = 0; counter < 100; ++counter) {
+            const std::size_t size = counter * 3;
+            const std::size_t length = cipher->seal(counter, associated, ByteView(buffer).first(size), buffer);
+            opened = opened && cipher->open(counter, associated, MutableByteView(buffer).first(length)).has_value();
+            buffer[0] = static_cast<std::uint8_t>(buffer[0] ^ 1);
+            static_cast<void>(cipher->open(counter, associated, MutableByteView(buffer).first(length)));
+        }
+        const std::size_t after = allocations;
+        QVERIFY(opened);
+        QVERIFY2(after == before, (std::string(info.name) + ": " + std::to_string(after - before)).c_str());
+    }
+}
+
+QTEST_APPLESS_MAIN(AllocationTest)
+#include "allocation_test.moc"
