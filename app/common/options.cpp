@@ -1,0 +1,247 @@
+#include "app/common/options.h"
+
+#include "app/common/exit_status.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace skyseal::app {
+
+namespace {
+
+std::string quoted(const std::string &text)
+{
+    return "'" + text + "'";
+}
+
+std::vector<std::string> splitByComma(const std::string &text)
+{
+    std::vector<std::string> out;
+    std::size_t begin = 0;
+    while (begin <= text.size()) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        out.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return out;
+}
+
+std::string suiteNames()
+{
+    std::string out;
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        if (info.authenticated)
+            out.append(out.empty() ? "" : ", ").append(info.name);
+    }
+    return out;
+}
+
+template<typename T> std::optional<T> parsed(const std::string &text)
+{
+    T value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+std::string shortText(double number)
+{
+    char out[32];
+    std::snprintf(out, sizeof out, "%g", number);
+    return out;
+}
+
+} // namespace
+
+void complain(const QString &program, const std::string &words)
+{
+    std::fprintf(stderr, "%s: %s\n", qPrintable(program), words.c_str());
+}
+
+Options::Options(QString name, const QString &description) : m_name(std::move(name))
+{
+    m_parser.setApplicationDescription(description);
+    m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
+    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this help.")});
+    m_parser.addOption({QStringLiteral("version"), QStringLiteral("Shows the version.")});
+}
+
+void Options::addFlag(const char *name, const char *help)
+{
+    m_parser.addOption({QLatin1String(name), QLatin1String(help)});
+}
+
+void Options::addValue(const char *name, const char *placeholder, const char *help, const char *preset)
+{
+    m_parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(placeholder), QLatin1String(preset)});
+}
+
+void Options::addArgument(const char *name, const char *help)
+{
+    m_parser.addPositionalArgument(QLatin1String(name), QLatin1String(help), QLatin1String(name));
+}
+
+std::optional<int> Options::parse(const QStringList &arguments)
+{
+    // The parser takes the first one as the program's name and shows it in the help.
+    if (!m_parser.parse(QStringList{m_name} + arguments)) {
+        complain(m_name, m_parser.errorText().section(QLatin1Char('\n'), 0, 0).toStdString());
+        return kUsage;
+    }
+    if (m_parser.isSet(QStringLiteral("help"))) {
+        QString help = m_parser.helpText();
+        const QString program = QCoreApplication::arguments().value(0);
+        if (!program.isEmpty())
+            help.replace(program, m_name);
+        std::fputs(help.toUtf8().constData(), stdout);
+        return kDone;
+    }
+    if (m_parser.isSet(QStringLiteral("version"))) {
+        std::printf("%s " SKYSEAL_VERSION "\n", qPrintable(m_name.section(QLatin1Char(' '), 0, 0)));
+        return kDone;
+    }
+    return std::nullopt;
+}
+
+std::optional<int> Options::finish() const
+{
+    if (m_problem.empty())
+        return std::nullopt;
+    complain(m_name, m_problem);
+    return kUsage;
+}
+
+bool Options::has(const char *name) const
+{
+    return m_parser.isSet(QLatin1String(name));
+}
+
+std::string Options::text(const char *name) const
+{
+    return m_parser.value(QLatin1String(name)).toStdString();
+}
+
+std::string Options::required(const char *name)
+{
+    if (!has(name) || text(name).empty())
+        fail(std::string("--") + name + " is missing");
+    return text(name);
+}
+
+std::vector<std::string> Options::texts(const char *name) const
+{
+    std::vector<std::string> out;
+    for (const QString &value : m_parser.values(QLatin1String(name)))
+        out.push_back(value.toStdString());
+    return out;
+}
+
+double Options::number(const char *name, double least, double most)
+{
+    const std::string given = text(name);
+    const std::optional<double> value = parsed<double>(given);
+    if (!value || !std::isfinite(*value) || *value < least || *value > most) {
+        fail(std::string("--") + name + " " + quoted(given) + ": a number from " + shortText(least) + " to " + shortText(most)
+             + " is expected");
+        return least;
+    }
+    return *value;
+}
+
+std::uint64_t Options::wholeNumber(const char *name, std::uint64_t least, std::uint64_t most)
+{
+    const std::string given = text(name);
+    const std::optional<std::uint64_t> value = parsed<std::uint64_t>(given);
+    if (!value || *value < least || *value > most) {
+        fail(std::string("--") + name + " " + quoted(given) + ": a whole number from " + std::to_string(least) + " to "
+             + std::to_string(most) + " is expected");
+        return least;
+    }
+    return *value;
+}
+
+std::optional<crypto::SuiteId> Options::suiteNamed(const std::string &option, const std::string &name)
+{
+    const std::optional<crypto::SuiteId> id = crypto::suiteFromName(name);
+    if (!id) {
+        fail("--" + option + ": no suite is named " + quoted(name) + "; there are " + suiteNames());
+        return std::nullopt;
+    }
+    return id;
+}
+
+std::optional<crypto::SuiteId> Options::suite(const char *name)
+{
+    return suiteNamed(name, text(name));
+}
+
+std::vector<crypto::SuiteId> Options::suites(const char *name)
+{
+    std::vector<crypto::SuiteId> out;
+    const std::string list = text(name);
+    if (list == "all") {
+        for (const crypto::SuiteInfo &info : crypto::suites()) {
+            if (info.authenticated)
+                out.push_back(info.id);
+        }
+        return out;
+    }
+    for (const std::string &item : splitByComma(list)) {
+        const std::optional<crypto::SuiteId> id = suiteNamed(name, item);
+        if (!id)
+            return out;
+        if (std::find(out.begin(), out.end(), *id) != out.end())
+            fail(std::string("--") + name + ": " + quoted(item) + " stands there twice");
+        out.push_back(*id);
+    }
+    return out;
+}
+
+std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const std::string &text)
+{
+    auto parsedText = link::LinkUrl::parse(text);
+    if (!parsedText) {
+        fail("--" + option + ": " + parsedText.error().text());
+        return std::nullopt;
+    }
+    return std::move(*parsedText);
+}
+
+std::optional<link::LinkUrl> Options::url(const char *name)
+{
+    const std::string given = required(name);
+    return given.empty() ? std::nullopt : parsedUrl(name, given);
+}
+
+std::vector<link::LinkUrl> Options::urls(const char *name)
+{
+    std::vector<link::LinkUrl> out;
+    for (const std::string &given : texts(name)) {
+        if (const auto link = parsedUrl(name, given))
+            out.push_back(*link);
+    }
+    return out;
+}
+
+QStringList Options::arguments(int least, int most)
+{
+    const QStringList given = m_parser.positionalArguments();
+    if (given.size() > most)
+        fail("unexpected argument " + quoted(given[most].toStdString()));
+    else if (given.size() < least)
+        fail("an argument is missing; --help shows which");
+    return given;
+}
+
+void Options::fail(const std::string &problem)
+{
+    if (m_problem.empty())
+        m_problem = problem;
+}
+
+} // namespace skyseal::app

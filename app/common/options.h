@@ -1,0 +1,66 @@
+// Command line options of all programs: declared, parsed and checked alike, with one clear line and exit status 2 for
+// anything that is wrong.
+#pragma once
+
+#include "core/crypto/suite.h"
+#include "core/link/link_url.h"
+
+#include <QtCore/QCommandLineParser>
+#include <QtCore/QStringList>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace skyseal::app {
+
+/// Declare, parse(), read, and at the end ask finish(): the getters remember the first problem and go on, so that the reading
+/// code stays a list.
+class Options
+{
+public:
+    /// `name` is what a person types: "skyseal-cli monitor".
+    Options(QString name, const QString &description);
+
+    void addFlag(const char *name, const char *help);
+    void addValue(const char *name, const char *placeholder, const char *help, const char *preset = "");
+    void addArgument(const char *name, const char *help);
+
+    /// `arguments` without the program's name. An exit status when there is nothing more to do: help or version was printed,
+    /// or the usage is wrong.
+    std::optional<int> parse(const QStringList &arguments);
+    /// kUsage when a getter or fail() found something wrong, after saying so.
+    std::optional<int> finish() const;
+
+    bool has(const char *name) const;
+    std::string text(const char *name) const;
+    /// A problem when it was not given.
+    std::string required(const char *name);
+    std::vector<std::string> texts(const char *name) const;
+    /// A decimal number within [least, most].
+    double number(const char *name, double least, double most);
+    std::uint64_t wholeNumber(const char *name, std::uint64_t least, std::uint64_t most);
+    /// A suite by its name.
+    std::optional<crypto::SuiteId> suite(const char *name);
+    /// Names separated by commas; "all" = every authenticated suite. None may come twice.
+    std::vector<crypto::SuiteId> suites(const char *name);
+    std::optional<link::LinkUrl> url(const char *name);
+    std::vector<link::LinkUrl> urls(const char *name);
+    /// The positional arguments; a problem when there are fewer or more.
+    QStringList arguments(int least, int most);
+
+    void fail(const std::string &problem);
+
+private:
+    std::optional<crypto::SuiteId> suiteNamed(const std::string &option, const std::string &name);
+    std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text);
+
+    QString m_name;
+    QCommandLineParser m_parser;
+    std::string m_problem;
+};
+
+/// "skyseal-air: words", one line on stderr.
+void complain(const QString &program, const std::string &words);
+
+} // namespace skyseal::app

@@ -1,0 +1,81 @@
+#include "app/common/process.h"
+
+#include <QtCore/QSocketNotifier>
+
+#include <atomic>
+#include <csignal>
+
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+// The leak checker of a sanitizer build looks at its own process from outside.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SKYSEAL_MAY_BE_TRACED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define SKYSEAL_MAY_BE_TRACED 1
+#endif
+#endif
+
+namespace skyseal::app {
+
+namespace {
+
+// A signal handler reaches nothing but this.
+std::atomic<int> g_stopPipe{-1};
+
+extern "C" void handleStop(int number)
+{
+    const char byte = 0;
+    if (write(g_stopPipe, &byte, 1) != 1)
+        std::signal(number, SIG_DFL);
+    std::signal(number, SIG_DFL); // the second one ends the process
+}
+
+} // namespace
+
+void forbidCoreDumps()
+{
+    const rlimit none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);
+#if defined(__linux__) && !defined(SKYSEAL_MAY_BE_TRACED)
+    prctl(PR_SET_DUMPABLE, 0);
+#endif
+}
+
+StopSignals::StopSignals(QObject *parent) : QObject(parent)
+{
+    if (pipe(m_pipe) != 0)
+        return;
+    for (const int end : m_pipe) {
+        fcntl(end, F_SETFD, FD_CLOEXEC);
+        fcntl(end, F_SETFL, O_NONBLOCK);
+    }
+    g_stopPipe = m_pipe[1];
+    auto *notifier = new QSocketNotifier(m_pipe[0], QSocketNotifier::Read, this);
+    connect(notifier, &QSocketNotifier::activated, this, [this] {
+        char bytes[16];
+        if (read(m_pipe[0], bytes, sizeof bytes) > 0)
+            Q_EMIT stopRequested();
+    });
+    std::signal(SIGINT, handleStop);
+    std::signal(SIGTERM, handleStop);
+    std::signal(SIGPIPE, SIG_IGN); // a reader of our output that left is an error of write, not our end
+}
+
+StopSignals::~StopSignals()
+{
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+    g_stopPipe = -1;
+    for (const int end : m_pipe) {
+        if (end >= 0)
+            close(end);
+    }
+}
+
+} // namespace skyseal::app
