@@ -19,6 +19,7 @@ public:
     FlightDemand update(double dt, const Situation &s);
 
     Guided &guided() { return m_guided; }
+    bool takingOff() const { return m_current == FlightMode::Guided && m_guided.takingOff(); }
     MissionRunner &mission() { return m_auto; }
     const MissionRunner &mission() const { return m_auto; }
 

@@ -1,0 +1,66 @@
+// skyseal-sim: simulated multicopters on MAVLink, so that a station runs and is tested with nothing else installed.
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/process.h"
+#include "app/sim/sim_host.h"
+
+#include <QtCore/QCoreApplication>
+
+using namespace skyseal;
+
+namespace {
+
+constexpr int kMostVehicles = 100;
+
+app::SimSettings settingsFrom(app::Options &options)
+{
+    app::SimSettings settings;
+    if (!options.has("link"))
+        options.fail("--link is missing");
+    settings.links = options.urls("link");
+    for (const link::LinkUrl &url : settings.links) {
+        if (url.scheme() == link::LinkScheme::Tlog)
+            options.fail("--link '" + url.toText() + "': a vehicle cannot fly on a log");
+    }
+    settings.vehicles = static_cast<int>(options.wholeNumber("vehicles", 1, kMostVehicles));
+    settings.systemId = static_cast<int>(options.wholeNumber("sysid", 1, 254));
+    if (settings.systemId + settings.vehicles - 1 > 254)
+        options.fail("--vehicles: system ids end at 254");
+    settings.seed = options.wholeNumber("seed", 0, UINT64_MAX);
+    settings.rate = options.number("rate", 0.1, 100);
+    settings.json = options.has("json");
+    options.arguments(0, 0);
+    return settings;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    QCoreApplication application(argc, argv);
+    app::Options options(QStringLiteral("skyseal-sim"),
+                         QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
+    options.addValue("link", "URL", "Where to be heard: udpout:HOST:PORT, udpin:…, tcpin:…, tcp:… or serial:/dev/NAME:BAUD; may be repeated.");
+    options.addValue("vehicles", "N", "How many vehicles share the links.", "1");
+    options.addValue("sysid", "N", "System id of the first vehicle.", "1");
+    options.addValue("seed", "N", "Makes wind and noise repeat.", "1");
+    options.addValue("rate", "FACTOR", "Fly faster than real time; heartbeats and streams keep their rates.", "1");
+    options.addFlag("json", "Tell what happens as one JSON object a line.");
+    if (const auto status = options.parse(application.arguments().mid(1)))
+        return *status;
+    const app::SimSettings settings = settingsFrom(options);
+    if (const auto status = options.finish())
+        return *status;
+
+    app::SimHost host(settings);
+    app::StopSignals stop;
+    QObject::connect(&stop, &app::StopSignals::stopRequested, &application, &QCoreApplication::quit);
+    int status = app::kDone;
+    QObject::connect(&host, &app::SimHost::failed, &application, [&] {
+        status = app::kCannotOpen;
+        QMetaObject::invokeMethod(&application, &QCoreApplication::quit, Qt::QueuedConnection);
+    });
+    host.start();
+    QCoreApplication::exec();
+    return status;
+}

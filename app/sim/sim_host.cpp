@@ -1,0 +1,117 @@
+#include "app/sim/sim_host.h"
+
+#include "app/common/output.h"
+#include "core/base/json_writer.h"
+#include "core/link/steady_now.h"
+
+namespace skyseal::app {
+
+namespace {
+
+// Every wake-up costs some 15 µs whatever it does, so telemetry that falls due meanwhile waits for the next one.
+constexpr Duration kShortestSleep = std::chrono::milliseconds(4);
+constexpr double kSpacing = 12; // m between vehicles on the ground
+
+const char *verb(const link::Link &link)
+{
+    return link.state() == link::LinkState::Listening ? "listening on " : "connected to ";
+}
+
+} // namespace
+
+SimHost::SimHost(const SimSettings &settings) : m_settings(settings)
+{
+    m_timer.setSingleShot(true);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &SimHost::live);
+}
+
+void SimHost::start()
+{
+    makeVehicles(steadyNow());
+    for (const link::LinkUrl &url : m_settings.links) {
+        const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
+        m_links.push_back(std::make_unique<SimLink>(url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
+        link::Link &opened = m_links.back()->link();
+        connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
+        opened.open();
+    }
+    live();
+}
+
+void SimHost::makeVehicles(TimePoint now)
+{
+    const sim::AutopilotConfig first;
+    const sim::LocalFrame field(first.start);
+    for (int i = 0; i < m_settings.vehicles; ++i) {
+        sim::VehicleConfig config;
+        config.systemId = static_cast<std::uint8_t>(m_settings.systemId + i);
+        config.autopilot.seed = m_settings.seed + static_cast<std::uint64_t>(i);
+        // In rows of ten.
+        config.autopilot.start = field.toGeo({-kSpacing * (i / 10), kSpacing * (i % 10), 0});
+        config.rate = m_settings.rate;
+        config.bootTime = wallNow();
+        m_vehicles.emplace_back(config, now);
+    }
+}
+
+void SimHost::received(TimePoint time, const mavlink::Frame &frame)
+{
+    for (sim::SimulatedVehicle &vehicle : m_vehicles)
+        vehicle.handleFrame(time, frame);
+    if (m_timer.remainingTime() > 0) // answers do not wait for telemetry
+        m_timer.start(0);
+}
+
+void SimHost::live()
+{
+    const TimePoint now = steadyNow();
+    TimePoint next = kNever;
+    for (sim::SimulatedVehicle &vehicle : m_vehicles) {
+        vehicle.advance(now);
+        next = std::min(next, vehicle.nextDeadline());
+    }
+    send(now);
+    const Duration sleep = std::max(next - now, kShortestSleep);
+    m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(sleep));
+}
+
+void SimHost::send(TimePoint now)
+{
+    for (sim::SimulatedVehicle &vehicle : m_vehicles) {
+        for (ByteView frame = vehicle.pollFrame(); !frame.empty(); frame = vehicle.pollFrame()) {
+            for (const auto &link : m_links)
+                link->send(now, frame);
+        }
+    }
+    for (const auto &link : m_links)
+        link->flush();
+}
+
+void SimHost::report(link::Link &link)
+{
+    using State = link::LinkState;
+    const State state = link.state();
+    if (m_settings.json) {
+        JsonWriter json;
+        json.beginObject().field("event", "link").field("url", link.url().toText()).field("state", link::name(state));
+        json.field("address", link.localAddress());
+        if (link.error().code != link::LinkErrorCode::None)
+            json.field("problem", link.error().sentence());
+        printLine(json.endObject().text());
+    }
+    const int last = m_settings.systemId + m_settings.vehicles - 1;
+    const std::string who = m_settings.vehicles == 1 ? "vehicle " + std::to_string(last)
+                                                     : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
+    if ((state == State::Listening || state == State::Connected) && !m_settings.json)
+        printLine("skyseal-sim: " + who + " " + verb(link)
+                  + (state == State::Listening ? link.localAddress() : link.url().toText()) + " (" + link::name(link.url().scheme()) + ")");
+    else if (state == State::Waiting)
+        remark("skyseal-sim: " + link.error().sentence() + "; trying again");
+    else if (state == State::Failed) {
+        remark("skyseal-sim: " + link.error().sentence());
+        Q_EMIT failed();
+    }
+}
+
+} // namespace skyseal::app

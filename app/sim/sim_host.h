@@ -1,0 +1,48 @@
+// Gives simulated vehicles a clock and links: all vehicles share all links.
+#pragma once
+
+#include "app/sim/sim_link.h"
+#include "core/sim/simulated_vehicle.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QTimer>
+
+namespace skyseal::app {
+
+struct SimSettings
+{
+    std::vector<link::LinkUrl> links;
+    int vehicles = 1;
+    int systemId = 1; ///< of the first; the others follow
+    std::uint64_t seed = 1;
+    double rate = 1;
+    bool json = false;
+};
+
+class SimHost : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SimHost(const SimSettings &settings);
+
+    /// Opens the links. What cannot be opened ends the program: see failed().
+    void start();
+
+Q_SIGNALS:
+    void failed();
+
+private:
+    void makeVehicles(TimePoint now);
+    void received(TimePoint time, const mavlink::Frame &frame);
+    void live();
+    void send(TimePoint now);
+    void report(link::Link &link);
+
+    const SimSettings m_settings;
+    std::vector<sim::SimulatedVehicle> m_vehicles;
+    std::vector<std::unique_ptr<SimLink>> m_links;
+    QTimer m_timer;
+};
+
+} // namespace skyseal::app

@@ -1,0 +1,64 @@
+// MAVLink's command protocol, the vehicle's side (https://mavlink.io/en/services/command.html): every COMMAND_LONG and
+// COMMAND_INT that is meant for this vehicle gets exactly one COMMAND_ACK.
+#pragma once
+
+#include "core/sim/autopilot.h"
+#include "core/sim/outbox.h"
+#include "core/sim/peer.h"
+#include "core/sim/stream_scheduler.h"
+#include "core/sim/telemetry.h"
+
+namespace skyseal::sim {
+
+/// A command of either kind: places in degrees, so that both kinds are alike.
+struct Command
+{
+    std::uint16_t id = 0;
+    std::uint8_t frame = 0; ///< MAV_FRAME; COMMAND_LONG means heights above home
+    std::array<float, 4> parameters{};
+    double x = 0;           ///< latitude in degrees, or parameter 5
+    double y = 0;           ///< longitude in degrees, or parameter 6
+    float z = 0;            ///< altitude, or parameter 7
+};
+
+class CommandServer
+{
+public:
+    CommandServer(Autopilot &autopilot, StreamScheduler &streams, Telemetry &telemetry, Outbox &outbox)
+        : m_autopilot(autopilot), m_streams(streams), m_telemetry(telemetry), m_outbox(outbox)
+    {
+    }
+
+    void handle(TimePoint now, const Peer &peer, const Command &command);
+
+    /// Whether a reboot was asked for and granted since the last call.
+    bool takeReboot() { return std::exchange(m_reboot, false); }
+
+    /// Where a command or message means, NED; nullopt when the frame or the place cannot be used. A zero or not-a-number
+    /// place means here.
+    static std::optional<Vector3> place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude, double altitude);
+
+private:
+    std::uint8_t execute(TimePoint now, const Command &command);
+    std::uint8_t fly(const Command &command);
+    std::uint8_t arm(const Command &command);
+    std::uint8_t setMode(const Command &command);
+    std::uint8_t reposition(const Command &command);
+    std::uint8_t yaw(const Command &command);
+    std::uint8_t changeSpeed(const Command &command);
+    std::uint8_t setHome(const Command &command);
+    std::uint8_t setCurrent(const Command &command);
+    std::uint8_t requestMessage(std::uint32_t message);
+    std::uint8_t setInterval(TimePoint now, const Command &command);
+    std::uint8_t getInterval(std::uint32_t message);
+    std::uint8_t reboot(const Command &command);
+    std::uint8_t answer(const Autopilot::Refusal &refusal);
+
+    Autopilot &m_autopilot;
+    StreamScheduler &m_streams;
+    Telemetry &m_telemetry;
+    Outbox &m_outbox;
+    bool m_reboot = false;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,185 @@
+#include "core/sim/frame_router.h"
+
+#include "core/mavlink/enums.h"
+#include "core/mavlink/messages.h"
+#include "core/sim/mission_command.h"
+#include "core/sim/wire_units.h"
+
+namespace skyseal::sim {
+
+namespace {
+
+constexpr std::uint8_t kComponent = 1; // MAV_COMP_ID_AUTOPILOT1
+
+template<std::size_t N> std::string_view text(const std::array<char, N> &field)
+{
+    return {field.data(), static_cast<std::size_t>(std::find(field.begin(), field.end(), '\0') - field.begin())};
+}
+
+} // namespace
+
+bool FrameRouter::isForUs(const mavlink::Frame &frame) const
+{
+    if (frame.systemId() == systemId && frame.componentId() == kComponent)
+        return false; // an echo of our own
+    const std::uint8_t system = frame.targetSystem(), component = frame.targetComponent();
+    return (system == 0 || system == systemId) && (component == 0 || component == kComponent);
+}
+
+void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
+{
+    if (!isForUs(frame))
+        return;
+    const Peer peer{frame.systemId(), frame.componentId(), frame.version()};
+    routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
+        || routeLink(now, peer, frame);
+}
+
+bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+{
+    if (frame.messageId() == mavlink::CommandLong::kId) {
+        const auto in = mavlink::CommandLong::decode(frame.payload());
+        commands.handle(now, peer, {in.command, mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT, {in.param1, in.param2, in.param3, in.param4},
+                                    static_cast<double>(in.param5), static_cast<double>(in.param6), in.param7});
+        return true;
+    }
+    if (frame.messageId() == mavlink::CommandInt::kId) {
+        const auto in = mavlink::CommandInt::decode(frame.payload());
+        commands.handle(now, peer, {in.command, in.frame, {in.param1, in.param2, in.param3, in.param4}, in.x * 1e-7, in.y * 1e-7, in.z});
+        return true;
+    }
+    return false;
+}
+
+bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+{
+    using namespace mavlink;
+    switch (frame.messageId()) {
+    case MissionCount::kId: {
+        const auto in = MissionCount::decode(frame.payload());
+        missions.handleCount(now, peer, in.count, in.mission_type);
+        return true;
+    }
+    case MissionItemInt::kId: {
+        const auto in = MissionItemInt::decode(frame.payload());
+        const sim::MissionItem item{in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4}, in.x, in.y, in.z};
+        if (in.current >= 2)
+            flyTo(peer, item, in.current);
+        else
+            missions.handleItem(now, peer, in.seq, item, in.mission_type);
+        return true;
+    }
+    case mavlink::MissionItem::kId: {
+        const auto in = mavlink::MissionItem::decode(frame.payload());
+        const double scale = in.command < mission_command::kLastNavigation ? 1e7 : 1;
+        const sim::MissionItem item{in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4},
+                                    scaled<std::int32_t>(static_cast<double>(in.x), scale), scaled<std::int32_t>(static_cast<double>(in.y), scale), in.z};
+        if (in.current >= 2)
+            flyTo(peer, item, in.current);
+        else
+            missions.handleItem(now, peer, in.seq, item, in.mission_type);
+        return true;
+    }
+    case MissionRequestList::kId:
+        missions.handleRequestList(peer, MissionRequestList::decode(frame.payload()).mission_type);
+        return true;
+    case MissionRequest::kId: {
+        const auto in = MissionRequest::decode(frame.payload());
+        missions.handleRequest(peer, in.seq, in.mission_type, false);
+        return true;
+    }
+    case MissionRequestInt::kId: {
+        const auto in = MissionRequestInt::decode(frame.payload());
+        missions.handleRequest(peer, in.seq, in.mission_type, true);
+        return true;
+    }
+    case MissionClearAll::kId:
+        missions.handleClear(peer, MissionClearAll::decode(frame.payload()).mission_type);
+        return true;
+    case MissionSetCurrent::kId:
+        missions.handleSetCurrent(MissionSetCurrent::decode(frame.payload()).seq);
+        return true;
+    case MissionAck::kId:
+        missions.handleAck(peer, MissionAck::decode(frame.payload()).type);
+        return true;
+    default:
+        return false;
+    }
+}
+
+void FrameRouter::flyTo(const Peer &peer, const MissionItem &item, std::uint8_t kind) const
+{
+    auto place = CommandServer::place(autopilot, item.frame, item.x * 1e-7, item.y * 1e-7, static_cast<double>(item.z));
+    if (place && kind == 3) { // only the height
+        place->x = autopilot.modes().guided().place().north;
+        place->y = autopilot.modes().guided().place().east;
+    }
+    const Autopilot::Refusal refusal = place ? autopilot.goTo(*place) : Autopilot::Refusal("Goto: bad place");
+    if (refusal)
+        autopilot.texts().say(Severity::Warning, *refusal);
+    missions.acknowledge(peer, refusal ? mavlink::MAV_MISSION_ERROR : mavlink::MAV_MISSION_ACCEPTED);
+}
+
+bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) const
+{
+    switch (frame.messageId()) {
+    case mavlink::ParamRequestList::kId:
+        parameters.requestList(now);
+        return true;
+    case mavlink::ParamRequestRead::kId: {
+        const auto in = mavlink::ParamRequestRead::decode(frame.payload());
+        parameters.requestRead(in.param_index, text(in.param_id));
+        return true;
+    }
+    case mavlink::ParamSet::kId: {
+        const auto in = mavlink::ParamSet::decode(frame.payload());
+        parameters.set(text(in.param_id), in.param_value);
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+{
+    switch (frame.messageId()) {
+    case mavlink::Heartbeat::kId:
+        if (peer.system == autopilot.parameters().integer("SYSID_MYGCS"))
+            station.heartbeat(now);
+        return true;
+    case mavlink::RequestDataStream::kId: {
+        const auto in = mavlink::RequestDataStream::decode(frame.payload());
+        if (StreamScheduler::requestGroup(autopilot.parameters(), in.req_stream_id, in.start_stop != 0 ? in.req_message_rate : 0)) {
+            streams.forgetSingles(in.req_stream_id);
+            streams.applyParameters(now, autopilot.parameters());
+        }
+        return true;
+    }
+    case mavlink::Timesync::kId: {
+        const auto in = mavlink::Timesync::decode(frame.payload());
+        if (in.tc1 != 0)
+            return true; // an answer, and we ask nobody
+        mavlink::Timesync out;
+        out.tc1 = std::max<std::int64_t>((now - boot).count(), 1);
+        out.ts1 = in.ts1;
+        out.target_system = peer.system;
+        out.target_component = peer.component;
+        outbox.send(out);
+        return true;
+    }
+    case mavlink::Ping::kId: {
+        auto ping = mavlink::Ping::decode(frame.payload());
+        if (ping.target_system != 0)
+            return true; // somebody's answer
+        ping.target_system = peer.system;
+        ping.target_component = peer.component;
+        outbox.send(ping);
+        return true;
+    }
+    default:
+        return false;
+    }
+}
+
+} // namespace skyseal::sim

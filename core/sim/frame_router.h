@@ -1,0 +1,37 @@
+// Hands each frame that is meant for the vehicle to the server of its micro-protocol; answers PING and TIMESYNC itself.
+#pragma once
+
+#include "core/sim/command_server.h"
+#include "core/sim/control_server.h"
+#include "core/sim/gcs_watch.h"
+#include "core/sim/mission_server.h"
+#include "core/sim/parameter_server.h"
+
+namespace skyseal::sim {
+
+struct FrameRouter
+{
+    Autopilot &autopilot;
+    Outbox &outbox;
+    StreamScheduler &streams;
+    CommandServer &commands;
+    ControlServer &control;
+    MissionServer &missions;
+    ParameterServer &parameters;
+    GcsWatch &station;
+    TimePoint boot;
+    std::uint8_t systemId;
+
+    void route(TimePoint now, const mavlink::Frame &frame) const;
+
+private:
+    bool isForUs(const mavlink::Frame &frame) const;
+    bool routeMission(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
+    bool routeParameter(TimePoint now, const mavlink::Frame &frame) const;
+    bool routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
+    bool routeLink(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
+    /// An item that is no part of a mission: 2 = fly there, 3 = change height.
+    void flyTo(const Peer &peer, const MissionItem &item, std::uint8_t kind) const;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,39 @@
+// MAVLink's parameter protocol, the vehicle's side (https://mavlink.io/en/services/parameter.html).
+#pragma once
+
+#include "core/sim/outbox.h"
+#include "core/base/clock.h"
+#include "core/sim/parameters.h"
+#include "core/sim/status_texts.h"
+
+namespace skyseal::sim {
+
+class ParameterServer
+{
+public:
+    ParameterServer(Parameters &parameters, Outbox &outbox, StatusTexts &texts)
+        : m_parameters(parameters), m_outbox(outbox), m_texts(texts)
+    {
+    }
+
+    /// PARAM_REQUEST_LIST: starts, or starts again, sending all of them at a pace that a radio can take.
+    void requestList(TimePoint now);
+    /// PARAM_REQUEST_READ: by index, or by name when the index is negative. What does not exist is not answered.
+    void requestRead(int index, std::string_view name);
+    /// PARAM_SET: answered with the value that holds now, whether it was taken or not.
+    void set(std::string_view name, float value);
+
+    void handleDeadline(TimePoint now);
+    TimePoint nextDeadline() const { return m_due; }
+
+private:
+    void sendValue(std::size_t index);
+
+    Parameters &m_parameters;
+    Outbox &m_outbox;
+    StatusTexts &m_texts;
+    std::size_t m_next = 0;
+    TimePoint m_due = kNever;
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,17 @@
+// Who sent a frame, so that an answer finds its way back.
+#pragma once
+
+#include <cstdint>
+
+namespace skyseal::sim {
+
+struct Peer
+{
+    std::uint8_t system = 0;
+    std::uint8_t component = 0;
+    int version = 2; ///< MAVLink version of the frame
+
+    bool sameSender(const Peer &other) const { return system == other.system && component == other.component; }
+};
+
+} // namespace skyseal::sim

@@ -1,0 +1,165 @@
+#include "core/sim/simulated_vehicle.h"
+
+#include "core/sim/command_server.h"
+#include "core/sim/control_server.h"
+#include "core/sim/frame_router.h"
+#include "core/sim/gcs_watch.h"
+#include "core/sim/mission_server.h"
+#include "core/sim/parameter_server.h"
+
+namespace skyseal::sim {
+
+namespace {
+constexpr Duration kLongestGap = std::chrono::seconds(1);
+constexpr double kMostCatchUp = 60; // s of flight in one call: a machine that slept does not fly for hours
+}
+
+/// Everything that a reboot makes anew.
+struct SimulatedVehicle::Parts
+{
+    Parts(const VehicleConfig &config, std::uint8_t systemId, TimePoint now)
+        : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
+          commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
+          parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now)
+    {
+    }
+
+    void fly(Duration span);
+    void watchStation(TimePoint now);
+    void speak(TimePoint now);
+
+    Autopilot autopilot;
+    Outbox outbox;
+    Telemetry telemetry;
+    StreamScheduler streams;
+    CommandServer commands;
+    ControlServer control;
+    MissionServer missions;
+    ParameterServer parameters;
+    GcsWatch station;
+    TimePoint last;
+    double owed = 0; ///< µs of flight that were not stepped yet
+    bool homeTold = false;
+};
+
+SimulatedVehicle::SimulatedVehicle(const VehicleConfig &config, TimePoint now)
+    : m_config(config), m_boot(now), m_parts(std::make_unique<Parts>(config, config.systemId, now))
+{
+    Autopilot &autopilot = m_parts->autopilot;
+    autopilot.parameters().set("SYSID_THISMAV", config.systemId);
+    autopilot.parameters().set("SIM_SPEEDUP", static_cast<float>(config.rate));
+    autopilot.texts().say(Severity::Info, "skyseal-sim, flies like ArduCopter 4.5");
+    m_parts->streams.applyParameters(now, autopilot.parameters());
+}
+
+SimulatedVehicle::~SimulatedVehicle() = default;
+SimulatedVehicle::SimulatedVehicle(SimulatedVehicle &&) noexcept = default;
+SimulatedVehicle &SimulatedVehicle::operator=(SimulatedVehicle &&) noexcept = default;
+
+void SimulatedVehicle::advance(TimePoint now)
+{
+    Parts &parts = *m_parts;
+    if (now - parts.last > kLongestGap) {
+        parts.fly(now - parts.last);
+        parts.last = now;
+        parts.streams.skipTo(now);
+    }
+    // From event to event, so that what is sent does not depend on how often this is called.
+    while (parts.last < now) {
+        const TimePoint next = std::clamp(nextDeadline(), parts.last, now);
+        parts.fly(next - parts.last);
+        parts.last = next;
+        parts.telemetry.setWallTime(m_config.bootTime + std::chrono::duration_cast<WallTime::duration>(next - m_boot));
+        parts.watchStation(next);
+        parts.speak(next);
+        if (next == now)
+            break;
+    }
+    if (parts.commands.takeReboot())
+        reboot(now);
+}
+
+void SimulatedVehicle::Parts::fly(Duration span)
+{
+    const auto rate = static_cast<double>(autopilot.parameters().value("SIM_SPEEDUP"));
+    owed = std::min(owed + seconds(span) * 1e6 * rate, kMostCatchUp * 1e6 * std::max(rate, 1.0));
+    while (owed >= Autopilot::kStep) {
+        owed -= Autopilot::kStep;
+        autopilot.step();
+    }
+}
+
+void SimulatedVehicle::Parts::watchStation(TimePoint now)
+{
+    const Parameters &values = autopilot.parameters();
+    const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("FS_GCS_TIMEOUT")));
+    const auto override = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
+    autopilot.pilot().expire(now, override);
+    const int action = values.integer("FS_GCS_ENABLE");
+    switch (station.update(now, timeout)) {
+    case GcsWatch::Event::None: break;
+    case GcsWatch::Event::Lost:
+        if (action != 0)
+            autopilot.failsafe("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
+        break;
+    case GcsWatch::Event::Back:
+        if (autopilot.inFailsafe())
+            autopilot.texts().say(Severity::Notice, "GCS Failsafe Cleared");
+        autopilot.setInFailsafe(false);
+        break;
+    }
+}
+
+void SimulatedVehicle::Parts::speak(TimePoint now)
+{
+    streams.applyParameters(now, autopilot.parameters());
+    while (const auto message = streams.pollDue(now))
+        telemetry.send(*message);
+    parameters.handleDeadline(now);
+    missions.handleDeadline(now);
+    missions.reportProgress();
+    if (!homeTold && autopilot.home()) {
+        homeTold = true;
+        telemetry.send(242); // HOME_POSITION, once it is known
+    }
+    while (const auto text = autopilot.texts().take())
+        telemetry.sendText(*text);
+}
+
+TimePoint SimulatedVehicle::nextDeadline() const
+{
+    // Texts, failsafes and mission progress come out of flying: look at least ten times a second.
+    const TimePoint look = m_parts->last + std::chrono::milliseconds(100);
+    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), look});
+}
+
+void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    advance(now);
+    Parts &parts = *m_parts;
+    const FrameRouter router{parts.autopilot, parts.outbox, parts.streams, parts.commands, parts.control, parts.missions, parts.parameters,
+                             parts.station, m_boot, systemId()};
+    router.route(now, frame);
+    while (const auto text = parts.autopilot.texts().take())
+        parts.telemetry.sendText(*text);
+}
+
+void SimulatedVehicle::reboot(TimePoint now)
+{
+    const Parameters kept = m_parts->autopilot.parameters();
+    Outbox unsent = std::move(m_parts->outbox);
+    const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
+    m_parts = std::make_unique<Parts>(m_config, id, now);
+    m_parts->autopilot.parameters() = kept;
+    m_parts->outbox.takeOver(unsent);
+    m_config.systemId = id;
+    m_parts->streams.applyParameters(now, kept);
+}
+
+ByteView SimulatedVehicle::pollFrame() { return m_parts->outbox.poll(); }
+std::uint64_t SimulatedVehicle::dropped() const { return m_parts->outbox.dropped(); }
+std::uint8_t SimulatedVehicle::systemId() const { return m_config.systemId; }
+const Autopilot &SimulatedVehicle::autopilot() const { return m_parts->autopilot; }
+Autopilot &SimulatedVehicle::autopilot() { return m_parts->autopilot; }
+
+} // namespace skyseal::sim
