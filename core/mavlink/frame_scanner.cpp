@@ -28,27 +28,31 @@ std::optional<ScanItem> FrameScanner::next()
     case FrameFault::UnknownMessage: {
         // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is inside.
         const std::size_t end = m_position + length;
-        const bool fits = end == m_buffer.size() || isMagic(m_buffer[end]);
-        if (fits && nextValid(m_position + 1, end) == end)
-            return bad(fault, end);
-        return bad(FrameFault::Garbage, nextStart(m_position + 1));
+        if (end != m_buffer.size() && !isMagic(m_buffer[end]))
+            return bad(FrameFault::Garbage, nextStart(m_position + 1));
+        const std::size_t inner = nextCandidate(m_position + 1, end);
+        return bad(inner == end ? fault : FrameFault::Garbage, inner);
     }
-    case FrameFault::BadCrc: {
-        const std::size_t end = m_position + length;
-        return bad(fault, nextValid(m_position + 1, end));
-    }
+    case FrameFault::BadCrc:
+        return bad(fault, nextCandidate(m_position + 1, m_position + length));
     case FrameFault::Truncated:
-        return bad(fault, nextValid(m_position + 1, m_buffer.size()));
+        if (m_end == BufferEnd::Open)
+            return std::nullopt;
+        return bad(fault, nextCandidate(m_position + 1, m_buffer.size()));
     default:
         return bad(FrameFault::Garbage, nextStart(m_position + 1));
     }
 }
 
-/// The first offset in [from, limit) at which a valid frame begins; `limit` when there is none.
-std::size_t FrameScanner::nextValid(std::size_t from, std::size_t limit) const
+/// The first offset in [from, limit) at which a valid frame begins, or one that may prove valid when more has come; `limit` when
+/// there is none.
+std::size_t FrameScanner::nextCandidate(std::size_t from, std::size_t limit) const
 {
     for (std::size_t at = from; at < limit; ++at) {
-        if (isMagic(m_buffer[at]) && readAt(at))
+        if (!isMagic(m_buffer[at]))
+            continue;
+        const auto frame = readAt(at);
+        if (frame || (m_end == BufferEnd::Open && frame.error().fault == FrameFault::Truncated))
             return at;
     }
     return limit;

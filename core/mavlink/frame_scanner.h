@@ -16,13 +16,23 @@ struct ScanItem
     ByteView bytes; ///< of the frame or of the bad spot; an UnknownMessage is whole and may be forwarded as it is
 };
 
+/// What stands behind the end of a buffer.
+enum class BufferEnd : std::uint8_t {
+    Final, ///< nothing: a datagram, or a stream that has ended
+    Open   ///< more bytes may come: a frame that goes on past the end is left for later
+};
+
 /// Resynchronises by trying every later byte, so that no valid frame behind damage is lost, whatever length the damage claims.
 class FrameScanner
 {
 public:
-    FrameScanner(ByteView buffer, const Dialect &dialect) : m_buffer(buffer), m_dialect(&dialect) {}
+    FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final)
+        : m_buffer(buffer), m_dialect(&dialect), m_end(end)
+    {
+    }
 
-    /// The next item; nullopt at the end. A frame that goes on past the end is reported as Truncated, with all that is left of it.
+    /// The next item; nullopt at the end. A frame that goes on past a final end is reported as Truncated, with all that is left
+    /// of it; at an open end `position()` stays before it.
     std::optional<ScanItem> next();
 
     /// Where the next item begins.
@@ -30,13 +40,14 @@ public:
 
 private:
     Result<Frame, FrameError> readAt(std::size_t offset) const { return readFrame(m_buffer.subspan(offset), *m_dialect); }
-    std::size_t nextValid(std::size_t from, std::size_t limit) const;
+    std::size_t nextCandidate(std::size_t from, std::size_t limit) const;
     std::size_t nextStart(std::size_t from) const;
     ScanItem bad(FrameFault fault, std::size_t end);
 
     ByteView m_buffer;
     const Dialect *m_dialect;
     std::size_t m_position = 0;
+    BufferEnd m_end;
 };
 
 } // namespace skyseal::mavlink

@@ -1,17 +1,18 @@
 // Writes messages as frames of one sender.
 #pragma once
 
-#include "core/mavlink/frame.h"
+#include "core/mavlink/signing.h"
 
 #include <array>
 
 namespace skyseal::mavlink {
 
 /// Writes one frame into `out` and gives its bytes; empty when they do not fit (kMaxFrameLength always suffices).
-/// `payload` is the whole payload; for MAVLink 2 its trailing zeros are cut, down to one byte; for MAVLink 1 it is cut to `minLength`.
-MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId, std::uint8_t componentId,
-                           std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
-                           std::uint8_t incompatFlags = 0);
+/// `payload` is the whole payload; for MAVLink 2 its trailing zeros are cut, down to one byte; for MAVLink 1 it is cut to
+/// `minLength`. With kFlagSigned in `incompatFlags` room for the signature is part of the frame, for signFrame() to fill.
+MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId,
+                           std::uint8_t componentId, std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength,
+                           ByteView payload, std::uint8_t incompatFlags = 0);
 
 /// A sender: its ids, its protocol version and its running sequence number.
 class FrameWriter
@@ -24,6 +25,9 @@ public:
 
     void setVersion(int version) { m_version = version; }
     int version() const { return m_version; }
+    /// Signs every MAVLink 2 frame from now on; null = no more. The signer is the caller's and outlives this use; its time is
+    /// moved on by the caller too.
+    void setSigner(FrameSigner *signer) { m_signer = signer; }
 
     /// A typed message (messages.h).
     template<typename Message> MutableByteView write(const Message &message, MutableByteView out)
@@ -33,18 +37,25 @@ public:
         return write(Message::kId, Message::kCrcExtra, Message::kMinLength, payload, out);
     }
 
-    MutableByteView write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload, MutableByteView out)
+    /// Any message, its payload encoded already.
+    MutableByteView write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
+                          MutableByteView out)
     {
-        const MutableByteView frame = writeFrame(out, m_version, m_sequence, m_systemId, m_componentId, messageId, crcExtra, minLength, payload);
-        m_sequence = static_cast<std::uint8_t>(m_sequence + !frame.empty());
+        const bool isSigned = m_signer && m_version == 2;
+        const MutableByteView frame = writeFrame(out, m_version, m_sequence, m_systemId, m_componentId, messageId, crcExtra,
+                                                 minLength, payload, isSigned ? kFlagSigned : std::uint8_t(0));
+        if (frame.empty() || (isSigned && !m_signer->sign(frame)))
+            return {};
+        ++m_sequence;
         return frame;
     }
 
 private:
     std::uint8_t m_systemId;
     std::uint8_t m_componentId;
-    int m_version;
     std::uint8_t m_sequence = 0;
+    int m_version;
+    FrameSigner *m_signer = nullptr;
 };
 
 } // namespace skyseal::mavlink

@@ -1,8 +1,9 @@
-// Frames out of a byte stream that comes in pieces (TCP, serial line, file): keeps the beginning of a frame until its end has come.
+// Frames out of a byte stream that comes in pieces (TCP, serial line): keeps the beginning of a frame until its end has come.
 #pragma once
 
 #include "core/mavlink/frame_scanner.h"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 
@@ -22,48 +23,37 @@ public:
             std::copy(taken.begin(), taken.end(), m_buffer.begin() + static_cast<std::ptrdiff_t>(m_size));
             m_size += taken.size();
             piece = piece.subspan(taken.size());
-            deliverComplete(deliver, false);
+            deliverComplete(deliver, BufferEnd::Open);
         }
     }
 
     /// The stream has ended or broke off: what is left is no frame any more.
     template<std::invocable<const ScanItem &> Deliver> void finish(Deliver &&deliver)
     {
-        deliverComplete(deliver, true);
+        deliverComplete(deliver, BufferEnd::Final);
         reset();
     }
 
+    /// Forgets a beginning that was kept; offsets go on.
     void reset() { m_size = 0; }
 
 private:
-    template<typename Deliver> void deliverComplete(Deliver &deliver, bool atEnd)
+    template<typename Deliver> void deliverComplete(Deliver &deliver, BufferEnd end)
     {
-        const ByteView content(m_buffer.data(), m_size);
-        FrameScanner scanner(content, *m_dialect);
-        std::size_t used = 0;
-        while (used < m_size) {
-            // A frame whose end is still to come: wait for it, as long as it can fit at all.
-            if (!atEnd && pending(content.subspan(used)))
-                break;
-            ScanItem item = *scanner.next();
-            used = scanner.position();
-            item.offset += m_streamOffset;
-            deliver(static_cast<const ScanItem &>(item));
+        FrameScanner scanner(ByteView(m_buffer.data(), m_size), *m_dialect, end);
+        while (std::optional<ScanItem> item = scanner.next()) {
+            item->offset += m_streamOffset;
+            deliver(static_cast<const ScanItem &>(*item));
         }
+        const std::size_t used = scanner.position();
         m_streamOffset += used;
         m_size -= used;
         std::copy_n(m_buffer.begin() + static_cast<std::ptrdiff_t>(used), m_size, m_buffer.begin());
     }
 
-    bool pending(ByteView content) const
-    {
-        const auto frame = readFrame(content, *m_dialect);
-        return !frame && frame.error().fault == FrameFault::Truncated;
-    }
-
     const Dialect *m_dialect;
     std::array<std::uint8_t, 4096> m_buffer;
-    std::size_t m_size = 0;
+    std::size_t m_size = 0; ///< never over kMaxFrameLength between two calls
     std::size_t m_streamOffset = 0;
 };
 

@@ -1,0 +1,183 @@
+#include "core/keys/file_io.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sodium.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace skyseal::keys {
+
+namespace {
+
+/// Closes a descriptor at the end of a scope.
+class Descriptor
+{
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor() { close(); }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+
+    bool isOpen() const { return m_number >= 0; }
+    int number() const { return m_number; }
+    bool close() { return m_number < 0 || ::close(std::exchange(m_number, -1)) == 0; }
+
+private:
+    int m_number;
+};
+
+InputError systemError(const std::string &path, const std::string &what)
+{
+    return fileError(path, what + ": " + std::strerror(errno));
+}
+
+std::string folderOf(const std::string &path)
+{
+    const std::size_t slash = path.rfind('/');
+    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
+}
+
+/// A new name is on the disk only once its folder is.
+void syncFolder(const std::string &path)
+{
+    const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (folder.isOpen())
+        ::fsync(folder.number()); // some file systems cannot; then the rename itself is all there is
+}
+
+bool writeAll(int descriptor, ByteView content)
+{
+    while (!content.empty()) {
+        const ssize_t count = ::write(descriptor, content.data(), content.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count <= 0)
+            return false;
+        content = content.subspan(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+std::string octal(mode_t mode)
+{
+    const auto digit = [mode](int shift) { return static_cast<char>('0' + ((mode >> shift) & 7)); };
+    return {'0', digit(6), digit(3), digit(0)};
+}
+
+Result<void, InputError> checkAccess(const std::string &path, const struct stat &status, FileAccess access)
+{
+    if (!S_ISREG(status.st_mode))
+        return tl::unexpected(fileError(path, "is not a regular file"));
+    const mode_t mode = status.st_mode & 0777;
+    if (access == FileAccess::Private && (mode & 077) != 0)
+        return tl::unexpected(fileError(path, "can be read by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+    if (access == FileAccess::Trusted && (mode & 022) != 0)
+        return tl::unexpected(fileError(path, "can be changed by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+    if (static_cast<std::size_t>(status.st_size) > kMaxFileSize)
+        return tl::unexpected(fileError(path, "is too large to be a file of this kind"));
+    return {};
+}
+
+} // namespace
+
+Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
+{
+    // Not waiting on a pipe that someone put there, and not following a link to a file that is not ours.
+    const int noFollow = access == FileAccess::Private ? O_NOFOLLOW : 0;
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | noFollow));
+    if (!file.isOpen()) {
+        if (errno == ELOOP && noFollow != 0)
+            return tl::unexpected(fileError(path, "is a symbolic link, refused for a secret; name the file itself"));
+        return tl::unexpected(systemError(path, "cannot be read"));
+    }
+    struct stat status{};
+    if (::fstat(file.number(), &status) != 0)
+        return tl::unexpected(systemError(path, "cannot be read"));
+    if (const auto checked = checkAccess(path, status, access); !checked)
+        return tl::unexpected(checked.error());
+
+    // Room for all of it from the start, so that no copy of a secret is left behind by growing.
+    Bytes content(static_cast<std::size_t>(status.st_size));
+    std::size_t size = 0;
+    while (size < content.size()) {
+        const ssize_t count = ::read(file.number(), content.data() + size, content.size() - size);
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0) {
+            sodium_memzero(content.data(), content.size());
+            return tl::unexpected(systemError(path, "cannot be read"));
+        }
+        if (count == 0)
+            break;
+        size += static_cast<std::size_t>(count);
+    }
+    content.resize(size);
+    return content;
+}
+
+bool fileExists(const std::string &path)
+{
+    struct stat status{};
+    return ::lstat(path.c_str(), &status) == 0;
+}
+
+Result<void, InputError> createFile(const std::string &path, ByteView content)
+{
+    Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
+    if (!file.isOpen()) {
+        if (errno == EEXIST)
+            return tl::unexpected(fileError(path, "exists already and is not overwritten"));
+        return tl::unexpected(systemError(path, "cannot be created"));
+    }
+    if (!writeAll(file.number(), content) || ::fsync(file.number()) != 0 || !file.close()) {
+        const InputError error = systemError(path, "cannot be written");
+        ::unlink(path.c_str());
+        return tl::unexpected(error);
+    }
+    syncFolder(path);
+    return {};
+}
+
+Result<void, InputError> replaceFile(const std::string &path, ByteView content)
+{
+    struct stat old{};
+    const bool exists = ::stat(path.c_str(), &old) == 0;
+    std::string temporary = path + ".XXXXXX";
+    Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC)); // mode 0600
+    if (!file.isOpen())
+        return tl::unexpected(systemError(path, "cannot be written"));
+    const bool written = (!exists || ::fchmod(file.number(), old.st_mode & 0777) == 0) && writeAll(file.number(), content)
+        && ::fsync(file.number()) == 0 && file.close() && ::rename(temporary.c_str(), path.c_str()) == 0;
+    if (!written) {
+        const InputError error = systemError(path, "cannot be written");
+        ::unlink(temporary.c_str());
+        return tl::unexpected(error);
+    }
+    syncFolder(path);
+    return {};
+}
+
+Result<FileLock, InputError> FileLock::take(const std::string &path)
+{
+    const std::string name = path + ".lock";
+    const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (descriptor < 0)
+        return tl::unexpected(systemError(name, "cannot be created"));
+    FileLock lock(descriptor);
+    while (::flock(descriptor, LOCK_EX) != 0) {
+        if (errno != EINTR)
+            return tl::unexpected(systemError(name, "cannot be locked"));
+    }
+    return lock;
+}
+
+FileLock::~FileLock()
+{
+    if (m_descriptor >= 0)
+        ::close(m_descriptor);
+}
+
+} // namespace skyseal::keys

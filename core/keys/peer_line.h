@@ -1,0 +1,18 @@
+// One line of the file of known peers, read and written.
+#pragma once
+
+#include "core/keys/peers_file.h"
+
+namespace skyseal::keys {
+
+/// False for empty lines and remarks.
+bool isPeerLine(std::string_view line);
+/// The errors name no line; the reader of the file adds it.
+Result<PeerEntry, InputError> parsePeerLine(std::string_view line);
+std::string formatPeerLine(const PeerEntry &entry);
+
+/// What a line can hold: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a path
+/// without blanks.
+Result<void, InputError> checkPeerEntry(const PeerEntry &entry);
+
+} // namespace skyseal::keys

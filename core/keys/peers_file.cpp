@@ -1,0 +1,143 @@
+#include "core/keys/peers_file.h"
+
+#include "core/keys/file_io.h"
+#include "core/keys/peer_line.h"
+
+#include <algorithm>
+
+namespace skyseal::keys {
+
+Result<PeersFile, InputError> PeersFile::parse(std::string_view text, const std::string &source)
+{
+    PeersFile file;
+    for (std::size_t number = 1; !text.empty(); ++number) {
+        const std::size_t end = text.find('\n');
+        std::string_view raw = text.substr(0, end);
+        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+        if (raw.ends_with('\r'))
+            raw.remove_suffix(1);
+        Line line{std::string(raw), isPeerLine(raw), {}};
+        if (line.isPeer) {
+            auto entry = parsePeerLine(raw);
+            const auto fits = entry ? file.check(*entry, nullptr) : Result<void, InputError>();
+            if (!entry || !fits) {
+                InputError error = entry ? fits.error() : entry.error();
+                error.source = source;
+                error.line = number;
+                return tl::unexpected(error);
+            }
+            line.entry = std::move(*entry);
+        }
+        file.m_lines.push_back(std::move(line));
+    }
+    return file;
+}
+
+Result<PeersFile, InputError> PeersFile::load(const std::string &path)
+{
+    const auto content = readFile(path, FileAccess::Trusted);
+    if (!content)
+        return tl::unexpected(content.error());
+    return parse(asText(*content), path);
+}
+
+Result<PeersFile, InputError> PeersFile::loadOrEmpty(const std::string &path)
+{
+    return fileExists(path) ? load(path) : PeersFile();
+}
+
+Result<void, InputError> PeersFile::save(const std::string &path) const
+{
+    return replaceFile(path, asBytes(text()));
+}
+
+std::string PeersFile::text() const
+{
+    std::string out;
+    for (const Line &line : m_lines)
+        out.append(line.raw).append("\n");
+    return out;
+}
+
+std::vector<PeerEntry> PeersFile::entries() const
+{
+    std::vector<PeerEntry> out;
+    for (const Line &line : m_lines) {
+        if (line.isPeer)
+            out.push_back(line.entry);
+    }
+    return out;
+}
+
+std::vector<channel::Peer> PeersFile::peers() const
+{
+    std::vector<channel::Peer> out;
+    for (const Line &line : m_lines) {
+        if (line.isPeer)
+            out.push_back(line.entry.peer);
+    }
+    return out;
+}
+
+PeersFile::Line *PeersFile::lineOf(std::string_view name)
+{
+    const auto found = std::find_if(m_lines.begin(), m_lines.end(),
+                                    [name](const Line &line) { return line.isPeer && line.entry.peer.name == name; });
+    return found == m_lines.end() ? nullptr : &*found;
+}
+
+const PeerEntry *PeersFile::find(std::string_view name) const
+{
+    const auto found = std::find_if(m_lines.begin(), m_lines.end(),
+                                    [name](const Line &line) { return line.isPeer && line.entry.peer.name == name; });
+    return found == m_lines.end() ? nullptr : &found->entry;
+}
+
+/// Names and keys occur once: with two lines for a key nobody could say which role it has.
+Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *except) const
+{
+    if (const auto fits = checkPeerEntry(entry); !fits)
+        return fits;
+    for (const Line &line : m_lines) {
+        if (!line.isPeer || &line == except)
+            continue;
+        if (line.entry.peer.name == entry.peer.name)
+            return tl::unexpected(InputError{"there is a peer named \"" + entry.peer.name + "\" already", {}});
+        if (line.entry.peer.key == entry.peer.key)
+            return tl::unexpected(InputError{"the peer \"" + line.entry.peer.name + "\" has the same key already", {}});
+    }
+    return {};
+}
+
+Result<void, InputError> PeersFile::add(PeerEntry entry)
+{
+    if (const auto fits = check(entry, nullptr); !fits)
+        return fits;
+    std::string raw = formatPeerLine(entry);
+    m_lines.push_back({std::move(raw), true, std::move(entry)});
+    return {};
+}
+
+Result<void, InputError> PeersFile::replace(PeerEntry entry)
+{
+    Line *line = lineOf(entry.peer.name);
+    if (!line)
+        return tl::unexpected(InputError{"there is no peer named \"" + entry.peer.name + "\"", {}});
+    if (const auto fits = check(entry, line); !fits)
+        return fits;
+    line->raw = formatPeerLine(entry);
+    line->entry = std::move(entry);
+    return {};
+}
+
+bool PeersFile::remove(std::string_view name)
+{
+    return std::erase_if(m_lines, [name](const Line &line) { return line.isPeer && line.entry.peer.name == name; }) > 0;
+}
+
+Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path)
+{
+    return PeersFile::load(path).map([](const PeersFile &file) { return file.peers(); });
+}
+
+} // namespace skyseal::keys

@@ -1,0 +1,81 @@
+// The file of known peers: whom this device talks to. Text, one peer a line, fields apart by blanks:
+//
+//   # name     role      system ids   public key                                                 pre-shared key (optional)
+//   scout-1    pilot     1,2          skyseal:…                                                  psk=/etc/skyseal/scout-1.psk
+//   tablet     observer  any          skyseal:…
+//
+// Lines that begin with # and empty lines are kept as they are.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/channel/policy.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skyseal::keys {
+
+/// One line: the peer as the channel knows it, and where its pre-shared key lies; empty when it has none.
+struct PeerEntry
+{
+    channel::Peer peer;
+    std::string presharedKeyFile;
+};
+
+class PeersFile
+{
+public:
+    PeersFile() = default;
+
+    /// `source` names the text in errors, which carry line numbers. Safe for any bytes.
+    static Result<PeersFile, InputError> parse(std::string_view text, const std::string &source);
+    /// Refused when others can change the file.
+    static Result<PeersFile, InputError> load(const std::string &path);
+    /// An empty list where there is no such file yet.
+    static Result<PeersFile, InputError> loadOrEmpty(const std::string &path);
+
+    /// Replaces the file as a whole. A new one is readable by the owner alone.
+    Result<void, InputError> save(const std::string &path) const;
+    std::string text() const;
+
+    /// In the order of the file.
+    std::vector<PeerEntry> entries() const;
+    std::vector<channel::Peer> peers() const;
+    /// By name; null when there is none.
+    const PeerEntry *find(std::string_view name) const;
+
+    /// Appends a peer. Refused when the name is unfit, or name or key are there already.
+    Result<void, InputError> add(PeerEntry entry);
+    /// Replaces the peer of that name, knowingly: a new key, role or system ids.
+    Result<void, InputError> replace(PeerEntry entry);
+    /// False when there is no peer of that name.
+    bool remove(std::string_view name);
+
+private:
+    /// A peer, or a line that is kept as it is.
+    struct Line
+    {
+        std::string raw;
+        bool isPeer = false;
+        PeerEntry entry;
+    };
+
+    Result<void, InputError> check(const PeerEntry &entry, const Line *except) const;
+    Line *lineOf(std::string_view name);
+
+    std::vector<Line> m_lines;
+};
+
+/// The peers of a file, as the channel wants them.
+Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);
+
+/// "pilot" or "observer"; nullopt for anything else.
+std::optional<channel::PeerRole> peerRoleFromText(std::string_view text);
+std::string_view peerRoleText(channel::PeerRole role);
+
+/// "1,2,40" (1..255 each) or "any", which gives none.
+Result<std::vector<std::uint8_t>, InputError> systemIdsFromText(std::string_view text);
+std::string systemIdsText(const std::vector<std::uint8_t> &ids);
+
+} // namespace skyseal::keys

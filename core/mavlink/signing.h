@@ -1,0 +1,96 @@
+// MAVLink 2 message signing, as every station and autopilot speaks it: https://mavlink.io/en/guide/message_signing.html
+// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and all that stands before.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/secret_bytes.h"
+#include "core/mavlink/frame.h"
+
+#include <array>
+#include <optional>
+
+namespace skyseal::mavlink {
+
+/// Units of 10 µs since 2015-01-01 UTC, 48 bits.
+using SigningTime = std::uint64_t;
+inline constexpr SigningTime kMaxSigningTime = (SigningTime(1) << 48) - 1;
+inline constexpr SigningTime kSigningMinute = 6'000'000;
+
+/// 0 for moments before 2015.
+SigningTime signingTime(WallTime time);
+
+/// Signs what one sender writes on one link. Its time never stands still nor runs back: each frame gets at least one unit more than
+/// the one before. Keep `lastTime()` across restarts and hand it back in.
+class FrameSigner
+{
+public:
+    FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0) : m_key(std::move(key)), m_last(start), m_linkId(linkId) {}
+
+    /// Moves the time on to `now`, if that is later: call it when the clock is at hand, once per wake-up is enough.
+    void advanceTo(SigningTime now) { m_last = std::max(m_last, std::min(now, kMaxSigningTime)); }
+    SigningTime lastTime() const { return m_last; }
+
+    /// Fills the signature block of a frame that was written with kFlagSigned (its last 13 bytes); false when it was not.
+    bool sign(MutableByteView frame);
+
+private:
+    Key32 m_key;
+    SigningTime m_last;
+    std::uint8_t m_linkId;
+};
+
+/// Fills the signature block with a link id and time of the caller's; for tools that write a given frame again.
+bool signFrame(MutableByteView frame, const Key32 &key, std::uint8_t linkId, SigningTime time);
+
+/// Whether the frame's signature was made with this key; false for unsigned frames. Says nothing about replay.
+bool signatureMatches(const Frame &frame, const Key32 &key);
+
+/// Of a signed frame.
+std::uint8_t signatureLinkId(const Frame &frame);
+SigningTime signatureTime(const Frame &frame);
+
+enum class SignatureVerdict : std::uint8_t {
+    Good,
+    Unsigned,
+    Wrong,         ///< made with another key, or changed on the way
+    Replayed,      ///< not newer than the last one of its stream
+    TooOld,        ///< a new stream that begins over a minute behind
+    TooManyStreams ///< a new stream when kMaxStreams are known already
+};
+inline constexpr std::size_t kSignatureVerdicts = 6;
+
+/// Checks what arrives against one key and remembers the time of every stream (link id, system, component). Only frames with a right
+/// signature change what it remembers.
+class SignatureVerifier
+{
+public:
+    static constexpr std::size_t kMaxStreams = 64;
+
+    /// `now` = own time at the start; a new stream may not begin more than a minute before the newest time known.
+    SignatureVerifier(Key32 key, SigningTime now) : m_key(std::move(key)), m_newest(now) {}
+
+    /// Own time goes on; times in signed frames do so as well.
+    void advanceTo(SigningTime now) { m_newest = std::max(m_newest, now); }
+    SigningTime newestTime() const { return m_newest; }
+
+    SignatureVerdict check(const Frame &frame);
+
+    std::uint64_t count(SignatureVerdict verdict) const { return m_counts[static_cast<std::size_t>(verdict)]; }
+
+private:
+    struct Stream
+    {
+        std::uint32_t id = 0;
+        SigningTime last = 0;
+    };
+
+    SignatureVerdict judge(const Frame &frame);
+
+    Key32 m_key;
+    SigningTime m_newest;
+    std::array<Stream, kMaxStreams> m_streams;
+    std::size_t m_streamCount = 0;
+    std::array<std::uint64_t, kSignatureVerdicts> m_counts{};
+};
+
+} // namespace skyseal::mavlink

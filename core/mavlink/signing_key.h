@@ -1,0 +1,14 @@
+// The signing key as a file holds it.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/secret_bytes.h"
+
+#include <string>
+
+namespace skyseal::mavlink {
+
+/// Reads a key from a file of 32 bytes, or of 64 hex digits with nothing but white space around them.
+Result<Key32, InputError> readSigningKey(const std::string &path);
+
+} // namespace skyseal::mavlink

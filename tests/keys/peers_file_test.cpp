@@ -1,0 +1,175 @@
+// The file of known peers: lists read, changed and written without touching what a person wrote beside them.
+#include "core/crypto/init_crypto.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/public_key_text.h"
+
+#include "tests/crypto/seeded_random.h"
+#include "tests/keys/temporary_folder.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::keys;
+using channel::PeerRole;
+
+class PeersFileTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void readsAList();
+    void keepsRemarks();
+    void errorsNameTheLine_data();
+    void errorsNameTheLine();
+    void addsRefusingDoubles();
+    void replacesKnowingly();
+    void removes();
+    void savesAsAWhole();
+    void refusesAFileThatOthersCanChange();
+
+private:
+    PeerEntry entry(const char *name, std::size_t key) const { return {{m_keys[key], name, PeerRole::Pilot, {}}, {}}; }
+    std::string line(const std::string &front, std::size_t key) const { return front + " " + publicKeyText(m_keys[key]); }
+
+    std::vector<PublicKey> m_keys;
+    test::TemporaryFolder m_folder;
+};
+
+void PeersFileTest::initTestCase()
+{
+    QVERIFY(crypto::initCrypto());
+    test::SeededRandom random(7);
+    for (int i = 0; i < 4; ++i)
+        m_keys.push_back(crypto::X25519KeyPair::generate(random).publicKey);
+}
+
+void PeersFileTest::readsAList()
+{
+    const auto file = PeersFile::parse(line("scout-1\tpilot  1,2,255", 0) + " psk=/etc/a.psk\r\n" + line("  tablet observer any", 1), "f");
+    QVERIFY(file.has_value());
+    const auto entries = file->entries();
+    QCOMPARE(entries.size(), std::size_t(2));
+    QCOMPARE(entries[0].peer.name, std::string("scout-1"));
+    QCOMPARE(entries[0].peer.role, PeerRole::Pilot);
+    QCOMPARE(entries[0].peer.systemIds, (std::vector<std::uint8_t>{1, 2, 255}));
+    QCOMPARE(entries[0].peer.key, m_keys[0]);
+    QCOMPARE(entries[0].presharedKeyFile, std::string("/etc/a.psk"));
+    QCOMPARE(entries[1].peer.role, PeerRole::Observer);
+    QVERIFY(entries[1].peer.systemIds.empty() && entries[1].presharedKeyFile.empty());
+    QCOMPARE(file->peers().size(), std::size_t(2));
+    QVERIFY(PeersFile::parse("", "f")->entries().empty());
+}
+
+void PeersFileTest::keepsRemarks()
+{
+    const std::string text = "# our vehicles\n\n" + line("scout   pilot  1", 0) + "\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n";
+    auto file = PeersFile::parse(text, "f");
+    QCOMPARE(file->text(), text);
+    QVERIFY(file->add(entry("third", 2)));
+    QVERIFY(file->text().starts_with(text));
+    QVERIFY(file->remove("scout"));
+    QCOMPARE(file->text(), "# our vehicles\n\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n" + line("third pilot any", 2) + "\n");
+    // What add wrote is what it reads.
+    QCOMPARE(PeersFile::parse(file->text(), "f")->entries()[1].peer.key, m_keys[2]);
+}
+
+void PeersFileTest::errorsNameTheLine_data()
+{
+    QTest::addColumn<QString>("bad");
+    QTest::addColumn<QString>("part");
+    const auto row = [](const char *name, const std::string &bad, const char *part) {
+        QTest::newRow(name) << QString::fromStdString(bad) << QString::fromUtf8(part);
+    };
+    row("few fields", "scout pilot", "here are 2 fields");
+    row("many fields", line("scout pilot 1", 0) + " psk=a b", "here are 6 fields");
+    row("role", line("scout captain 1", 0), "\"captain\" is not a role");
+    row("system id 0", line("scout pilot 0", 0), "\"0\" is not a list of system ids");
+    row("system id 256", line("scout pilot 1,256", 0), "\"1,256\" is not a list");
+    row("empty id", line("scout pilot 1,", 0), "is not a list");
+    row("sign", line("scout pilot -1", 0), "is not a list");
+    row("key", "scout pilot 1 skyseal:AAAA", "is not a public key");
+    row("psk", line("scout pilot 1", 0) + " key=x", "psk=FILE");
+    row("no psk", line("scout pilot 1", 0) + " psk=", "psk=FILE");
+    row("name", line("a/b pilot 1", 0), "is not a peer's name");
+    row("long name", line(std::string(33, 'n') + " pilot 1", 0), "is not a peer's name");
+    row("double name", line("first pilot 1", 0), "named \"first\" already");
+    row("double key", line("scout pilot 1", 3), "\"first\" has the same key");
+    row("control character", line("scout \x1b[31m 1", 0), "\"?[31m\" is not a role");
+}
+
+void PeersFileTest::errorsNameTheLine()
+{
+    QFETCH(QString, bad);
+    QFETCH(QString, part);
+    const auto file = PeersFile::parse(line("first pilot 1", 3) + "\n# remark\n" + bad.toStdString() + "\n", "peers.txt");
+    QVERIFY(!file);
+    const QString error = QString::fromStdString(file.error().text());
+    QVERIFY2(error.startsWith(QLatin1String("peers.txt:3: ")) && error.contains(part), qPrintable(error));
+}
+
+void PeersFileTest::addsRefusingDoubles()
+{
+    PeersFile file;
+    QVERIFY(file.add(entry("a", 0)));
+    QVERIFY(!file.add(entry("a", 1)));
+    QVERIFY(!file.add(entry("b", 0)));
+    QVERIFY(!file.add(entry("", 1)));
+    QVERIFY(!file.add(entry("two words", 1)));
+    QVERIFY(!file.add(entry("#a", 1)));
+    PeerEntry newline = entry("c", 1);
+    newline.presharedKeyFile = "x\nmallory pilot any skyseal:";
+    QVERIFY(!file.add(newline));
+    QVERIFY(file.add(entry("J\xc3\xbcrgen", 1)));
+    QCOMPARE(file.entries().size(), std::size_t(2));
+}
+
+void PeersFileTest::replacesKnowingly()
+{
+    PeersFile file;
+    QVERIFY(file.add(entry("a", 0)));
+    QVERIFY(file.add(entry("b", 1)));
+    PeerEntry changed = entry("a", 2);
+    changed.peer.role = PeerRole::Observer;
+    changed.peer.systemIds = {9};
+    QVERIFY(file.replace(changed));
+    QCOMPARE(file.find("a")->peer.key, m_keys[2]);
+    QCOMPARE(file.text(), line("a observer 9", 2) + "\n" + line("b pilot any", 1) + "\n");
+    QVERIFY(!file.replace(entry("a", 1))); // the key of another
+    QVERIFY(!file.replace(entry("c", 3)));
+}
+
+void PeersFileTest::removes()
+{
+    PeersFile file;
+    QVERIFY(file.add(entry("a", 0)));
+    QVERIFY(!file.remove("b"));
+    QVERIFY(file.remove("a"));
+    QVERIFY(!file.find("a") && file.text().empty());
+}
+
+void PeersFileTest::savesAsAWhole()
+{
+    const std::string path = m_folder.path("peers");
+    QVERIFY(!PeersFile::load(path));
+    auto file = PeersFile::loadOrEmpty(path);
+    QVERIFY(file && file->add(entry("a", 0)));
+    QVERIFY(file->save(path));
+    QCOMPARE(test::modeOf(path), mode_t(0600));
+    ::chmod(path.c_str(), 0644);
+    QVERIFY(file->add(entry("b", 1)) && file->save(path));
+    QCOMPARE(test::modeOf(path), mode_t(0644));
+    QCOMPARE(loadPeers(path)->size(), std::size_t(2));
+    QVERIFY(!file->save(m_folder.path("no/such/folder")));
+}
+
+void PeersFileTest::refusesAFileThatOthersCanChange()
+{
+    const std::string path = m_folder.write("shared", line("a pilot 1", 0), 0664);
+    QVERIFY(loadPeers(path).error().text().find("other users") != std::string::npos);
+    ::chmod(path.c_str(), 0644);
+    QCOMPARE(loadPeers(path)->size(), std::size_t(1));
+}
+
+QTEST_APPLESS_MAIN(PeersFileTest)
+#include "peers_file_test.moc"

@@ -1,0 +1,392 @@
+// Commands against a scripted vehicle: exact times of the retries, fallbacks for old firmware, and how each ending is worded.
+#include "vehicle_harness.h"
+
+using namespace skyseal;
+using namespace skyseal::vehicle;
+
+class CommandTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void repeatsOnceASecondWithARisingConfirmation();
+    void progressExtendsTheWait();
+    void armingIsConfirmedByTheHeartbeat();
+    void heartbeatProvesWhatALostAckDidNot();
+    void acknowledgedButNotDoneTimesOut();
+    void reasonMayComeBeforeTheRefusal();
+    void reasonMayComeAfterTheRefusal();
+    void refusalWithoutAReasonDoesNotWaitLong();
+    void modeFallsBackToTheOldMessage();
+    void oldMessageMayBeAcknowledgedByItsId();
+    void unknownModeNamesThoseThatExist();
+    void takeOffStatesItsPreconditions();
+    void newerModeReplacesTheOneUnderWay();
+    void disarmReplacesArm();
+    void sameRawCommandsTakeTurns();
+    void ackForAnotherStationIsIgnored();
+    void goToFallsBackToATargetAndIsConfirmedByItsEcho();
+    void goToWithoutAnEchoSaysSo();
+    void landAndReturnAreModesOnArduPilot();
+    void px4GetsCommandsAndMainModes();
+    void missionItemIsConfirmedByMissionCurrent();
+    void everyCommandEndsExactlyOnce();
+};
+
+namespace {
+constexpr std::uint16_t kArm = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, kSetMode = mavlink::MAV_CMD_DO_SET_MODE;
+constexpr std::uint8_t kAccepted = 0, kDenied = 2, kUnsupported = 3, kFailed = 4, kInProgress = 5;
+}
+
+void CommandTest::repeatsOnceASecondWithARisingConfirmation()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{7}, RawCommand{246, {1, 2, 3, 4, 5, 6, 7}});
+    for (int attempt = 0; attempt < 5; ++attempt) {
+        const auto sent = h.nextSent<mavlink::CommandLong>(at(200));
+        QVERIFY(sent);
+        QCOMPARE(sent->first, at(100 + attempt));
+        QCOMPARE(int(sent->second.confirmation), attempt);
+        QCOMPARE(sent->second.command, std::uint16_t(246));
+        QCOMPARE(sent->second.param7, 7.f);
+        QCOMPARE(sent->second.target_system, std::uint8_t(1));
+    }
+    h.runUntil(at(104.999));
+    QVERIFY(!h.vehicle.pollResult());
+    h.runUntil(at(105));
+    const auto result = h.vehicle.pollResult();
+    QVERIFY(result);
+    QCOMPARE(result->id, CommandId{7});
+    QCOMPARE(result->outcome, CommandOutcome::TimedOut);
+    QCOMPARE(result->reason, std::string("no answer to 5 attempts"));
+}
+
+void CommandTest::progressExtendsTheWait()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, RawCommand{241, {}});
+    for (int i = 0; i < 3; ++i) {
+        h.ack(241, kInProgress);
+        h.runUntil(h.now + std::chrono::seconds(9));
+        QVERIFY(!h.vehicle.pollResult());
+    }
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1)); // not repeated while it is being done
+    h.ack(241, kAccepted);
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::armingIsConfirmedByTheHeartbeat()
+{
+    Harness h = Harness::copter(4);
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.ack(kArm, kAccepted);
+    QVERIFY(!h.vehicle.pollResult()); // until it is seen, too
+    h.feed(heartbeat(4, false));
+    QVERIFY(!h.vehicle.pollResult());
+    h.feed(heartbeat(4, true));
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QVERIFY(h.vehicle.current().armed);
+}
+
+void CommandTest::heartbeatProvesWhatALostAckDidNot()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, Arm{true});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 2989.f);
+    h.feed(heartbeat(0, true));
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+
+    // But a state that was there before proves nothing about this command.
+    h.vehicle.command(h.now, CommandId{2}, Arm{});
+    h.feed(heartbeat(0, true));
+    QVERIFY(!h.vehicle.pollResult());
+}
+
+void CommandTest::acknowledgedButNotDoneTimesOut()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.ack(kArm, kAccepted);
+    for (int i = 0; i < 4; ++i) {
+        h.runUntil(h.now + std::chrono::seconds(1));
+        h.feed(heartbeat(0, false));
+    }
+    const auto result = h.vehicle.pollResult();
+    QVERIFY(result);
+    QCOMPARE(result->outcome, CommandOutcome::TimedOut);
+    QCOMPARE(result->reason, std::string("acknowledged, but the vehicle reports disarmed"));
+
+    h.vehicle.command(h.now, CommandId{2}, Arm{});
+    h.ack(kArm, kAccepted);
+    h.runUntil(h.now + std::chrono::seconds(4));
+    const auto unseen = h.vehicle.pollResult();
+    QVERIFY(unseen);
+    QCOMPARE(unseen->outcome, CommandOutcome::Accepted);
+    QCOMPARE(unseen->reason, std::string("acknowledged; no heartbeat came since"));
+}
+
+void CommandTest::reasonMayComeBeforeTheRefusal()
+{
+    Harness h = Harness::copter();
+    h.feed(statusText("an older text"));
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.feed(statusText("PreArm: Compass not healthy"));
+    h.feed(statusText("chatter", 6));
+    h.ack(kArm, kFailed);
+    const auto result = h.vehicle.pollResult();
+    QVERIFY(result);
+    QCOMPARE(result->outcome, CommandOutcome::Refused);
+    QCOMPARE(result->result, kFailed);
+    QCOMPARE(result->reason, std::string("failed: PreArm: Compass not healthy"));
+}
+
+void CommandTest::reasonMayComeAfterTheRefusal()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.ack(kArm, kFailed);
+    QVERIFY(!h.vehicle.pollResult());
+    h.runUntil(at(100.3));
+    h.feed(statusText("Arm: Throttle too high"));
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("failed: Arm: Throttle too high"));
+}
+
+void CommandTest::refusalWithoutAReasonDoesNotWaitLong()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.ack(kArm, kDenied);
+    h.runUntil(at(100.7));
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("denied"));
+}
+
+void CommandTest::modeFallsBackToTheOldMessage()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, SetMode{"guided"});
+    const auto command = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(command.size(), std::size_t(1));
+    QCOMPARE(command[0].command, kSetMode);
+    QCOMPARE(command[0].param1, 1.f);
+    QCOMPARE(command[0].param2, 4.f);
+    h.ack(kSetMode, kUnsupported);
+    const auto message = h.sentOf<mavlink::SetMode>();
+    QCOMPARE(message.size(), std::size_t(1));
+    QCOMPARE(message[0].custom_mode, 4u);
+    h.runUntil(at(102.5));
+    QCOMPARE(h.sentOf<mavlink::SetMode>().size(), std::size_t(2));
+    h.feed(heartbeat(4));
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.vehicle.current().mode, std::string("GUIDED"));
+}
+
+void CommandTest::oldMessageMayBeAcknowledgedByItsId()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, SetMode{"AUTO"});
+    h.ack(kSetMode, kUnsupported);
+    h.ack(mavlink::SetMode::kId, kFailed, 0);
+    h.feed(statusText("Mode change to AUTO failed: missing mission", 4));
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("failed: Mode change to AUTO failed: missing mission"));
+}
+
+void CommandTest::unknownModeNamesThoseThatExist()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, SetMode{"WARP"});
+    const auto result = h.vehicle.pollResult();
+    QVERIFY(result);
+    QCOMPARE(result->outcome, CommandOutcome::Refused);
+    QVERIFY(result->reason.find("'WARP'") != std::string::npos);
+    QVERIFY(result->reason.find("STABILIZE, ACRO, ALT_HOLD") != std::string::npos);
+    QVERIFY(h.sent().empty());
+}
+
+void CommandTest::takeOffStatesItsPreconditions()
+{
+    Harness h = Harness::copter(0, false);
+    h.vehicle.command(h.now, CommandId{1}, TakeOff{10});
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
+    h.feed(heartbeat(4, false));
+    h.vehicle.command(h.now, CommandId{2}, TakeOff{10});
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    h.feed(heartbeat(4, true));
+    h.vehicle.command(h.now, CommandId{3}, TakeOff{-1});
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Refused);
+    QVERIFY(h.sent().empty());
+    h.vehicle.command(h.now, CommandId{4}, TakeOff{12.5});
+    const auto sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(1));
+    QCOMPARE(sent[0].command, std::uint16_t(mavlink::MAV_CMD_NAV_TAKEOFF));
+    QCOMPARE(sent[0].param7, 12.5f);
+    h.ack(mavlink::MAV_CMD_NAV_TAKEOFF, kAccepted);
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::newerModeReplacesTheOneUnderWay()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, SetMode{"LOITER"});
+    h.runUntil(at(100.5));
+    h.vehicle.command(h.now, CommandId{2}, ReturnToLaunch{}); // in a hurry: does not wait for the first one to end
+    const auto first = h.vehicle.pollResult();
+    QVERIFY(first);
+    QCOMPARE(first->id, CommandId{1});
+    QCOMPARE(first->reason, std::string("replaced by a newer command"));
+    const auto sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(2));
+    QCOMPARE(sent[1].param2, 6.f);
+
+    // The acknowledgement is that of the first; the newer one was lost. It is asked again, since the mode says otherwise.
+    h.ack(kSetMode, kAccepted);
+    for (int i = 0; i < 4; ++i) {
+        h.runUntil(h.now + std::chrono::seconds(1));
+        h.feed(heartbeat(5));
+    }
+    QVERIFY(!h.vehicle.pollResult());
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 6.f);
+    h.ack(kSetMode, kAccepted);
+    h.feed(heartbeat(6));
+    const auto second = h.vehicle.pollResult();
+    QVERIFY(second);
+    QCOMPARE(second->id, CommandId{2});
+    QCOMPARE(second->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::disarmReplacesArm()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.command(h.now, CommandId{2}, Disarm{true});
+    QCOMPARE(h.vehicle.pollResult()->id, CommandId{1});
+    const auto sent = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(sent.size(), std::size_t(2));
+    QCOMPARE(sent[1].param1, 0.f);
+    QCOMPARE(sent[1].param2, 21196.f);
+    h.ack(kArm, kAccepted);
+    h.feed(heartbeat(0, false));
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::sameRawCommandsTakeTurns()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, RawCommand{183, {1, 1100}});
+    h.vehicle.command(h.now, CommandId{2}, RawCommand{183, {2, 1200}});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
+    h.ack(183, kAccepted);
+    QCOMPARE(h.vehicle.pollResult()->id, CommandId{1});
+    const auto second = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(second.size(), std::size_t(1));
+    QCOMPARE(second[0].param1, 2.f);
+    h.ack(183, kAccepted);
+    QCOMPARE(h.vehicle.pollResult()->id, CommandId{2});
+}
+
+void CommandTest::ackForAnotherStationIsIgnored()
+{
+    Harness h = Harness::copter();
+    h.vehicle.command(h.now, CommandId{1}, RawCommand{183, {}});
+    h.ack(183, kFailed, 254);
+    h.runUntil(at(100.9));
+    QVERIFY(!h.vehicle.pollResult());
+    h.ack(183, kAccepted, 0); // MAVLink 1 has no targets in it
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
+{
+    Harness h = Harness::copter(0, true);
+    const GoTo place{-35.3625, 149.1655, 25};
+    h.vehicle.command(h.now, CommandId{1}, place);
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: going to a place needs the mode GUIDED, the vehicle is in STABILIZE"));
+    h.feed(heartbeat(4, true));
+    h.vehicle.command(h.now, CommandId{2}, place);
+    const auto reposition = h.sentOf<mavlink::CommandInt>();
+    QCOMPARE(reposition.size(), std::size_t(1));
+    QCOMPARE(reposition[0].x, -353625000);
+    QCOMPARE(reposition[0].z, 25.f);
+    h.ack(mavlink::MAV_CMD_DO_REPOSITION, kUnsupported);
+    const auto target = h.sentOf<mavlink::SetPositionTargetGlobalInt>();
+    QCOMPARE(target.size(), std::size_t(1));
+    QCOMPARE(target[0].lon_int, 1491655000);
+    QCOMPARE(target[0].coordinate_frame, std::uint8_t(6));
+    mavlink::PositionTargetGlobalInt echo;
+    echo.lat_int = -353625003;
+    echo.lon_int = 1491654998;
+    h.feed(echo);
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::goToWithoutAnEchoSaysSo()
+{
+    Harness h = Harness::copter(4, true);
+    h.vehicle.command(h.now, CommandId{1}, GoTo{1, 2, 3});
+    h.ack(mavlink::MAV_CMD_DO_REPOSITION, kUnsupported);
+    h.runUntil(at(106));
+    QCOMPARE(h.sentOf<mavlink::SetPositionTargetGlobalInt>().size(), std::size_t(5));
+    const auto result = h.vehicle.pollResult();
+    QVERIFY(result);
+    QCOMPARE(result->reason, std::string("sent 5 times; the vehicle does not confirm it"));
+}
+
+void CommandTest::landAndReturnAreModesOnArduPilot()
+{
+    Harness h = Harness::copter(4, true);
+    h.vehicle.command(h.now, CommandId{1}, Land{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 9.f);
+    h.feed(heartbeat(9, true));
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    h.vehicle.command(h.now, CommandId{2}, ReturnToLaunch{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 6.f);
+}
+
+void CommandTest::px4GetsCommandsAndMainModes()
+{
+    Harness h;
+    h.feed(heartbeat(4u << 16 | 3u << 24, true, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    h.sent();
+    QCOMPARE(h.vehicle.current().mode, std::string("LOITER"));
+    h.vehicle.command(h.now, CommandId{1}, SetMode{"MISSION"});
+    const auto mode = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(mode.at(0).param2, 4.f);
+    QCOMPARE(mode.at(0).param3, 4.f);
+    h.vehicle.command(h.now, CommandId{2}, Land{});
+    QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_NAV_LAND));
+}
+
+void CommandTest::missionItemIsConfirmedByMissionCurrent()
+{
+    Harness h = Harness::copter(3, true);
+    h.vehicle.command(h.now, CommandId{1}, SetCurrentMissionItem{3});
+    QCOMPARE(h.sentOf<mavlink::MissionSetCurrent>().at(0).seq, std::uint16_t(3));
+    mavlink::MissionCurrent current;
+    current.seq = 2;
+    h.feed(current);
+    QVERIFY(!h.vehicle.pollResult());
+    current.seq = 3;
+    h.feed(current);
+    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+}
+
+void CommandTest::everyCommandEndsExactlyOnce()
+{
+    Harness h = Harness::copter(4, true);
+    const VehicleCommand all[] = {Arm{}, Disarm{}, TakeOff{}, Land{}, ReturnToLaunch{}, SetMode{"AUTO"}, GoTo{1, 1, 1}, ChangeSpeed{5},
+                                  SetCurrentMissionItem{1}, StartMission{}, Reboot{}, RawCommand{1, {}}, RawCommand{1, {}}};
+    std::vector<int> ended(200);
+    std::uint32_t id = 0;
+    for (int round = 0; round < 5; ++round) {
+        for (const VehicleCommand &command : all)
+            h.vehicle.command(h.now, CommandId{id++}, command);
+    }
+    h.runUntil(at(400));
+    while (const auto result = h.vehicle.pollResult())
+        ++ended[static_cast<std::uint32_t>(result->id)];
+    for (std::uint32_t i = 0; i < id; ++i)
+        QCOMPARE(ended[i], 1);
+    QCOMPARE(h.vehicle.current().systemId, std::uint8_t(1));
+}
+
+QTEST_APPLESS_MAIN(CommandTest)
+#include "command_test.moc"

@@ -1,0 +1,116 @@
+// Status texts: long ones joined, lost and repeated chunks, the time-out, and what of it all a vehicle keeps.
+#include "vehicle_harness.h"
+
+#include "core/vehicle/status_text_joiner.h"
+
+using namespace skyseal;
+using namespace skyseal::vehicle;
+
+class StatusTextTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void joinsChunks();
+    void fullLastChunkEndsWithAnEmptyOne();
+    void lostChunkShowsAsAGap();
+    void repeatedChunkAddsNothing();
+    void timeoutGivesWhatIsThere();
+    void anotherTextEndsTheOneUnderWay();
+    void vehicleNumbersAndKeepsTheLast200();
+    void textsOfOtherComponentsAreHeard();
+};
+
+namespace {
+const std::string kFirst(50, 'a');
+const std::string kSecond(50, 'b');
+}
+
+void StatusTextTest::joinsChunks()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    QVERIFY(!joiner.poll());
+    QCOMPARE(joiner.nextDeadline(), at(1));
+    joiner.handleChunk(at(0.1), 1, 4, 9, 1, "end");
+    const auto text = joiner.poll();
+    QVERIFY(text);
+    QCOMPARE(text->text, kFirst + "end");
+    QCOMPARE(text->severity, std::uint8_t(4));
+    QCOMPARE(joiner.nextDeadline(), kNever);
+}
+
+void StatusTextTest::fullLastChunkEndsWithAnEmptyOne()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0), 1, 4, 9, 1, kSecond);
+    joiner.handleChunk(at(0), 1, 4, 9, 2, "");
+    QCOMPARE(joiner.poll()->text, kFirst + kSecond);
+}
+
+void StatusTextTest::lostChunkShowsAsAGap()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0), 1, 4, 9, 2, "end");
+    QCOMPARE(joiner.poll()->text, kFirst + "…end");
+    joiner.handleChunk(at(0), 1, 4, 10, 1, "end");
+    QCOMPARE(joiner.poll()->text, std::string("…end"));
+}
+
+void StatusTextTest::repeatedChunkAddsNothing()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0), 1, 4, 9, 1, "end");
+    QCOMPARE(joiner.poll()->text, kFirst + "end");
+    QVERIFY(!joiner.poll());
+}
+
+void StatusTextTest::timeoutGivesWhatIsThere()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleDeadline(at(0.999));
+    QVERIFY(!joiner.poll());
+    joiner.handleDeadline(at(1));
+    QCOMPARE(joiner.poll()->text, kFirst + "…");
+}
+
+void StatusTextTest::anotherTextEndsTheOneUnderWay()
+{
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, kFirst);
+    joiner.handleChunk(at(0), 1, 6, 0, 0, "short");
+    QCOMPARE(joiner.poll()->text, kFirst);
+    QCOMPARE(joiner.poll()->text, std::string("short"));
+    QVERIFY(!joiner.poll());
+}
+
+void StatusTextTest::vehicleNumbersAndKeepsTheLast200()
+{
+    Harness h = Harness::copter();
+    for (int i = 1; i <= 250; ++i)
+        h.feed(statusText("text " + std::to_string(i), 6));
+    const auto state = h.vehicle.state(h.now);
+    QCOMPARE(state.texts.size(), std::size_t(200));
+    QCOMPARE(state.texts.front().text, std::string("text 51"));
+    QCOMPARE(state.texts.back().number, std::uint64_t(250));
+}
+
+void StatusTextTest::textsOfOtherComponentsAreHeard()
+{
+    Harness h = Harness::copter();
+    Sender companion(1, 191);
+    h.vehicle.handleFrame(h.now, {}, companion.frame(statusText("camera ready", 5)));
+    QCOMPARE(h.vehicle.pollText()->text, std::string("camera ready"));
+    // MAVLink 1 has neither id nor chunks.
+    Sender old(1, 1, 1);
+    h.vehicle.handleFrame(h.now, {}, old.frame(statusText(std::string(50, 'x'), 5)));
+    QCOMPARE(h.vehicle.pollText()->text, std::string(50, 'x'));
+}
+
+QTEST_APPLESS_MAIN(StatusTextTest)
+#include "status_text_test.moc"

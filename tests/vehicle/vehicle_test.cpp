@@ -1,0 +1,391 @@
+// What makes a vehicle, how it gets lost and comes back, what it is asked for at the beginning, and the small trackers.
+#include "vehicle_harness.h"
+
+#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/gcs_heartbeat.h"
+#include "core/vehicle/geodesy.h"
+#include "core/vehicle/vehicle_set.h"
+
+using namespace skyseal;
+using namespace skyseal::vehicle;
+
+class VehicleTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void onlyAnAutopilotsHeartbeatMakesAVehicle();
+    void framesGoToTheirVehicle();
+    void lostAfterThreeAndAHalfSecondsAndBack();
+    void radioStatusIsNoSignOfLife();
+    void otherComponentsAreNotTheVehicle();
+    void modeNamesRoundTrip();
+    void unknownModesKeepTheirNumber();
+    void ardupilotIsAskedForStreams();
+    void silentGroupIsAskedForAgain();
+    void px4IsNotAsked();
+    void oneRateForAllStreams();
+    void unsupportedIntervalsAreGivenUp();
+    void lostVehicleIsAskedAnewWhenItReturns();
+    void versionIsAskedForInTurnsUntilItComes();
+    void latencyIsMeasuredAndSmoothed();
+    void answersTheVehiclesTimeSync();
+    void homeIsWhereItWasArmedUntilItSays();
+    void flightTimeCountsInTheAirOnly();
+    void gcsHeartbeatIsDueOnceASecond();
+    void outboxIsBounded();
+};
+
+void VehicleTest::onlyAnAutopilotsHeartbeatMakesAVehicle()
+{
+    VehicleSet set{VehicleConfig{}};
+    Sender one(1);
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(mavlink::Attitude{})));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GCS, mavlink::MAV_AUTOPILOT_INVALID))));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GIMBAL, mavlink::MAV_AUTOPILOT_INVALID))));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_CAMERA, mavlink::MAV_AUTOPILOT_GENERIC))));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_ONBOARD_CONTROLLER, 0))));
+    QVERIFY(set.empty());
+    Sender own(255);
+    QVERIFY(!set.handleFrame(at(1), {}, own.frame(heartbeat())));
+    QVERIFY(set.handleFrame(at(1), {}, one.frame(heartbeat())));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat())));
+    QCOMPARE(set.all().size(), std::size_t(1));
+    QCOMPARE(set.find(1)->current().type, std::uint8_t(mavlink::MAV_TYPE_QUADROTOR));
+    QVERIFY(!set.find(2));
+}
+
+void VehicleTest::framesGoToTheirVehicle()
+{
+    VehicleSet set{VehicleConfig{}};
+    for (const std::uint8_t id : {3, 200, 7})
+        QVERIFY(set.handleFrame(at(1), {}, Sender(id).frame(heartbeat())));
+    mavlink::Attitude attitude;
+    attitude.roll = 0.5f;
+    set.handleFrame(at(1), {}, Sender(7).frame(attitude));
+    QCOMPARE(set.find(7)->current().roll, 0.5);
+    QVERIFY(std::isnan(set.find(3)->current().roll));
+    QVERIFY(set.nextDeadline() <= at(1));
+    set.handleDeadline(at(1));
+    for (auto &[id, vehicle] : set.all()) {
+        const auto request = as<mavlink::RequestDataStream>(*vehicle.pollOutgoing());
+        QVERIFY(request);
+        QCOMPARE(request->target_system, id);
+    }
+}
+
+void VehicleTest::lostAfterThreeAndAHalfSecondsAndBack()
+{
+    Harness h = Harness::copter(4, true);
+    mavlink::Attitude attitude;
+    attitude.roll = 0.25f;
+    h.feed(attitude);
+    const auto before = h.vehicle.state(at(103.5));
+    QVERIFY(!before.lost);
+    QCOMPARE(before.heartbeatAge, 3.5);
+    const auto after = h.vehicle.state(at(103.501));
+    QVERIFY(after.lost && h.vehicle.isLost(at(103.501)));
+    QCOMPARE(after.roll, 0.25); // nothing is erased
+    QVERIFY(after.armed);
+    h.now = at(110);
+    h.feed(attitude); // any message will do
+    const auto back = h.vehicle.state(at(110));
+    QVERIFY(!back.lost);
+    QCOMPARE(back.heartbeatAge, 10.);
+    QCOMPARE(back.messageAge, 0.);
+}
+
+void VehicleTest::radioStatusIsNoSignOfLife()
+{
+    Harness h = Harness::copter();
+    h.now = at(104);
+    h.feed(mavlink::RadioStatus{});
+    QVERIFY(h.vehicle.isLost(h.now));
+}
+
+void VehicleTest::otherComponentsAreNotTheVehicle()
+{
+    Harness h = Harness::copter(4);
+    Sender companion(1, 191);
+    h.now = at(104);
+    h.vehicle.handleFrame(h.now, {}, companion.frame(heartbeat(0, true, mavlink::MAV_TYPE_ONBOARD_CONTROLLER, 8)));
+    QVERIFY(h.vehicle.isLost(h.now));
+    QVERIFY(!h.vehicle.current().armed);
+    QCOMPARE(h.vehicle.current().mode, std::string("GUIDED"));
+}
+
+void VehicleTest::modeNamesRoundTrip()
+{
+    const VehicleKind kinds[] = {{2, 3}, {1, 3}, {10, 3}, {12, 3}, {5, 3}, {2, 12}, {20, 3}};
+    for (const VehicleKind kind : kinds) {
+        const auto names = modeNames(kind);
+        QVERIFY(names.size() > 5);
+        for (const std::string &name : names) {
+            const auto number = modeNumber(kind, name);
+            QVERIFY(number);
+            QCOMPARE(modeName(kind, 1, *number), name);
+        }
+    }
+    QCOMPARE(modeName({1, 3}, 1, 11), std::string("RTL"));
+    QCOMPARE(modeName({10, 3}, 1, 4), std::string("HOLD"));
+    QCOMPARE(modeNumber({2, 3}, "loiter").value(), 5u);
+}
+
+void VehicleTest::unknownModesKeepTheirNumber()
+{
+    QCOMPARE(modeName({2, 3}, 1, 99), std::string("MODE(99)"));
+    QCOMPARE(modeNumber({2, 3}, "MODE(99)").value(), 99u);
+    QVERIFY(!modeNumber({2, 3}, "MODE(99"));
+    QVERIFY(!modeNumber({2, 3}, "MODE()"));
+    QVERIFY(!modeNumber({2, 3}, "MODE(99999999999)"));
+    QCOMPARE(modeName({2, 0}, 1, 17), std::string("MODE(17)"));
+    QCOMPARE(modeName({2, 0}, 4, 0), std::string("AUTO"));
+    QVERIFY(modeNames({2, 0}).empty());
+}
+
+void VehicleTest::ardupilotIsAskedForStreams()
+{
+    Harness h;
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    const auto messages = h.sent();
+    std::map<int, int> rates;
+    std::vector<float> intervals;
+    for (const OutMessage &message : messages) {
+        if (const auto stream = as<mavlink::RequestDataStream>(message)) {
+            QCOMPARE(stream->start_stop, std::uint8_t(1));
+            rates[stream->req_stream_id] = stream->req_message_rate;
+        }
+        const auto command = as<mavlink::CommandLong>(message);
+        if (command && command->command == mavlink::MAV_CMD_SET_MESSAGE_INTERVAL)
+            intervals.push_back(command->param1);
+    }
+    QCOMPARE(rates, (std::map<int, int>{{1, 2}, {2, 2}, {3, 2}, {6, 3}, {10, 10}, {11, 10}, {12, 3}}));
+    QCOMPARE(intervals, (std::vector<float>{242, 245}));
+}
+
+void VehicleTest::silentGroupIsAskedForAgain()
+{
+    Harness h;
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    h.sent();
+    // Attitude comes, the rest does not: only the rest is asked for, after 8 s.
+    for (int i = 0; i < 79; ++i) {
+        h.runUntil(h.now + std::chrono::milliseconds(100));
+        h.feed(mavlink::Attitude{});
+    }
+    QCOMPARE(h.sentOf<mavlink::RequestDataStream>().size(), std::size_t(0));
+    h.runUntil(at(108));
+    const auto again = h.sentOf<mavlink::RequestDataStream>();
+    QCOMPARE(again.size(), std::size_t(6));
+    QVERIFY(std::none_of(again.begin(), again.end(), [](const auto &m) { return m.req_stream_id == 10; }));
+    // What never comes is asked for ever more rarely: at 8, 24, 56, 120, 184 s.
+    h.runUntil(at(300));
+    std::size_t rc = 0;
+    for (const auto &m : h.sentOf<mavlink::RequestDataStream>())
+        rc += m.req_stream_id == 3;
+    QVERIFY2(rc <= 4, qPrintable(QString::number(rc)));
+}
+
+void VehicleTest::px4IsNotAsked()
+{
+    Harness h;
+    h.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    h.runUntil(at(150));
+    for (const OutMessage &message : h.sent()) {
+        QVERIFY(message.id != mavlink::RequestDataStream::kId);
+        const auto command = as<mavlink::CommandLong>(message);
+        QVERIFY(!command || command->command != mavlink::MAV_CMD_SET_MESSAGE_INTERVAL);
+    }
+}
+
+void VehicleTest::oneRateForAllStreams()
+{
+    VehicleConfig config;
+    config.streamRate = 50;
+    Harness h(config);
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    const auto asked = h.sentOf<mavlink::RequestDataStream>();
+    QCOMPARE(asked.size(), std::size_t(7));
+    for (const auto &m : asked)
+        QCOMPARE(m.req_message_rate, std::uint16_t(50));
+    h.vehicle.setStreams(h.now, StreamProfile::LowBandwidth);
+    h.runUntil(h.now);
+    for (const auto &m : h.sentOf<mavlink::RequestDataStream>()) {
+        QVERIFY(m.req_message_rate <= 2);
+        QCOMPARE(m.start_stop != 0, m.req_message_rate > 0);
+    }
+}
+
+void VehicleTest::unsupportedIntervalsAreGivenUp()
+{
+    Harness h;
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    h.sent();
+    h.ack(mavlink::MAV_CMD_SET_MESSAGE_INTERVAL, mavlink::MAV_RESULT_UNSUPPORTED);
+    h.runUntil(at(300));
+    for (const auto &m : h.sentOf<mavlink::CommandLong>())
+        QVERIFY(m.command != mavlink::MAV_CMD_SET_MESSAGE_INTERVAL);
+}
+
+void VehicleTest::lostVehicleIsAskedAnewWhenItReturns()
+{
+    Harness h;
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    h.feed(mavlink::Attitude{});
+    h.sent();
+    h.runUntil(at(105));
+    h.feed(heartbeat());
+    h.runUntil(h.now);
+    QCOMPARE(h.sentOf<mavlink::RequestDataStream>().size(), std::size_t(7));
+}
+
+void VehicleTest::versionIsAskedForInTurnsUntilItComes()
+{
+    VehicleConfig config;
+    config.streams = StreamProfile::Quiet;
+    Harness h(config);
+    h.feed(heartbeat());
+    h.runUntil(at(102));
+    const auto asked = h.sentOf<mavlink::CommandLong>();
+    QCOMPARE(asked.size(), std::size_t(2));
+    QCOMPARE(asked[0].command, std::uint16_t(mavlink::MAV_CMD_REQUEST_MESSAGE));
+    QCOMPARE(asked[0].param1, 148.f);
+    QCOMPARE(asked[1].command, std::uint16_t(mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES));
+    mavlink::AutopilotVersion version;
+    version.flight_sw_version = 3u << 24 | 6u << 16 | 7u << 8 | 255;
+    version.capabilities = 4;
+    h.feed(version);
+    QCOMPARE(h.vehicle.current().firmware, std::string("ArduCopter 3.6.7"));
+    QCOMPARE(h.vehicle.current().capabilities, std::uint64_t(4));
+    h.runUntil(at(130));
+    QVERIFY(h.sentOf<mavlink::CommandLong>().empty());
+}
+
+void VehicleTest::latencyIsMeasuredAndSmoothed()
+{
+    Harness h = Harness::copter();
+    QVERIFY(std::isnan(h.vehicle.current().latency));
+    const auto request = h.nextSent<mavlink::Timesync>(at(101));
+    QVERIFY(request);
+    mavlink::Timesync answer;
+    answer.tc1 = 12345;
+    answer.ts1 = request->second.ts1;
+    h.runUntil(request->first + std::chrono::milliseconds(40));
+    h.feed(answer);
+    QCOMPARE(h.vehicle.current().latency, 0.04);
+    h.runUntil(h.now + std::chrono::milliseconds(400));
+    h.feed(answer); // twice the same: counts once
+    QCOMPARE(h.vehicle.current().latency, 0.04);
+    answer.ts1 += 1; // never sent
+    h.feed(answer);
+    QCOMPARE(h.vehicle.current().latency, 0.04);
+    const auto second = h.nextSent<mavlink::Timesync>(at(102));
+    QVERIFY(second);
+    answer.ts1 = second->second.ts1;
+    h.runUntil(second->first + std::chrono::milliseconds(140));
+    h.feed(answer);
+    QVERIFY(std::abs(h.vehicle.current().latency - 0.06) < 1e-9); // a fifth of the way
+}
+
+void VehicleTest::answersTheVehiclesTimeSync()
+{
+    Harness h = Harness::copter();
+    mavlink::Timesync request;
+    request.ts1 = 777;
+    h.feed(request);
+    const auto answer = h.sentOf<mavlink::Timesync>();
+    QCOMPARE(answer.size(), std::size_t(1));
+    QCOMPARE(answer[0].ts1, std::int64_t(777));
+    QCOMPARE(answer[0].tc1, std::int64_t(100'000'000'000));
+}
+
+void VehicleTest::homeIsWhereItWasArmedUntilItSays()
+{
+    Harness h = Harness::copter(0, false);
+    mavlink::GlobalPositionInt position;
+    position.lat = 480000000;
+    position.lon = 110000000;
+    h.feed(position);
+    QVERIFY(!h.vehicle.current().home.known());
+    h.feed(heartbeat(0, true));
+    QCOMPARE(h.vehicle.current().home.latitude, 48.0);
+    position.lat = 480010000; // 0.001° north
+    h.feed(position);
+    QVERIFY(std::abs(h.vehicle.current().distanceHome - 111.19) < 0.05);
+    mavlink::HomePosition home;
+    home.latitude = 480010000;
+    home.longitude = 110000000;
+    home.altitude = 500000;
+    h.feed(home);
+    QCOMPARE(h.vehicle.current().distanceHome, 0.);
+    QCOMPARE(h.vehicle.current().home.altitude, 500.);
+    h.feed(heartbeat(0, false));
+    h.feed(heartbeat(0, true)); // armed again: the vehicle's word stands
+    QCOMPARE(h.vehicle.current().home.latitude, 48.001);
+}
+
+void VehicleTest::flightTimeCountsInTheAirOnly()
+{
+    Harness h = Harness::copter(4, true);
+    mavlink::GlobalPositionInt position;
+    const auto altitude = [&](double s, double metres) {
+        h.now = at(s);
+        position.relative_alt = static_cast<std::int32_t>(metres * 1000);
+        h.feed(position);
+    };
+    altitude(105, 0.1);
+    QCOMPARE(h.vehicle.state(at(106)).flightTime, 0.);
+    altitude(110, 1);
+    QCOMPARE(h.vehicle.state(at(112)).flightTime, 2.);
+    altitude(120, 0);
+    QCOMPARE(h.vehicle.state(at(130)).flightTime, 10.);
+    altitude(140, 5); // up again without disarming: the same flight
+    QCOMPARE(h.vehicle.state(at(141)).flightTime, 11.);
+    h.now = at(150);
+    h.feed(heartbeat(4, false));
+    QCOMPARE(h.vehicle.state(at(160)).flightTime, 20.);
+    h.feed(heartbeat(4, true));
+    altitude(170, 5);
+    QCOMPARE(h.vehicle.state(at(171)).flightTime, 21.); // armed at 5 m: a new flight from there
+}
+
+void VehicleTest::gcsHeartbeatIsDueOnceASecond()
+{
+    GcsHeartbeat beat;
+    const auto first = beat.poll(at(5));
+    QVERIFY(first && first->urgent);
+    const auto message = as<mavlink::Heartbeat>(*first);
+    QVERIFY(message);
+    QCOMPARE(message->type, std::uint8_t(6));
+    QCOMPARE(message->autopilot, std::uint8_t(8));
+    QVERIFY(!beat.poll(at(5.999)));
+    QCOMPARE(beat.nextDeadline(), at(6));
+    QVERIFY(beat.poll(at(30)));
+    QVERIFY(!beat.poll(at(30.5)));
+}
+
+void VehicleTest::outboxIsBounded()
+{
+    Outbox outbox(3);
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        OutMessage message;
+        message.id = i;
+        QCOMPARE(outbox.push(message), i < 3);
+    }
+    QCOMPARE(outbox.refused(), std::uint64_t(2));
+    QCOMPARE(outbox.poll()->id, 0u);
+    OutMessage more;
+    more.id = 9;
+    QVERIFY(outbox.push(more));
+    for (const std::uint32_t expected : {1u, 2u, 9u})
+        QCOMPARE(outbox.poll()->id, expected);
+    QVERIFY(!outbox.poll());
+}
+
+QTEST_APPLESS_MAIN(VehicleTest)
+#include "vehicle_test.moc"
