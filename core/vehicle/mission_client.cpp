@@ -68,7 +68,7 @@ void MissionClient::handleRequest(TimePoint now, std::uint16_t sequence, bool as
         return; // the vehicle will end it, or run into its own time-out
     m_phase = Phase::Uploading;
     m_attempts = 0;
-    m_deadline = now + kUploadTimeout;
+    m_deadline = now + (sequence + 1u == m_items.size() ? kUploadedTimeout : kRequestTimeout);
     sendItem(m_items[sequence], asInteger || m_takesIntegers, outbox);
 }
 
@@ -97,7 +97,7 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result, Outbox &)
     case Phase::Uploading:
         // A duplicated item; the vehicle goes on asking for the one that it needs.
         if (result == kInvalidSequence) {
-            m_deadline = now + kUploadTimeout;
+            m_deadline = now + kRequestTimeout;
             return;
         }
         break;

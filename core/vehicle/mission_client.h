@@ -30,10 +30,11 @@ public:
     static constexpr Duration kAnswerTimeout = std::chrono::milliseconds(1500);
     static constexpr Duration kItemTimeout = std::chrono::milliseconds(500);
     static constexpr int kAttempts = 8; ///< of each step
-    /// For the vehicle's next request, which it repeats by itself, or its acknowledgement. When that one got lost the vehicle is
-    /// done and silent: the upload begins anew.
-    static constexpr Duration kUploadTimeout = std::chrono::seconds(3);
-    static constexpr int kUploadRounds = 3;
+    /// For the vehicle's next request, which it repeats by itself.
+    static constexpr Duration kRequestTimeout = std::chrono::seconds(8);
+    /// For its acknowledgement after the last item. When that one got lost, the vehicle is done and silent.
+    static constexpr Duration kUploadedTimeout = std::chrono::seconds(3);
+    static constexpr int kUploadRounds = 5; ///< an upload that fell silent begins anew
     static constexpr std::size_t kMostItems = 65535;
 
     explicit MissionClient(const Addressing &addressing) : m_addressing(addressing) {}

@@ -1,0 +1,225 @@
+// Parameters against a scripted autopilot, first by hand with exact times, then through a radio that drops.
+#include "lossy_link.h"
+
+using namespace skyseal;
+using namespace skyseal::vehicle;
+
+class ParameterTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void gapsAreAskedForByIndex();
+    void silentVehicleIsGivenUp();
+    void writeIsReadBackAndRepeated();
+    void vehicleMayKeepItsOwnValue();
+    void writesTakeTurns();
+    void bytewiseIntegers();
+    void unchangedListIsShared();
+    void wholeListThroughABadRadio_data();
+    void wholeListThroughABadRadio();
+};
+
+namespace {
+
+mavlink::ParamValue value(std::string_view name, float content, std::uint16_t index, std::uint16_t count, std::uint8_t type = 9)
+{
+    mavlink::ParamValue out;
+    mavlink::setText(out.param_id, name);
+    out.param_value = content;
+    out.param_type = type;
+    out.param_index = index;
+    out.param_count = count;
+    return out;
+}
+
+std::string nameOf(std::size_t index)
+{
+    return "PARAM_" + std::to_string(index);
+}
+
+/// Has parameters and answers as ArduPilot does.
+class ParameterPeer : public ScriptedPeer
+{
+public:
+    explicit ParameterPeer(std::uint16_t count)
+    {
+        for (std::uint16_t i = 0; i < count; ++i)
+            m_values.push_back(i * 0.5f);
+    }
+
+    void handle(TimePoint, const OutMessage &message, std::vector<ToStation> &out) override
+    {
+        if (as<mavlink::ParamRequestList>(message)) {
+            for (std::uint16_t i = 0; i < m_values.size(); ++i)
+                out.push_back(send(one(i)));
+        }
+        if (const auto read = as<mavlink::ParamRequestRead>(message))
+            out.push_back(send(one(static_cast<std::uint16_t>(read->param_index))));
+        if (const auto write = as<mavlink::ParamSet>(message)) {
+            for (std::uint16_t i = 0; i < m_values.size(); ++i) {
+                if (mavlink::textOf(write->param_id) == nameOf(i)) {
+                    m_values[i] = write->param_value;
+                    out.push_back(send(one(i)));
+                }
+            }
+        }
+    }
+
+    float at(std::size_t index) const { return m_values[index]; }
+
+private:
+    mavlink::ParamValue one(std::uint16_t index) const
+    {
+        return value(nameOf(index), m_values.at(index), index, static_cast<std::uint16_t>(m_values.size()));
+    }
+
+    std::vector<float> m_values;
+};
+
+} // namespace
+
+void ParameterTest::gapsAreAskedForByIndex()
+{
+    Harness h = Harness::copter();
+    QVERIFY(!h.vehicle.parameters());
+    h.vehicle.requestParameters(h.now);
+    QCOMPARE(h.sentOf<mavlink::ParamRequestList>().size(), std::size_t(1));
+    h.feed(value("A", 1, 0, 3));
+    h.feed(value("C", 3, 2, 3));
+    QCOMPARE(h.vehicle.parametersExpected(), 3u);
+    const auto read = h.nextSent<mavlink::ParamRequestRead>(at(110));
+    QVERIFY(read);
+    QCOMPARE(read->first, at(101)); // a second after the last one came
+    QCOMPARE(read->second.param_index, std::int16_t(1));
+    h.feed(value("B", 2, 1, 3));
+    QVERIFY(!h.nextSent<mavlink::ParamRequestRead>(at(150)));
+    const auto all = h.vehicle.parameters();
+    QCOMPARE(all->size(), std::size_t(3));
+    QCOMPARE((*all)[1].name, std::string("B"));
+    QCOMPARE((*all)[1].value, 2.);
+}
+
+void ParameterTest::silentVehicleIsGivenUp()
+{
+    Harness h = Harness::copter();
+    h.vehicle.requestParameters(h.now);
+    h.runUntil(at(150));
+    QCOMPARE(h.sentOf<mavlink::ParamRequestList>().size(), std::size_t(11));
+    const auto result = h.vehicle.pollParameterResult();
+    QVERIFY(result && !result->ok);
+    QCOMPARE(result->reason, std::string("the vehicle does not send its parameters"));
+    QVERIFY(!h.vehicle.pollParameterResult());
+}
+
+void ParameterTest::writeIsReadBackAndRepeated()
+{
+    Harness h = Harness::copter();
+    h.vehicle.writeParameter(h.now, "WPNAV_SPEED", 750);
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        const auto sent = h.nextSent<mavlink::ParamSet>(at(110));
+        QVERIFY(sent);
+        QCOMPARE(sent->first, at(100 + attempt));
+        QCOMPARE(mavlink::textOf(sent->second.param_id), std::string_view("WPNAV_SPEED"));
+    }
+    h.feed(value("WPNAV_SPEED", 750, 65535, 900));
+    const auto result = h.vehicle.pollParameterResult();
+    QVERIFY(result && result->ok);
+    QCOMPARE(result->parameter.value, 750.);
+
+    h.vehicle.writeParameter(h.now, "NOBODY", 1);
+    h.runUntil(at(120));
+    QCOMPARE(h.vehicle.pollParameterResult()->reason, std::string("no answer to 5 attempts"));
+    h.vehicle.writeParameter(h.now, "A_NAME_THAT_IS_TOO_LONG", 1);
+    QVERIFY(!h.vehicle.pollParameterResult()->ok);
+    h.vehicle.writeParameter(h.now, "A", std::numeric_limits<double>::quiet_NaN());
+    QVERIFY(!h.vehicle.pollParameterResult()->ok);
+}
+
+void ParameterTest::vehicleMayKeepItsOwnValue()
+{
+    Harness h = Harness::copter();
+    h.vehicle.writeParameter(h.now, "RTL_ALT", 1.5);
+    h.feed(value("RTL_ALT", 1000, 5, 900)); // perhaps from before the writing
+    QVERIFY(!h.vehicle.pollParameterResult());
+    for (int i = 1; i <= 5; ++i) {
+        h.runUntil(at(100 + i));
+        h.feed(value("RTL_ALT", 1000, 65535, 900));
+    }
+    const auto result = h.vehicle.pollParameterResult();
+    QVERIFY(result && !result->ok);
+    QCOMPARE(result->reason, std::string("the vehicle keeps 1000"));
+    QCOMPARE(result->parameter.value, 1000.);
+}
+
+void ParameterTest::writesTakeTurns()
+{
+    Harness h = Harness::copter();
+    h.vehicle.writeParameter(h.now, "A", 1);
+    h.vehicle.writeParameter(h.now, "B", 0.1);
+    QCOMPARE(h.sentOf<mavlink::ParamSet>().size(), std::size_t(1));
+    h.feed(value("A", 1, 0, 2));
+    QCOMPARE(h.sentOf<mavlink::ParamSet>().size(), std::size_t(1));
+    h.feed(value("B", 0.1f, 1, 2)); // as exact as a float is
+    QVERIFY(h.vehicle.pollParameterResult()->ok && h.vehicle.pollParameterResult()->ok);
+}
+
+void ParameterTest::bytewiseIntegers()
+{
+    Harness h;
+    h.feed(heartbeat(0, false, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
+    h.feed(value("COM_LIMIT", std::bit_cast<float>(std::int32_t{-7}), 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
+    QCOMPARE(h.vehicle.parameters()->front().value, -7.);
+    h.sent();
+    h.vehicle.writeParameter(h.now, "COM_LIMIT", 42);
+    const auto sent = h.sentOf<mavlink::ParamSet>();
+    QCOMPARE(std::bit_cast<std::int32_t>(sent.at(0).param_value), 42);
+    QCOMPARE(int(sent.at(0).param_type), int(mavlink::MAV_PARAM_TYPE_INT32));
+}
+
+void ParameterTest::unchangedListIsShared()
+{
+    Harness h = Harness::copter();
+    h.feed(value("A", 1, 0, 1));
+    const auto first = h.vehicle.parameters();
+    h.feed(value("A", 1, 0, 1));
+    QCOMPARE(h.vehicle.parameters().get(), first.get());
+    h.feed(value("A", 2, 65535, 1));
+    QVERIFY(h.vehicle.parameters().get() != first.get());
+    QCOMPARE(first->front().value, 1.); // who holds it may go on reading
+    QCOMPARE(h.vehicle.parameters()->front().index, std::uint16_t(0));
+}
+
+void ParameterTest::wholeListThroughABadRadio_data()
+{
+    QTest::addColumn<double>("loss");
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 5; ++seed) {
+        for (const double loss : {0.0, 0.05, 0.2})
+            QTest::addRow("loss %.2f, seed %d", loss, seed) << loss << seed;
+    }
+}
+
+void ParameterTest::wholeListThroughABadRadio()
+{
+    QFETCH(double, loss);
+    QFETCH(int, seed);
+    Harness h = Harness::copter();
+    ParameterPeer peer(600);
+    LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
+    h.vehicle.requestParameters(h.now);
+    const auto complete = [&] { return h.vehicle.parameters() && h.vehicle.parameters()->size() == 600; };
+    QVERIFY(link.run(std::chrono::seconds(60), complete));
+    for (const Parameter &parameter : *h.vehicle.parameters())
+        QCOMPARE(parameter.value, parameter.index * 0.5);
+    QCOMPARE(link.dropped() > 0, loss > 0);
+
+    h.vehicle.writeParameter(h.now, nameOf(17), 99);
+    std::optional<ParameterResult> result;
+    QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.vehicle.pollParameterResult()).has_value(); }));
+    QVERIFY2(result->ok, result->reason.c_str());
+    QCOMPARE(peer.at(17), 99.f);
+}
+
+QTEST_APPLESS_MAIN(ParameterTest)
+#include "parameter_test.moc"
