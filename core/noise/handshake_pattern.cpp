@@ -111,7 +111,7 @@ std::optional<HandshakePattern> handshakePattern(std::string_view name)
     std::string_view modifiers = name.substr(modifiersAt);
     const auto row = std::find_if(kRows.begin(), kRows.end(),
                                   [base = name.substr(0, modifiersAt)](const Row &r) { return r.name == base; });
-    if (row == kRows.end())
+    if (row == kRows.end() || modifiers.ends_with('+'))
         return std::nullopt;
 
     HandshakePattern pattern{std::string(name), tokens(row->initiatorPreMessage), tokens(row->responderPreMessage), {}, 0};

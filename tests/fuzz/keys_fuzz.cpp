@@ -1,0 +1,48 @@
+// The texts of key, peers and counter files: any bytes are safe, and what was read and written reads the same again.
+#include "core/crypto/init_crypto.h"
+#include "core/keys/counter_file.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/public_key_text.h"
+#include "core/keys/secret_file.h"
+
+#include <cstdlib>
+
+using namespace skyseal;
+using namespace skyseal::keys;
+
+static void must(bool holds)
+{
+    if (!holds)
+        std::abort();
+}
+
+static void readPeers(std::string_view text)
+{
+    auto file = PeersFile::parse(text, "fuzz");
+    if (!file) {
+        must(file.error().line > 0 && !file.error().message.empty());
+        return;
+    }
+    const auto again = PeersFile::parse(file->text(), "fuzz");
+    must(again && again->text() == file->text() && again->entries().size() == file->entries().size());
+    for (const PeerEntry &entry : file->entries()) {
+        must(file->find(entry.peer.name) != nullptr);
+        must(file->remove(entry.peer.name) && file->add(entry)); // written by us it reads back, too
+    }
+    must(PeersFile::parse(file->text(), "fuzz")->entries().size() == again->entries().size());
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    static const bool ready = crypto::initCrypto();
+    must(ready);
+    const std::string_view text = asText({data, size});
+    readPeers(text);
+    if (const auto key = publicKeyFromText(text))
+        must(publicKeyFromText(publicKeyText(*key)).value() == *key);
+    static_cast<void>(parseSecretFile(SecretKind::PrivateKey, text, "fuzz"));
+    static_cast<void>(parseSecretFile(SecretKind::PresharedKey, text, "fuzz"));
+    if (const auto counters = Counters::parse(text, "fuzz"))
+        must(Counters::parse(counters->text(), "fuzz")->text() == counters->text());
+    return 0;
+}
