@@ -56,8 +56,10 @@ std::string hostText(const Address &address)
 
 std::string toText(const Address &address)
 {
-    const std::string host = hostText(address);
-    return (isIpv4(address) ? host : "[" + host + "]") + ":" + std::to_string(address.port);
+    std::string out = hostText(address);
+    if (!isIpv4(address))
+        out.insert(0, 1, '[').push_back(']');
+    return out.append(1, ':').append(std::to_string(address.port));
 }
 
 static std::optional<std::uint32_t> parseIpv4(std::string_view text)

@@ -201,15 +201,21 @@ LinkUrl LinkUrl::withPort(std::uint16_t port) const
 
 std::string LinkUrl::toText() const
 {
-    const std::string start = std::string(name(m_scheme)) + ":";
-    // A path that itself starts with two slashes needs the long spelling, or they would be taken for it.
-    const std::string path = m_path.starts_with("//") ? "//" + m_path : m_path;
-    if (m_scheme == LinkScheme::Serial)
-        return start + path + ":" + std::to_string(m_baud);
-    if (m_scheme == LinkScheme::Tlog)
-        return start + path;
-    const std::string host = m_host.find(':') == m_host.npos ? m_host : "[" + m_host + "]";
-    return start + host + ":" + std::to_string(m_port);
+    std::string out = name(m_scheme);
+    out += ':';
+    if (m_scheme == LinkScheme::Serial || m_scheme == LinkScheme::Tlog) {
+        // A path that itself starts with two slashes needs the long spelling, or they would be taken for it.
+        out += m_path.starts_with("//") ? "//" : "";
+        out += m_path;
+        if (m_scheme == LinkScheme::Serial)
+            out.append(1, ':').append(std::to_string(m_baud));
+        return out;
+    }
+    const bool ipv6 = m_host.find(':') != m_host.npos;
+    out += ipv6 ? "[" : "";
+    out += m_host;
+    out += ipv6 ? "]:" : ":";
+    return out.append(std::to_string(m_port));
 }
 
 } // namespace skyseal::link
