@@ -1,6 +1,7 @@
 #include "core/link/tcp_server_link.h"
 
 #include "core/link/address_text.h"
+#include "core/link/port_owner.h"
 #include "core/link/socket_error.h"
 
 #include <QtCore/QVariant>
@@ -51,7 +52,10 @@ void TcpServerLink::listen(std::optional<Address> address)
     }
     const bool dualStack = !isIpv4(*address) && isAnyAddress(*address);
     if (!m_server.listen(dualStack ? QHostAddress(QHostAddress::Any) : toQt(*address), address->port)) {
-        setState(LinkState::Failed, socketError(m_server.serverError(), m_server.errorString(), toText(*address)));
+        LinkError error = socketError(m_server.serverError(), m_server.errorString(), toText(*address));
+        if (error.code == LinkErrorCode::PortInUse)
+            error.detail = portOwner(PortKind::Tcp, address->port);
+        setState(LinkState::Failed, std::move(error));
         return;
     }
     setState(LinkState::Listening);

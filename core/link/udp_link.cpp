@@ -1,6 +1,7 @@
 #include "core/link/udp_link.h"
 
 #include "core/link/address_text.h"
+#include "core/link/port_owner.h"
 
 namespace skyseal::link {
 
@@ -63,6 +64,8 @@ void UdpLink::use(const Address &address)
         auto socket = makeDatagramSocket(options().portableUdp);
         const Address any = isIpv4(address) ? ipv4(0, 0) : Address{};
         if (auto failed = socket->bind(listening ? address : any, options().receiveBufferBytes)) {
+            if (failed->code == LinkErrorCode::PortInUse)
+                failed->detail = portOwner(PortKind::Udp, address.port);
             setState(LinkState::Failed, std::move(*failed));
             return;
         }

@@ -209,6 +209,7 @@ void TcpLinkTest::portInUseFails()
     QCOMPARE(second->state(), LinkState::Failed);
     QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
     QCOMPARE(second->localAddress(), first->localAddress());
+    QVERIFY2(second->error().detail.starts_with("tcp_link_test (process "), second->error().detail.c_str());
     first->close();
     second->open();
     QCOMPARE(second->state(), LinkState::Listening);

@@ -1,0 +1,63 @@
+#include "core/link/port_owner.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+namespace skyseal::link {
+
+namespace fs = std::filesystem;
+
+/// Links of /proc/PID/fd that would stand for the sockets bound to the port, as "socket:[inode]".
+static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
+{
+    static constexpr const char *kTcpListen = "0A"; // state TCP_LISTEN in /proc/net/tcp
+    std::vector<std::string> out;
+    const std::string base = kind == PortKind::Udp ? "/proc/net/udp" : "/proc/net/tcp";
+    for (const std::string &path : {base, base + "6"}) {
+        std::ifstream file(path);
+        std::string line;
+        std::getline(file, line); // the headings
+        while (std::getline(file, line)) {
+            std::istringstream fields(line);
+            std::string slot, local, remote, state, queues, timer, retransmits, user, timeout, inode;
+            fields >> slot >> local >> remote >> state >> queues >> timer >> retransmits >> user >> timeout >> inode;
+            const std::size_t colon = local.find(':');
+            if (colon == local.npos || (kind == PortKind::Tcp && state != kTcpListen))
+                continue;
+            if (std::strtoul(local.c_str() + colon + 1, nullptr, 16) == port)
+                out.push_back("socket:[" + inode + "]");
+        }
+    }
+    return out;
+}
+
+std::string portOwner(PortKind kind, std::uint16_t port)
+{
+    const std::vector<std::string> sockets = socketsOf(kind, port);
+    if (sockets.empty())
+        return {};
+    // Processes end while we look and those of others may not be read: every step may fail, and then it is skipped.
+    std::error_code error;
+    for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
+        const std::string pid = process->path().filename();
+        if (pid.find_first_not_of("0123456789") != pid.npos)
+            continue;
+        std::error_code denied;
+        for (fs::directory_iterator file(process->path() / "fd", denied); !denied && file != end; file.increment(denied)) {
+            std::error_code gone;
+            const std::string target = fs::read_symlink(file->path(), gone);
+            if (gone || std::find(sockets.begin(), sockets.end(), target) == sockets.end())
+                continue;
+            std::string name;
+            std::ifstream comm(process->path() / "comm");
+            std::getline(comm, name);
+            return name.empty() ? std::string() : name + " (process " + pid + ")";
+        }
+    }
+    return {};
+}
+
+} // namespace skyseal::link
