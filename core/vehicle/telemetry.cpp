@@ -19,7 +19,6 @@ struct TelemetryContext
 namespace {
 
 constexpr std::uint16_t kNo16 = 65535; // "not known" of many 16-bit fields
-constexpr std::int32_t kNo32 = 2147483647;
 
 /// Autopilots send 0°, 0° until they have a position.
 bool isPlace(std::int32_t latitude, std::int32_t longitude)
@@ -62,7 +61,7 @@ struct TelemetryReaders
         c.state.groundSpeed = std::hypot(m.vx * 0.01, m.vy * 0.01);
         c.state.climb = m.vz * -0.01;
         if (m.hdg != kNo16)
-            c.state.heading = m.hdg * 0.01;
+            c.state.heading = m.hdg % 36000 * 0.01;
         c.news.positionChanged = true;
     }
 
@@ -166,7 +165,7 @@ struct TelemetryReaders
                 c.state.altitudeRelative = m.altitude - c.state.home.altitude;
             c.news.positionChanged = true;
         }
-        c.state.heading = m.heading * 2; // degrees / 2
+        c.state.heading = m.heading * 2 % 360; // degrees / 2
         c.state.yaw = std::remainder(m.heading * 2 * std::numbers::pi / 180, 2 * std::numbers::pi);
         c.state.throttle = m.throttle;
         c.state.airSpeed = m.airspeed * 0.2; // m/s × 5
