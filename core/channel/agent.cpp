@@ -42,8 +42,10 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     const Peer *peer = m_core.peer(key);
     if (!peer)
         return refuse(now, from, RefusalReason::UnknownPeer, key);
+    // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could forge a
+    // first message (with our own key stolen) must not be able to spend the station's numbers.
     const std::uint64_t counter = responder->payload().counter;
-    if (counter <= m_core.counters.lastSeen(key))
+    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key)))
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
 
     // A station that still has the old session takes this as its answer; one that has restarted ignores it.
@@ -54,28 +56,37 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     if (!connection)
         return;
     auto answer = std::move(*responder).answer(*connection, m_core.around.offer, m_core.around.random);
-    const bool remembered = answer && m_core.counters.remember(key, counter);
-    if (!remembered) {
+    if (!answer) {
         m_core.table.release(*connection);
-        if (!answer)
-            refuse(now, from, answer.error(), key);
-        return;
+        return refuse(now, from, answer.error(), key);
     }
     forget(key);
     Agreement &agreement = answer->agreement;
     SessionSetup setup{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection,
                        std::move(agreement.peerOffer), agreement.suite, std::move(agreement.chain), from};
-    Answered answered{key, setup.id, now + kAnswerKept, {}, answer->message};
+    Answered answered{key, counter, setup.id, now + kAnswerKept, {}, answer->message};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(answered);
     m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
     m_core.around.outbox.send(from, answer->message);
 }
 
-void Agent::confirmed(TimePoint now, SessionTable::Entry &entry)
+bool Agent::confirm(TimePoint now, SessionTable::Entry &entry)
 {
+    const PublicKey peer = entry.session->peer().key;
+    if (!m_core.counters.remember(peer, answeredCounter(peer))) {
+        forget(peer);
+        return false;
+    }
     std::erase_if(m_answered, [&](const Answered &a) { return a.session == entry.session->id(); });
     m_core.bringUp(now, entry);
+    return true;
+}
+
+std::uint64_t Agent::answeredCounter(const PublicKey &peer) const
+{
+    const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) { return a.peer == peer; });
+    return found == m_answered.end() ? 0 : found->counter;
 }
 
 void Agent::forget(const PublicKey &peer)

@@ -12,17 +12,19 @@ public:
 
     /// A first message whose length is right.
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// The first authentic record of a session that was answered: the station is no replay.
-    void confirmed(TimePoint now, SessionTable::Entry &entry);
+    /// The first authentic record of a session that was answered: the station is no replay. False when its counter could not
+    /// be written down; the session is gone then.
+    bool confirm(TimePoint now, SessionTable::Entry &entry);
     void peersChanged();
     void handleDeadline(TimePoint now);
     TimePoint deadline(TimePoint now);
 
 private:
-    /// An answered first message whose station has not shown yet that it took the answer.
+    /// An answered first message whose station has not shown yet that it took the answer; one for each peer at most.
     struct Answered
     {
         PublicKey peer{};
+        std::uint64_t counter = 0;
         SessionId session{};
         TimePoint until{};
         FirstMessage first{};
@@ -30,6 +32,7 @@ private:
     };
 
     void refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
+    std::uint64_t answeredCounter(const PublicKey &peer) const;
     bool mayCompute(TimePoint now);
     void forget(const PublicKey &peer);
     std::vector<Path> announceTargets(TimePoint now);

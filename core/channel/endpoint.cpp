@@ -69,8 +69,8 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
         return std::nullopt;
     }
     auto opened = entry->session->open(now, from, *header, datagram);
-    if (opened.authentic && !entry->up)
-        agent->confirmed(now, *entry);
+    if (opened.authentic && !entry->up && !agent->confirm(now, *entry))
+        return std::nullopt;
     if (opened.authentic && station && !station->idle())
         station->sessionLives(entry->session->peer().key);
     if (!opened.routine)

@@ -38,7 +38,7 @@ public:
     virtual std::uint64_t next() = 0;
     /// The greatest number accepted from `peer`; 0 when none.
     virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
-    /// Remembers it durably; false when that failed (the handshake is then refused).
+    /// Remembers it durably; false when that failed (there is no session then).
     virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
 };
 

@@ -1,0 +1,442 @@
+// The handshake: its bytes, what it refuses, and what two endpoints make of lost, repeated, damaged and replayed messages.
+#include "core/base/hex.h"
+#include "core/channel/handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+using crypto::X25519KeyPair;
+
+class HandshakeTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void bothEndsAgree();
+    void fitsOneTunnel();
+    void everyFlippedBitOfTheFirst();
+    void everyFlippedBitOfTheAnswer();
+    void otherPrologueIsRefused();
+    void tamperedChoiceIsRefused();
+    void wrongAnswerSpoilsNothing();
+    void weakKeysAreRefused();
+
+    void lostMessagesAreRepeated();
+    void repeatedMessagesAreAnsweredTheSame();
+    void replayedFirstKillsNothing();
+    void replayAfterRestartIsRefused();
+    void counterThatCannotBeStored();
+    void unknownPeerIsTold();
+    void firstForAnotherAgentIsRefused();
+    void noCommonSuite();
+    void researchIsNeverChosen();
+    void otherVersionIsTold();
+    void refusalsDoNotFlood();
+    void revokedPeerIsOut();
+    void keyCompromiseDoesNotImpersonate();
+
+private:
+    SeededRandom m_random{11};
+    X25519KeyPair m_station = X25519KeyPair::generate(m_random);
+    X25519KeyPair m_agent = X25519KeyPair::generate(m_random);
+    const SuiteOffer m_offer = offerOf(Policy{defaultSuites(), false, false});
+
+    Initiator begin(std::uint64_t counter = 1)
+    {
+        return *Initiator::begin(m_station, m_agent.publicKey, {ConnectionId{0x1234}, m_offer, counter}, m_random);
+    }
+    Responder::Answer answer(const Initiator &initiator)
+    {
+        auto responder = Responder::read(m_agent, initiator.message());
+        return *std::move(*responder).answer(ConnectionId{0x4321}, m_offer, m_random);
+    }
+};
+
+namespace {
+
+const std::string kPrologueText("skyseal channel v1\x01");
+
+template<std::size_t N> std::array<std::uint8_t, N> flipped(std::array<std::uint8_t, N> bytes, std::size_t bit)
+{
+    bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
+    return bytes;
+}
+
+/// Keeps every datagram of one kind that is sent.
+struct Recorder
+{
+    explicit Recorder(Pair &pair)
+    {
+        pair.link.attacker = [this](TimePoint, Flight &flight) {
+            flights.push_back(flight);
+            return true;
+        };
+    }
+    std::vector<Flight> ofKind(std::uint8_t first) const
+    {
+        std::vector<Flight> out;
+        for (const Flight &flight : flights) {
+            if (flight.bytes[0] == first)
+                out.push_back(flight);
+        }
+        return out;
+    }
+    std::vector<Flight> flights;
+};
+
+} // namespace
+
+void HandshakeTest::bothEndsAgree()
+{
+    auto initiator = begin(77);
+    auto responder = Responder::read(m_agent, initiator.message());
+    QVERIFY(responder);
+    QCOMPARE(responder->peer(), m_station.publicKey);
+    QCOMPARE(responder->payload().counter, std::uint64_t(77));
+    QCOMPARE(responder->payload().connection, ConnectionId{0x1234});
+    auto answered = std::move(*responder).answer(ConnectionId{0x4321}, m_offer, m_random);
+    QVERIFY(answered);
+    const auto agreement = initiator.takeAnswer(answered->message);
+    QVERIFY(agreement);
+    QCOMPARE(agreement->peerConnection, ConnectionId{0x4321});
+    QCOMPARE(agreement->suite, SuiteId::ChaCha20Poly1305);
+    const auto here = agreement->chain.derive(Epoch{0}, agreement->suite, {}, {});
+    const auto there = answered->agreement.chain.derive(Epoch{0}, agreement->suite, {}, {});
+    QVERIFY(here.fromInitiator.equals(there.fromInitiator) && here.fromResponder.equals(there.fromResponder));
+    QVERIFY(!here.fromInitiator.equals(here.fromResponder));
+}
+
+void HandshakeTest::fitsOneTunnel()
+{
+    constexpr std::size_t kTunnelPayload = 128;
+    auto initiator = begin();
+    QVERIFY(initiator.message().size() <= kTunnelPayload && answer(initiator).message.size() <= kTunnelPayload);
+    QVERIFY(initiator.message().size() <= Announcement::kLength);
+    QVERIFY(kAnswerLength <= kFirstLength);
+}
+
+void HandshakeTest::everyFlippedBitOfTheFirst()
+{
+    const FirstMessage message = begin().message();
+    const Mac1 mac(m_agent.publicKey);
+    QVERIFY(mac.verify(message));
+    for (std::size_t bit = 0; bit < message.size() * 8; ++bit) {
+        auto changed = flipped(message, bit);
+        QVERIFY(!mac.verify(changed));
+        // An attacker knows the public key and can make the MAC good again; the rest is refused all the same.
+        mac.sign(changed);
+        if (bit >= 8 && bit < (kFirstLength - kMacLength) * 8)
+            QVERIFY(!Responder::read(m_agent, changed));
+    }
+}
+
+void HandshakeTest::everyFlippedBitOfTheAnswer()
+{
+    auto initiator = begin();
+    const AnswerMessage message = answer(initiator).message;
+    const Mac1 mac(m_station.publicKey);
+    for (std::size_t bit = 0; bit < message.size() * 8; ++bit) {
+        auto changed = flipped(message, bit);
+        QVERIFY(!initiator.takeAnswer(changed));
+        mac.sign(changed);
+        if (bit >= 24 && bit < (kAnswerLength - kMacLength) * 8)
+            QVERIFY(!initiator.takeAnswer(changed));
+    }
+    QVERIFY(initiator.takeAnswer(message)); // None of them spoilt it.
+}
+
+void HandshakeTest::otherPrologueIsRefused()
+{
+    for (const std::string &prologue : {std::string("skyseal channel v2\x01"), std::string("skyseal channel v1\x02"), kPrologueText}) {
+        noise::HandshakeConfig config;
+        config.prologue = asBytes(prologue);
+        config.localStatic = m_station.clone();
+        config.remoteStatic = m_agent.publicKey;
+        config.psks.emplace_back();
+        auto state = noise::HandshakeState::initialize(std::move(config));
+        FirstMessage message{};
+        message[0] = firstByte(HandshakeMessage::First);
+        const auto payload = FirstPayload{ConnectionId{1}, m_offer, 1}.write();
+        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(1, 110), m_random));
+        Mac1(m_agent.publicKey).sign(message);
+        QCOMPARE(Responder::read(m_agent, message).has_value(), prologue == kPrologueText);
+    }
+}
+
+void HandshakeTest::tamperedChoiceIsRefused()
+{
+    // A responder that chooses what the offers do not give: the initiator computes the same and notices.
+    for (const auto &suite : crypto::suites()) {
+        auto initiator = begin();
+        noise::HandshakeConfig config;
+        config.role = noise::Role::Responder;
+        config.prologue = asBytes(kPrologueText);
+        config.localStatic = m_agent.clone();
+        config.psks.emplace_back();
+        auto state = noise::HandshakeState::initialize(std::move(config));
+        std::array<std::uint8_t, 14> payload;
+        QVERIFY(state->readMessage(ByteView(initiator.message()).subspan(1, 110), payload));
+        AnswerMessage message{};
+        message[0] = firstByte(HandshakeMessage::Answer);
+        message[1] = 0x34;
+        message[2] = 0x12;
+        const auto said = AnswerPayload{ConnectionId{2}, m_offer, suite.id}.write();
+        QVERIFY(state->writeMessage(said, MutableByteView(message).subspan(3, 55), m_random));
+        Mac1(m_station.publicKey).sign(message);
+        const auto agreement = initiator.takeAnswer(message);
+        QCOMPARE(agreement.has_value(), suite.id == SuiteId::ChaCha20Poly1305);
+        if (!agreement)
+            QCOMPARE(agreement.error(), RefusalReason::OfferTampered);
+    }
+}
+
+void HandshakeTest::wrongAnswerSpoilsNothing()
+{
+    auto first = begin(1);
+    auto second = begin(2);
+    const auto answerToFirst = answer(first).message;
+    const auto answerToSecond = answer(second).message;
+    QVERIFY(!second.takeAnswer(answerToFirst));
+    QVERIFY(!second.takeAnswer(ByteView(answerToSecond).first(73)));
+    QVERIFY(!second.takeAnswer({}));
+    QVERIFY(second.takeAnswer(answerToSecond));
+    QVERIFY(!second.takeAnswer(answerToSecond)); // And once only.
+}
+
+void HandshakeTest::weakKeysAreRefused()
+{
+    QVERIFY(!Initiator::begin(m_station, crypto::PublicKey{}, {ConnectionId{1}, m_offer, 1}, m_random));
+    crypto::PublicKey one{};
+    one[0] = 1;
+    QVERIFY(!Initiator::begin(m_station, one, {ConnectionId{1}, m_offer, 1}, m_random));
+}
+
+// ---- endpoints
+
+void HandshakeTest::lostMessagesAreRepeated()
+{
+    for (const std::uint8_t lost : {0x59, 0x5a, 0x58}) {
+        for (int copies = 1; copies <= 3; ++copies) {
+            Pair pair;
+            int left = copies;
+            pair.link.attacker = [&, lost](TimePoint, Flight &flight) { return flight.bytes[0] != lost || --left < 0; };
+            QVERIFY(pair.run(4s, [&] { return pair.bothUp(); }));
+            QVERIFY(left < 0 || lost == 0x5a);
+        }
+    }
+}
+
+void HandshakeTest::repeatedMessagesAreAnsweredTheSame()
+{
+    PairOptions options;
+    options.link.duplicate = 1;
+    options.link.delay = 200ms;
+    options.link.jitter = 100ms;
+    Pair pair(options);
+    Recorder recorder(pair);
+    pair.run(5s);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    const auto answers = recorder.ofKind(0x5a);
+    QVERIFY(answers.size() > 1);
+    for (const Flight &flight : answers)
+        QCOMPARE(toHex(flight.bytes), toHex(answers[0].bytes));
+}
+
+void HandshakeTest::replayedFirstKillsNothing()
+{
+    Pair pair;
+    Recorder recorder(pair);
+    pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const auto firsts = recorder.ofKind(0x59);
+    QCOMPARE(firsts.size(), 1u);
+    for (int i = 0; i < 50; ++i) {
+        pair.link.inject(pair.now, firsts[0]);
+        pair.run(100ms);
+    }
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionDown>().size(), 0u);
+    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(50));
+    QCOMPARE(pair.air().all<HandshakeRefused>().at(0).reason, RefusalReason::ReplayedHandshake);
+    QCOMPARE(pair.air().all<HandshakeRefused>().at(0).peer, pair.ground().identity->publicKey);
+    QVERIFY(pair.air().all<HandshakeRefused>().size() <= 6);
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+}
+
+void HandshakeTest::replayAfterRestartIsRefused()
+{
+    Pair pair;
+    Recorder recorder(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const auto first = recorder.ofKind(0x59).at(0);
+    pair.kill(Ground);
+    pair.kill(Air);
+    pair.start(Air);
+    pair.link.inject(pair.now, first);
+    pair.run(1s);
+    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(1));
+    QVERIFY(!pair.air().up());
+    QCOMPARE(recorder.ofKind(0x5a).size(), 1u);
+}
+
+void HandshakeTest::counterThatCannotBeStored()
+{
+    Pair pair;
+    pair.air().counters.fails = true;
+    pair.run(5s);
+    QVERIFY(!pair.air().up());
+    pair.air().counters.fails = false;
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+}
+
+void HandshakeTest::unknownPeerIsTold()
+{
+    Pair pair;
+    const auto peersOf = [&](Side side) { return pair.configOf(side).peers; };
+    pair.air().endpoint->setPeers(pair.now, {});
+    pair.run(2s);
+    QVERIFY(!pair.air().up());
+    const auto refused = pair.air().all<HandshakeRefused>();
+    QVERIFY(!refused.empty());
+    QCOMPARE(refused[0].reason, RefusalReason::UnknownPeer);
+    QCOMPARE(refused[0].peer, pair.ground().identity->publicKey);
+    pair.air().endpoint->setPeers(pair.now, peersOf(Air));
+    QVERIFY(pair.run(3s, [&] { return pair.bothUp(); }));
+
+    Pair other;
+    other.ground().endpoint->setPeers(other.now, {});
+    other.run(2s);
+    QCOMPARE(other.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::UnknownPeer);
+    QCOMPARE(other.ground().datagramsOut, std::uint64_t(0));
+}
+
+void HandshakeTest::firstForAnotherAgentIsRefused()
+{
+    PairOptions options;
+    Pair one(options);
+    options.seed = 2;
+    Pair two(options);
+    Recorder recorder(one);
+    one.run(1s);
+    // The second agent even knows the station, but the message is not for it.
+    auto peers = two.configOf(Air).peers;
+    peers.push_back(one.configOf(Air).peers[0]);
+    two.air().endpoint->setPeers(two.now, peers);
+    two.link.inject(two.now, recorder.ofKind(0x59).at(0));
+    two.run(1s);
+    QCOMPARE(two.air().endpoint->strays().forged, std::uint64_t(1));
+    QCOMPARE(two.air().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
+    QCOMPARE(two.air().endpoint->sessions().size(), 1u);
+}
+
+void HandshakeTest::noCommonSuite()
+{
+    PairOptions options;
+    options.ground.suites = {SuiteId::ChaCha20Poly1305};
+    options.air.suites = {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr};
+    Pair pair(options);
+    pair.run(3s);
+    QVERIFY(!pair.ground().up() && !pair.air().up());
+    QCOMPARE(pair.air().all<HandshakeRefused>().at(0).reason, RefusalReason::NoCommonSuite);
+}
+
+void HandshakeTest::researchIsNeverChosen()
+{
+    PairOptions options;
+    options.ground = {{SuiteId::Rc4, SuiteId::Aes256Ctr}, true, true};
+    Pair pair(options);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::Aes256Ctr);
+    options.ground = options.air = {{SuiteId::Rc4}, true, true};
+    Pair only(options);
+    only.run(3s);
+    QVERIFY(!only.ground().up());
+}
+
+void HandshakeTest::otherVersionIsTold()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    for (const std::uint8_t first : {0x49, 0x69, 0x79}) {
+        Bytes datagram(127, first);
+        QVERIFY(!pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), datagram));
+        pair.run(2s);
+    }
+    QCOMPARE(pair.air().all<HandshakeRefused>().size(), 3u);
+    QCOMPARE(pair.air().all<HandshakeRefused>()[0].reason, RefusalReason::Version);
+    QCOMPARE(pair.air().endpoint->strays().malformed, std::uint64_t(3));
+}
+
+void HandshakeTest::refusalsDoNotFlood()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    std::uint64_t count = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Bytes datagram(127);
+        m_random.fill(datagram);
+        datagram[0] = 0x59;
+        Path from = pair.pathOf(Ground);
+        from.remote.port = static_cast<std::uint16_t>(i);
+        from.remote.ip[0] = static_cast<std::uint8_t>(i >> 16);
+        QVERIFY(!pair.air().endpoint->handleDatagram(pair.now, from, datagram));
+        ++count;
+        if (i % 200 == 0)
+            pair.run(10ms);
+    }
+    QCOMPARE(pair.air().endpoint->strays().forged, count);
+    QVERIFY2(pair.air().all<HandshakeRefused>().size() <= 24, qPrintable(QString::number(pair.air().all<HandshakeRefused>().size())));
+    QVERIFY(pair.bothUp());
+}
+
+void HandshakeTest::revokedPeerIsOut()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.air().endpoint->setPeers(pair.now, {});
+    pair.run(100ms);
+    QCOMPARE(pair.air().all<SessionDown>().at(0).reason, DownReason::Revoked);
+    QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::PeerClosed);
+    pair.run(5s);
+    QVERIFY(!pair.air().up());
+}
+
+void HandshakeTest::keyCompromiseDoesNotImpersonate()
+{
+    // With the agent's own secret an attacker can write a first message in the station's name, since Noise's "ss" is computed
+    // from either secret. It cannot read the answer, so no session comes of it, no living one ends, and the
+    // station's counter is not spent.
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
+
+    // What such an attacker can make is what the station's own key makes, except that nobody can take the answer.
+    const auto forged = Initiator::begin(*pair.ground().identity, pair.air().identity->publicKey,
+                                         {ConnectionId{1}, m_offer, UINT64_MAX}, m_random);
+    QVERIFY(forged);
+    Bytes datagram(forged->message().begin(), forged->message().end());
+    pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), datagram);
+    QCOMPARE(pair.air().endpoint->strays().forged, std::uint64_t(0));
+    pair.run(15s);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionDown>().size(), 0u);
+    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before);
+    pair.kill(Ground);
+    pair.start(Ground);
+    QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
+}
+
+QTEST_GUILESS_MAIN(HandshakeTest)
+#include "handshake_test.moc"

@@ -1,0 +1,171 @@
+// The negotiation over every pair of suite sets: what both allow and nothing else, never research or plain by itself, and
+// no way to a choice that the initiator would not compute from the offers it sees.
+#include "core/channel/handshake_payload.h"
+#include "core/channel/negotiation.h"
+
+#include <QtTest/QTest>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace skyseal;
+using namespace skyseal::channel;
+using crypto::SuiteId;
+
+class NegotiationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void defaultsBeginWithTheDefault();
+    void everyPairOfSets();
+    void strippingNeverHelpsAnAttacker();
+    void offersSurviveTheWire();
+    void unknownNumbersAreSkipped();
+    void payloadsOfOtherLengthsAreRefused();
+    void policyWithDuplicatesAndNone();
+};
+
+namespace {
+
+const std::vector<SuiteId> kAll = defaultSuites();
+
+std::vector<SuiteId> subset(unsigned bits)
+{
+    std::vector<SuiteId> out;
+    for (std::size_t i = 0; i < kAll.size(); ++i) {
+        if (bits >> i & 1)
+            out.push_back(kAll[i]);
+    }
+    return out;
+}
+
+bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
+{
+    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
+}
+
+template<typename Check> void forEveryPair(Check check)
+{
+    for (unsigned a = 0; a < 64; ++a) {
+        for (unsigned b = 0; b < 64; ++b) {
+            for (unsigned flags = 0; flags < 16; ++flags) {
+                check(offerOf(Policy{subset(a), bool(flags & 1), bool(flags & 2)}),
+                      offerOf(Policy{subset(b), bool(flags & 4), bool(flags & 8)}));
+            }
+        }
+    }
+}
+
+} // namespace
+
+void NegotiationTest::defaultsBeginWithTheDefault()
+{
+    const SuiteOffer offer = offerOf(Policy{defaultSuites(), false, false});
+    QCOMPARE(chooseSuite(offer, offer), SuiteId::ChaCha20Poly1305);
+    QVERIFY(!holds(offer.suites, SuiteId::Rc4));
+}
+
+void NegotiationTest::everyPairOfSets()
+{
+    std::size_t pairs = 0;
+    forEveryPair([&](const SuiteOffer &initiator, const SuiteOffer &responder) {
+        ++pairs;
+        const auto permitted = permittedSuites(initiator, responder);
+        for (const SuiteId suite : kAll) {
+            const bool research = crypto::suiteInfo(suite).research;
+            const bool both = holds(initiator.suites, suite) && holds(responder.suites, suite)
+                && (!research || (initiator.allowResearch && responder.allowResearch));
+            QCOMPARE(holds(permitted, suite), both);
+        }
+        QCOMPARE(holds(permitted, SuiteId::None), initiator.allowPlain && responder.allowPlain);
+
+        const auto chosen = chooseSuite(initiator, responder);
+        if (!chosen) {
+            QVERIFY(std::all_of(permitted.begin(), permitted.end(), [](SuiteId suite) {
+                return suite == SuiteId::None || crypto::suiteInfo(suite).research;
+            }));
+            return;
+        }
+        QVERIFY(holds(permitted, *chosen));
+        QVERIFY(*chosen != SuiteId::None && !crypto::suiteInfo(*chosen).research);
+        // The initiator's first that both have.
+        const auto first = std::find_if(initiator.suites.begin(), initiator.suites.end(), [&](SuiteId suite) {
+            return holds(responder.suites, suite) && !crypto::suiteInfo(suite).research;
+        });
+        QCOMPARE(*chosen, *first);
+    });
+    QCOMPARE(pairs, std::size_t(64 * 64 * 16));
+}
+
+void NegotiationTest::strippingNeverHelpsAnAttacker()
+{
+    // Were the offers changed on the way (they cannot be, they are hashed into the session), the initiator's own result and
+    // the responder's choice would differ, or be one that both really allow.
+    QVERIFY(rc::check([] {
+        const auto bits = rc::gen::inRange(0u, 64u);
+        const SuiteOffer initiator = offerOf(Policy{subset(*bits), *rc::gen::arbitrary<bool>(), false});
+        const SuiteOffer responder = offerOf(Policy{subset(*bits), *rc::gen::arbitrary<bool>(), false});
+        SuiteOffer stripped = initiator; // What the responder is made to see.
+        std::erase_if(stripped.suites, [&](SuiteId) { return *rc::gen::arbitrary<bool>(); });
+        const auto choice = chooseSuite(stripped, responder);
+        const auto expected = chooseSuite(initiator, responder);
+        if (choice && choice == expected)
+            RC_ASSERT(holds(permittedSuites(initiator, responder), *choice));
+        else if (choice)
+            RC_ASSERT(choice != expected); // Noticed: the handshake ends as OfferTampered.
+    }));
+}
+
+void NegotiationTest::offersSurviveTheWire()
+{
+    QVERIFY(rc::check([] {
+        auto suites = kAll;
+        std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+        std::shuffle(suites.begin(), suites.end(), random);
+        suites.resize(*rc::gen::inRange<std::size_t>(0, suites.size() + 1));
+        const SuiteOffer offer{suites, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+        const ConnectionId connection{*rc::gen::arbitrary<std::uint16_t>()};
+
+        const auto first = FirstPayload::read(FirstPayload{connection, offer, 0x1122334455667788}.write());
+        RC_ASSERT(first && first->offer == offer && first->connection == connection);
+        RC_ASSERT(first->counter == 0x1122334455667788u);
+        const auto answer = AnswerPayload::read(AnswerPayload{connection, offer, SuiteId::Aes256Gcm}.write());
+        RC_ASSERT(answer && answer->offer == offer && answer->connection == connection);
+        RC_ASSERT(answer->chosen == SuiteId::Aes256Gcm);
+    }));
+}
+
+void NegotiationTest::unknownNumbersAreSkipped()
+{
+    auto bytes = FirstPayload{ConnectionId{1}, {{SuiteId::Aes256Gcm}, false, false}, 1}.write();
+    bytes[3] = 0xf9;        // two suites of another time
+    bytes[4] = 0x21;        // chacha20-poly1305, aes-256-gcm
+    bytes[5] = 0x12;        // the same again
+    const auto payload = FirstPayload::read(bytes);
+    QVERIFY(payload);
+    QCOMPARE(payload->offer.suites, (std::vector<SuiteId>{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}));
+    bytes[0] = 0xfc; // flags of another time
+    QVERIFY(FirstPayload::read(bytes) && !FirstPayload::read(bytes)->offer.allowResearch);
+}
+
+void NegotiationTest::payloadsOfOtherLengthsAreRefused()
+{
+    const Bytes bytes(40);
+    for (std::size_t length = 0; length <= bytes.size(); ++length) {
+        QCOMPARE(FirstPayload::read(ByteView(bytes).first(length)).has_value(), length == FirstPayload::kLength);
+        QCOMPARE(AnswerPayload::read(ByteView(bytes).first(length)).has_value(), length == AnswerPayload::kLength);
+    }
+}
+
+void NegotiationTest::policyWithDuplicatesAndNone()
+{
+    using enum SuiteId;
+    const Policy policy{{None, Aes256Gcm, Aes256Gcm, Rc4, ChaCha20, None}, false, true};
+    QCOMPARE(offerOf(policy).suites, (std::vector<SuiteId>{Aes256Gcm, ChaCha20}));
+    QVERIFY(offerOf(policy).allowPlain);
+}
+
+QTEST_GUILESS_MAIN(NegotiationTest)
+#include "negotiation_test.moc"

@@ -1,0 +1,222 @@
+// The byte layout of records, control messages and announcements, and that nothing else is taken for one.
+#include "core/base/hex.h"
+#include "core/channel/control.h"
+#include "core/channel/key_chain.h"
+#include "core/channel/mac1.h"
+#include "core/channel/record.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+#include <rapidcheck.h>
+
+using namespace skyseal;
+using namespace skyseal::channel;
+using crypto::SuiteId;
+
+class RecordTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void headerBytes();
+    void headersSurviveTheWire();
+    void otherFirstBytesAreNoRecords();
+    void shortOnesAreNoRecords();
+    void associatedDataTellsEverythingApart();
+    void controlBytes();
+    void controlSurvivesTheWire();
+    void anyBytesAreSafeAsControl();
+    void announcementsAreRecognisedByKeyOnly();
+    void epochKeysDependOnEverything();
+};
+
+void RecordTest::headerBytes()
+{
+    Bytes bytes(40);
+    RecordHeader{DatagramKind::Record, 2, ConnectionId{0xbeef}, 0x0a0b0c}.write(bytes);
+    QCOMPARE(toHex(ByteView(bytes).first(6)), std::string("52efbe0c0b0a"));
+    RecordHeader{DatagramKind::SingleRecord, 3, {}, 1}.write(bytes);
+    QCOMPARE(toHex(ByteView(bytes).first(4)), std::string("57010000"));
+    const AssociatedData associated(ByteView(bytes).first(4), SuiteId::Aes256Ctr, Direction::FromResponder, Carrier::Serial);
+    QCOMPARE(toHex(associated.view()), std::string("57010000030103"));
+}
+
+void RecordTest::headersSurviveTheWire()
+{
+    QVERIFY(rc::check([] {
+        RecordHeader header;
+        header.kind = *rc::gen::element(DatagramKind::Record, DatagramKind::SingleRecord);
+        header.epochBits = static_cast<std::uint8_t>(*rc::gen::inRange(0, 4));
+        header.connection = ConnectionId{*rc::gen::arbitrary<std::uint16_t>()};
+        header.counter = *rc::gen::inRange(0u, 1u << 24);
+        Bytes bytes(kRecordHeaderLength + kMacLength);
+        header.write(bytes);
+        const auto read = RecordHeader::read(bytes);
+        RC_ASSERT(read && read->kind == header.kind && read->epochBits == header.epochBits);
+        RC_ASSERT(read->counter == header.counter);
+        RC_ASSERT(header.kind == DatagramKind::SingleRecord || read->connection == header.connection);
+    }));
+}
+
+void RecordTest::otherFirstBytesAreNoRecords()
+{
+    Bytes bytes(60);
+    for (int first = 0; first < 256; ++first) {
+        bytes[0] = static_cast<std::uint8_t>(first);
+        QCOMPARE(RecordHeader::read(bytes).has_value(), first >= 0x50 && first <= 0x57);
+        QCOMPARE(Endpoint::owns(bytes[0]), first >= 0x40 && first <= 0x7f);
+    }
+}
+
+void RecordTest::shortOnesAreNoRecords()
+{
+    Bytes bytes(60, 0x50);
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        QCOMPARE(RecordHeader::read(ByteView(bytes).first(length)).has_value(), length >= 22);
+    bytes[0] = 0x54;
+    for (std::size_t length = 0; length < bytes.size(); ++length)
+        QCOMPARE(RecordHeader::read(ByteView(bytes).first(length)).has_value(), length >= 20);
+}
+
+void RecordTest::associatedDataTellsEverythingApart()
+{
+    std::set<std::string> seen;
+    std::size_t count = 0;
+    Bytes header(kRecordHeaderLength);
+    for (const DatagramKind kind : {DatagramKind::Record, DatagramKind::SingleRecord}) {
+        for (const auto &suite : crypto::suites()) {
+            for (const Direction direction : {Direction::FromInitiator, Direction::FromResponder}) {
+                for (const Carrier carrier : {Carrier::Datagram, Carrier::Tunnel, Carrier::Serial}) {
+                    const RecordHeader h{kind, 1, ConnectionId{7}, 9};
+                    h.write(header);
+                    seen.insert(toHex(AssociatedData(ByteView(header).first(h.length()), suite.id, direction, carrier).view()));
+                    ++count;
+                }
+            }
+        }
+    }
+    QCOMPARE(seen.size(), count);
+}
+
+void RecordTest::controlBytes()
+{
+    Bytes out(kMaxControl);
+    const auto hexOf = [&](const ControlMessage &message) {
+        const std::size_t length = writeControl(message, out);
+        return toHex(ByteView(out).first(length));
+    };
+    EpochNonce nonce;
+    for (std::size_t i = 0; i < nonce.size(); ++i)
+        nonce[i] = static_cast<std::uint8_t>(i);
+    QCOMPARE(hexOf(Propose{ProposalId{5}, Epoch{9}, SuiteId::Aes256Cbc, nonce}),
+             std::string("0105000000090000000") + "4000102030405060708090a0b0c0d0e0f");
+    QCOMPARE(hexOf(Accept{ProposalId{5}, nonce}), std::string("0205000000000102030405060708090a0b0c0d0e0f"));
+    QCOMPARE(hexOf(Refuse{ProposalId{5}}), std::string("0305000000"));
+    QCOMPARE(hexOf(Confirm{Epoch{9}, 300}), std::string("04090000002c010000"));
+    QCOMPARE(hexOf(Confirmed{Epoch{9}, 300}), std::string("05090000002c010000"));
+    Report report;
+    report.stamp = 1;
+    report.echo = 2;
+    report.held = 3;
+    report.answerAtOnce = true;
+    report.rx = {300, 1, 2, 3, 4, 5, 6, 127};
+    report.tx = {128, 0};
+    QCOMPARE(hexOf(report), std::string("0601010000000200000003000000ac020102030405067f800100"));
+    QCOMPARE(hexOf(Close{}), std::string("07"));
+}
+
+void RecordTest::controlSurvivesTheWire()
+{
+    QVERIFY(rc::check([] {
+        Report report;
+        report.stamp = *rc::gen::arbitrary<std::uint32_t>();
+        report.rx.good = *rc::gen::arbitrary<std::uint64_t>();
+        report.rx.openedBytes = UINT64_MAX;
+        report.tx.records = *rc::gen::arbitrary<std::uint64_t>();
+        report.tx.sealedBytes = *rc::gen::arbitrary<std::uint64_t>();
+        Bytes out(kMaxControl);
+        const std::size_t length = writeControl(report, out);
+        RC_ASSERT(length > 0u);
+        const auto read = readControl(ByteView(out).first(length));
+        RC_ASSERT(read && std::holds_alternative<Report>(*read));
+        const auto &copy = std::get<Report>(*read);
+        RC_ASSERT(copy.stamp == report.stamp && copy.rx.good == report.rx.good && copy.rx.openedBytes == UINT64_MAX);
+        RC_ASSERT(copy.tx.records == report.tx.records && copy.tx.sealedBytes == report.tx.sealedBytes);
+        for (std::size_t shorter = 0; shorter < length; ++shorter)
+            RC_ASSERT(!readControl(ByteView(out).first(shorter)));
+    }));
+}
+
+void RecordTest::anyBytesAreSafeAsControl()
+{
+    QVERIFY(rc::check([] {
+        auto bytes = *rc::gen::arbitrary<Bytes>();
+        if (!bytes.empty())
+            bytes[0] &= 0x0f;
+        const auto message = readControl(bytes);
+        if (!message)
+            return;
+        Bytes out(kMaxControl);
+        const auto length = writeControl(*message, out);
+        const auto again = readControl(ByteView(out).first(length));
+        RC_ASSERT(again && again->index() == message->index());
+    }));
+    QVERIFY(!readControl({}));
+}
+
+void RecordTest::announcementsAreRecognisedByKeyOnly()
+{
+    test::SeededRandom random(3);
+    const auto agent = crypto::X25519KeyPair::generate(random);
+    const auto other = crypto::X25519KeyPair::generate(random);
+    auto one = Announcement(agent.publicKey).make(random);
+    const auto two = Announcement(agent.publicKey).make(random);
+    QVERIFY(Announcement(agent.publicKey).recognises(one));
+    QVERIFY(Announcement(agent.publicKey).recognises(two));
+    QVERIFY(!Announcement(other.publicKey).recognises(one));
+    // Nothing that a stranger could tell two of them by.
+    QVERIFY(!std::equal(one.begin() + 1, one.begin() + 17, two.begin() + 1));
+    QVERIFY(!std::equal(one.begin() + 17, one.begin() + 33, two.begin() + 17));
+    for (std::size_t bit = 8; bit < 33 * 8; ++bit) {
+        one[bit / 8] = static_cast<std::uint8_t>(one[bit / 8] ^ 1u << bit % 8);
+        QVERIFY(!Announcement(agent.publicKey).recognises(one));
+        one[bit / 8] = static_cast<std::uint8_t>(one[bit / 8] ^ 1u << bit % 8);
+    }
+}
+
+void RecordTest::epochKeysDependOnEverything()
+{
+    Key32 a, b;
+    a.mutableView()[0] = 1;
+    b.mutableView()[0] = 2;
+    const Bytes hash(64, 3);
+    Bytes otherHash = hash;
+    otherHash[0] ^= 1;
+    const EpochNonce zero{};
+    EpochNonce one{};
+    one[15] = 1;
+
+    std::set<std::string> seen;
+    std::size_t count = 0;
+    const auto note = [&](const EpochSecrets &secrets) {
+        seen.insert(toHex(secrets.fromInitiator.view()));
+        seen.insert(toHex(secrets.fromResponder.view()));
+        count += 2;
+    };
+    const KeyChain chain(a, b, hash);
+    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    note(chain.derive(Epoch{1}, SuiteId::Aes256Gcm, zero, zero));
+    note(chain.derive(Epoch{0}, SuiteId::Aes256Ctr, zero, zero));
+    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, one, zero));
+    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, one));
+    note(KeyChain(b, a, hash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    note(KeyChain(a, b, otherHash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero).next.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    QCOMPARE(seen.size(), count);
+    // And on nothing else.
+    note(KeyChain(a, b, hash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    QCOMPARE(seen.size(), count - 2);
+}
+
+QTEST_GUILESS_MAIN(RecordTest)
+#include "record_test.moc"
