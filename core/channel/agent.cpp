@@ -42,8 +42,8 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     const Peer *peer = m_core.peer(key);
     if (!peer)
         return refuse(now, from, RefusalReason::UnknownPeer, key);
-    // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could forge a
-    // first message (with our own key stolen) must not be able to spend the station's numbers.
+    // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could
+    // forge a first message (with our own key stolen) must not be able to spend the station's numbers.
     const std::uint64_t counter = responder->payload().counter;
     if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key)))
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
@@ -55,7 +55,7 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     const auto connection = m_core.table.reserve(m_core.around.random);
     if (!connection)
         return;
-    auto answer = std::move(*responder).answer(*connection, m_core.around.offer, m_core.around.random);
+    auto answer = std::move(*responder).answer(*peer, *connection, m_core.around.offer, m_core.around.random);
     if (!answer) {
         m_core.table.release(*connection);
         return refuse(now, from, answer.error(), key);

@@ -11,23 +11,31 @@ constexpr std::array<std::uint8_t, 19> kPrologue{'s', 'k', 'y', 's', 'e', 'a', '
                                                  ' ', 'v', '0' + kProtocolVersion,
                                                  static_cast<std::uint8_t>(Carrier::Datagram)};
 
-noise::HandshakeConfig configFor(noise::Role role, const crypto::X25519KeyPair &identity)
+std::vector<Key32> presharedKeyOf(const Peer *peer)
+{
+    std::vector<Key32> keys;
+    keys.push_back(peer && peer->presharedKey ? peer->presharedKey->clone() : Key32());
+    return keys;
+}
+
+/// `peer` is null for a responder, which learns from the first message who it is.
+noise::HandshakeConfig configFor(noise::Role role, const crypto::X25519KeyPair &identity, const Peer *peer)
 {
     noise::HandshakeConfig config;
     config.role = role;
     config.prologue = kPrologue;
     config.localStatic = identity.clone();
-    config.psks.emplace_back();
+    config.psks = presharedKeyOf(peer);
     return config;
 }
 
 } // namespace
 
-std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity, const PublicKey &peer, FirstPayload payload,
+std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
                                           RandomSource &random)
 {
-    auto config = configFor(noise::Role::Initiator, identity);
-    config.remoteStatic = peer;
+    auto config = configFor(noise::Role::Initiator, identity, &peer);
+    config.remoteStatic = peer.key;
     auto noise = noise::HandshakeState::initialize(std::move(config));
     if (!noise)
         return std::nullopt;
@@ -38,7 +46,7 @@ std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity,
                                                   MutableByteView(out.m_message).subspan(1, kFirstNoise), random);
     if (!written || *written != kFirstNoise)
         return std::nullopt;
-    Mac1(peer).sign(out.m_message);
+    Mac1(peer.key).sign(out.m_message);
     return out;
 }
 
@@ -65,7 +73,7 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
 
 Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram)
 {
-    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, identity));
+    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, identity, nullptr));
     if (!noise)
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, FirstPayload::kLength> plain;
@@ -80,9 +88,10 @@ Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &id
     return Responder(std::move(*noise), key, *payload);
 }
 
-Result<Responder::Answer, RefusalReason> Responder::answer(ConnectionId ours, const SuiteOffer &offer,
+Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                                            RandomSource &random) &&
 {
+    m_noise.setPsks(presharedKeyOf(&known));
     const auto suite = chooseSuite(m_payload.offer, offer);
     if (!suite)
         return tl::unexpected(RefusalReason::NoCommonSuite);

@@ -38,7 +38,7 @@ class Initiator
 {
 public:
     /// nullopt when `peer` is no usable key.
-    static std::optional<Initiator> begin(const crypto::X25519KeyPair &identity, const PublicKey &peer, FirstPayload payload,
+    static std::optional<Initiator> begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
                                           RandomSource &random);
 
     const FirstMessage &message() const { return m_message; }
@@ -72,8 +72,9 @@ public:
         AnswerMessage message{};
         Agreement agreement;
     };
-    /// NoCommonSuite, or WrongKey when the library fails.
-    Result<Answer, RefusalReason> answer(ConnectionId ours, const SuiteOffer &offer, RandomSource &random) &&;
+    /// `known` is the peer that `peer()` names. NoCommonSuite, or WrongKey when the library fails.
+    Result<Answer, RefusalReason> answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
+                                         RandomSource &random) &&;
 
 private:
     Responder(noise::HandshakeState noise, const PublicKey &peer, FirstPayload payload)

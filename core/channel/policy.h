@@ -1,10 +1,12 @@
 // Who may talk to us and how: the decisions a person made, as plain values.
 #pragma once
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/suite.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@ struct Peer
     std::string name;
     PeerRole role = PeerRole::Pilot;
     std::vector<std::uint8_t> systemIds; ///< MAVLink system ids it may speak as; empty = any
+    std::shared_ptr<const Key32> presharedKey; ///< a second secret that both must have; none = all zero
 };
 
 /// What may be negotiated here.

@@ -160,7 +160,10 @@ bool Station::renew(Attempt &attempt)
                                               : m_core.table.reserve(m_core.around.random);
     if (!connection)
         return false;
-    attempt.handshake = Initiator::begin(*m_core.config.identity, attempt.peer,
+    const Peer *peer = m_core.peer(attempt.peer);
+    if (!peer)
+        return false;
+    attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
                                          m_core.around.random);
     attempt.sentThisOne = 0;

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void otherPrologueIsRefused();
     void tamperedChoiceIsRefused();
     void wrongAnswerSpoilsNothing();
+    void presharedKeyMustBeTheSame();
     void weakKeysAreRefused();
 
     void lostMessagesAreRepeated();
@@ -47,14 +48,15 @@ private:
     X25519KeyPair m_agent = X25519KeyPair::generate(m_random);
     const SuiteOffer m_offer = offerOf(Policy{defaultSuites(), false, false});
 
+    static Peer known(const X25519KeyPair &identity) { return {identity.publicKey, "known", {}, {}, {}}; }
     Initiator begin(std::uint64_t counter = 1)
     {
-        return *Initiator::begin(m_station, m_agent.publicKey, {ConnectionId{0x1234}, m_offer, counter}, m_random);
+        return *Initiator::begin(m_station, known(m_agent), {ConnectionId{0x1234}, m_offer, counter}, m_random);
     }
     Responder::Answer answer(const Initiator &initiator)
     {
         auto responder = Responder::read(m_agent, initiator.message());
-        return *std::move(*responder).answer(ConnectionId{0x4321}, m_offer, m_random);
+        return *std::move(*responder).answer(known(m_station), ConnectionId{0x4321}, m_offer, m_random);
     }
 };
 
@@ -100,7 +102,7 @@ void HandshakeTest::bothEndsAgree()
     QCOMPARE(responder->peer(), m_station.publicKey);
     QCOMPARE(responder->payload().counter, std::uint64_t(77));
     QCOMPARE(responder->payload().connection, ConnectionId{0x1234});
-    auto answered = std::move(*responder).answer(ConnectionId{0x4321}, m_offer, m_random);
+    auto answered = std::move(*responder).answer(known(m_station), ConnectionId{0x4321}, m_offer, m_random);
     QVERIFY(answered);
     const auto agreement = initiator.takeAnswer(answered->message);
     QVERIFY(agreement);
@@ -153,7 +155,8 @@ void HandshakeTest::everyFlippedBitOfTheAnswer()
 
 void HandshakeTest::otherPrologueIsRefused()
 {
-    for (const std::string &prologue : {std::string("skyseal channel v2\x01"), std::string("skyseal channel v1\x02"), kPrologueText}) {
+    for (const char *text : {"skyseal channel v2\x01", "skyseal channel v1\x02", "skyseal channel v1\x01"}) {
+        const std::string prologue(text);
         noise::HandshakeConfig config;
         config.prologue = asBytes(prologue);
         config.localStatic = m_station.clone();
@@ -209,11 +212,34 @@ void HandshakeTest::wrongAnswerSpoilsNothing()
     QVERIFY(!second.takeAnswer(answerToSecond)); // And once only.
 }
 
+void HandshakeTest::presharedKeyMustBeTheSame()
+{
+    const auto secret = [](std::uint8_t first) {
+        Key32 key;
+        key.mutableView()[0] = first;
+        return std::make_shared<const Key32>(std::move(key));
+    };
+    const std::shared_ptr<const Key32> here[] = {nullptr, secret(0), secret(1), secret(2)};
+    for (const auto &ours : here) {
+        for (const auto &theirs : here) {
+            Peer agent = known(m_agent), station = known(m_station);
+            agent.presharedKey = ours;
+            station.presharedKey = theirs;
+            auto initiator = Initiator::begin(m_station, agent, {ConnectionId{1}, m_offer, 1}, m_random);
+            auto responder = Responder::read(m_agent, initiator->message());
+            const auto answer = std::move(*responder).answer(station, ConnectionId{2}, m_offer, m_random);
+            QVERIFY(answer);
+            const bool same = (ours ? ours->view()[0] : 0) == (theirs ? theirs->view()[0] : 0);
+            QCOMPARE(initiator->takeAnswer(answer->message).has_value(), same);
+        }
+    }
+}
+
 void HandshakeTest::weakKeysAreRefused()
 {
-    QVERIFY(!Initiator::begin(m_station, crypto::PublicKey{}, {ConnectionId{1}, m_offer, 1}, m_random));
-    crypto::PublicKey one{};
-    one[0] = 1;
+    QVERIFY(!Initiator::begin(m_station, Peer{}, {ConnectionId{1}, m_offer, 1}, m_random));
+    Peer one;
+    one.key[0] = 1;
     QVERIFY(!Initiator::begin(m_station, one, {ConnectionId{1}, m_offer, 1}, m_random));
 }
 
@@ -395,7 +421,8 @@ void HandshakeTest::refusalsDoNotFlood()
             pair.run(10ms);
     }
     QCOMPARE(pair.air().endpoint->strays().forged, count);
-    QVERIFY2(pair.air().all<HandshakeRefused>().size() <= 24, qPrintable(QString::number(pair.air().all<HandshakeRefused>().size())));
+    const auto told = pair.air().all<HandshakeRefused>().size();
+    QVERIFY2(told <= 24, qPrintable(QString::number(told)));
     QVERIFY(pair.bothUp());
 }
 
@@ -414,8 +441,8 @@ void HandshakeTest::revokedPeerIsOut()
 
 void HandshakeTest::keyCompromiseDoesNotImpersonate()
 {
-    // With the agent's own secret an attacker can write a first message in the station's name, since Noise's "ss" is computed
-    // from either secret. It cannot read the answer, so no session comes of it, no living one ends, and the
+    // With the agent's own secret an attacker can write a first message in the station's name, since Noise's "ss" is
+    // computed from either secret. It cannot read the answer, so no session comes of it, no living one ends, and the
     // station's counter is not spent.
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -423,7 +450,7 @@ void HandshakeTest::keyCompromiseDoesNotImpersonate()
     const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
 
     // What such an attacker can make is what the station's own key makes, except that nobody can take the answer.
-    const auto forged = Initiator::begin(*pair.ground().identity, pair.air().identity->publicKey,
+    const auto forged = Initiator::begin(*pair.ground().identity, known(*pair.air().identity),
                                          {ConnectionId{1}, m_offer, UINT64_MAX}, m_random);
     QVERIFY(forged);
     Bytes datagram(forged->message().begin(), forged->message().end());

@@ -34,7 +34,7 @@ Config Pair::configOf(Side side) const
     Config config;
     config.role = side == Ground ? Role::Station : Role::Agent;
     config.identity = ends[side].identity;
-    config.peers.push_back({ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}});
+    config.peers.push_back({ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}, {}});
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
     if (side == Air)

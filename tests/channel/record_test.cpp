@@ -89,7 +89,8 @@ void RecordTest::associatedDataTellsEverythingApart()
                 for (const Carrier carrier : {Carrier::Datagram, Carrier::Tunnel, Carrier::Serial}) {
                     const RecordHeader h{kind, 1, ConnectionId{7}, 9};
                     h.write(header);
-                    seen.insert(toHex(AssociatedData(ByteView(header).first(h.length()), suite.id, direction, carrier).view()));
+                    const AssociatedData data(ByteView(header).first(h.length()), suite.id, direction, carrier);
+                    seen.insert(toHex(data.view()));
                     ++count;
                 }
             }

@@ -67,9 +67,12 @@ void ReplayWindowTest::table_data()
     row(6, "jump over the whole window", {{5, true}, {5 + N, true}, {5, false}, {6, true}, {5 + N, false}});
     row(7, "jump of exactly the ring", {{3, true}, {3 + 4096, true}, {3, false}, {3 + 4096 - 1, true}, {3 + 4096, false}});
     row(8, "jump of many rings", {{3, true}, {3 + 4096 * 9, true}, {3 + 4096 * 9 - N + 1, true}, {3 + 4096 * 9 - N, false}});
-    row(9, "block borders", {{63, true}, {64, true}, {63, false}, {64, false}, {65, true}, {127, true}, {128, true}, {126, true}});
-    row(10, "an old bit does not stand for a new counter", {{64, true}, {64 + 4096, true}, {65 + 4096, true}, {66, false}, {66 + 4096, true}});
-    row(11, "the last counter of an epoch", {{(1u << 24) - 2, true}, {(1u << 24) - 2, false}, {(1u << 24) - 1, true}, {(1u << 24) - 1, false}});
+    row(9, "block borders",
+        {{63, true}, {64, true}, {63, false}, {64, false}, {65, true}, {127, true}, {128, true}, {126, true}});
+    row(10, "an old bit does not stand for a new counter",
+        {{64, true}, {64 + 4096, true}, {65 + 4096, true}, {66, false}, {66 + 4096, true}});
+    constexpr std::uint32_t kLast = (1u << 24) - 1;
+    row(11, "the last counter of an epoch", {{kLast - 1, true}, {kLast - 1, false}, {kLast, true}, {kLast, false}});
     row(12, "a gap filled later", {{0, true}, {1000, true}, {500, true}, {500, false}, {1, true}, {999, true}});
 }
 

@@ -1,0 +1,97 @@
+// What the attack tests share: a pair under a given suite, a record caught on the wire, and the question whether everything
+// is as it was before the attack.
+#pragma once
+
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+#include <optional>
+#include <utility>
+
+namespace skyseal::test {
+
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+
+inline constexpr std::uint64_t kAttackSeed = 20240607;
+
+inline std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link = {})
+{
+    PairOptions options;
+    options.seed = kAttackSeed;
+    options.link = link;
+    auto pair = std::make_unique<Pair>(options);
+    pair->run(5s, [&] { return pair->bothUp(); });
+    pair->run(1s);
+    if (suite != SuiteId::ChaCha20Poly1305) {
+        pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), suite);
+        pair->run(5s);
+    }
+    return pair;
+}
+
+/// One row of a data-driven test for each suite of this machine.
+inline void everySuite()
+{
+    QTest::addColumn<int>("suite");
+    for (const auto &info : crypto::suites()) {
+        if (info.id != SuiteId::None && crypto::suiteAvailable(info.id))
+            QTest::newRow(info.name.data()) << static_cast<int>(info.id);
+    }
+}
+
+struct Caught
+{
+    Flight flight;
+    std::uint64_t number = 0;
+};
+
+/// Seals one frame from the agent and keeps the record off the wire.
+inline Caught catchOne(Pair &pair, std::size_t size = 28, Side from = Air)
+{
+    Caught caught;
+    const auto before = std::exchange(pair.link.attacker, [&caught](TimePoint, Flight &flight) {
+        caught.flight = flight;
+        return false;
+    });
+    caught.number = pair.sendFrame(from, size);
+    pair.link.attacker = before;
+    pair.dropped[from].erase(caught.number); // It will be delivered by hand.
+    return caught;
+}
+
+/// Hands a datagram to an endpoint; true when frames came out.
+inline bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from = {})
+{
+    const Path path = from.value_or(pair.pathOf(to == Air ? Ground : Air));
+    return pair.ends[to].endpoint->handleDatagram(pair.now, path, bytes).has_value();
+}
+
+inline ReceiveCounters received(const Pair::End &end) { return end.endpoint->stats(end.session())->rx; }
+inline std::uint64_t refused(const ReceiveCounters &c) { return c.forged + c.replayed + c.malformed; }
+inline std::uint64_t refusedInAll(const Pair::End &end) { return refused(received(end)) + refused(end.endpoint->strays()); }
+
+/// The session of before still carries frames both ways.
+inline bool aliveAndExact(Pair &pair)
+{
+    pair.run(10ms);
+    const auto ground = pair.ground().delivered.size(), air = pair.air().delivered.size();
+    for (int i = 0; i < 5; ++i) {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground);
+    }
+    pair.run(2s);
+    return pair.ground().delivered.size() == ground + 5 && pair.air().delivered.size() == air + 5
+        && pair.ground().all<SessionUp>().size() == 1 && pair.ground().all<SessionDown>().empty()
+        && pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty();
+}
+
+} // namespace skyseal::test
+
+#define PAIR_UNDER_SUITE \
+    QFETCH(int, suite); \
+    auto pairOwner = pairUnder(static_cast<SuiteId>(suite)); \
+    Pair &pair = *pairOwner; \
+    QVERIFY(pair.bothUp()); \
+    QCOMPARE(static_cast<int>(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite), suite)
