@@ -4,6 +4,7 @@
 
 #include "core/base/path.h"
 #include "core/channel/endpoint.h"
+#include "core/engine/totals.h"
 #include "core/vehicle/mission.h"
 #include "core/vehicle/parameter.h"
 #include "core/vehicle/vehicle_state.h"
@@ -28,6 +29,7 @@ struct LinkSnapshot
     std::string remoteAddress; ///< the last one heard of
     std::string problem;       ///< the operating system's or the link's words; empty when all is well
     bool addressInUse = false; ///< the problem is a port that somebody else has
+    bool hostUnknown = false;  ///< the problem is a name that nobody knows
     double rxBytesPerSecond = 0, txBytesPerSecond = 0;
     std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0, txDatagrams = 0, dropped = 0;
     std::uint64_t badCrc = 0; ///< frames that failed their checksum
@@ -40,14 +42,6 @@ enum class Security : std::uint8_t {
     Sealed,
     Switching,   ///< sealed, another suite is being agreed
     UnderAttack  ///< sealed, and forged or replayed records came in within the last minute
-};
-
-/// Cost of the suite in use, over the last second.
-struct SuiteCost
-{
-    double openNsP50 = 0, openNsP99 = 0, sealNsP50 = 0, sealNsP99 = 0;
-    double openedRecordsPerSecond = 0, openedFramesPerSecond = 0, openedBytesPerSecond = 0;
-    double cpuPercent = 0; ///< of one core, spent in seal and open
 };
 
 struct SessionSnapshot
@@ -132,6 +126,12 @@ struct Snapshot
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames of a pinned vehicle, never shown as telemetry
+    std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
+    MavlinkTotals mavlink;   ///< since the start, all links
+    ChannelTotals channel;   ///< since the start, ended sessions included
 };
+
+/// The one word for the lock: of what the sessions and vehicles of a snapshot show.
+Security securityOf(const Snapshot &snapshot);
 
 } // namespace skyseal::engine

@@ -1,0 +1,78 @@
+#include "app/air/agent_report.h"
+
+#include "app/common/happening_words.h"
+#include "app/common/output.h"
+#include "core/engine/agent_json.h"
+#include "core/engine/event_json.h"
+#include "core/keys/public_key_text.h"
+#include "core/link/address_text.h"
+
+namespace skyseal::app {
+
+void AgentReport::say(const std::string &json, const std::string &sentence)
+{
+    if (m_json && !json.empty())
+        printLine(json);
+    else if (!m_json && !sentence.empty())
+        remark(sentence);
+}
+
+std::string AgentReport::peer(channel::SessionId session) const
+{
+    const auto found = m_peers.find(session);
+    return found == m_peers.end() ? std::string() : found->second;
+}
+
+void AgentReport::tell(const engine::AgentEvent &event)
+{
+    if (const auto *changed = std::get_if<engine::AgentLinkChanged>(&event))
+        linkChanged(*changed);
+    else
+        channelEvent(std::get<channel::Event>(event));
+}
+
+void AgentReport::linkChanged(const engine::AgentLinkChanged &changed)
+{
+    const std::string side = changed.groundSide ? "ground" : "vehicle";
+    const std::string words = linkWords(changed.link);
+    say(engine::linkEvent(changed.link, side), words.empty() ? "" : side + " side: " + words);
+}
+
+void AgentReport::channelEvent(const channel::Event &event)
+{
+    if (const auto *up = std::get_if<channel::SessionUp>(&event))
+        m_peers[up->session] = up->peerName;
+    std::string json;
+    if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
+        json = engine::sessionUpEvent(*up, link::toText(up->path.remote));
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        json = engine::sessionDownEvent(*down, peer(down->session));
+    } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
+        json = engine::peerMovedEvent(peer(moved->session), link::toText(moved->from.remote), link::toText(moved->to.remote));
+    } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
+        json = engine::switchEvent(*done);
+    } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
+        const std::string fingerprint = refused->peer == channel::PublicKey{} ? "" : keys::fingerprint(refused->peer);
+        json = engine::refusedEvent(*refused, link::toText(refused->path.remote), fingerprint);
+    } else if (const auto *alarm = std::get_if<channel::ForgeryAlarm>(&event)) {
+        json = engine::forgeryEvent(*alarm);
+    }
+    const engine::Happening happening = std::visit([](const auto &value) { return engine::Happening(value); }, event);
+    say(json, sentence(happening, m_peers));
+    if (const auto *down = std::get_if<channel::SessionDown>(&event))
+        m_peers.erase(down->session);
+}
+
+void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)
+{
+    if (m_json)
+        printLine(engine::agentStatsEvent("stats", snapshot, time));
+}
+
+void AgentReport::summary(const engine::AgentSnapshot &snapshot, double time)
+{
+    if (m_json)
+        printLine(engine::agentStatsEvent("summary", snapshot, time));
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,30 @@
+// What the agent says: one JSON object a line on stdout with --json, sentences for people on stderr otherwise.
+#pragma once
+
+#include "core/engine/agent_core.h"
+
+#include <map>
+#include <string>
+
+namespace skyseal::app {
+
+class AgentReport
+{
+public:
+    explicit AgentReport(bool json) : m_json(json) {}
+
+    void tell(const engine::AgentEvent &event);
+    void stats(const engine::AgentSnapshot &snapshot, double time);
+    void summary(const engine::AgentSnapshot &snapshot, double time);
+
+private:
+    void say(const std::string &json, const std::string &sentence);
+    void linkChanged(const engine::AgentLinkChanged &changed);
+    void channelEvent(const channel::Event &event);
+    std::string peer(channel::SessionId session) const;
+
+    bool m_json;
+    std::map<channel::SessionId, std::string> m_peers;
+};
+
+} // namespace skyseal::app

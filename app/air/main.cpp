@@ -1,0 +1,101 @@
+// skyseal-air: the agent beside an autopilot.
+#include "app/air/agent_report.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/process.h"
+#include "core/channel/policy.h"
+#include "core/crypto/init_crypto.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QTimer>
+
+using namespace skyseal;
+using namespace skyseal::app;
+
+namespace {
+
+const QString kName = QStringLiteral("skyseal-air");
+
+void declare(Options &options)
+{
+    options.addValue("vehicle", "URL", "Plain MAVLink to the autopilot, e.g. udpin:127.0.0.1:14551 or tcp:127.0.0.1:5760.");
+    options.addValue("ground", "URL", "Sealed link to the ground station: udpout:HOST:PORT.");
+    options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
+    options.addValue("peers", "FILE", "Ground stations that may connect.");
+    options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
+    options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
+    options.addFlag("allow-plain", "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
+    options.addFlag("json", "One JSON object a line on stdout.");
+}
+
+/// Ends the program when a link can never work as it was written.
+bool isHopeless(const engine::AgentEvent &event)
+{
+    const auto *changed = std::get_if<engine::AgentLinkChanged>(&event);
+    return changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.hostUnknown);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    forbidCoreDumps();
+    QCoreApplication application(argc, argv);
+    Options options(kName, QStringLiteral("Seals the link of the autopilot beside it."));
+    declare(options);
+    if (const auto status = options.parse(application.arguments().mid(1)))
+        return *status;
+    options.arguments(0, 0);
+    const auto vehicle = options.url("vehicle");
+    const auto ground = options.url("ground");
+    const engine::KeyPaths paths{options.required("identity"), options.required("peers")};
+    channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
+    if (ground && ground->scheme() != link::LinkScheme::UdpOut)
+        options.fail("--ground " + ground->toText() + ": the agent announces itself to the station, so this is udpout:HOST:PORT");
+    if (const auto status = options.finish())
+        return *status;
+    if (!crypto::initCrypto()) {
+        complain(kName, "the system offers no randomness");
+        return kCannotOpen;
+    }
+    auto secrets = engine::readSecretFiles(paths);
+    if (!secrets) {
+        complain(kName, secrets.error().text());
+        return kCannotOpen;
+    }
+
+    AgentReport report(options.has("json"));
+    int status = kDone;
+    bool started = false;
+    engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain")}, std::move(*secrets),
+                            [&](const engine::AgentEvent &event) {
+                                if (!started && isHopeless(event)) {
+                                    const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
+                                    complain(kName, link.url + ": " + link.problem);
+                                    status = kCannotOpen;
+                                    QCoreApplication::exit(status);
+                                    return;
+                                }
+                                report.tell(event);
+                            });
+    QElapsedTimer clock;
+    clock.start();
+    const auto elapsed = [&clock] { return static_cast<double>(clock.elapsed()) / 1000; };
+    QTimer everySecond;
+    QObject::connect(&everySecond, &QTimer::timeout, &application, [&] {
+        started = true; // what fails from now on may come back
+        report.stats(agent.snapshot(), elapsed());
+    });
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &application, [] { QCoreApplication::exit(kDone); });
+    QTimer::singleShot(0, &application, [&] {
+        agent.start();
+        everySecond.start(1000);
+    });
+    const int ended = application.exec();
+    agent.stop();
+    if (status == kDone)
+        report.summary(agent.snapshot(), elapsed());
+    return ended;
+}

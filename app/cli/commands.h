@@ -1,0 +1,12 @@
+// The commands of skyseal-cli. Each gets its own arguments and returns the exit status.
+#pragma once
+
+#include <QtCore/QStringList>
+
+namespace skyseal::app {
+
+int runMonitor(const QStringList &arguments);
+int runImpair(const QStringList &arguments);
+int runKeys(const QStringList &arguments);
+
+} // namespace skyseal::app

@@ -1,0 +1,121 @@
+// skyseal-cli impair: a bad radio between two programs.
+#include "app/cli/commands.h"
+#include "app/common/exit_status.h"
+#include "app/common/format.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "app/common/process.h"
+#include "core/link/impairer.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QElapsedTimer>
+
+namespace skyseal::app {
+
+namespace {
+
+void declare(Options &options)
+{
+    options.addValue("listen", "URL", "Where one side sends to, e.g. udpin:127.0.0.1:14560.");
+    options.addValue("to", "URL", "The other side, e.g. udpout:127.0.0.1:14550.");
+    options.addValue("loss", "P", "Share of datagrams that vanish, 0 to 1.", "0");
+    options.addValue("duplicate", "P", "Share that arrives twice.", "0");
+    options.addValue("reorder", "P", "Share that is overtaken by later ones.", "0");
+    options.addValue("corrupt", "P", "Share with damaged bits.", "0");
+    options.addValue("delay", "MS", "Milliseconds on the way.", "0");
+    options.addValue("jitter", "MS", "Up to so many milliseconds more, at random.", "0");
+    options.addValue("rate", "BAUD", "Bits a second of a serial line (8N1) that all must pass; 0 = no limit.", "0");
+    options.addValue("seed", "N", "Repeats the same fate for the same traffic.", "1");
+    options.addValue("duration", "S", "End after so many seconds.");
+    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("drops", "With --json, a line for every datagram that is dropped.");
+}
+
+impair::Settings readSettings(Options &options)
+{
+    const auto milliseconds = [&options](const char *name) {
+        return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
+    };
+    impair::Settings out;
+    out.loss = options.number("loss", 0, 1);
+    out.duplicate = options.number("duplicate", 0, 1);
+    out.reorder = options.number("reorder", 0, 1);
+    out.corrupt = options.number("corrupt", 0, 1);
+    out.delay = milliseconds("delay");
+    out.jitter = milliseconds("jitter");
+    out.baud = static_cast<decltype(out.baud)>(options.wholeNumber("rate", 0, 1'000'000'000));
+    out.seed = options.wholeNumber("seed", 0, UINT64_MAX);
+    return out;
+}
+
+std::string inWords(const link::Impairer &impairer)
+{
+    const auto direction = [&impairer](const char *arrow, link::Impairer::Direction which) {
+        const impair::Counters counters = impairer.totals(which).counters;
+        const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+        return format("%s %llu in, %llu out, %llu lost, %llu twice, %llu damaged", arrow, count(counters.offered), count(counters.delivered),
+                      count(counters.lost + counters.queueFull), count(counters.duplicated), count(counters.corrupted));
+    };
+    return direction("->", link::Impairer::Direction::Forward) + "; " + direction("<-", link::Impairer::Direction::Backward);
+}
+
+} // namespace
+
+int runImpair(const QStringList &arguments)
+{
+    const QString name = QStringLiteral("skyseal-cli impair");
+    Options options(name, QStringLiteral("Relays between two links as a bad radio would."));
+    declare(options);
+    if (const auto status = options.parse(arguments))
+        return *status;
+    options.arguments(0, 0);
+    const auto listen = options.url("listen");
+    const auto to = options.url("to");
+    const impair::Settings settings = readSettings(options);
+    const double duration = options.has("duration") ? options.number("duration", 0, 1e6) : 0;
+    if (const auto status = options.finish())
+        return *status;
+
+    const bool json = options.has("json");
+    link::Impairer impairer(*listen, *to, settings);
+    QElapsedTimer clock;
+    clock.start();
+    const auto elapsed = [&clock] { return std::chrono::milliseconds(clock.elapsed()); };
+    const auto report = [&](const char *event) { printLine(link::statsJson(event, impairer, elapsed())); };
+    if (json && options.has("drops")) {
+        impairer.setLog([&](link::Impairer::Direction direction, TimePoint, const impair::Verdict &verdict) {
+            if (verdict.dropped())
+                printLine(link::dropJson(direction, elapsed(), verdict));
+        });
+    }
+    int status = kDone;
+    QObject::connect(&impairer, &link::Impairer::linkStateChanged, qApp, [&](link::Link &link) {
+        if (link.state() == link::LinkState::Failed) {
+            complain(name, link.url().toText() + ": " + link.error().sentence());
+            status = kCannotOpen;
+            QCoreApplication::exit(status);
+        }
+    });
+    QTimer everySecond;
+    QObject::connect(&everySecond, &QTimer::timeout, qApp, [&] { report("stats"); });
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, qApp, [] { QCoreApplication::exit(kDone); });
+    if (options.has("duration"))
+        QTimer::singleShot(std::chrono::milliseconds(static_cast<qint64>(duration * 1000)), qApp, [] { QCoreApplication::exit(kDone); });
+    QTimer::singleShot(0, qApp, [&] {
+        impairer.open();
+        if (json)
+            everySecond.start(1000);
+        else
+            remark("relaying " + listen->toText() + " to " + to->toText());
+    });
+    QCoreApplication::exec();
+    if (status == kDone && json)
+        report("summary");
+    else if (status == kDone)
+        remark(inWords(impairer));
+    impairer.close();
+    return status;
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,64 @@
+#include "app/cli/json_report.h"
+
+#include "app/common/overloaded.h"
+#include "app/common/output.h"
+#include "core/engine/event_json.h"
+#include "core/keys/public_key_text.h"
+#include "core/link/address_text.h"
+
+namespace skyseal::app {
+
+std::string JsonReport::peerName(channel::SessionId session) const
+{
+    const auto found = m_peers.find(session);
+    return found == m_peers.end() ? std::string() : found->second;
+}
+
+void JsonReport::happened(const engine::Happening &happening)
+{
+    std::visit(Overloaded{
+                   [](const engine::LinkChanged &e) { printLine(engine::linkEvent(e.link)); },
+                   [](const engine::VehicleFound &e) { printLine(engine::vehicleEvent(e)); },
+                   [](const engine::VehicleLost &e) { printLine(engine::vehicleLostEvent(e.systemId, true)); },
+                   [](const engine::VehicleBack &e) { printLine(engine::vehicleLostEvent(e.systemId, false)); },
+                   [](const engine::TextReceived &e) { printLine(engine::statusTextEvent(e)); },
+                   [](const engine::PlaintextRefused &e) { printLine(engine::plaintextEvent(e)); },
+                   [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
+                   [](const engine::MissionTransferDone &) {},
+                   [](const engine::ParameterWritten &) {},
+                   [](const vehicle::CommandResult &) {}, // the script reports its steps
+                   [this](const channel::SessionUp &e) {
+                       m_peers[e.session] = e.peerName;
+                       printLine(engine::sessionUpEvent(e, link::toText(e.path.remote)));
+                   },
+                   [this](const channel::SessionDown &e) { printLine(engine::sessionDownEvent(e, peerName(e.session))); },
+                   [this](const channel::PeerMoved &e) {
+                       printLine(engine::peerMovedEvent(peerName(e.session), link::toText(e.from.remote), link::toText(e.to.remote)));
+                   },
+                   [](const channel::SwitchPending &) {},
+                   [](const channel::SwitchDone &e) { printLine(engine::switchEvent(e)); },
+                   [](const channel::HandshakeRefused &e) {
+                       const std::string fingerprint = e.peer == channel::PublicKey{} ? "" : keys::fingerprint(e.peer);
+                       printLine(engine::refusedEvent(e, link::toText(e.path.remote), fingerprint));
+                   },
+                   [](const channel::ForgeryAlarm &e) { printLine(engine::forgeryEvent(e)); },
+               },
+               happening);
+}
+
+void JsonReport::stepEnded(const vehicle::StepReport &report)
+{
+    printLine(engine::commandEvent(report));
+}
+
+void JsonReport::secondPassed(const engine::Snapshot &snapshot, double time)
+{
+    printLine(engine::statsEvent("stats", snapshot, time));
+}
+
+void JsonReport::ended(const engine::Snapshot &last, double time)
+{
+    printLine(engine::statsEvent("summary", last, time));
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,67 @@
+// skyseal-cli: the station without a display. Each command is a file of its own; this one picks it.
+#include "app/cli/commands.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/process.h"
+#include "core/crypto/init_crypto.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <cstdio>
+
+using namespace skyseal::app;
+
+namespace {
+
+struct Command
+{
+    const char *name;
+    const char *summary;
+    int (*run)(const QStringList &arguments);
+};
+
+constexpr Command kCommands[] = {
+    {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
+    {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
+    {"keys", "private keys and the files of known peers", runKeys},
+};
+
+void printHelp(std::FILE *out)
+{
+    std::fputs("Usage: skyseal-cli COMMAND [options]\nThe ground station without a display.\n\nCommands:\n", out);
+    for (const Command &command : kCommands)
+        std::fprintf(out, "  %-10s %s\n", command.name, command.summary);
+    std::fputs("\nskyseal-cli COMMAND --help explains a command. Exit status: 0 done, 1 not reached, 2 usage,\n"
+               "3 a link or file could not be opened.\n", out);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    forbidCoreDumps();
+    QCoreApplication application(argc, argv);
+    const QStringList arguments = application.arguments().mid(1);
+    const QString name = arguments.value(0);
+    const QString program = QStringLiteral("skyseal-cli");
+    if (name == QLatin1String("--help") || name == QLatin1String("-h") || name == QLatin1String("help")) {
+        printHelp(stdout);
+        return kDone;
+    }
+    if (name == QLatin1String("--version")) {
+        std::printf("skyseal-cli " SKYSEAL_VERSION "\n");
+        return kDone;
+    }
+    for (const Command &command : kCommands) {
+        if (name != QLatin1String(command.name))
+            continue;
+        if (!skyseal::crypto::initCrypto()) {
+            complain(program, "the system offers no randomness");
+            return kCannotOpen;
+        }
+        return command.run(arguments.mid(1));
+    }
+    complain(program, name.isEmpty() ? "a command is missing; skyseal-cli --help lists them"
+                                     : "no command is named '" + name.toStdString() + "'; skyseal-cli --help lists them");
+    return kUsage;
+}

@@ -1,0 +1,147 @@
+// skyseal-cli monitor: a station's run without a window.
+#include "app/cli/commands.h"
+#include "app/cli/json_report.h"
+#include "app/cli/people_report.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "app/common/process.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QStandardPaths>
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr double kLongestRun = 1e9;
+
+void declare(Options &options)
+{
+    options.addValue("link", "URL", "Where vehicles or their agents are, e.g. udpin:0.0.0.0:14550. May be given several times.");
+    options.addValue("secure", "required|off", "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
+    options.addValue("identity", "FILE", "Private key of this station.");
+    options.addValue("peers", "FILE", "Vehicles' agents whose keys are confirmed.");
+    options.addValue("suite", "NAME", "Suite that every session begins with.");
+    options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
+    options.addValue("switch-to", "LIST", "Suites to walk through, again and again.");
+    options.addValue("switch-every", "S", "Seconds between two switches.", "1");
+    options.addValue("framing", "sealed", "How MAVLink is protected: whole frames sealed in records.", "sealed");
+    options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
+    options.addValue("duration", "S", "End after so many seconds.");
+    options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
+    options.addValue("record", "FOLDER", "Folder of the .tlog files.");
+    options.addFlag("no-record", "Write no .tlog.");
+    options.addFlag("json", "One JSON object a line on stdout.");
+}
+
+std::string defaultLogFolder()
+{
+    return (QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/skyseal/logs")).toStdString();
+}
+
+void readSecurity(Options &options, engine::StationConfig &config)
+{
+    const bool hasKeys = options.has("identity");
+    const std::string secure = options.has("secure") ? options.text("secure") : hasKeys ? "required" : "off";
+    if (secure != "required" && secure != "off")
+        options.fail("--secure '" + secure + "': required or off is expected");
+    config.secure = secure == "required" ? engine::SecureMode::Required : engine::SecureMode::Off;
+    if (config.secure == engine::SecureMode::Required) {
+        config.keys = {options.required("identity"), options.required("peers")};
+        config.policy.suites = channel::defaultSuites();
+        config.policy.allowResearch = options.has("allow-research");
+    }
+    if (options.has("suite"))
+        config.preferredSuite = options.suite("suite");
+    if (const std::string framing = options.text("framing"); framing != "sealed") {
+        const bool known = framing == "inline" || framing == "mavsec2019";
+        options.fail("--framing '" + framing + "': " + (known ? "not supported by this version; it knows sealed" : "sealed is expected"));
+    }
+}
+
+engine::StationConfig readConfig(Options &options)
+{
+    engine::StationConfig config;
+    readSecurity(options, config);
+    config.record = !options.has("no-record");
+    config.recordFolder = options.has("record") ? options.text("record") : defaultLogFolder();
+    if (options.has("stream-rate"))
+        config.streamRate = options.number("stream-rate", 0.1, 1000);
+    config.snapshotsPerSecond = 20;
+    return config;
+}
+
+engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
+{
+    engine::RunPlan plan;
+    plan.sessionRequired = config.secure == engine::SecureMode::Required;
+    const auto inSeconds = [](double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); };
+    if (options.has("switch-to"))
+        plan.switchTo = options.suites("switch-to");
+    plan.switchEvery = inSeconds(options.number("switch-every", 0.01, kLongestRun));
+    if (options.has("duration"))
+        plan.duration = inSeconds(options.number("duration", 0, kLongestRun));
+    if (options.has("do")) {
+        auto script = vehicle::parseFlightScript(options.text("do"));
+        if (script)
+            plan.script = std::move(*script);
+        else
+            options.fail("--do: " + script.error().text());
+    }
+    if (!plan.switchTo.empty() && !plan.sessionRequired)
+        options.fail("--switch-to needs a sealed link: --secure required");
+    return plan;
+}
+
+int exitStatus(engine::RunOutcome outcome)
+{
+    switch (outcome) {
+    case engine::RunOutcome::Reached: return kDone;
+    case engine::RunOutcome::CannotOpen: return kCannotOpen;
+    default: return kNotReached;
+    }
+}
+
+} // namespace
+
+int runMonitor(const QStringList &arguments)
+{
+    const QString name = QStringLiteral("skyseal-cli monitor");
+    Options options(name, QStringLiteral("Follows vehicles without a display."));
+    declare(options);
+    if (const auto status = options.parse(arguments))
+        return *status;
+    options.arguments(0, 0);
+    options.required("link");
+    const std::vector<link::LinkUrl> links = options.urls("link");
+    const engine::StationConfig config = readConfig(options);
+    engine::RunPlan plan = readPlan(options, config);
+    if (const auto status = options.finish())
+        return *status;
+
+    auto station = engine::Station::create(config);
+    if (!station) {
+        complain(name, station.error().text());
+        return kCannotOpen;
+    }
+    std::unique_ptr<engine::RunListener> report;
+    if (options.has("json"))
+        report = std::make_unique<JsonReport>();
+    else
+        report = std::make_unique<PeopleReport>(config.record ? config.recordFolder : std::string());
+    engine::HeadlessRun run(**station, *report, std::move(plan), links);
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &run, &engine::HeadlessRun::stop);
+    QObject::connect(&run, &engine::HeadlessRun::finished, qApp, [&](engine::RunOutcome outcome, const std::string &problem) {
+        if (outcome != engine::RunOutcome::Reached)
+            complain(name, problem);
+        QCoreApplication::exit(exitStatus(outcome));
+    });
+    QMetaObject::invokeMethod(&run, &engine::HeadlessRun::start, Qt::QueuedConnection);
+    return QCoreApplication::exec();
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,104 @@
+#include "app/cli/people_report.h"
+
+#include "app/common/format.h"
+#include "app/common/happening_words.h"
+#include "app/common/output.h"
+
+#include <cmath>
+
+namespace skyseal::app {
+
+namespace {
+
+std::string linkText(const engine::Snapshot &snapshot)
+{
+    if (snapshot.vehicles.empty())
+        return "Waiting for a vehicle";
+    std::string out;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles) {
+        const vehicle::SequenceCounters &count = vehicle.state.sequence;
+        const double total = static_cast<double>(count.frames + count.lost);
+        const double good = total > 0 ? 100.0 * static_cast<double>(count.frames) / total : 100.0;
+        out += format("%sLink %u %s %.1f %% (%llu frames, %llu lost, %.2f s)", out.empty() ? "" : ", ", unsigned(vehicle.state.systemId),
+                      vehicle.state.lost ? "LOST" : "OK", good, static_cast<unsigned long long>(count.frames),
+                      static_cast<unsigned long long>(count.lost), vehicle.state.messageAge);
+    }
+    return out;
+}
+
+std::string sealText(const engine::Snapshot &snapshot)
+{
+    std::string out;
+    for (const engine::SessionSnapshot &session : snapshot.sessions) {
+        out += format("%s%s, epoch %u, %s, authenticated", out.empty() ? "sealed: " : "; ", suiteText(session.info.suite).c_str(),
+                      static_cast<unsigned>(session.info.epoch), session.info.peerName.c_str());
+        if (session.info.pending)
+            out += ", switching to " + suiteText(*session.info.pending);
+        if (session.forgedLastMinute > 0 || session.replayedLastMinute > 0)
+            out += format(", %llu FORGED and %llu replayed in a minute", static_cast<unsigned long long>(session.forgedLastMinute),
+                          static_cast<unsigned long long>(session.replayedLastMinute));
+    }
+    if (out.empty())
+        out = snapshot.security == engine::Security::Plain ? "NOT SEALED" : "no session";
+    return out;
+}
+
+std::string flightText(const engine::Snapshot &snapshot)
+{
+    if (snapshot.vehicles.empty())
+        return {};
+    const vehicle::VehicleState &state = snapshot.vehicles.front().state;
+    std::string out = format(" | %s %s", state.mode.c_str(), state.armed ? "ARMED" : "disarmed");
+    if (!std::isnan(state.altitudeRelative))
+        out += format(" %.1f m", state.altitudeRelative);
+    if (!std::isnan(state.batteryVoltage))
+        out += format(" %.1f V", state.batteryVoltage);
+    return out;
+}
+
+} // namespace
+
+std::string statusLine(const engine::Snapshot &snapshot)
+{
+    std::string out = linkText(snapshot) + " | " + sealText(snapshot) + flightText(snapshot);
+    for (const engine::LinkSnapshot &link : snapshot.links)
+        out += " | " + (link.problem.empty() ? link.localAddress : link.problem);
+    return out;
+}
+
+PeopleReport::PeopleReport(const std::string &recordFolder)
+{
+    if (!recordFolder.empty())
+        remark("recording to " + recordFolder);
+}
+
+void PeopleReport::happened(const engine::Happening &happening)
+{
+    if (const auto *up = std::get_if<channel::SessionUp>(&happening))
+        m_peers[up->session] = up->peerName;
+    if (const std::string words = sentence(happening, m_peers); !words.empty())
+        remark(words);
+}
+
+void PeopleReport::stepEnded(const vehicle::StepReport &report)
+{
+    remark(report.step + ": " + std::string(vehicle::stepResultName(report.result)) + (report.reason.empty() ? "" : ", " + report.reason));
+}
+
+void PeopleReport::secondPassed(const engine::Snapshot &snapshot, double)
+{
+    printLine(statusLine(snapshot));
+}
+
+void PeopleReport::ended(const engine::Snapshot &last, double time)
+{
+    const engine::MavlinkTotals &mavlink = last.mavlink;
+    const channel::ReceiveCounters &rx = last.channel.rx;
+    const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
+    printLine(format("%.1f s: %llu frames, %llu lost, %llu late, %llu duplicate, %llu damaged; records: %llu good, %llu lost, %llu replayed, "
+                     "%llu forged, %llu clear frames refused",
+                     time, count(mavlink.frames), count(mavlink.lost), count(mavlink.late), count(mavlink.duplicate), count(mavlink.badCrc),
+                     count(rx.good), count(rx.lost), count(rx.replayed), count(rx.forged), count(rx.plaintextDropped)));
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,12 @@
+// Calls one of several lambdas by the alternative that a variant holds.
+#pragma once
+
+namespace skyseal::app {
+
+template<typename... F> struct Overloaded : F...
+{
+    using F::operator()...;
+};
+template<typename... F> Overloaded(F...) -> Overloaded<F...>;
+
+} // namespace skyseal::app

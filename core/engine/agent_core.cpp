@@ -1,0 +1,227 @@
+#include "core/engine/agent_core.h"
+
+#include "core/mavlink/dialect.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+namespace {
+
+constexpr LinkId kVehicleLink{1};
+constexpr LinkId kGroundLink{2};
+/// The remote of a link that has only one.
+constexpr Path kGround{kGroundLink, {}};
+
+channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
+{
+    channel::Config out;
+    out.role = channel::Role::Agent;
+    out.identity = secrets.identity;
+    out.peers = secrets.peers;
+    out.policy = config.policy;
+    out.announceTo = {kGround};
+    return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
+}
+
+/// A valid frame, or one of a message that is not known here and is carried as it is.
+bool isWhole(const mavlink::ScanItem &item)
+{
+    return item.frame || item.fault == mavlink::FrameFault::UnknownMessage;
+}
+
+std::uint8_t systemOf(const mavlink::ScanItem &item)
+{
+    return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
+}
+
+} // namespace
+
+AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
+      m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
+      m_policy(SecureMode::Required), m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
+{
+    m_policy.setPeers(m_secrets->peers);
+}
+
+AgentCore::~AgentCore() = default;
+
+void AgentCore::start()
+{
+    // The vehicle first: a station that finds us shall find it as well.
+    m_links.open(kVehicleLink, m_config.vehicle);
+    m_links.open(kGroundLink, m_config.ground);
+    finishWake();
+}
+
+void AgentCore::stop()
+{
+    for (const channel::SessionId session : m_channel.endpoint().sessions())
+        m_channel.endpoint().close(steadyNow(), session);
+    finishWake();
+    m_stopped = true;
+    m_timer.set(kNever);
+    m_links.forEach([](link::Link &link) {
+        link.disconnect();
+        link.close();
+    });
+}
+
+AgentSnapshot AgentCore::snapshot()
+{
+    const TimePoint now = steadyNow();
+    m_channel.roll(now);
+    m_ways.forgetSilent(now);
+    AgentSnapshot out;
+    for (LinkSnapshot &link : m_links.snapshots(now))
+        (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
+    const metrics::SequenceCounts counts = m_sequences.total();
+    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames()};
+    out.channel = m_channel.totals();
+    out.channel.rx.malformed += m_garbage;
+    out.channel.rx.plaintextDropped = m_counters.clearRefused;
+    out.counters = m_counters;
+    out.processCpuPercent = m_cpu.sample(now, metrics::processCpuTime());
+    out.residentBytes = metrics::residentBytes().value_or(0);
+    return out;
+}
+
+void AgentCore::linkChanged(link::Link &link)
+{
+    const link::LinkScheme scheme = link.url().scheme();
+    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    if (link.id() == kVehicleLink && hasOneRemote)
+        m_ways.setFixed({kVehicleLink, {}});
+    m_tell(AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});
+}
+
+void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
+{
+    if (m_stopped)
+        return;
+    for (const link::ReceivedBlock &block : blocks) {
+        if (link.id() == kVehicleLink) {
+            const auto take = [&](const mavlink::ScanItem &item) { takeFromVehicle(block.time, block.path, item); };
+            if (link.isStream())
+                m_intake.takeStream(block.path, block.bytes, take);
+            else
+                m_intake.takeDatagram(block.bytes, take);
+        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
+            takeRecord(block);
+        } else {
+            bool anyFrame = false;
+            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+                anyFrame = anyFrame || isWhole(item);
+                takeClearFromGround(item);
+            });
+            m_garbage += !anyFrame;
+        }
+    }
+    finishWake();
+}
+
+void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item)
+{
+    if (isDamagedFrame(item))
+        m_links.countBadFrame(from.link);
+    if (!isWhole(item))
+        return;
+    if (item.frame) {
+        m_ways.heard(now, from, *item.frame);
+        m_sequences.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
+    }
+    if (m_sessions.empty()) {
+        if (m_config.allowPlain)
+            m_links.send(kGround, item.bytes);
+        else
+            ++m_counters.undelivered;
+        return;
+    }
+    ++m_counters.toGround;
+    for (const channel::SessionId session : m_sessions)
+        m_channel.queue(now, session, item.bytes);
+}
+
+void AgentCore::takeRecord(const link::ReceivedBlock &block)
+{
+    const auto delivery = m_channel.receive(block.time, block.path, block.bytes);
+    if (!delivery)
+        return;
+    handleEvents(); // who it is comes before what it says
+    std::uint64_t frames = 0;
+    m_intake.takeDatagram(delivery->frames, [&](const mavlink::ScanItem &item) {
+        frames += isWhole(item);
+        takeFromGround(block.time, delivery->session, item);
+    });
+    m_channel.countFrames(delivery->session, frames);
+    m_links.noteRemote(kGroundLink, block.path.remote);
+}
+
+void AgentCore::takeFromGround(TimePoint, channel::SessionId session, const mavlink::ScanItem &item)
+{
+    if (!isWhole(item))
+        return;
+    const std::uint8_t systemId = systemOf(item);
+    if (!m_policy.mayCommand(session))
+        ++m_counters.observerRefused;
+    else if (m_ways.isVehicle(systemId) || !m_policy.acceptSealed(session, systemId))
+        ++m_counters.spoofRefused; // nobody on the ground speaks as the vehicle
+    else
+        deliver(item);
+}
+
+void AgentCore::takeClearFromGround(const mavlink::ScanItem &item)
+{
+    if (!isWhole(item))
+        return;
+    if (m_config.allowPlain && m_sessions.empty())
+        deliver(item);
+    else
+        ++m_counters.clearRefused;
+}
+
+void AgentCore::deliver(const mavlink::ScanItem &item)
+{
+    const std::vector<Path> ways = m_ways.to(item.frame ? item.frame->targetSystem() : 0);
+    if (ways.empty())
+        ++m_counters.undelivered;
+    else
+        ++m_counters.toVehicle;
+    for (const Path &way : ways)
+        m_links.send(way, item.bytes);
+}
+
+void AgentCore::handleEvents()
+{
+    while (const auto event = m_channel.pollEvent()) {
+        if (const auto *up = std::get_if<channel::SessionUp>(&*event)) {
+            m_policy.sessionUp(up->session, up->peer, up->path);
+            m_sessions.push_back(up->session);
+        } else if (const auto *down = std::get_if<channel::SessionDown>(&*event)) {
+            m_policy.sessionDown(down->session);
+            std::erase(m_sessions, down->session);
+        }
+        m_tell(*event);
+    }
+}
+
+void AgentCore::handleDeadline()
+{
+    m_channel.endpoint().handleDeadline(steadyNow());
+    finishWake();
+}
+
+void AgentCore::finishWake()
+{
+    if (m_stopped)
+        return;
+    const TimePoint now = steadyNow();
+    m_channel.flush(now);
+    handleEvents();
+    m_channel.flush(now);
+    m_links.flush();
+    m_timer.set(m_channel.endpoint().nextDeadline());
+}
+
+} // namespace skyseal::engine

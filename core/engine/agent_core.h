@@ -1,0 +1,106 @@
+// The agent's engine: sits beside an autopilot that knows nothing of sealing, speaks plain MAVLink with it and the sealed
+// protocol with the ground, and carries whole frames both ways as they are. It adds nothing of its own: when the sealed link
+// dies the autopilot hears no station any more, and its own failsafe acts.
+//
+// Lives on one thread with an event loop.
+#pragma once
+
+#include "core/engine/channel_driver.h"
+#include "core/engine/deadline_timer.h"
+#include "core/engine/frame_intake.h"
+#include "core/engine/link_pool.h"
+#include "core/engine/secret_files.h"
+#include "core/engine/sender_policy.h"
+#include "core/engine/vehicle_ways.h"
+#include "core/metrics/process_usage.h"
+#include "core/metrics/sequence_table.h"
+
+#include <functional>
+#include <memory>
+#include <variant>
+
+namespace skyseal::engine {
+
+struct AgentConfig
+{
+    link::LinkUrl vehicle;
+    link::LinkUrl ground;
+    channel::Policy policy;
+    /// Consent to carry clear MAVLink while no session is up: the baseline of a measurement.
+    bool allowPlain = false;
+};
+
+struct AgentLinkChanged
+{
+    bool groundSide = false;
+    LinkSnapshot link;
+};
+/// What the owner is told, as it happens.
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event>;
+
+struct AgentCounters
+{
+    std::uint64_t toGround = 0, toVehicle = 0;  ///< frames carried
+    std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look
+    std::uint64_t spoofRefused = 0;             ///< frames of a system that their peer may not speak as, or of the vehicle itself
+    std::uint64_t clearRefused = 0;             ///< clear frames from the ground
+    std::uint64_t undelivered = 0;              ///< from the ground while no vehicle is known, from the vehicle without a session
+};
+
+struct AgentSnapshot
+{
+    LinkSnapshot vehicle, ground;
+    MavlinkTotals mavlink; ///< what came from the vehicle
+    ChannelTotals channel;
+    AgentCounters counters;
+    double processCpuPercent = 0;
+    std::uint64_t residentBytes = 0;
+};
+
+class AgentCore : private link::LinkListener
+{
+public:
+    using Tell = std::function<void(const AgentEvent &)>;
+
+    AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell);
+    ~AgentCore() override;
+
+    void start();
+    /// Says goodbye to every station.
+    void stop();
+    /// Call about once a second: rates and load are over the time since the last call.
+    AgentSnapshot snapshot();
+
+private:
+    void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
+    void linkPeerJoined(link::Link &link, const Path &path) override { m_intake.forget(path), m_ways.streamChanged(link.id(), path); }
+    void linkPeerLeft(link::Link &link, const Path &path) override { m_intake.forget(path), m_ways.streamChanged(link.id(), path); }
+    void linkChanged(link::Link &link);
+
+    void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
+    void takeRecord(const link::ReceivedBlock &block);
+    void takeFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
+    void takeClearFromGround(const mavlink::ScanItem &item);
+    void deliver(const mavlink::ScanItem &item);
+    void handleEvents();
+    void handleDeadline();
+    void finishWake();
+
+    AgentConfig m_config;
+    std::unique_ptr<SecretFiles> m_secrets;
+    Tell m_tell;
+    LinkPool m_links;
+    ChannelDriver m_channel;
+    SenderPolicy m_policy;
+    FrameIntake m_intake;
+    VehicleWays m_ways;
+    metrics::SequenceTable m_sequences;
+    metrics::CpuSampler m_cpu;
+    AgentCounters m_counters;
+    std::vector<channel::SessionId> m_sessions;
+    std::uint64_t m_garbage = 0;
+    bool m_stopped = false;
+    DeadlineTimer m_timer;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,23 @@
+#include "core/engine/agent_json.h"
+
+#include "core/engine/event_json.h"
+
+namespace skyseal::engine {
+
+std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time)
+{
+    JsonWriter json;
+    json.beginObject().field("event", event).field("t", time);
+    writeMavlink(json, snapshot.mavlink);
+    writeChannel(json, snapshot.channel);
+    json.key("forwarded").beginObject();
+    json.field("to_ground", snapshot.counters.toGround).field("to_vehicle", snapshot.counters.toVehicle);
+    json.field("observer_refused", snapshot.counters.observerRefused).field("spoof_refused", snapshot.counters.spoofRefused);
+    json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
+    json.endObject();
+    writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
+    json.endObject();
+    return json.text();
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,14 @@
+// The agent's statistics as scripts read them; its other events have the shapes of event_json.h.
+#pragma once
+
+#include "core/engine/agent_core.h"
+
+#include <string>
+
+namespace skyseal::engine {
+
+/// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx is what went to
+/// the ground.
+std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time);
+
+} // namespace skyseal::engine

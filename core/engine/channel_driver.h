@@ -1,0 +1,63 @@
+// Joins the secure channel, which knows no sockets, with the links, which know no keys: hands records in, coalesces frames
+// of one wake-up into records, sends what the protocol itself wants to send, and measures what the ciphers cost. The
+// station and the agent drive their endpoint by the same class. I/O thread.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "core/engine/link_pool.h"
+#include "core/engine/suite_meter.h"
+#include "core/metrics/cycle_clock.h"
+
+#include <map>
+
+namespace skyseal::engine {
+
+class ChannelDriver
+{
+public:
+    ChannelDriver(channel::Endpoint endpoint, LinkPool &links);
+
+    channel::Endpoint &endpoint() { return m_endpoint; }
+    const channel::Endpoint &endpoint() const { return m_endpoint; }
+
+    /// Takes a datagram whose first byte the channel owns; what it carried, opened in place.
+    std::optional<channel::Delivery> receive(TimePoint now, const Path &from, MutableByteView datagram);
+    /// Tells how many frames a delivery held, for the rates.
+    void countFrames(channel::SessionId session, std::uint64_t frames) { m_meters[session].openedFrames(frames); }
+
+    /// Adds a whole frame to the session's next record. False when there is no such session.
+    bool queue(TimePoint now, channel::SessionId session, ByteView frame);
+    /// Seals what was queued and sends all that the endpoint has to say. At the end of each wake-up.
+    void flush(TimePoint now);
+
+    /// The next event, with the books kept: a session that ended stays in the totals.
+    std::optional<channel::Event> pollEvent();
+
+    /// Call about once a second.
+    void roll(TimePoint now);
+    SuiteCost cost(channel::SessionId session) const;
+    /// Sums over all sessions, ended ones and strays included. The suite is that of the session heard last.
+    ChannelTotals totals() const;
+
+private:
+    struct Batch
+    {
+        std::size_t size = 0;
+        std::array<std::uint8_t, channel::kMaxRecordPayload> frames;
+    };
+
+    void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
+    void transmit();
+
+    channel::Endpoint m_endpoint;
+    LinkPool &m_links;
+    metrics::CycleClock m_clock = metrics::CycleClock::measure();
+    std::map<channel::SessionId, Batch> m_batches;
+    std::map<channel::SessionId, SuiteMeter> m_meters;
+    std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< as the events told
+    std::array<std::uint8_t, channel::kMaxRecordPayload + channel::kMaxRecordOverhead> m_record;
+    channel::ReceiveCounters m_endedRx, m_endedPeerRx;
+    channel::SendCounters m_endedTx;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,59 @@
+// From counters that only grow to what people want to read: the share that was lost over the last second, and how much came
+// in over the last minute. Fed with the counters at a steady pace; no clock.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace skyseal::engine {
+
+/// The growth of a counter over the last `slots` readings. The first reading is where it starts from.
+template<std::size_t slots> class Growth
+{
+public:
+    void note(std::uint64_t total)
+    {
+        if (m_count == 0)
+            m_readings.fill(total);
+        m_readings[m_count++ % (slots + 1)] = total;
+    }
+
+    /// Signed: a loss can be taken back when a record comes late.
+    std::int64_t value() const
+    {
+        if (m_count == 0)
+            return 0;
+        const std::uint64_t newest = m_readings[(m_count - 1) % (slots + 1)];
+        const std::uint64_t oldest = m_readings[m_count % (slots + 1)];
+        return static_cast<std::int64_t>(newest) - static_cast<std::int64_t>(oldest);
+    }
+
+private:
+    std::array<std::uint64_t, slots + 1> m_readings{};
+    std::size_t m_count = 0;
+};
+
+/// Percent lost over the last four readings: a second, at four a second.
+class LossMeter
+{
+public:
+    void note(std::uint64_t received, std::uint64_t lost)
+    {
+        m_received.note(received);
+        m_lost.note(lost);
+    }
+
+    double percent() const
+    {
+        const auto lost = static_cast<double>(std::max<std::int64_t>(0, m_lost.value()));
+        const auto all = lost + static_cast<double>(std::max<std::int64_t>(0, m_received.value()));
+        return all > 0 ? 100 * lost / all : 0;
+    }
+
+private:
+    Growth<4> m_received, m_lost;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,42 @@
+// Takes the diagnostics' readings: four times a second what the link carries, what it loses and what it costs, and once a
+// second what the process needs. I/O thread.
+#pragma once
+
+#include "core/engine/loss_meter.h"
+#include "core/engine/snapshot.h"
+#include "core/metrics/process_usage.h"
+
+#include <deque>
+
+namespace skyseal::engine {
+
+class MetricsSampler
+{
+public:
+    static constexpr Duration kEvery = std::chrono::milliseconds(250);
+    /// Samples that a snapshot carries, so that a reader that was busy for a while misses none.
+    static constexpr std::size_t kKept = 40;
+
+    /// What the engine knows at that moment.
+    struct Reading
+    {
+        ChannelTotals channel;
+        MavlinkTotals mavlink;
+        bool linkUp = false;
+    };
+
+    void sample(TimePoint now, double time, const Reading &reading);
+    const std::deque<MetricsSample> &samples() const { return m_samples; }
+    double processCpuPercent() const { return m_cpu.percent(); }
+    std::uint64_t residentBytes() const { return m_memory.bytes(); }
+
+private:
+    metrics::CpuSampler m_cpu;
+    metrics::MemorySampler m_memory;
+    std::uint64_t m_number = 0;
+    LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss;
+    Growth<4> m_frames, m_bytes;
+    std::deque<MetricsSample> m_samples;
+};
+
+} // namespace skyseal::engine

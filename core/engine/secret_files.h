@@ -1,0 +1,28 @@
+// What a sealed program reads before it can start: its private key, its known peers and its persisted counters.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/channel/endpoint.h"
+#include "core/crypto/system_random.h"
+#include "core/engine/station_config.h"
+
+#include <memory>
+#include <vector>
+
+namespace skyseal::engine {
+
+struct SecretFiles
+{
+    KeyPaths paths;
+    std::shared_ptr<const crypto::X25519KeyPair> identity;
+    std::vector<channel::Peer> peers;
+    std::unique_ptr<channel::CounterStore> counters;
+    crypto::SystemRandom random;
+};
+
+/// An error names the file and what is wrong with it: missing, readable by others, damaged.
+Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths);
+/// The peers file alone, as it is now.
+Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths);
+
+} // namespace skyseal::engine

@@ -1,0 +1,21 @@
+#include "core/engine/snapshot.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+Security securityOf(const Snapshot &snapshot)
+{
+    const auto any = [&](auto &&is) { return std::any_of(snapshot.sessions.begin(), snapshot.sessions.end(), is); };
+    if (!snapshot.sessions.empty()) {
+        if (any([](const SessionSnapshot &s) { return s.forgedLastMinute > 0 || s.replayedLastMinute > 0; }))
+            return Security::UnderAttack;
+        if (any([](const SessionSnapshot &s) { return s.info.pending.has_value(); }))
+            return Security::Switching;
+        return Security::Sealed;
+    }
+    const auto isClear = [](const VehicleSnapshot &vehicle) { return !vehicle.session; };
+    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), isClear) ? Security::Plain : Security::Nothing;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,103 @@
+#include "core/engine/sender_policy.h"
+
+namespace skyseal::engine {
+
+void SenderPolicy::setPeers(const std::vector<channel::Peer> &peers)
+{
+    m_peers = peers;
+    m_pinned.reset();
+    for (const channel::Peer &peer : peers) {
+        for (const std::uint8_t systemId : peer.systemIds)
+            m_pinned.set(systemId);
+    }
+    for (auto &[session, speaker] : m_speakers)
+        applyRules(speaker);
+}
+
+void SenderPolicy::applyRules(Speaker &speaker) const
+{
+    speaker.allowed.reset();
+    speaker.pilot = false;
+    for (const channel::Peer &known : m_peers) {
+        if (known.key != speaker.peer)
+            continue;
+        speaker.pilot = known.role == channel::PeerRole::Pilot;
+        if (known.systemIds.empty())
+            speaker.allowed.set();
+        for (const std::uint8_t systemId : known.systemIds)
+            speaker.allowed.set(systemId);
+    }
+    speaker.spoken &= speaker.allowed;
+}
+
+void SenderPolicy::sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path)
+{
+    Speaker speaker;
+    speaker.peer = peer;
+    speaker.path = path;
+    applyRules(speaker);
+    m_speakers[session] = speaker;
+}
+
+void SenderPolicy::sessionMoved(channel::SessionId session, const Path &path)
+{
+    if (const auto found = m_speakers.find(session); found != m_speakers.end())
+        found->second.path = path;
+}
+
+void SenderPolicy::sessionDown(channel::SessionId session)
+{
+    m_speakers.erase(session);
+}
+
+bool SenderPolicy::mayCommand(channel::SessionId session) const
+{
+    const auto found = m_speakers.find(session);
+    return found != m_speakers.end() && found->second.pilot;
+}
+
+bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemId)
+{
+    const auto found = m_speakers.find(session);
+    if (found == m_speakers.end())
+        return false;
+    Speaker &speaker = found->second;
+    if (speaker.spoken.test(systemId))
+        return true;
+    if (!speaker.allowed.test(systemId))
+        return false;
+    for (const auto &[other, holder] : m_speakers) {
+        if (holder.spoken.test(systemId) && holder.peer != speaker.peer)
+            return false;
+    }
+    speaker.spoken.set(systemId);
+    m_sealed.set(systemId);
+    return true;
+}
+
+bool SenderPolicy::acceptClear(const Path &from, std::uint8_t systemId) const
+{
+    return m_mode != SecureMode::Required && !isSealedSystem(systemId) && !sessionAt(from);
+}
+
+std::optional<channel::SessionId> SenderPolicy::sessionAt(const Path &path) const
+{
+    for (const auto &[session, speaker] : m_speakers) {
+        if (speaker.path == path)
+            return session;
+    }
+    return std::nullopt;
+}
+
+std::optional<channel::SessionId> SenderPolicy::sessionConcerned(const Path &from, std::uint8_t systemId) const
+{
+    if (const auto here = sessionAt(from))
+        return here;
+    for (const auto &[session, speaker] : m_speakers) {
+        if (speaker.spoken.test(systemId))
+            return session;
+    }
+    return std::nullopt;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,66 @@
+// Whose MAVLink is believed: which system ids a sealed peer may speak as, and whether clear frames are taken at all. No
+// I/O and no clock; the station asks it for every frame.
+#pragma once
+
+#include "core/base/path.h"
+#include "core/channel/events.h"
+#include "core/channel/policy.h"
+#include "core/engine/secure_mode.h"
+
+#include <array>
+#include <bitset>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace skyseal::engine {
+
+class SenderPolicy
+{
+public:
+    explicit SenderPolicy(SecureMode mode) : m_mode(mode) {}
+
+    SecureMode mode() const { return m_mode; }
+
+    /// The known peers: the system ids that they are bound to are never again taken in clear.
+    void setPeers(const std::vector<channel::Peer> &peers);
+    void sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path);
+    void sessionMoved(channel::SessionId session, const Path &path);
+    void sessionDown(channel::SessionId session);
+
+    /// What it sends may reach an autopilot. False for observers.
+    bool mayCommand(channel::SessionId session) const;
+    /// Whether a frame that came sealed may speak as this system id. A system belongs to the first peer that spoke as it, for
+    /// as long as that peer has a session.
+    bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+
+    /// Whether a clear frame may be shown. Not when sealing is required, not for a system that is bound to a peer or was ever
+    /// heard sealed, and not from the very place where a session's records come from.
+    bool acceptClear(const Path &from, std::uint8_t systemId) const;
+    /// The session whose records come from there.
+    std::optional<channel::SessionId> sessionAt(const Path &path) const;
+    /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the system.
+    std::optional<channel::SessionId> sessionConcerned(const Path &from, std::uint8_t systemId) const;
+    /// True when clear frames of the system are refused because it is known to be sealed.
+    bool isSealedSystem(std::uint8_t systemId) const { return m_sealed.test(systemId) || m_pinned.test(systemId); }
+
+private:
+    struct Speaker
+    {
+        channel::PublicKey peer{};
+        Path path;
+        bool pilot = false;
+        std::bitset<256> allowed; ///< by the list of peers
+        std::bitset<256> spoken;  ///< as what it has spoken: checked once, then cheap
+    };
+
+    void applyRules(Speaker &speaker) const;
+
+    SecureMode m_mode;
+    std::vector<channel::Peer> m_peers;
+    std::bitset<256> m_pinned;
+    std::bitset<256> m_sealed;
+    std::map<channel::SessionId, Speaker> m_speakers;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,35 @@
+// How a station is to be: one plain value, made by whoever starts it.
+#pragma once
+
+#include "core/channel/policy.h"
+#include "core/engine/secure_mode.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace skyseal::engine {
+
+/// Where the secrets and the known peers are; empty paths mean a program that can only do plain links.
+struct KeyPaths
+{
+    std::string identity; ///< private key file
+    std::string peers;    ///< known peers
+};
+
+struct StationConfig
+{
+    std::uint8_t systemId = 255;
+    std::uint8_t componentId = 190;
+    SecureMode secure = SecureMode::Preferred;
+    KeyPaths keys;
+    channel::Policy policy;
+    std::optional<crypto::SuiteId> preferredSuite; ///< every session begins with it, where both ends permit it
+    bool record = true;
+    std::string recordFolder;
+    bool lowBandwidth = false; ///< ask vehicles for slower streams
+    double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
+    int snapshotsPerSecond = 30; ///< at most 30
+};
+
+} // namespace skyseal::engine

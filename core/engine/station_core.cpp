@@ -1,0 +1,459 @@
+#include "core/engine/station_core.h"
+
+#include "core/link/address_text.h"
+#include "core/mavlink/frame_writer.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+namespace {
+
+constexpr Duration kSlowestSnapshots = std::chrono::milliseconds(500);
+
+vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
+{
+    vehicle::VehicleConfig out;
+    out.ownSystemId = config.systemId;
+    out.ownComponentId = config.componentId;
+    out.streams = config.lowBandwidth ? vehicle::StreamProfile::LowBandwidth : vehicle::StreamProfile::Standard;
+    out.streamRate = config.streamRate;
+    return out;
+}
+
+channel::Config channelConfig(const StationConfig &config, const SecretFiles &secrets)
+{
+    channel::Config out;
+    out.role = channel::Role::Station;
+    out.identity = secrets.identity;
+    out.peers = secrets.peers;
+    out.policy = config.policy;
+    return out;
+}
+
+} // namespace
+
+StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secrets, StationSinks sinks)
+    : m_config(std::move(config)), m_sinks(std::move(sinks)), m_secrets(std::move(secrets)),
+      m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_policy(m_config.secure),
+      m_intake(mavlink::Dialect::builtin()), m_vehicles(vehicleConfig(m_config)), m_start(steadyNow()), m_lastSnapshot(TimePoint::min()),
+      m_nextQuarter(m_start), m_timer([this] { handleDeadline(); })
+{
+    if (m_secrets && m_config.secure != SecureMode::Off) {
+        m_policy.setPeers(m_secrets->peers);
+        channel::Endpoint endpoint(channelConfig(m_config, *m_secrets), m_secrets->random, *m_secrets->counters, m_start);
+        m_channel = std::make_unique<ChannelDriver>(std::move(endpoint), m_links);
+    }
+    setRecording(m_config.record);
+}
+
+StationCore::~StationCore() = default;
+
+void StationCore::addLink(LinkId id, const link::LinkUrl &url)
+{
+    m_links.open(id, url);
+    finishWake();
+}
+
+void StationCore::removeLink(LinkId id)
+{
+    m_links.remove(id);
+    m_outlets.removeLink(id);
+    m_changed = true;
+    finishWake();
+}
+
+void StationCore::switchSuite(channel::SessionId session, crypto::SuiteId suite)
+{
+    if (m_channel)
+        m_channel->endpoint().switchSuite(steadyNow(), session, suite);
+    finishWake();
+}
+
+void StationCore::setPreferredSuite(crypto::SuiteId suite)
+{
+    m_config.preferredSuite = suite;
+    if (m_channel) {
+        for (const channel::SessionId session : m_channel->endpoint().sessions())
+            m_channel->endpoint().switchSuite(steadyNow(), session, suite);
+    }
+    finishWake();
+}
+
+void StationCore::setAllowResearch(bool allow)
+{
+    m_config.policy.allowResearch = allow;
+    if (m_channel)
+        m_channel->endpoint().setPolicy(steadyNow(), m_config.policy);
+    finishWake();
+}
+
+void StationCore::setPeers(std::vector<channel::Peer> peers)
+{
+    m_policy.setPeers(peers);
+    if (m_channel)
+        m_channel->endpoint().setPeers(steadyNow(), std::move(peers));
+    finishWake();
+}
+
+void StationCore::command(vehicle::CommandId id, std::uint8_t systemId, const vehicle::VehicleCommand &command)
+{
+    if (!withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.command(now, id, command); }))
+        tell(vehicle::CommandResult{id, systemId, vehicle::CommandOutcome::Refused, 0, "no such vehicle"});
+}
+
+bool StationCore::withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act)
+{
+    vehicle::Vehicle *vehicle = m_vehicles.find(systemId);
+    if (!vehicle)
+        return false;
+    act(*vehicle, steadyNow());
+    finishWake();
+    return true;
+}
+
+void StationCore::setInspecting(bool inspecting)
+{
+    m_inspector.setWatching(inspecting);
+}
+
+void StationCore::setRecording(bool recording)
+{
+    if (!recording)
+        m_recorder.reset();
+    else if (!m_recorder && !m_config.recordFolder.empty())
+        m_recorder = std::make_unique<Recorder>(m_config.recordFolder);
+    m_changed = true;
+}
+
+std::shared_ptr<const Snapshot> StationCore::stop()
+{
+    const std::shared_ptr<Snapshot> last = takeSnapshot(steadyNow());
+    if (m_channel) {
+        for (const channel::SessionId session : m_channel->endpoint().sessions())
+            m_channel->endpoint().close(steadyNow(), session);
+        finishWake();
+        const ChannelTotals totals = channelTotals();
+        last->channel.rx = totals.rx;
+        last->channel.tx = totals.tx;
+        last->channel.peerRx = totals.peerRx;
+    }
+    m_stopped = true;
+    m_timer.set(kNever);
+    m_links.forEach([](link::Link &link) {
+        link.disconnect();
+        link.close();
+    });
+    m_recorder.reset();
+    return last;
+}
+
+void StationCore::linkChanged(link::Link &link)
+{
+    const link::LinkState state = link.state();
+    const link::LinkScheme scheme = link.url().scheme();
+    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    if (state == link::LinkState::Connected && hasOneRemote && m_config.secure != SecureMode::Required)
+        m_outlets.addFixed({link.id(), link.remote()});
+    else if (state == link::LinkState::Waiting || state == link::LinkState::Closed)
+        m_outlets.removeLink(link.id());
+    m_changed = true;
+    tell(LinkChanged{m_links.snapshot(link)});
+}
+
+void StationCore::linkPeerJoined(link::Link &, const Path &path)
+{
+    m_intake.forget(path);
+}
+
+void StationCore::linkPeerLeft(link::Link &, const Path &path)
+{
+    m_intake.forget(path);
+}
+
+void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
+{
+    if (m_stopped)
+        return;
+    for (const link::ReceivedBlock &block : blocks) {
+        if (link.isStream()) {
+            m_intake.takeStream(block.path, block.bytes, [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
+        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
+            takeRecord(block.time, block);
+        } else {
+            bool anyFrame = false;
+            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+                anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
+                takeClear(block.time, block.path, item);
+            });
+            m_garbage += !anyFrame;
+        }
+    }
+    m_changed = true;
+    finishWake();
+}
+
+void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
+{
+    if (!m_channel) {
+        ++m_garbage;
+        return;
+    }
+    if (const auto delivery = m_channel->receive(now, block.path, block.bytes)) {
+        // The session is told of by its event; what it may speak as must be known before its first frame is judged.
+        handleEvents(now);
+        takeSealed(now, block.path, *delivery);
+    }
+}
+
+void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery)
+{
+    std::uint64_t frames = 0;
+    m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
+        if (!item.frame) {
+            if (isDamagedFrame(item))
+                m_links.countBadFrame(from.link);
+            return;
+        }
+        ++frames;
+        if (m_policy.acceptSealed(delivery.session, item.frame->systemId()))
+            takeFrame(now, from, *item.frame, delivery.session);
+        else
+            ++m_spoofed;
+    });
+    m_channel->countFrames(delivery.session, frames);
+    m_links.noteRemote(from.link, from.remote);
+}
+
+void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item)
+{
+    if (!item.frame) {
+        if (isDamagedFrame(item))
+            m_links.countBadFrame(from.link);
+        return;
+    }
+    const mavlink::Frame &frame = *item.frame;
+    if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
+        return; // our own, looped back
+    if (!m_policy.acceptClear(from, frame.systemId()))
+        return refuseClear(now, from, frame.systemId());
+    takeFrame(now, from, frame, std::nullopt);
+}
+
+void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t systemId)
+{
+    ++m_refusals.total;
+    ++m_refusals.untold.frames;
+    m_refusals.untold.systemId = systemId;
+    m_refusals.untold.remoteAddress = link::toText(from.remote);
+    if (m_channel) {
+        if (const auto session = m_policy.sessionConcerned(from, systemId))
+            m_channel->endpoint().countPlaintextDropped(*session, 1);
+    }
+    tellRefusals(now);
+}
+
+void StationCore::tellRefusals(TimePoint now)
+{
+    if (m_refusals.untold.frames == 0 || (m_refusals.told != TimePoint::min() && now - m_refusals.told < std::chrono::seconds(1)))
+        return;
+    m_refusals.told = now;
+    tell(std::exchange(m_refusals.untold, {}));
+}
+
+void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session)
+{
+    const link::Link *link = m_links.find(from.link);
+    const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
+    const std::uint8_t systemId = frame.systemId();
+    const WallTime wall = wallNow();
+    m_sequences.note({from.link, systemId, frame.componentId()}, frame.sequence(), now);
+    m_inspector.note(now, frame);
+    if (m_recorder && !replayed)
+        m_recorder->record(wall, frame.bytes());
+    if (session) {
+        m_outlets.heardSealed(systemId, *session);
+    } else if (frame.messageId() == 0 && !replayed) {
+        m_outlets.heardClear(now, systemId, from);
+        m_links.noteRemote(from.link, from.remote);
+    }
+    const bool found = m_vehicles.handleFrame(now, wall, frame);
+    if (vehicle::Vehicle *vehicle = m_vehicles.find(systemId)) {
+        VehicleWatch &watch = m_vehicleWatches[systemId];
+        watch.link = from.link;
+        watch.session = session;
+        if (found)
+            tell(VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()});
+    }
+}
+
+void StationCore::finishWake()
+{
+    if (m_stopped)
+        return;
+    const TimePoint now = steadyNow();
+    serveVehicles(now);
+    if (m_channel) {
+        m_channel->flush(now);
+        handleEvents(now);
+        m_channel->flush(now); // what an event asked for
+    }
+    m_links.flush();
+    publish(now);
+    m_timer.set(nextDeadline());
+}
+
+void StationCore::handleDeadline()
+{
+    const TimePoint now = steadyNow();
+    if (m_channel && now >= m_channel->endpoint().nextDeadline())
+        m_channel->endpoint().handleDeadline(now);
+    if (now >= m_vehicles.nextDeadline())
+        m_vehicles.handleDeadline(now);
+    if (now >= m_nextQuarter)
+        everyQuarterSecond(now);
+    sendHeartbeats(now);
+    finishWake();
+}
+
+TimePoint StationCore::nextDeadline() const
+{
+    TimePoint next = std::min({m_nextQuarter, m_vehicles.nextDeadline(), m_heartbeat.nextDeadline()});
+    if (m_channel)
+        next = std::min(next, m_channel->endpoint().nextDeadline());
+    if (m_changed)
+        next = std::min(next, m_lastSnapshot + std::chrono::seconds(1) / std::clamp(m_config.snapshotsPerSecond, 1, 30));
+    return next;
+}
+
+void StationCore::handleEvents(TimePoint now)
+{
+    while (const auto event = m_channel->pollEvent())
+        handleEvent(now, *event);
+}
+
+void StationCore::handleEvent(TimePoint now, const channel::Event &event)
+{
+    m_changed = true;
+    if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
+        m_policy.sessionUp(up->session, up->peer, up->path);
+        m_outlets.ofSession(up->session);
+        m_sessionWatches.try_emplace(up->session);
+        if (m_config.preferredSuite && *m_config.preferredSuite != up->suite)
+            m_channel->endpoint().switchSuite(now, up->session, *m_config.preferredSuite);
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        m_policy.sessionDown(down->session);
+        m_outlets.sessionDown(down->session);
+        m_sessionWatches.erase(down->session);
+    } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
+        m_policy.sessionMoved(moved->session, moved->to);
+    }
+    std::visit([this](const auto &value) { tell(value); }, event);
+}
+
+void StationCore::serveVehicles(TimePoint now)
+{
+    for (auto &[systemId, vehicle] : m_vehicles.all())
+        serveVehicle(now, systemId, vehicle);
+}
+
+void StationCore::serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle)
+{
+    Outlet *outlet = m_outlets.leadingTo(systemId);
+    while (const auto message = vehicle.pollOutgoing()) {
+        if (outlet)
+            send(now, *outlet, *message);
+    }
+    while (auto result = vehicle.pollResult())
+        tell(std::move(*result));
+    while (auto text = vehicle.pollText())
+        tell(TextReceived{systemId, std::move(*text)});
+    while (auto done = vehicle.pollMissionResult())
+        tell(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok, std::move(done->reason)});
+    while (auto written = vehicle.pollParameterResult())
+        tell(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
+}
+
+void StationCore::sendHeartbeats(TimePoint now)
+{
+    const auto message = m_heartbeat.poll(now);
+    // Vehicles act on its absence; nobody may send it for an operator whose screen stands still.
+    if (!message || !m_readerAlive)
+        return;
+    for (Outlet &outlet : m_outlets.all())
+        send(now, outlet, *message);
+}
+
+void StationCore::send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message)
+{
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const ByteView frame = mavlink::writeFrame(buffer, 2, outlet.sequence, m_config.systemId, m_config.componentId, message.id,
+                                               message.crcExtra, message.minLength, message.view());
+    if (frame.empty())
+        return;
+    ++outlet.sequence;
+    if (m_recorder)
+        m_recorder->record(wallNow(), frame);
+    if (outlet.session)
+        m_channel->queue(now, *outlet.session, frame);
+    else
+        m_links.send(outlet.path, frame);
+}
+
+void StationCore::everyQuarterSecond(TimePoint now)
+{
+    m_nextQuarter = std::max(m_nextQuarter + MetricsSampler::kEvery, now);
+    if (m_quarters++ % 4 == 0)
+        everySecond(now);
+    bool anyUp = false;
+    for (auto &[systemId, watch] : m_vehicleWatches) {
+        const metrics::SequenceCounts counts = m_sequences.countsOfSystem(systemId);
+        watch.loss.note(counts.received, counts.lost);
+        watch.frames.note(counts.received);
+        const bool lost = m_vehicles.find(systemId)->isLost(now);
+        anyUp = anyUp || !lost;
+        if (lost != watch.lost) {
+            watch.lost = lost;
+            tell(lost ? Happening(VehicleLost{systemId}) : Happening(VehicleBack{systemId}));
+        }
+    }
+    for (auto &[session, watch] : m_sessionWatches) {
+        if (const auto stats = m_channel->endpoint().stats(session)) {
+            watch.loss.note(stats->rx.good, stats->rx.lost);
+            watch.peerLoss.note(stats->peerRx.good, stats->peerRx.lost);
+        }
+    }
+    m_sampler.sample(now, seconds(now - m_start), {channelTotals(), mavlinkTotals(), anyUp});
+    m_changed = true;
+}
+
+void StationCore::everySecond(TimePoint now)
+{
+    m_outlets.forgetSilent(now);
+    tellRefusals(now);
+    if (m_channel)
+        m_channel->roll(now);
+    for (auto &[session, watch] : m_sessionWatches) {
+        if (const auto stats = m_channel->endpoint().stats(session)) {
+            watch.forged.note(stats->rx.forged);
+            watch.replayed.note(stats->rx.replayed);
+        }
+    }
+    if (m_recorder) {
+        if (const auto problem = m_recorder->takeProblem())
+            tell(RecordingProblem{problem->file, problem->problem});
+    }
+}
+
+void StationCore::publish(TimePoint now)
+{
+    const Duration since = m_lastSnapshot == TimePoint::min() ? kSlowestSnapshots : now - m_lastSnapshot;
+    const Duration least = std::chrono::seconds(1) / std::clamp(m_config.snapshotsPerSecond, 1, 30);
+    if (since < least || (!m_changed && since < kSlowestSnapshots))
+        return;
+    m_lastSnapshot = now;
+    m_changed = false;
+    m_sinks.snapshot(takeSnapshot(now));
+}
+
+} // namespace skyseal::engine

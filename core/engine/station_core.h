@@ -1,0 +1,145 @@
+// The station's engine: joins links, secure channel, vehicles, recording and counters. Lives whole on the I/O thread; other
+// threads reach it only through Station, which posts calls and hands out what the sinks are given.
+//
+// The path of a packet: linkReceived -> (record: the channel opens it in place | clear: SenderPolicy decides) -> takeFrame ->
+// sequence counters, vehicles, inspector, recorder. Each wake-up ends in finishWake(): what the vehicles' conversations want
+// sent is framed, coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
+#pragma once
+
+#include "core/engine/channel_driver.h"
+#include "core/engine/deadline_timer.h"
+#include "core/engine/frame_intake.h"
+#include "core/engine/happening.h"
+#include "core/engine/inspector_table.h"
+#include "core/engine/link_pool.h"
+#include "core/engine/metrics_sampler.h"
+#include "core/engine/outlets.h"
+#include "core/engine/recorder.h"
+#include "core/engine/secret_files.h"
+#include "core/engine/sender_policy.h"
+#include "core/engine/station_config.h"
+#include "core/metrics/sequence_table.h"
+#include "core/vehicle/gcs_heartbeat.h"
+#include "core/vehicle/vehicle_set.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace skyseal::engine {
+
+/// Where the core's output goes; called on the I/O thread.
+struct StationSinks
+{
+    std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
+    std::function<void(Happening)> happening;
+};
+
+class StationCore : private link::LinkListener
+{
+public:
+    /// `secrets` is empty for a station that can only do plain links.
+    StationCore(StationConfig config, std::unique_ptr<SecretFiles> secrets, StationSinks sinks);
+    ~StationCore() override;
+
+    void addLink(LinkId id, const link::LinkUrl &url);
+    void removeLink(LinkId id);
+    void switchSuite(channel::SessionId session, crypto::SuiteId suite);
+    void setPreferredSuite(crypto::SuiteId suite);
+    void setAllowResearch(bool allow);
+    void setPeers(std::vector<channel::Peer> peers);
+    void command(vehicle::CommandId id, std::uint8_t systemId, const vehicle::VehicleCommand &command);
+    /// Does something with a vehicle, if it is known; false otherwise.
+    bool withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act);
+    void setInspecting(bool inspecting);
+    void setRecording(bool recording);
+    /// The reader of snapshots answered; see Station.
+    void setReaderAlive(bool alive) { m_readerAlive = alive; }
+    /// Closes sessions, links and recording; the last snapshot.
+    std::shared_ptr<const Snapshot> stop();
+
+private:
+    /// Clear frames that were refused and not told yet: one happening a second at the most.
+    struct Refusals
+    {
+        std::uint64_t total = 0;
+        PlaintextRefused untold;
+        TimePoint told = TimePoint::min();
+    };
+    /// What is measured of one session beside its own counters.
+    struct SessionWatch
+    {
+        LossMeter loss, peerLoss;
+        Growth<60> forged, replayed; ///< a reading a second
+    };
+    struct VehicleWatch
+    {
+        LinkId link{};
+        std::optional<channel::SessionId> session;
+        LossMeter loss;
+        Growth<4> frames;
+        bool lost = false;
+    };
+
+    void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
+    void linkPeerJoined(link::Link &link, const Path &path) override;
+    void linkPeerLeft(link::Link &link, const Path &path) override;
+    void linkChanged(link::Link &link);
+
+    void takeRecord(TimePoint now, const link::ReceivedBlock &block);
+    void takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery);
+    void takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item);
+    void refuseClear(TimePoint now, const Path &from, std::uint8_t systemId);
+    void takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session);
+    void tellRefusals(TimePoint now);
+
+    void finishWake();
+    void handleDeadline();
+    void handleEvents(TimePoint now);
+    void handleEvent(TimePoint now, const channel::Event &event);
+    void serveVehicles(TimePoint now);
+    void serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);
+    void sendHeartbeats(TimePoint now);
+    void send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message);
+    void everyQuarterSecond(TimePoint now);
+    void everySecond(TimePoint now);
+    void tell(Happening happening) { m_sinks.happening(std::move(happening)); }
+
+    void publish(TimePoint now);
+    std::shared_ptr<Snapshot> takeSnapshot(TimePoint now); ///< in station_snapshot.cpp
+    SessionSnapshot describe(TimePoint now, const channel::SessionInfo &info) const;
+    VehicleSnapshot describe(TimePoint now, const vehicle::Vehicle &vehicle) const;
+    MavlinkTotals mavlinkTotals() const;
+    ChannelTotals channelTotals() const;
+    TimePoint nextDeadline() const;
+
+    StationConfig m_config;
+    StationSinks m_sinks;
+    std::unique_ptr<SecretFiles> m_secrets;
+    LinkPool m_links;
+    std::unique_ptr<ChannelDriver> m_channel; ///< null without keys or with SecureMode::Off
+    SenderPolicy m_policy;
+    FrameIntake m_intake;
+    Outlets m_outlets;
+    vehicle::VehicleSet m_vehicles;
+    vehicle::GcsHeartbeat m_heartbeat;
+    metrics::SequenceTable m_sequences;
+    InspectorTable m_inspector;
+    std::unique_ptr<Recorder> m_recorder;
+    MetricsSampler m_sampler;
+    std::map<channel::SessionId, SessionWatch> m_sessionWatches;
+    std::map<std::uint8_t, VehicleWatch> m_vehicleWatches;
+    Refusals m_refusals;
+    std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
+    std::uint64_t m_spoofed = 0;      ///< sealed frames of a system that their peer may not speak as
+    bool m_readerAlive = true;
+    bool m_stopped = false;
+    bool m_changed = true;
+    std::uint64_t m_snapshotNumber = 0;
+    TimePoint m_start, m_lastSnapshot, m_nextQuarter;
+    unsigned m_quarters = 0;
+    DeadlineTimer m_timer;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,46 @@
+#include "core/engine/switch_plan.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+void SwitchPlan::sessionUp(TimePoint now, channel::SessionId session)
+{
+    Walk walk;
+    walk.due = now + m_every;
+    m_walks[session] = walk;
+}
+
+void SwitchPlan::switchDone(const channel::SwitchDone &done)
+{
+    if (done.rekey)
+        return;
+    (done.failure == channel::SwitchFailure::None ? m_committed : m_failed).insert(done.to);
+    if (const auto walk = m_walks.find(done.session); walk != m_walks.end())
+        walk->second.pending = false;
+}
+
+std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
+{
+    std::vector<Order> out;
+    if (m_suites.empty())
+        return out;
+    for (auto &[session, walk] : m_walks) {
+        if (walk.pending || now < walk.due)
+            continue;
+        out.push_back({session, m_suites[walk.next % m_suites.size()]});
+        ++walk.next;
+        walk.due = std::max(walk.due + m_every, now); // a late one does not hurry the next ones into a burst
+        walk.pending = true;
+    }
+    return out;
+}
+
+std::vector<crypto::SuiteId> SwitchPlan::notReached() const
+{
+    std::vector<crypto::SuiteId> out;
+    std::set_difference(m_failed.begin(), m_failed.end(), m_committed.begin(), m_committed.end(), std::back_inserter(out));
+    return out;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,48 @@
+// Walks through a list of suites on every session: one switch each period, never a second one while the first is pending.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/channel/events.h"
+#include "core/crypto/suite.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace skyseal::engine {
+
+class SwitchPlan
+{
+public:
+    SwitchPlan(std::vector<crypto::SuiteId> suites, Duration every) : m_suites(std::move(suites)), m_every(every) {}
+
+    void sessionUp(TimePoint now, channel::SessionId session);
+    void sessionDown(channel::SessionId session) { m_walks.erase(session); }
+    void switchDone(const channel::SwitchDone &done);
+
+    struct Order
+    {
+        channel::SessionId session{};
+        crypto::SuiteId suite{};
+    };
+    /// The switches that are due now.
+    std::vector<Order> poll(TimePoint now);
+
+    /// Suites that were tried and never came into use.
+    std::vector<crypto::SuiteId> notReached() const;
+
+private:
+    struct Walk
+    {
+        std::size_t next = 0;
+        TimePoint due{};
+        bool pending = false;
+    };
+
+    std::vector<crypto::SuiteId> m_suites;
+    Duration m_every;
+    std::map<channel::SessionId, Walk> m_walks;
+    std::set<crypto::SuiteId> m_committed, m_failed;
+};
+
+} // namespace skyseal::engine

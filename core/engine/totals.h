@@ -1,0 +1,44 @@
+// Sums over a whole run, as reports and scripts want them: they never go back, whatever sessions and vehicles came and
+// went. The station and the agent both keep them.
+#pragma once
+
+#include "core/channel/stats.h"
+
+#include <cstdint>
+
+namespace skyseal::engine {
+
+/// MAVLink frames that were taken in, and what their sequence numbers tell.
+struct MavlinkTotals
+{
+    std::uint64_t frames = 0;
+    std::uint64_t lost = 0;
+    std::uint64_t late = 0;
+    std::uint64_t duplicate = 0;
+    std::uint64_t badCrc = 0;
+};
+
+/// Cost of the suite in use, over the last second.
+struct SuiteCost
+{
+    double openNsP50 = 0, openNsP99 = 0, sealNsP50 = 0, sealNsP99 = 0;
+    double openedRecordsPerSecond = 0, openedFramesPerSecond = 0, openedBytesPerSecond = 0;
+    double cpuPercent = 0; ///< of one core, spent in seal and open
+};
+
+/// The sealed link, both directions. `rx` contains what belongs to no session, such as garbage and unknown connections.
+struct ChannelTotals
+{
+    bool up = false;          ///< a session is up now
+    crypto::SuiteId suite{};  ///< of that session; None without one
+    std::uint32_t epoch = 0;
+    channel::ReceiveCounters rx;
+    channel::SendCounters tx;
+    channel::ReceiveCounters peerRx; ///< ours, as the other end counts them; at most a second old
+    SuiteCost cost;
+};
+
+channel::ReceiveCounters &operator+=(channel::ReceiveCounters &sum, const channel::ReceiveCounters &more);
+channel::SendCounters &operator+=(channel::SendCounters &sum, const channel::SendCounters &more);
+
+} // namespace skyseal::engine

@@ -1,0 +1,45 @@
+// Which way leads to which vehicle on the agent's side: learned from valid heartbeats, or given by a link that has only one
+// remote. No I/O.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/path.h"
+#include "core/mavlink/frame_scanner.h"
+
+#include <bitset>
+#include <map>
+#include <vector>
+
+namespace skyseal::engine {
+
+class VehicleWays
+{
+public:
+    /// Silent so long, an address may be somebody else's.
+    static constexpr Duration kForgetAfter = std::chrono::seconds(60);
+
+    /// The one remote of a link that has no others.
+    void setFixed(const Path &path) { m_fixed = {path}; }
+
+    void heard(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    void streamChanged(LinkId link, const Path &path);
+    void forgetSilent(TimePoint now);
+
+    /// Whether a vehicle of ours speaks as this system.
+    bool isVehicle(std::uint8_t systemId) const { return m_systems.test(systemId); }
+    /// Where a frame for a system goes; 0 or a system that is not known: to every vehicle.
+    std::vector<Path> to(std::uint8_t targetSystem) const;
+
+private:
+    struct Way
+    {
+        Path path;
+        TimePoint heard{};
+    };
+
+    std::vector<Path> m_fixed;
+    std::map<std::uint8_t, Way> m_ways;
+    std::bitset<256> m_systems;
+};
+
+} // namespace skyseal::engine
