@@ -31,7 +31,8 @@ public:
             m_timer.stop();
             return;
         }
-        const Duration wait = std::max(Duration::zero(), moment - steadyNow());
+        const TimePoint now = steadyNow();
+        const Duration wait = moment <= now ? Duration::zero() : moment - now; // TimePoint::min() is "at once"
         m_timer.start(std::min(std::chrono::ceil<std::chrono::milliseconds>(wait), kLongest));
     }
 
