@@ -5,6 +5,7 @@
 #endif
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
+#include "core/link/tlog_link.h"
 #include "core/link/udp_link.h"
 #include "core/link/unsupported_link.h"
 
@@ -17,11 +18,14 @@ std::unique_ptr<Link> makeLink(const LinkUrl &url, LinkId id, LinkListener &list
     case LinkScheme::UdpOut: return std::make_unique<UdpLink>(url, id, listener, options);
     case LinkScheme::Tcp: return std::make_unique<TcpLink>(url, id, listener, options);
     case LinkScheme::TcpIn: return std::make_unique<TcpServerLink>(url, id, listener, options);
-#if defined(SKYSEAL_HAVE_SERIAL)
-    case LinkScheme::Serial: return std::make_unique<SerialLink>(url, id, listener, options);
-#endif
-    default: return std::make_unique<UnsupportedLink>(url, id, listener, options);
+    case LinkScheme::Tlog: return std::make_unique<TlogLink>(url, id, listener, options);
+    case LinkScheme::Serial: break;
     }
+#if defined(SKYSEAL_HAVE_SERIAL)
+    return std::make_unique<SerialLink>(url, id, listener, options);
+#else
+    return std::make_unique<UnsupportedLink>(url, id, listener, options);
+#endif
 }
 
 } // namespace skyseal::link

@@ -1,0 +1,123 @@
+#include "core/link/tlog_link.h"
+
+#include "core/link/steady_now.h"
+#include "core/mavlink/dialect.h"
+#include "core/mavlink/frame.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace skyseal::link {
+
+static constexpr std::size_t kBatch = 64;
+
+struct TlogLink::Frames
+{
+    struct Slot
+    {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> bytes;
+        std::size_t length = 0;
+    };
+    Slot ahead; ///< read, but not yet due
+    bool hasAhead = false;
+    std::array<Slot, kBatch> due;
+    std::array<ReceivedBlock, kBatch> blocks;
+};
+
+TlogLink::TlogLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
+    : Link(std::move(linkUrl), linkId, linkListener, linkOptions), m_frames(std::make_unique<Frames>())
+{
+    m_timer.setSingleShot(true);
+    m_timer.setTimerType(Qt::PreciseTimer);
+    connect(&m_timer, &QTimer::timeout, this, &TlogLink::play);
+}
+
+TlogLink::~TlogLink() = default;
+
+void TlogLink::open()
+{
+    if (state() != LinkState::Closed && state() != LinkState::Failed && state() != LinkState::Ended)
+        return;
+    const std::string &path = url().path();
+    // A pipe or a directory opens as well, and then reading blocks or fails.
+    std::error_code error;
+    const bool isFile = std::filesystem::is_regular_file(path, error);
+    m_file = std::ifstream(path, std::ios::binary);
+    if (!isFile || !m_file) {
+        const std::string why = error ? error.message() : isFile ? "permission denied" : "it is not a file";
+        setState(LinkState::Failed, {LinkErrorCode::FileUnreadable, path, why});
+        return;
+    }
+    m_reader = std::make_unique<tlog::LogReader>(m_file, mavlink::Dialect::builtin());
+    m_frames->hasAhead = false;
+    m_firstTime.reset();
+    m_startedAt = steadyNow();
+    setState(LinkState::Connected);
+    m_timer.start(0);
+}
+
+bool TlogLink::readNext()
+{
+    while (const auto item = m_reader->next()) {
+        // Damage has no bytes; a frame of an unknown message has.
+        if (item->bytes.empty() || item->bytes.size() > m_frames->ahead.bytes.size()) {
+            ++m_counters.rxErrors;
+            continue;
+        }
+        std::copy(item->bytes.begin(), item->bytes.end(), m_frames->ahead.bytes.begin());
+        m_frames->ahead.length = item->bytes.size();
+        m_nextTime = item->time;
+        if (!m_firstTime)
+            m_firstTime = item->time;
+        return true;
+    }
+    return false;
+}
+
+TimePoint TlogLink::due() const
+{
+    if (!m_nextTime || !m_firstTime || options().replayFactor <= 0)
+        return m_startedAt;
+    const std::chrono::duration<double> recorded = *m_nextTime - *m_firstTime;
+    return m_startedAt + std::chrono::duration_cast<Duration>(recorded / options().replayFactor);
+}
+
+void TlogLink::play()
+{
+    const TimePoint now = steadyNow();
+    std::size_t used = 0;
+    bool ended = false;
+    while (used < kBatch) {
+        if (!m_frames->hasAhead && !(m_frames->hasAhead = readNext())) {
+            ended = true;
+            break;
+        }
+        if (due() > now)
+            break;
+        Frames::Slot &slot = m_frames->due[used];
+        slot = m_frames->ahead;
+        m_frames->hasAhead = false;
+        m_frames->blocks[used++] = {{id(), {}}, MutableByteView(slot.bytes).first(slot.length), now};
+        ++m_counters.rxBlocks;
+        m_counters.rxBytes += slot.length;
+    }
+    if (used > 0)
+        listener().linkReceived(*this, {m_frames->blocks.data(), used});
+    if (state() != LinkState::Connected)
+        return;
+    if (ended) {
+        setState(LinkState::Ended, {LinkErrorCode::EndOfFile, url().path(), {}});
+        return;
+    }
+    const Duration wait = m_frames->hasAhead ? due() - steadyNow() : Duration(0);
+    m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(std::clamp(wait, Duration(0), Duration(std::chrono::hours(1)))));
+}
+
+void TlogLink::close()
+{
+    m_timer.stop();
+    m_file.close();
+    setState(LinkState::Closed);
+}
+
+} // namespace skyseal::link

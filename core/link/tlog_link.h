@@ -1,0 +1,47 @@
+// Plays a recording as if its vehicle were there: one block per frame, at the pace at which they were recorded (or faster).
+// What is sent into it goes nowhere.
+#pragma once
+
+#include "core/link/link.h"
+#include "core/log/log_reader.h"
+
+#include <QtCore/QTimer>
+
+#include <fstream>
+#include <memory>
+
+namespace skyseal::link {
+
+class TlogLink final : public Link
+{
+    Q_OBJECT
+
+public:
+    TlogLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
+    ~TlogLink() override;
+
+    bool isStream() const override { return false; }
+
+    /// From the beginning, also after Ended.
+    void open() override;
+    void close() override;
+    void send(const Address &, ByteView) override { ++m_counters.txDropped; }
+    void flush() override {}
+
+private:
+    struct Frames;
+
+    void play();
+    bool readNext();
+    TimePoint due() const;
+
+    std::ifstream m_file;
+    std::unique_ptr<tlog::LogReader> m_reader;
+    std::unique_ptr<Frames> m_frames;
+    QTimer m_timer;
+    TimePoint m_startedAt{};
+    std::optional<WallTime> m_firstTime;
+    std::optional<WallTime> m_nextTime; ///< of the frame that was read ahead; none in a recording without times
+};
+
+} // namespace skyseal::link
