@@ -9,7 +9,7 @@ namespace skyseal::keys {
 
 using channel::PeerRole;
 
-static constexpr std::string_view kBlanks = " \t";
+static constexpr std::string_view kBlanks = " \t\r"; // with the ends of lines as Windows writes them
 static constexpr std::string_view kPresharedKey = "psk=";
 static constexpr std::size_t kMaxNameLength = 32;
 

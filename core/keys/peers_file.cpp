@@ -12,10 +12,8 @@ Result<PeersFile, InputError> PeersFile::parse(std::string_view text, const std:
     PeersFile file;
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
-        std::string_view raw = text.substr(0, end);
+        const std::string_view raw = text.substr(0, end);
         text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
-        if (raw.ends_with('\r'))
-            raw.remove_suffix(1);
         Line line{std::string(raw), isPeerLine(raw), {}};
         if (line.isPeer) {
             auto entry = parsePeerLine(raw);

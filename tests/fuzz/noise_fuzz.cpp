@@ -1,6 +1,6 @@
 // Handshake messages from a stranger: the first byte picks the role and pattern, the rest are messages with a length in
-// front of each. Whatever they are, reading them is safe, and a stranger never answers our
-// first message without the pre-shared key.
+// front of each. Whatever they are, reading them is safe, and nobody answers our first message without the
+// pre-shared key.
 #include "core/base/byte_reader.h"
 #include "core/crypto/init_crypto.h"
 #include "core/noise/handshake_state.h"
@@ -40,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     Bytes out(1024);
     while (ready && !reader.atEnd() && reader.ok() && !state.isComplete()) {
         if (state.isMyTurnToWrite()) {
-            static_cast<void>(state.writeMessage(asBytes("answer"), out, random));
+            if (!state.writeMessage(asBytes("answer"), out, random))
+                break; // the stranger's ephemeral key was a point of small order
             continue;
         }
         const std::size_t length = reader.u16();
