@@ -17,6 +17,29 @@ namespace {
 constexpr std::size_t kMaxFileSize = 16u << 20;
 constexpr std::size_t kMaxFiles = 64;
 constexpr int kMaxDepth = 8;
+constexpr std::size_t kMaxMessages = 8192;
+constexpr std::size_t kMaxEnums = 8192;
+constexpr std::size_t kMaxEntries = 8192; // of one enum
+
+/// Where the lines of a text begin, to name them in errors.
+class Lines
+{
+public:
+    explicit Lines(std::string_view text)
+    {
+        for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+            m_ends.push_back(at);
+    }
+
+    std::size_t lineOf(std::ptrdiff_t offset) const
+    {
+        const auto at = static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+        return 1 + static_cast<std::size_t>(std::lower_bound(m_ends.begin(), m_ends.end(), at) - m_ends.begin());
+    }
+
+private:
+    std::vector<std::size_t> m_ends;
+};
 
 /// Leaves the reader from any depth with the reason; never leaves this file.
 struct Refused
@@ -48,6 +71,8 @@ bool isName(std::string_view text)
 class Reader
 {
 public:
+    explicit Reader(std::span<const std::string_view> known) : m_known(known) {}
+
     DialectDefinition read(const std::string &path)
     {
         readFile(path, 0);
@@ -63,14 +88,10 @@ public:
 private:
     [[noreturn]] void refuse(const pugi::xml_node &node, std::string message) const
     {
-        throw Refused{{std::move(message), m_file, lineOf(node.offset_debug())}};
+        throw Refused{{std::move(message), m_file, lineOf(node)}};
     }
 
-    std::size_t lineOf(std::ptrdiff_t offset) const
-    {
-        const auto end = m_text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(m_text.size()));
-        return 1 + static_cast<std::size_t>(std::count(m_text.begin(), end, '\n'));
-    }
+    std::size_t lineOf(const pugi::xml_node &node) const { return m_lines.lineOf(node.offset_debug()); }
 
     void readFile(const std::string &path, int depth)
     {
@@ -86,16 +107,16 @@ private:
         if (size > kMaxFileSize)
             throw Refused{{"is larger than 16 MiB", path}};
         std::ifstream file(path, std::ios::binary);
-        std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+        const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
         if (!file)
             throw Refused{{"cannot be read", path}};
 
         pugi::xml_document document;
         const auto outerFile = std::exchange(m_file, path);
-        const auto outerText = std::exchange(m_text, std::move(text));
-        const pugi::xml_parse_result parsed = document.load_buffer(m_text.data(), m_text.size());
+        const auto outerLines = std::exchange(m_lines, Lines(text));
+        const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
         if (!parsed)
-            throw Refused{{std::string("is not well-formed XML: ") + parsed.description(), path, lineOf(parsed.offset)}};
+            throw Refused{{std::string("is not well-formed XML: ") + parsed.description(), path, m_lines.lineOf(parsed.offset)}};
         const pugi::xml_node root = document.child("mavlink");
         if (!root)
             throw Refused{{"has no <mavlink> element", path, 1}};
@@ -103,14 +124,16 @@ private:
             const std::filesystem::path name(include.text().get());
             if (name.empty() || name.is_absolute())
                 refuse(include, "an include needs a relative file name");
-            readFile((std::filesystem::path(path).parent_path() / name).string(), depth + 1);
+            const std::filesystem::path target = std::filesystem::path(path).parent_path() / name;
+            if (std::find(m_known.begin(), m_known.end(), name.string()) == m_known.end() || std::filesystem::exists(target, error))
+                readFile(target.string(), depth + 1);
         }
         for (const pugi::xml_node node : root.child("enums").children("enum"))
             readEnum(node);
         for (const pugi::xml_node node : root.child("messages").children("message"))
             readMessage(node);
         m_file = outerFile;
-        m_text = outerText;
+        m_lines = outerLines;
     }
 
     void readEnum(const pugi::xml_node &node)
@@ -118,6 +141,8 @@ private:
         const std::string name = node.attribute("name").value();
         if (!isName(name))
             refuse(node, "an enum needs a name of letters, digits and underscores");
+        if (m_enums.size() >= kMaxEnums)
+            refuse(node, "more than " + std::to_string(kMaxEnums) + " enums");
         EnumDefinition &definition = m_enums[name];
         definition.name = name;
         definition.bitmask |= node.attribute("bitmask").as_bool();
@@ -128,12 +153,15 @@ private:
             const auto number = value.empty() ? std::optional(next) : parseNumber(value);
             if (!isName(entryName) || !number)
                 refuse(entry, "an entry of " + name + " needs a name and a whole number as its value");
-            const bool twice = std::any_of(definition.entries.begin(), definition.entries.end(),
-                                           [&](const auto &other) { return other.value == *number; });
-            if (twice)
-                refuse(entry, "value " + std::to_string(*number) + " stands twice in " + name);
-            definition.entries.push_back({*number, entryName});
             next = *number + 1;
+            const auto other = std::find_if(definition.entries.begin(), definition.entries.end(),
+                                            [&](const auto &earlier) { return earlier.value == *number; });
+            if (other == definition.entries.end())
+                definition.entries.push_back({*number, entryName});
+            else if (other->name != entryName)
+                refuse(entry, "value " + std::to_string(*number) + " of " + name + " is " + other->name + " already");
+            if (definition.entries.size() > kMaxEntries)
+                refuse(entry, "enum " + name + " has more than " + std::to_string(kMaxEntries) + " entries");
         }
     }
 
@@ -142,13 +170,15 @@ private:
         MessageDefinition message;
         message.name = node.attribute("name").value();
         message.file = m_file;
-        message.line = lineOf(node.offset_debug());
+        message.line = lineOf(node);
         const auto id = parseNumber(node.attribute("id").value());
         if (!isName(message.name) || !id || *id > 0xffffff)
             refuse(node, "a message needs a name and an id of 0 to 16777215");
         message.id = static_cast<std::uint32_t>(*id);
         if (!m_ids.insert(message.id).second || !m_names.insert(message.name).second)
             refuse(node, "message " + message.name + " (id " + std::to_string(message.id) + ") is defined twice");
+        if (m_ids.size() > kMaxMessages)
+            refuse(node, "more than " + std::to_string(kMaxMessages) + " messages");
         bool extension = false;
         for (const pugi::xml_node child : node.children()) {
             if (std::string_view(child.name()) == "extensions")
@@ -202,15 +232,17 @@ private:
     std::set<std::string> m_seen;
     std::set<std::uint32_t> m_ids;
     std::set<std::string> m_names;
-    std::string m_file, m_text;
+    std::span<const std::string_view> m_known;
+    std::string m_file;
+    Lines m_lines{{}};
 };
 
 } // namespace
 
-Result<DialectDefinition, InputError> readDialectXml(const std::string &path)
+Result<DialectDefinition, InputError> readDialectXml(const std::string &path, std::span<const std::string_view> known)
 {
     try {
-        return Reader().read(path);
+        return Reader(known).read(path);
     } catch (const Refused &refused) {
         return tl::unexpected(refused.error);
     }

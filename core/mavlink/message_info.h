@@ -29,10 +29,10 @@ struct FieldInfo
     std::uint8_t offset = 0;      ///< in the payload
     bool extension = false;
     bool isMavlinkVersion = false; ///< filled by the sender's library, always 3
-    std::string_view enumName;
-    std::string_view units;
-    std::string_view printFormat;
-    std::string_view invalid;
+    std::string_view enumName{};
+    std::string_view units{};
+    std::string_view printFormat{};
+    std::string_view invalid{};
 
     std::size_t elements() const { return arrayLength ? arrayLength : 1; }
     std::size_t size() const { return elements() * sizeOf(type); }

@@ -1,0 +1,95 @@
+// Any bytes as a datagram, as a stream in portions, and as a recording. What comes out must cover what went in, and every valid frame
+// must be told as JSON and encode again to its own bytes.
+#include "core/log/decode.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/message_json.h"
+#include "core/mavlink/payload_builder.h"
+#include "core/mavlink/stream_parser.h"
+
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+using namespace skyseal;
+using namespace skyseal::mavlink;
+
+namespace {
+
+void require(bool condition)
+{
+    if (!condition)
+        std::abort();
+}
+
+/// What MAVLink 2 makes of a payload: no zeros at the end, but at least one byte.
+std::size_t trimmedLength(ByteView payload)
+{
+    std::size_t length = payload.size();
+    while (length > 1 && payload[length - 1] == 0)
+        --length;
+    return length;
+}
+
+void encodeAgain(const Frame &frame)
+{
+    const ByteView payload = frame.payload();
+    const bool isWhole = frame.version() == 2 ? payload.size() <= frame.info().maxLength && !payload.empty()
+                                                    && trimmedLength(payload) == payload.size()
+                                              : payload.size() == frame.info().minLength;
+    if (!isWhole)
+        return;
+    PayloadBuilder builder(frame.info());
+    for (const FieldInfo &field : frame.info().fields) {
+        for (std::size_t i = 0; i < field.elements(); ++i)
+            require(builder.set(field, i, fieldValue(payload, field, i)));
+    }
+    std::array<std::uint8_t, kMaxFrameLength> buffer;
+    const auto again = writeFrame(buffer, frame.version(), frame.sequence(), frame.systemId(), frame.componentId(),
+                                  frame.messageId(), frame.info().crcExtra, frame.info().minLength, builder.payload(),
+                                  frame.incompatFlags());
+    const ByteView bytes = frame.bytes();
+    const std::size_t compared = bytes.size() - (frame.isSigned() ? kSignatureLength : 0);
+    // The compatibility flags of a received frame may be any, ours are 0: then the checksums differ as well.
+    if (frame.version() == 1 || bytes[3] == 0)
+        require(again.size() == bytes.size() && std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(compared), again.begin()));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
+{
+    const ByteView bytes(data, size);
+    std::vector<std::size_t> found;
+    std::size_t covered = 0;
+    JsonWriter json;
+    FrameScanner scanner(bytes, Dialect::builtin());
+    while (const auto item = scanner.next()) {
+        require(item->offset == covered && !item->bytes.empty());
+        covered += item->bytes.size();
+        if (!item->frame)
+            continue;
+        found.push_back(item->offset);
+        json.clear();
+        writeMessageJson(json, *item->frame);
+        encodeAgain(*item->frame);
+    }
+    require(covered == size);
+
+    const std::size_t portion = size > 0 ? 1 + data[0] % 64u : 1;
+    std::size_t frames = 0;
+    covered = 0;
+    const auto note = [&](const ScanItem &item) {
+        require(item.offset == covered);
+        covered += item.bytes.size();
+        frames += item.frame.has_value();
+    };
+    StreamParser parser(Dialect::builtin());
+    for (std::size_t at = 0; at < size; at += portion)
+        parser.feed(bytes.subspan(at, std::min(portion, size - at)), note);
+    parser.finish(note);
+    require(covered == size && frames == found.size());
+
+    std::istringstream input(std::string(asText(bytes)));
+    tlog::decode(input, Dialect::builtin(), {}, [](std::string_view) { return true; });
+    return 0;
+}
