@@ -1,5 +1,6 @@
 #include "core/sim/simulated_vehicle.h"
 
+#include "core/mavlink/messages.h"
 #include "core/sim/command_server.h"
 #include "core/sim/control_server.h"
 #include "core/sim/frame_router.h"
@@ -11,7 +12,8 @@ namespace skyseal::sim {
 
 namespace {
 constexpr Duration kLongestGap = std::chrono::seconds(1);
-constexpr double kMostCatchUp = 60; // s of flight in one call: a machine that slept does not fly for hours
+constexpr Duration kMostCatchUp = std::chrono::minutes(1); // of flight in one call: a machine that slept does not fly for hours
+constexpr Duration kLook = std::chrono::milliseconds(50);  // texts, failsafes and mission progress come out of flying
 }
 
 /// Everything that a reboot makes anew.
@@ -20,13 +22,14 @@ struct SimulatedVehicle::Parts
     Parts(const VehicleConfig &config, std::uint8_t systemId, TimePoint now)
         : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
           commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
-          parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now)
+          parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now), look(now)
     {
     }
 
     void fly(Duration span);
     void watchStation(TimePoint now);
     void speak(TimePoint now);
+    void tellNews();
 
     Autopilot autopilot;
     Outbox outbox;
@@ -38,7 +41,8 @@ struct SimulatedVehicle::Parts
     ParameterServer parameters;
     GcsWatch station;
     TimePoint last;
-    double owed = 0; ///< µs of flight that were not stepped yet
+    TimePoint look;  ///< when to look next for what flying brought up
+    Duration owed{}; ///< of flight, not stepped yet
     bool homeTold = false;
 };
 
@@ -62,31 +66,30 @@ void SimulatedVehicle::advance(TimePoint now)
     if (now - parts.last > kLongestGap) {
         parts.fly(now - parts.last);
         parts.last = now;
+        parts.look = std::max(parts.look, now);
         parts.streams.skipTo(now);
     }
     // From event to event, so that what is sent does not depend on how often this is called.
-    while (parts.last < now) {
-        const TimePoint next = std::clamp(nextDeadline(), parts.last, now);
-        parts.fly(next - parts.last);
-        parts.last = next;
+    for (TimePoint next = nextDeadline(); next <= now; next = nextDeadline()) {
+        parts.fly(std::max(next, parts.last) - parts.last);
+        parts.last = std::max(next, parts.last);
         parts.telemetry.setWallTime(m_config.bootTime + std::chrono::duration_cast<WallTime::duration>(next - m_boot));
-        parts.watchStation(next);
         parts.speak(next);
-        if (next == now)
-            break;
     }
+    parts.fly(now - parts.last);
+    parts.last = now;
     if (parts.commands.takeReboot())
         reboot(now);
 }
 
 void SimulatedVehicle::Parts::fly(Duration span)
 {
+    constexpr Duration step = std::chrono::microseconds(Autopilot::kStep);
     const auto rate = static_cast<double>(autopilot.parameters().value("SIM_SPEEDUP"));
-    owed = std::min(owed + seconds(span) * 1e6 * rate, kMostCatchUp * 1e6 * std::max(rate, 1.0));
-    while (owed >= Autopilot::kStep) {
-        owed -= Autopilot::kStep;
+    // Whole nanoseconds: the steps of a flight must not depend on how it was cut into spans.
+    owed += std::min(rate == 1 ? span : std::chrono::duration_cast<Duration>(span * rate), kMostCatchUp);
+    for (; owed >= step; owed -= step)
         autopilot.step();
-    }
 }
 
 void SimulatedVehicle::Parts::watchStation(TimePoint now)
@@ -112,25 +115,30 @@ void SimulatedVehicle::Parts::watchStation(TimePoint now)
 
 void SimulatedVehicle::Parts::speak(TimePoint now)
 {
+    if (now >= look) {
+        look = now + kLook;
+        watchStation(now);
+        tellNews();
+    }
     streams.applyParameters(now, autopilot.parameters());
     while (const auto message = streams.pollDue(now))
         telemetry.send(*message);
     parameters.handleDeadline(now);
     missions.handleDeadline(now);
+}
+
+void SimulatedVehicle::Parts::tellNews()
+{
     missions.reportProgress();
-    if (!homeTold && autopilot.home()) {
-        homeTold = true;
-        telemetry.send(242); // HOME_POSITION, once it is known
-    }
+    if (!homeTold)
+        homeTold = telemetry.send(mavlink::HomePosition::kId);
     while (const auto text = autopilot.texts().take())
         telemetry.sendText(*text);
 }
 
 TimePoint SimulatedVehicle::nextDeadline() const
 {
-    // Texts, failsafes and mission progress come out of flying: look at least ten times a second.
-    const TimePoint look = m_parts->last + std::chrono::milliseconds(100);
-    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), look});
+    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), m_parts->look});
 }
 
 void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
@@ -140,8 +148,7 @@ void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
     const FrameRouter router{parts.autopilot, parts.outbox, parts.streams, parts.commands, parts.control, parts.missions, parts.parameters,
                              parts.station, m_boot, systemId()};
     router.route(now, frame);
-    while (const auto text = parts.autopilot.texts().take())
-        parts.telemetry.sendText(*text);
+    parts.tellNews();
 }
 
 void SimulatedVehicle::reboot(TimePoint now)

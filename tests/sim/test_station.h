@@ -1,0 +1,151 @@
+// A ground station in a test: speaks typed messages to one simulated vehicle on a simulated clock, over a link that may lose
+// frames, and remembers what came back.
+#pragma once
+
+#include "core/mavlink/frame_scanner.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
+#include "core/sim/simulated_vehicle.h"
+
+#include <functional>
+
+namespace skyseal::sim {
+
+class TestStation
+{
+public:
+    explicit TestStation(const VehicleConfig &config = {}, double loss = 0, std::uint64_t seed = 1)
+        : vehicle(config, TimePoint{}), m_loss(loss), m_dice(seed, 99)
+    {
+    }
+
+    /// Lives on; heartbeats go out once a second unless `silent`.
+    void run(double forSeconds)
+    {
+        const TimePoint end = now + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(forSeconds));
+        while (now < end) {
+            now += step;
+            if (!silent && now >= m_nextHeartbeat) {
+                m_nextHeartbeat = now + std::chrono::seconds(1);
+                mavlink::Heartbeat heartbeat;
+                heartbeat.type = 6;
+                heartbeat.autopilot = 8;
+                send(heartbeat);
+            }
+            vehicle.advance(now);
+            collect();
+        }
+    }
+
+    /// Runs until `condition` holds; false when it took longer than `limit` seconds.
+    bool until(const std::function<bool()> &condition, double limit)
+    {
+        const TimePoint end = now + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(limit));
+        while (!condition()) {
+            if (now >= end)
+                return false;
+            run(seconds(step));
+        }
+        return true;
+    }
+
+    template<typename Message> void send(const Message &message)
+    {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        const auto bytes = writer.write(message, buffer);
+        if (m_dice.uniform() < m_loss)
+            return;
+        deliver(bytes);
+    }
+
+    void deliver(ByteView bytes)
+    {
+        if (const auto frame = mavlink::readFrame(bytes, mavlink::Dialect::builtin()))
+            vehicle.handleFrame(now, *frame);
+        collect();
+    }
+
+    /// Sends a COMMAND_LONG and gives its result; -1 when there was no answer.
+    int command(std::uint16_t id, std::array<float, 7> p = {}, std::uint8_t target = 1)
+    {
+        const std::size_t before = all<mavlink::CommandAck>().size();
+        mavlink::CommandLong out;
+        out.target_system = target;
+        out.target_component = 1;
+        out.command = id;
+        out.param1 = p[0];
+        out.param2 = p[1];
+        out.param3 = p[2];
+        out.param4 = p[3];
+        out.param5 = p[4];
+        out.param6 = p[5];
+        out.param7 = p[6];
+        send(out);
+        const auto acks = all<mavlink::CommandAck>();
+        if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255 || acks.back().target_component != 190)
+            return -1;
+        return acks.back().result;
+    }
+
+    template<typename Message> std::vector<Message> all() const
+    {
+        std::vector<Message> out;
+        for (const Bytes &bytes : received) {
+            const auto frame = mavlink::readFrame(bytes, mavlink::Dialect::builtin());
+            if (frame && frame->messageId() == Message::kId)
+                out.push_back(Message::decode(frame->payload()));
+        }
+        return out;
+    }
+    template<typename Message> std::size_t count() const { return all<Message>().size(); }
+    template<typename Message> Message last() const
+    {
+        for (auto bytes = received.rbegin(); bytes != received.rend(); ++bytes) {
+            const auto frame = mavlink::readFrame(*bytes, mavlink::Dialect::builtin());
+            if (frame && frame->messageId() == Message::kId)
+                return Message::decode(frame->payload());
+        }
+        return {};
+    }
+
+    bool said(std::string_view words) const
+    {
+        for (const auto &text : all<mavlink::Statustext>()) {
+            if (std::string_view(text.text.data(), text.text.size()).find(words) != std::string_view::npos)
+                return true;
+        }
+        return false;
+    }
+
+    /// Forgets what came so far: whole flights are long.
+    void forget() { received.clear(); }
+
+    SimulatedVehicle vehicle;
+    mavlink::FrameWriter writer{255, 190};
+    TimePoint now{};
+    Duration step = std::chrono::milliseconds(20);
+    bool silent = false;
+    std::vector<Bytes> received;
+    std::function<void(const mavlink::Frame &)> onFrame; ///< answers at once, as a station does
+
+private:
+    void collect()
+    {
+        for (ByteView bytes = vehicle.pollFrame(); !bytes.empty(); bytes = vehicle.pollFrame()) {
+            if (m_dice.uniform() < m_loss)
+                continue;
+            received.emplace_back(bytes.begin(), bytes.end());
+            if (onFrame) {
+                const Bytes copy = received.back();
+                if (const auto frame = mavlink::readFrame(copy, mavlink::Dialect::builtin()))
+                    onFrame(*frame);
+            }
+        }
+    }
+
+    double m_loss;
+    Noise m_dice;
+    TimePoint m_nextHeartbeat{};
+};
+
+} // namespace skyseal::sim
