@@ -9,7 +9,10 @@ constexpr double kRateGain = 18;        // 1/s, roll and pitch
 constexpr double kYawRateGain = 5;      // 1/s: yaw has little authority
 constexpr double kTrimGain = 12;        // 1/s²
 constexpr double kRateLimit = 3.5;      // rad/s
-constexpr double kYawShare = 0.1;       // of the thrust that yaw may use up
+// Shares of the thrust that turning may use up. Their sum must leave room between idle and full: kIdle + 2 * sum < 1.
+constexpr double kTiltShare = 0.18;      // roll and pitch, each
+constexpr double kYawShare = 0.1;
+static_assert(kIdle + 2 * (2 * kTiltShare + kYawShare) < 1);
 
 double limited(double value, double limit)
 {
@@ -34,8 +37,8 @@ Rotors AttitudeController::update(double dt, const AttitudeDemand &demand, const
     m_trim = {limited(m_trim.x, 5), limited(m_trim.y, 5), limited(m_trim.z, 1)};
 
     const Vector3 authority = AirframeModel{}.turnAuthority;
-    const double roll = limited((missing.x * kRateGain + m_trim.x) / authority.x, 0.25);
-    const double pitch = limited((missing.y * kRateGain + m_trim.y) / authority.y, 0.25);
+    const double roll = limited((missing.x * kRateGain + m_trim.x) / authority.x, kTiltShare);
+    const double pitch = limited((missing.y * kRateGain + m_trim.y) / authority.y, kTiltShare);
     const double yaw = limited((missing.z * kYawRateGain + m_trim.z) / authority.z, kYawShare);
 
     // Keep the differences and give up thrust instead: attitude is what keeps a multicopter in the air.

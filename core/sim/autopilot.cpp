@@ -7,6 +7,7 @@ namespace skyseal::sim {
 namespace {
 
 constexpr double kIdleCommand = 0.05;
+constexpr std::uint64_t kBatteryWatch = 100'000; // µs
 
 BodyState standing(double heading)
 {
@@ -45,15 +46,15 @@ void Autopilot::step()
         m_settingsRevision = m_parameters.revision();
     }
     control(dt);
-    m_wind.step(dt, static_cast<double>(m_parameters.value("SIM_WIND_SPD")), radians(static_cast<double>(m_parameters.value("SIM_WIND_DIR"))));
+    m_wind.step(dt, m_settings.windSpeed, m_settings.windFrom);
     m_airframe.step(dt, m_commands, m_battery.supply(), m_wind.velocity(), m_wind.torque());
     const Rotors &rotors = truth().rotors;
     m_battery.step(dt, (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4, m_armed);
-    m_gps.step(dt, m_time, truth(), m_parameters.flag("SIM_GPS_DISABLE"));
+    m_gps.step(dt, m_time, truth(), m_settings.gpsDisabled);
     m_estimator.step(dt, truth(), gps());
     m_landDetector.step(dt, truth().onGround, m_idle, m_armed);
     m_pilot.setFlying(!landed());
-    watch(dt);
+    watch();
 }
 
 void Autopilot::control(double dt)
@@ -74,7 +75,7 @@ void Autopilot::control(double dt)
     m_commands = m_attitude.update(dt, attitude, estimate().attitude, estimate().rates, m_settings);
 }
 
-void Autopilot::watch(double dt)
+void Autopilot::watch()
 {
     if (!m_aligned && estimate().attitudeOk) {
         m_aligned = true;
@@ -85,7 +86,16 @@ void Autopilot::watch(double dt)
     m_flown = m_armed && (m_flown || !landed());
     watchPosition();
 
-    switch (m_batteryWatch.step(dt, m_battery, m_parameters)) {
+    if (m_time % kBatteryWatch == 0)
+        watchBattery();
+    const double patience = m_settings.disarmDelay;
+    if (m_armed && landed() && ((m_flown && landsHere()) || (patience > 0 && m_landDetector.idleFor() >= patience)))
+        disarmNow();
+}
+
+void Autopilot::watchBattery()
+{
+    switch (m_batteryWatch.step(kBatteryWatch * 1e-6, m_battery, m_parameters)) {
     case BatteryLevel::Good: break;
     case BatteryLevel::Low: case BatteryLevel::Critical: {
         const bool critical = m_batteryWatch.level() == BatteryLevel::Critical;
@@ -97,10 +107,6 @@ void Autopilot::watch(double dt)
         break;
     }
     }
-
-    const double patience = static_cast<double>(m_parameters.value("DISARM_DELAY"));
-    if (m_armed && landed() && ((m_flown && landsHere()) || (patience > 0 && m_landDetector.idleFor() >= patience)))
-        disarmNow();
 }
 
 void Autopilot::watchPosition()

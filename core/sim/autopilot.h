@@ -82,7 +82,8 @@ public:
 
 private:
     void control(double dt);
-    void watch(double dt);
+    void watch();
+    void watchBattery();
     void watchPosition();
     void disarmNow();
     bool landsHere() const;

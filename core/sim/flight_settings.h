@@ -45,6 +45,11 @@ struct FlightSettings
     double climbP = 5;
     double hoverThrottle = 0.35;
     double spoolTime = 0.5;    ///< s
+    // The ground and the air.
+    double disarmDelay = 10;   ///< s; 0: never
+    double windSpeed = 0;
+    double windFrom = 0;       ///< rad
+    bool gpsDisabled = false;
 };
 
 FlightSettings flightSettings(const Parameters &parameters);

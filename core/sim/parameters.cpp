@@ -90,6 +90,10 @@ FlightSettings flightSettings(const Parameters &p)
     s.climbP = plain("PSC_VELZ_P");
     s.hoverThrottle = plain("MOT_THST_HOVER");
     s.spoolTime = plain("MOT_SPOOL_TIME");
+    s.disarmDelay = plain("DISARM_DELAY");
+    s.windSpeed = plain("SIM_WIND_SPD");
+    s.windFrom = radians(plain("SIM_WIND_DIR"));
+    s.gpsDisabled = p.flag("SIM_GPS_DISABLE");
     return s;
 }
 
