@@ -24,17 +24,19 @@ Agent::Agent(EndpointCore &core, TimePoint now)
 {
 }
 
-void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
+bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
     if (!m_core.ownMac.verify(datagram))
         return refuse(now, from, RefusalReason::WrongKey);
     for (const Answered &answered : m_answered) {
         // A copy: our answer may have been lost. The same one again, and nothing is computed.
-        if (std::equal(datagram.begin(), datagram.end(), answered.first.begin(), answered.first.end()))
-            return m_core.around.outbox.send(from, answered.answer);
+        if (std::equal(datagram.begin(), datagram.end(), answered.first.begin(), answered.first.end())) {
+            m_core.around.outbox.send(from, answered.answer);
+            return false;
+        }
     }
     if (!mayCompute(now))
-        return;
+        return false;
     auto responder = Responder::read(*m_core.config.identity, datagram);
     if (!responder)
         return refuse(now, from, responder.error());
@@ -54,7 +56,7 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 
     const auto connection = m_core.table.reserve(m_core.around.random);
     if (!connection)
-        return;
+        return false;
     auto answer = std::move(*responder).answer(*peer, *connection, m_core.around.offer, m_core.around.random);
     if (!answer) {
         m_core.table.release(*connection);
@@ -69,6 +71,7 @@ void Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     m_answered.push_back(answered);
     m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
     m_core.around.outbox.send(from, answer->message);
+    return true;
 }
 
 bool Agent::confirm(TimePoint now, SessionTable::Entry &entry)
@@ -110,13 +113,14 @@ void Agent::peersChanged()
         forget(key);
 }
 
-void Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer)
+bool Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer)
 {
     if (reason == RefusalReason::ReplayedHandshake)
         ++m_core.strays.replayed;
     else
         ++m_core.strays.forged;
     m_core.tellRefused(now, from, reason, peer);
+    return false;
 }
 
 bool Agent::mayCompute(TimePoint now)

@@ -10,8 +10,8 @@ class Agent
 public:
     Agent(EndpointCore &core, TimePoint now);
 
-    /// A first message whose length is right.
-    void handleFirst(TimePoint now, const Path &from, ByteView datagram);
+    /// A first message whose length is right. False when it changed nothing: refused, or answered as before.
+    bool handleFirst(TimePoint now, const Path &from, ByteView datagram);
     /// The first authentic record of a session that was answered: the station is no replay. False when its counter could not
     /// be written down; the session is gone then.
     bool confirm(TimePoint now, SessionTable::Entry &entry);
@@ -31,7 +31,7 @@ private:
         AnswerMessage answer{};
     };
 
-    void refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
+    bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
     std::uint64_t answeredCounter(const PublicKey &peer) const;
     bool mayCompute(TimePoint now);
     void forget(const PublicKey &peer);

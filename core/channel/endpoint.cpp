@@ -82,14 +82,17 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
 {
     now = at;
     const auto message = static_cast<HandshakeMessage>(datagram[0] & 3);
-    if (message == HandshakeMessage::First && agent && datagram.size() == kFirstLength)
-        agent->handleFirst(now, from, datagram);
-    else if (message == HandshakeMessage::Answer && station)
+    if (message == HandshakeMessage::First && agent && datagram.size() == kFirstLength) {
+        if (!agent->handleFirst(now, from, datagram))
+            return; // Refused, perhaps one of a flood: nothing has changed.
+    } else if (message == HandshakeMessage::Answer && station) {
         station->handleAnswer(now, from, datagram);
-    else if (message == HandshakeMessage::Announcement && station)
+    } else if (message == HandshakeMessage::Announcement && station) {
         station->handleAnnouncement(now, from, datagram);
-    else
+    } else {
         ++core.strays.malformed;
+        return;
+    }
     handleDeadline(now);
 }
 

@@ -1,5 +1,7 @@
 #include "core/channel/session_table.h"
 
+#include <algorithm>
+
 namespace skyseal::channel {
 
 std::optional<ConnectionId> SessionTable::reserve(RandomSource &random)
@@ -15,6 +17,7 @@ std::optional<ConnectionId> SessionTable::reserve(RandomSource &random)
             ++high;
         slot.connection = static_cast<ConnectionId>(high << 8 | static_cast<int>(i));
         slot.taken = true;
+        m_everTaken = std::max(m_everTaken, i + 1);
         return slot.connection;
     }
     return std::nullopt;

@@ -45,9 +45,9 @@ public:
     /// Calls `visit(Entry &)` for each session; it may erase the one it is called with.
     template<typename Visit> void forEach(Visit visit)
     {
-        for (Slot &slot : m_slots) {
-            if (slot.entry.session)
-                visit(slot.entry);
+        for (std::size_t i = 0; i < m_everTaken; ++i) {
+            if (m_slots[i].entry.session)
+                visit(m_slots[i].entry);
         }
     }
 
@@ -60,6 +60,7 @@ private:
     };
 
     std::array<Slot, kSlots> m_slots;
+    std::size_t m_everTaken = 0; ///< the slots beyond were never used: low ones are taken first
     std::uint32_t m_serial = 0;
 };
 
