@@ -16,6 +16,12 @@ bool holds(const std::vector<Path> &paths, const Path &path)
     return std::find(paths.begin(), paths.end(), path) != paths.end();
 }
 
+/// The all-zero address stands for whoever is at the other end of a link that has one peer.
+bool serves(const Path &session, const Path &target)
+{
+    return session == target || (session.link == target.link && target.remote == Address{});
+}
+
 } // namespace
 
 Agent::Agent(EndpointCore &core, TimePoint now)
@@ -148,7 +154,9 @@ std::vector<Path> Agent::announceTargets(TimePoint now)
             targets.push_back(session.path());
         }
     });
-    std::erase_if(targets, [&](const Path &path) { return holds(served, path); });
+    std::erase_if(targets, [&](const Path &target) {
+        return std::any_of(served.begin(), served.end(), [&](const Path &path) { return serves(path, target); });
+    });
     return targets;
 }
 

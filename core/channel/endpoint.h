@@ -67,7 +67,8 @@ struct Config
     std::vector<Peer> peers;
     Policy policy;
     Timing timing;
-    /// The agent's side: where to announce; more are learned from authenticated records.
+    /// The agent's side: where to announce; more are learned from authenticated records. An all-zero address stands for the
+    /// one peer of a link that has one.
     std::vector<Path> announceTo;
 };
 

@@ -61,6 +61,8 @@ public:
     bool silent(TimePoint now) const { return now - m_lastReceived >= m_around.timing.peerSilentAfter; }
     /// True once something authentic came: only then is the other end known to be alive and not a replay.
     bool confirmed() const { return m_confirmed; }
+    /// The peer said goodbye.
+    bool closing() const { return m_closingUntil.has_value(); }
     /// Set when the session cannot go on.
     std::optional<DownReason> finished() const { return m_finished; }
 

@@ -69,7 +69,7 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
     // While a session lives, an announcement is a replay or the word of an agent that has just restarted: it counts once the
     // session has been quiet for longer than a living one ever is.
     TimePoint due = now;
-    if (const Session *session = m_core.table.upWith(known->key))
+    if (const Session *session = m_core.table.upWith(known->key); session && !session->closing())
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, due);
     if (std::find(attempt.paths.begin(), attempt.paths.end(), from) == attempt.paths.end()) {

@@ -38,7 +38,7 @@ Config Pair::configOf(Side side) const
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
     if (side == Air)
-        config.announceTo.push_back(pathOf(Ground));
+        config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}});
     return config;
 }
 

@@ -53,6 +53,7 @@ struct PairOptions
     std::uint64_t seed = 1;
     LinkModel link;
     Timing timing;
+    bool announceToAddress = true; ///< otherwise to the one peer of the link, by an all-zero address
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};
 };

@@ -16,6 +16,7 @@ class SessionTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void comesUpWithinASecond_data();
     void comesUpWithinASecond();
     void carriesFramesInEverySuite();
     void comesUpOverABadLink();
@@ -55,9 +56,19 @@ void traffic(Pair &pair)
     QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString()); \
     QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString())
 
+void SessionTest::comesUpWithinASecond_data()
+{
+    QTest::addColumn<bool>("toAddress");
+    QTest::newRow("announced to an address") << true;
+    QTest::newRow("announced to the one peer of a link") << false;
+}
+
 void SessionTest::comesUpWithinASecond()
 {
-    Pair pair;
+    QFETCH(bool, toAddress);
+    PairOptions options;
+    options.announceToAddress = toAddress;
+    Pair pair(options);
     QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
     const auto info = pair.ground().endpoint->sessionInfo(pair.ground().session());
     QVERIFY(info);
@@ -71,6 +82,7 @@ void SessionTest::comesUpWithinASecond()
     QCOMPARE(pair.air().events.size(), 1u);
     // A quiet session costs its reports, not more.
     QVERIFY2(pair.air().datagramsOut < 80, qPrintable(QString::number(pair.air().datagramsOut)));
+    qInfo("%.1f bytes a datagram", static_cast<double>(pair.air().bytesOut) / static_cast<double>(pair.air().datagramsOut));
 }
 
 void SessionTest::carriesFramesInEverySuite()
