@@ -2,6 +2,7 @@
 // frames, and remembers what came back.
 #pragma once
 
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
@@ -85,6 +86,16 @@ public:
         if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255 || acks.back().target_component != 190)
             return -1;
         return acks.back().result;
+    }
+
+    /// Boots, and climbs in GUIDED to a height in m; false when anything of that was refused.
+    bool takeOff(float height)
+    {
+        using namespace mavlink;
+        run(6);
+        return command(MAV_CMD_DO_SET_MODE, {1, 4}) == MAV_RESULT_ACCEPTED && command(MAV_CMD_COMPONENT_ARM_DISARM, {1}) == MAV_RESULT_ACCEPTED
+            && command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}) == MAV_RESULT_ACCEPTED
+            && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
     }
 
     template<typename Message> std::vector<Message> all() const
