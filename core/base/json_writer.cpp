@@ -23,7 +23,9 @@ template<typename T> void appendNumber(std::string &out, T number)
 std::size_t sequenceLength(std::string_view text)
 {
     const auto at = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) { return at(i) >= low && at(i) <= high; };
+    const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
+        return at(i) >= low && at(i) <= high;
+    };
     const unsigned lead = at(0);
     if (lead < 0x80)
         return 1;

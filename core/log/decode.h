@@ -1,5 +1,5 @@
-// A recording as text, one message a line: JSON for scripts, or words for people. What is damaged gets a line of its own, and what
-// follows it is not lost.
+// A recording as text, one message a line: JSON for scripts, or words for people. What is damaged gets a line of its own,
+// and what follows it is not lost.
 #pragma once
 
 #include "core/base/secret_bytes.h"
@@ -24,8 +24,8 @@ struct DecodeCounts
     std::uint64_t bad = 0;
 };
 
-/// Reads all of `input` and hands out each line without its end. The lines of JSON are those of writeMessageJson and writeBadJson.
-/// A sink that returns false ends it (the reader of a pipe has gone).
+/// Reads all of `input` and hands out each line without its end. The lines of JSON are those of writeMessageJson and
+/// writeBadJson. A sink that returns false ends it (the reader of a pipe has gone).
 DecodeCounts decode(std::istream &input, const mavlink::Dialect &dialect, const DecodeOptions &options,
                     const std::function<bool(std::string_view line)> &sink);
 

@@ -37,7 +37,8 @@ std::optional<LogItem> LogReader::next()
             return piece;
         if (!m_damage) {
             m_damage = piece;
-        } else if (piece && piece->fault == FrameFault::Garbage && !piece->frame && piece->offset == m_damage->offset + m_damage->length) {
+        } else if (piece && piece->fault == FrameFault::Garbage && !piece->frame
+                   && piece->offset == m_damage->offset + m_damage->length) {
             m_damage->length += piece->length;
         } else if (piece && isDamage(*piece)) {
             return std::exchange(m_damage, piece);
@@ -95,7 +96,8 @@ void LogReader::findFormat()
     const ByteView content = window();
     if (mavlink::readFrame(content, m_dialect)) {
         m_format = LogFormat::Raw;
-    } else if (content.size() > kTimeLength && readTime(content) && mavlink::readFrame(content.subspan(kTimeLength), m_dialect)) {
+    } else if (content.size() > kTimeLength && readTime(content)
+               && mavlink::readFrame(content.subspan(kTimeLength), m_dialect)) {
         m_format = LogFormat::Tlog;
     } else if (isAll) {
         FrameScanner scanner(content, m_dialect);
@@ -106,7 +108,8 @@ void LogReader::findFormat()
                 continue;
             const std::size_t gap = item->offset - lastEnd;
             raw += gap == 0 && !first;
-            timed += gap == kTimeLength || (first && gap > kTimeLength && readTime(content.subspan(item->offset - kTimeLength)));
+            timed +=
+                gap == kTimeLength || (first && gap > kTimeLength && readTime(content.subspan(item->offset - kTimeLength)));
             lastEnd = item->offset + item->bytes.size();
             first = false;
         }
@@ -117,7 +120,8 @@ void LogReader::findFormat()
 bool LogReader::readMore()
 {
     if (m_begin > 0) {
-        std::copy(m_buffer.begin() + static_cast<std::ptrdiff_t>(m_begin), m_buffer.begin() + static_cast<std::ptrdiff_t>(m_end), m_buffer.begin());
+        std::copy(m_buffer.begin() + static_cast<std::ptrdiff_t>(m_begin),
+                  m_buffer.begin() + static_cast<std::ptrdiff_t>(m_end), m_buffer.begin());
         m_windowOffset += m_begin;
         m_end -= m_begin;
         m_begin = 0;

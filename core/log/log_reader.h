@@ -1,4 +1,5 @@
-// Reads a recording piece by piece from a stream, be it a .tlog or bare MAVLink bytes, and loses nothing that damage has spared.
+// Reads a recording piece by piece from a stream, be it a .tlog or bare MAVLink bytes, and loses nothing that damage has
+// spared.
 #pragma once
 
 #include "core/log/tlog_scanner.h"

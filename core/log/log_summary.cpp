@@ -72,9 +72,12 @@ void writeSummaryFields(JsonWriter &json, const LogSummary &summary)
     json.field("format", summary.format == LogFormat::Tlog ? "tlog" : "raw").field("bytes", summary.bytes);
     json.field("frames", summary.frames).field("signed", summary.signedFrames).field("version1", summary.version1Frames);
     json.field("unknown_messages", summary.unknownMessages).field("bad_spots", summary.badSpots);
-    json.field("bad_bytes", summary.badBytes).field("pauses", summary.pauses).field("backward_steps", summary.backwardSteps);
+    json.field("bad_bytes", summary.badBytes)
+        .field("pauses", summary.pauses)
+        .field("backward_steps", summary.backwardSteps);
     if (summary.first) {
-        json.field("first", std::string_view(utcText(*summary.first))).field("last", std::string_view(utcText(*summary.last)));
+        json.field("first", std::string_view(utcText(*summary.first)))
+            .field("last", std::string_view(utcText(*summary.last)));
         json.field("seconds", std::chrono::duration<double>(*summary.last - *summary.first).count());
     }
     json.key("messages").beginObject();
@@ -106,9 +109,9 @@ std::string utcText(WallTime time)
     const auto since = duration_cast<microseconds>(time - day).count();
     char text[48];
     std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02d.%06dZ", static_cast<int>(date.year()),
-                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()), static_cast<int>(since / 3'600'000'000),
-                  static_cast<int>(since / 60'000'000 % 60), static_cast<int>(since / 1'000'000 % 60),
-                  static_cast<int>(since % 1'000'000));
+                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                  static_cast<int>(since / 3'600'000'000), static_cast<int>(since / 60'000'000 % 60),
+                  static_cast<int>(since / 1'000'000 % 60), static_cast<int>(since % 1'000'000));
     return text;
 }
 

@@ -49,9 +49,11 @@ struct LogSummary
 };
 
 /// Reads all of `input`. Neighbouring entries more than `pause` apart count as a pause.
-LogSummary summarize(std::istream &input, const mavlink::Dialect &dialect, std::chrono::microseconds pause = std::chrono::seconds(5));
+LogSummary summarize(std::istream &input, const mavlink::Dialect &dialect,
+                     std::chrono::microseconds pause = std::chrono::seconds(5));
 
-/// The counts as an object's members: {"format","bytes","frames",…,"messages":{name:n},"senders":[…],"bad":[…],"gaps":[…]}.
+/// The counts as an object's members: {"format","bytes","frames",…,"messages":{name:n},"senders":[…],"bad":[…],
+/// "gaps":[…]}.
 void writeSummaryFields(JsonWriter &json, const LogSummary &summary);
 
 /// "2026-11-21T10:00:00.000000Z".

@@ -79,7 +79,8 @@ std::optional<TlogItem> TlogScanner::damaged(FrameFault fault)
     if (sure > 0)
         return take(std::nullopt, fault, sure);
     // A false beginning right here would stand in the way for ever.
-    return m_buffer.size() - m_position > kLongestEntry + kTimeLength ? std::optional(take(std::nullopt, fault, 1)) : std::nullopt;
+    return m_buffer.size() - m_position > kLongestEntry + kTimeLength ? std::optional(take(std::nullopt, fault, 1))
+                                                                      : std::nullopt;
 }
 
 TlogItem TlogScanner::take(std::optional<Frame> frame, FrameFault fault, std::size_t length)

@@ -9,7 +9,8 @@
 
 namespace skyseal::tlog {
 
-/// Hands `sink(ByteView)` one complete entry after the other; the view lives during the call. The sink says whether it took it.
+/// Hands `sink(ByteView)` one complete entry after the other; the view lives during the call. The sink says whether it took
+/// it.
 template<std::predicate<ByteView> Sink> class TlogWriter
 {
 public:

@@ -38,7 +38,8 @@ std::uint16_t crcAccumulate(std::uint16_t crc, ByteView bytes)
     std::size_t left = bytes.size();
     for (; left >= 8; left -= 8, at += 8) {
         crc = static_cast<std::uint16_t>(kTable[7][at[0] ^ (crc & 0xff)] ^ kTable[6][at[1] ^ (crc >> 8)] ^ kTable[5][at[2]]
-                                         ^ kTable[4][at[3]] ^ kTable[3][at[4]] ^ kTable[2][at[5]] ^ kTable[1][at[6]] ^ kTable[0][at[7]]);
+                                         ^ kTable[4][at[3]] ^ kTable[3][at[4]] ^ kTable[2][at[5]] ^ kTable[1][at[6]]
+                                         ^ kTable[0][at[7]]);
     }
     for (; left > 0; --left, ++at)
         crc = static_cast<std::uint16_t>((crc >> 8) ^ kTable[0][(crc ^ *at) & 0xff]);

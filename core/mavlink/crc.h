@@ -1,4 +1,5 @@
-// The checksum of MAVLink: CRC-16/MCRF4XX (X.25 polynomial, reflected), over the frame without its first byte and then CRC_EXTRA.
+// The checksum of MAVLink: CRC-16/MCRF4XX (X.25 polynomial, reflected), over the frame without its first byte and then
+// CRC_EXTRA.
 #pragma once
 
 #include "core/base/bytes.h"

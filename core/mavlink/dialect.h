@@ -1,5 +1,5 @@
-// The messages and enums that a program knows. The built-in ones are constant tables made at build time; further ones can be
-// read from XML while it runs.
+// The messages and enums that a program knows. The built-in ones are constant tables made at build time; further ones can
+// be read from XML while it runs.
 #pragma once
 
 #include "core/mavlink/dialect_definition.h"
@@ -19,8 +19,8 @@ public:
     /// ardupilotmega with all that it includes.
     static const Dialect &builtin();
 
-    /// This dialect and further definitions. A message that is known already must have the same id, name and CRC_EXTRA; enums are
-    /// merged. The error's source and line are those of the definition.
+    /// This dialect and further definitions. A message that is known already must have the same id, name and CRC_EXTRA;
+    /// enums are merged. The error's source and line are those of the definition.
     Result<Dialect, InputError> extended(const DialectDefinition &more) const;
 
     /// The message with this id; null when not known. No allocation, one probe as a rule.

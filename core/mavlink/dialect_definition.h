@@ -55,8 +55,9 @@ struct DialectDefinition
     std::vector<EnumDefinition> enums;       ///< by name, entries by rising value
 };
 
-/// Fills offsets, lengths and CRC_EXTRA: fields ordered by element size, largest first, equal sizes in the order of the definition,
-/// extensions behind them unsorted (https://mavlink.io/en/guide/serialization.html). False when the payload is over 255 bytes.
+/// Fills offsets, lengths and CRC_EXTRA: fields ordered by element size, largest first, equal sizes in the order of the
+/// definition, extensions behind them unsorted (https://mavlink.io/en/guide/serialization.html). False when the payload is
+/// over 255 bytes.
 bool layOut(MessageDefinition &message);
 
 } // namespace skyseal::mavlink

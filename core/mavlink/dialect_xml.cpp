@@ -55,7 +55,8 @@ std::optional<std::uint64_t> parseNumber(std::string_view text)
         text.remove_prefix(2);
     } else if (const auto power = text.find("**"); power != text.npos) { // "2**5", as some definitions write bits
         const auto exponent = parseNumber(text.substr(power + 2));
-        return text.substr(0, power) == "2" && exponent && *exponent < 64 ? std::optional(std::uint64_t(1) << *exponent) : std::nullopt;
+        return text.substr(0, power) == "2" && exponent && *exponent < 64 ? std::optional(std::uint64_t(1) << *exponent)
+                                                                          : std::nullopt;
     }
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
@@ -76,7 +77,8 @@ public:
     DialectDefinition read(const std::string &path)
     {
         readFile(path, 0);
-        std::sort(m_result.messages.begin(), m_result.messages.end(), [](const auto &a, const auto &b) { return a.id < b.id; });
+        std::sort(m_result.messages.begin(), m_result.messages.end(),
+                  [](const auto &a, const auto &b) { return a.id < b.id; });
         for (auto &[name, definition] : m_enums) {
             std::stable_sort(definition.entries.begin(), definition.entries.end(),
                              [](const auto &a, const auto &b) { return a.value < b.value; });
@@ -116,7 +118,8 @@ private:
         const auto outerLines = std::exchange(m_lines, Lines(text));
         const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size());
         if (!parsed)
-            throw Refused{{std::string("is not well-formed XML: ") + parsed.description(), path, m_lines.lineOf(parsed.offset)}};
+            throw Refused{
+                {std::string("is not well-formed XML: ") + parsed.description(), path, m_lines.lineOf(parsed.offset)}};
         const pugi::xml_node root = document.child("mavlink");
         if (!root)
             throw Refused{{"has no <mavlink> element", path, 1}};
@@ -125,7 +128,8 @@ private:
             if (name.empty() || name.is_absolute())
                 refuse(include, "an include needs a relative file name");
             const std::filesystem::path target = std::filesystem::path(path).parent_path() / name;
-            if (std::find(m_known.begin(), m_known.end(), name.string()) == m_known.end() || std::filesystem::exists(target, error))
+            if (std::find(m_known.begin(), m_known.end(), name.string()) == m_known.end()
+                || std::filesystem::exists(target, error))
                 readFile(target.string(), depth + 1);
         }
         for (const pugi::xml_node node : root.child("enums").children("enum"))
@@ -199,11 +203,13 @@ private:
         field.name = node.attribute("name").value();
         if (!isName(field.name))
             refuse(node, "a field of " + message.name + " needs a name");
-        if (std::any_of(message.fields.begin(), message.fields.end(), [&](const auto &other) { return other.name == field.name; }))
+        if (std::any_of(message.fields.begin(), message.fields.end(),
+                        [&](const auto &other) { return other.name == field.name; }))
             refuse(node, "field " + field.name + " stands twice in " + message.name);
         std::string_view type = node.attribute("type").value();
         if (const auto bracket = type.find('['); bracket != type.npos) {
-            const auto length = type.ends_with(']') ? parseNumber(type.substr(bracket + 1, type.size() - bracket - 2)) : std::nullopt;
+            const auto length =
+                type.ends_with(']') ? parseNumber(type.substr(bracket + 1, type.size() - bracket - 2)) : std::nullopt;
             if (!length || *length == 0 || *length > 255)
                 refuse(node, "field " + field.name + " needs an array length of 1 to 255");
             field.arrayLength = static_cast<std::uint8_t>(*length);

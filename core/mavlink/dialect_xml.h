@@ -1,5 +1,5 @@
-// Reads dialect definitions in MAVLink's XML (https://mavlink.io/en/guide/xml_schema.html), with their includes. Used by the
-// generator at build time and for dialects of a user at run time, so it trusts nothing in the files.
+// Reads dialect definitions in MAVLink's XML (https://mavlink.io/en/guide/xml_schema.html), with their includes. Used by
+// the generator at build time and for dialects of a user at run time, so it trusts nothing in the files.
 #pragma once
 
 #include "core/base/result.h"
@@ -11,8 +11,8 @@
 
 namespace skyseal::mavlink {
 
-/// Everything that `path` and the files it includes (relative to it, each once) define, laid out. Includes named in `known` may be
-/// missing. Limits: 16 MiB a file, 64 files, 8 levels of includes, 8192 messages, enums, and entries of an enum.
+/// Everything that `path` and the files it includes (relative to it, each once) define, laid out. Includes named in `known`
+/// may be missing. Limits: 16 MiB a file, 64 files, 8 levels of includes, 8192 messages, enums, and entries of an enum.
 Result<DialectDefinition, InputError> readDialectXml(const std::string &path, std::span<const std::string_view> known = {});
 
 } // namespace skyseal::mavlink

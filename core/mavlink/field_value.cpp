@@ -81,7 +81,8 @@ FieldValue FieldValue::fromNumber(FieldType type, double number)
         return fromBits(type, static_cast<std::uint64_t>(range.lowest) & maskOf(type));
     if (number >= static_cast<double>(range.highest))
         return fromBits(type, range.highest);
-    const auto whole = number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) : static_cast<std::uint64_t>(number);
+    const auto whole =
+        number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) : static_cast<std::uint64_t>(number);
     return fromBits(type, whole & maskOf(type));
 }
 
@@ -160,7 +161,8 @@ std::optional<FieldValue> parseFieldValue(FieldType type, std::string_view text)
         return fromFloating(type, text.front() == '-' ? -HUGE_VAL : HUGE_VAL);
     if (type == FieldType::Float) {
         const auto number = parseAll<float>(text, std::chars_format::general);
-        return number && std::isfinite(*number) ? std::optional(fromFloating(type, static_cast<double>(*number))) : std::nullopt;
+        return number && std::isfinite(*number) ? std::optional(fromFloating(type, static_cast<double>(*number)))
+                                                : std::nullopt;
     }
     const auto number = parseAll<double>(text, std::chars_format::general);
     return number && std::isfinite(*number) ? std::optional(fromFloating(type, *number)) : std::nullopt;

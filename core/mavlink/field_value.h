@@ -1,5 +1,5 @@
-// One element of a field, of whatever type its message gives it: how the inspector, the decoder and dialects read at run time
-// get at fields that no struct was generated for.
+// One element of a field, of whatever type its message gives it: how the inspector, the decoder and dialects read at run
+// time get at fields that no struct was generated for.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -41,21 +41,22 @@ private:
     std::uint64_t m_bits = 0;
 };
 
-/// Element `index` (0 for a single value) of a field. Bytes that the payload does not have read as zero, as MAVLink 2 trims them.
-/// `index` must be below field.elements().
+/// Element `index` (0 for a single value) of a field. Bytes that the payload does not have read as zero, as MAVLink 2 trims
+/// them. `index` must be below field.elements().
 FieldValue fieldValue(ByteView payload, const FieldInfo &field, std::size_t index = 0);
 
 /// Writes element `index`; false, and nothing written, when the types differ, there is no such element or no room for it.
 bool setFieldValue(MutableByteView payload, const FieldInfo &field, std::size_t index, FieldValue value);
 
-/// The bytes of a char array without the zeros at its end; a view into the payload. It may hold any bytes, zeros among them.
+/// The bytes of a char array without the zeros at its end; a view into the payload. It may hold any bytes, zeros among
+/// them.
 std::string_view fieldText(ByteView payload, const FieldInfo &field);
 
 /// Fills a char array, the rest with zeros; false when it is none, the text is too long or the payload too short.
 bool setFieldText(MutableByteView payload, const FieldInfo &field, std::string_view text);
 
-/// A value written by a person: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt when it is none of
-/// that type or out of its range.
+/// A value written by a person: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt when it is
+/// none of that type or out of its range.
 std::optional<FieldValue> parseFieldValue(FieldType type, std::string_view text);
 
 /// Shortest text that parseFieldValue reads back to the same value (every NaN becomes "NaN").

@@ -23,7 +23,8 @@ public:
         if (bytes.size() < length)
             return fail(FrameFault::Truncated, length);
 
-        const std::uint32_t id = v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16 : bytes[5];
+        const std::uint32_t id =
+            v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16 : bytes[5];
         const MessageInfo *info = dialect.find(id);
         if (!info)
             return fail(FrameFault::UnknownMessage, length);
@@ -38,7 +39,10 @@ public:
 
 private:
     static bool isMagic(std::uint8_t byte) { return byte == kMagic1 || byte == kMagic2; }
-    static Result<Frame, FrameError> fail(FrameFault fault, std::size_t length) { return tl::unexpected(FrameError{fault, length}); }
+    static Result<Frame, FrameError> fail(FrameFault fault, std::size_t length)
+    {
+        return tl::unexpected(FrameError{fault, length});
+    }
 };
 
 Result<Frame, FrameError> readFrame(ByteView bytes, const Dialect &dialect)
@@ -48,7 +52,8 @@ Result<Frame, FrameError> readFrame(ByteView bytes, const Dialect &dialect)
 
 std::string_view nameOf(FrameFault fault)
 {
-    static constexpr std::string_view kNames[] = {"garbage", "truncated", "bad_crc", "unknown_message", "unknown_incompat_flags", "bad_signature"};
+    static constexpr std::string_view kNames[] = {
+        "garbage", "truncated", "bad_crc", "unknown_message", "unknown_incompat_flags", "bad_signature"};
     return kNames[static_cast<std::size_t>(fault)];
 }
 

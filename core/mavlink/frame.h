@@ -43,7 +43,8 @@ private:
     std::uint8_t byteAt(std::int16_t offset) const
     {
         const ByteView content = payload();
-        return offset >= 0 && static_cast<std::size_t>(offset) < content.size() ? content[static_cast<std::size_t>(offset)] : 0;
+        return offset >= 0 && static_cast<std::size_t>(offset) < content.size() ? content[static_cast<std::size_t>(offset)]
+                                                                                : 0;
     }
 
     ByteView m_bytes;

@@ -26,7 +26,8 @@ std::optional<ScanItem> FrameScanner::next()
     case FrameFault::UnknownIncompatFlags:
         return bad(fault, m_position + length); // its checksum vouches for its length
     case FrameFault::UnknownMessage: {
-        // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is inside.
+        // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is
+        // inside.
         const std::size_t end = m_position + length;
         if (end != m_buffer.size() && !isMagic(m_buffer[end]))
             return bad(FrameFault::Garbage, nextStart(m_position + 1));
@@ -44,8 +45,8 @@ std::optional<ScanItem> FrameScanner::next()
     }
 }
 
-/// The first offset in [from, limit) at which a valid frame begins, or one that may prove valid when more has come; `limit` when
-/// there is none.
+/// The first offset in [from, limit) at which a valid frame begins, or one that may prove valid when more has come; `limit`
+/// when there is none.
 std::size_t FrameScanner::nextCandidate(std::size_t from, std::size_t limit) const
 {
     for (std::size_t at = from; at < limit; ++at) {

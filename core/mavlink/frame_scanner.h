@@ -22,7 +22,8 @@ enum class BufferEnd : std::uint8_t {
     Open   ///< more bytes may come: a frame that goes on past the end is left for later
 };
 
-/// Resynchronises by trying every later byte, so that no valid frame behind damage is lost, whatever length the damage claims.
+/// Resynchronises by trying every later byte, so that no valid frame behind damage is lost, whatever length the damage
+/// claims.
 class FrameScanner
 {
 public:
@@ -31,8 +32,8 @@ public:
     {
     }
 
-    /// The next item; nullopt at the end. A frame that goes on past a final end is reported as Truncated, with all that is left
-    /// of it; at an open end `position()` stays before it.
+    /// The next item; nullopt at the end. A frame that goes on past a final end is reported as Truncated, with all that is
+    /// left of it; at an open end `position()` stays before it.
     std::optional<ScanItem> next();
 
     /// Where the next item begins.

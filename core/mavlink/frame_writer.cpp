@@ -6,9 +6,9 @@
 
 namespace skyseal::mavlink {
 
-MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId, std::uint8_t componentId,
-                           std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
-                           std::uint8_t incompatFlags)
+MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId,
+                           std::uint8_t componentId, std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength,
+                           ByteView payload, std::uint8_t incompatFlags)
 {
     std::size_t length = std::min<std::size_t>(payload.size(), 255);
     if (version == 2) {
@@ -22,12 +22,13 @@ MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequen
     if (out.size() < header + length + 2 + signature || (version != 2 && messageId > 255))
         return {};
     if (version == 2) {
-        const std::uint8_t fields[] = {kMagic2,  static_cast<std::uint8_t>(length),    incompatFlags, 0, sequence, systemId,
-                                       componentId, static_cast<std::uint8_t>(messageId), static_cast<std::uint8_t>(messageId >> 8),
-                                       static_cast<std::uint8_t>(messageId >> 16)};
+        const auto idByte = [messageId](int i) { return static_cast<std::uint8_t>(messageId >> (8 * i)); };
+        const std::uint8_t fields[] = {kMagic2,  static_cast<std::uint8_t>(length), incompatFlags, 0,
+                                       sequence, systemId, componentId, idByte(0), idByte(1), idByte(2)};
         std::memcpy(out.data(), fields, sizeof fields);
     } else {
-        const std::uint8_t fields[] = {kMagic1, static_cast<std::uint8_t>(length), sequence, systemId, componentId, static_cast<std::uint8_t>(messageId)};
+        const std::uint8_t fields[] = {kMagic1,     static_cast<std::uint8_t>(length),   sequence, systemId,
+                                       componentId, static_cast<std::uint8_t>(messageId)};
         std::memcpy(out.data(), fields, sizeof fields);
     }
     std::memcpy(out.data() + header, payload.data(), length);

@@ -25,8 +25,8 @@ public:
 
     void setVersion(int version) { m_version = version; }
     int version() const { return m_version; }
-    /// Signs every MAVLink 2 frame from now on; null = no more. The signer is the caller's and outlives this use; its time is
-    /// moved on by the caller too.
+    /// Signs every MAVLink 2 frame from now on; null = no more. The signer is the caller's and outlives this use; its time
+    /// is moved on by the caller too.
     void setSigner(FrameSigner *signer) { m_signer = signer; }
 
     /// A typed message (messages.h).

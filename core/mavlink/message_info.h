@@ -1,5 +1,5 @@
-// What a dialect says of its messages: names, fields and where they stand on the wire. Tables of these are generated at build
-// time, and read from XML at run time; views point into whichever of them lives as long as the dialect.
+// What a dialect says of its messages: names, fields and where they stand on the wire. Tables of these are generated at
+// build time, and read from XML at run time; views point into whichever of them lives as long as the dialect.
 #pragma once
 
 #include <cstddef>

@@ -9,13 +9,14 @@
 
 namespace skyseal::mavlink {
 
-/// Writes {"event":"message","id","name","version","sysid","compid","seq","signed","fields":{…}}; with `time` also "time_usec"
-/// (microseconds since 1970, a string). In "fields", which stand in the order of the definition:
+/// Writes {"event":"message","id","name","version","sysid","compid","seq","signed","fields":{…}}; with `time` also
+/// "time_usec" (microseconds since 1970, a string). In "fields", which stand in the order of the definition:
 /// - integers are numbers, 64-bit ones strings, arrays arrays;
-/// - floats are the shortest numbers that read back to the same bits, and "NaN", "Infinity", "-Infinity". A NaN other than the usual
-///   one (0x7fc00000, 0x7ff8000000000000) is spelled out in a further member of the event, "nan_bits":{"field":{"index":"hex"}};
-/// - char arrays are strings without the zeros at their end. A byte that is no part of valid UTF-8 becomes the lone surrogate
-///   U+DC00 + byte, as Python's "surrogateescape" has it, so that every byte string has exactly one text;
+/// - floats are the shortest numbers that read back to the same bits, and "NaN", "Infinity", "-Infinity". A NaN other than
+///   the usual one (0x7fc00000, 0x7ff8000000000000) is spelled out in a further member of the event,
+///   "nan_bits":{"field":{"index":"hex"}};
+/// - char arrays are strings without the zeros at their end. A byte that is no part of valid UTF-8 becomes the lone
+///   surrogate U+DC00 + byte, as Python's "surrogateescape" has it, so that every byte string has exactly one text;
 /// - fields that a MAVLink 1 frame does not carry (extensions) are left out.
 void writeMessageJson(JsonWriter &json, const Frame &frame, std::optional<WallTime> time = std::nullopt);
 

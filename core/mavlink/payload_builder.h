@@ -21,7 +21,10 @@ public:
     }
 
     const MessageInfo &info() const { return *m_info; }
-    bool set(const FieldInfo &field, std::size_t index, FieldValue value) { return setFieldValue(bytes(), field, index, value); }
+    bool set(const FieldInfo &field, std::size_t index, FieldValue value)
+    {
+        return setFieldValue(bytes(), field, index, value);
+    }
     bool setText(const FieldInfo &field, std::string_view text) { return setFieldText(bytes(), field, text); }
     /// All bytes of the message with its extensions.
     ByteView payload() const { return ByteView(m_bytes).first(m_info->maxLength); }

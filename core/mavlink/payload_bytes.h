@@ -24,7 +24,10 @@ public:
         std::memset(m_raw.data() + size, 0, N - size);
     }
 
-    template<typename T> void load(std::size_t offset, T &field) const { std::memcpy(&field, m_raw.data() + offset, sizeof(T)); }
+    template<typename T> void load(std::size_t offset, T &field) const
+    {
+        std::memcpy(&field, m_raw.data() + offset, sizeof(T));
+    }
 
 private:
     std::array<std::uint8_t, N> m_raw;

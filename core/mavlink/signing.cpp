@@ -1,5 +1,5 @@
-// The one-shot functions of OpenSSL 3 cost several times the hash itself for messages this short, so the two or three blocks are
-// padded here and given to the block function. It is marked deprecated as an interface, not as an algorithm.
+// The one-shot functions of OpenSSL 3 cost several times the hash itself for messages this short, so the two or three
+// blocks are padded here and given to the block function. It is marked deprecated as an interface, not as an algorithm.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/mavlink/signing.h"
 
@@ -109,7 +109,8 @@ SignatureVerdict SignatureVerifier::judge(const Frame &frame)
         return SignatureVerdict::Unsigned;
     if (!signatureMatches(frame, m_key))
         return SignatureVerdict::Wrong;
-    const std::uint32_t id = std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(frame.systemId()) << 8 | frame.componentId();
+    const std::uint32_t id =
+        std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(frame.systemId()) << 8 | frame.componentId();
     const SigningTime time = signatureTime(frame);
     const auto end = m_streams.begin() + static_cast<std::ptrdiff_t>(m_streamCount);
     const auto stream = std::find_if(m_streams.begin(), end, [id](const Stream &known) { return known.id == id; });

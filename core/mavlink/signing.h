@@ -1,5 +1,6 @@
 // MAVLink 2 message signing, as every station and autopilot speaks it: https://mavlink.io/en/guide/message_signing.html
-// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and all that stands before.
+// A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and all that stands
+// before.
 #pragma once
 
 #include "core/base/clock.h"
@@ -19,12 +20,15 @@ inline constexpr SigningTime kSigningMinute = 6'000'000;
 /// 0 for moments before 2015.
 SigningTime signingTime(WallTime time);
 
-/// Signs what one sender writes on one link. Its time never stands still nor runs back: each frame gets at least one unit more than
-/// the one before. Keep `lastTime()` across restarts and hand it back in.
+/// Signs what one sender writes on one link. Its time never stands still nor runs back: each frame gets at least one unit
+/// more than the one before. Keep `lastTime()` across restarts and hand it back in.
 class FrameSigner
 {
 public:
-    FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0) : m_key(std::move(key)), m_last(start), m_linkId(linkId) {}
+    FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0)
+        : m_key(std::move(key)), m_last(start), m_linkId(linkId)
+    {
+    }
 
     /// Moves the time on to `now`, if that is later: call it when the clock is at hand, once per wake-up is enough.
     void advanceTo(SigningTime now) { m_last = std::max(m_last, std::min(now, kMaxSigningTime)); }
@@ -59,8 +63,8 @@ enum class SignatureVerdict : std::uint8_t {
 };
 inline constexpr std::size_t kSignatureVerdicts = 6;
 
-/// Checks what arrives against one key and remembers the time of every stream (link id, system, component). Only frames with a right
-/// signature change what it remembers.
+/// Checks what arrives against one key and remembers the time of every stream (link id, system, component). Only frames
+/// with a right signature change what it remembers.
 class SignatureVerifier
 {
 public:

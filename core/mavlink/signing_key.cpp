@@ -35,8 +35,9 @@ Result<Key32, InputError> readSigningKey(const std::string &path)
         while (!text.empty() && isSpace(text.back()))
             text.remove_suffix(1);
         std::size_t length = 0;
+        std::uint8_t *out = key.mutableView().data();
         good = text.size() == 2 * Key32::size()
-            && sodium_hex2bin(key.mutableView().data(), Key32::size(), text.data(), text.size(), nullptr, &length, nullptr) == 0
+            && sodium_hex2bin(out, Key32::size(), text.data(), text.size(), nullptr, &length, nullptr) == 0
             && length == Key32::size();
     }
     sodium_memzero(content.data(), content.size());

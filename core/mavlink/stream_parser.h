@@ -1,4 +1,5 @@
-// Frames out of a byte stream that comes in pieces (TCP, serial line): keeps the beginning of a frame until its end has come.
+// Frames out of a byte stream that comes in pieces (TCP, serial line): keeps the beginning of a frame until its end has
+// come.
 #pragma once
 
 #include "core/mavlink/frame_scanner.h"
@@ -14,8 +15,8 @@ class StreamParser
 public:
     explicit StreamParser(const Dialect &dialect) : m_dialect(&dialect) {}
 
-    /// Takes the next piece and calls `deliver(const ScanItem &)` for everything that is complete; views live during that call.
-    /// Offsets count from the beginning of the stream.
+    /// Takes the next piece and calls `deliver(const ScanItem &)` for everything that is complete; views live during that
+    /// call. Offsets count from the beginning of the stream.
     template<std::invocable<const ScanItem &> Deliver> void feed(ByteView piece, Deliver &&deliver)
     {
         while (!piece.empty()) {

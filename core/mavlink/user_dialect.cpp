@@ -6,8 +6,9 @@ namespace skyseal::mavlink {
 
 namespace {
 
-constexpr std::string_view kBuiltIn[] = {"minimal.xml", "standard.xml",   "common.xml",    "uAvionix.xml",      "icarous.xml",
-                                         "loweheiser.xml", "cubepilot.xml", "csAirLink.xml", "ardupilotmega.xml"};
+constexpr std::string_view kBuiltIn[] = {"minimal.xml",   "standard.xml",  "common.xml",
+                                         "uAvionix.xml",  "icarous.xml",   "loweheiser.xml",
+                                         "cubepilot.xml", "csAirLink.xml", "ardupilotmega.xml"};
 
 } // namespace
 

@@ -1,5 +1,5 @@
-// What a frame costs: read with its checksum, written, signed and verified. The mix is a copter's telemetry, 37 bytes a frame in the
-// mean.
+// What a frame costs: read with its checksum, written, signed and verified. The mix is a copter's telemetry, 37 bytes a
+// frame in the mean.
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
@@ -61,8 +61,8 @@ void report(benchmark::State &state, const Traffic &traffic)
 {
     state.SetItemsProcessed(state.iterations() * traffic.frames());
     state.counters["bytes/frame"] = traffic.meanLength();
-    state.counters["per frame"] = benchmark::Counter(static_cast<double>(traffic.frames()),
-                                                     benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per frame"] = benchmark::Counter(
+        static_cast<double>(traffic.frames()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void parse(benchmark::State &state)

@@ -11,7 +11,8 @@ using namespace skyseal::mavlink;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
-    static const std::string kFile = (std::filesystem::temp_directory_path() / ("dialect_fuzz_" + std::to_string(getpid()) + ".xml")).string();
+    static const std::string kFile =
+        (std::filesystem::temp_directory_path() / ("dialect_fuzz_" + std::to_string(getpid()) + ".xml")).string();
     std::ofstream(kFile, std::ios::binary).write(reinterpret_cast<const char *>(data), static_cast<std::streamsize>(size));
     const auto dialect = loadUserDialect(kFile);
     std::filesystem::remove(kFile);

@@ -1,5 +1,5 @@
-// Any bytes as a datagram, as a stream in portions, and as a recording. What comes out must cover what went in, and every valid frame
-// must be told as JSON and encode again to its own bytes.
+// Any bytes as a datagram, as a stream in portions, and as a recording. What comes out must cover what went in, and every
+// valid frame must be told as JSON and encode again to its own bytes.
 #include "core/log/decode.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/message_json.h"
@@ -51,7 +51,8 @@ void encodeAgain(const Frame &frame)
     const std::size_t compared = bytes.size() - (frame.isSigned() ? kSignatureLength : 0);
     // The compatibility flags of a received frame may be any, ours are 0: then the checksums differ as well.
     if (frame.version() == 1 || bytes[3] == 0)
-        require(again.size() == bytes.size() && std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(compared), again.begin()));
+        require(again.size() == bytes.size()
+                && std::equal(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(compared), again.begin()));
 }
 
 } // namespace

@@ -135,7 +135,8 @@ void LogReaderTest::formatIsFound()
 
 void LogReaderTest::everyPortionGivesTheSame()
 {
-    for (const std::string &content : {tlogOf(40), "noise" + heartbeat(1) + "\xfe\xff more \xfd" + heartbeat(2) + heartbeat(3)}) {
+    for (const std::string &content :
+         {tlogOf(40), "noise" + heartbeat(1) + "\xfe\xff more \xfd" + heartbeat(2) + heartbeat(3)}) {
         const Reading whole = readAll(content);
         for (const std::size_t portion : {1u, 2u, 7u, 29u, 64u, 333u}) {
             const Reading parts = readAll(content, portion);
@@ -177,7 +178,8 @@ void LogReaderTest::damageCostsOnlyWhatItHits()
         std::string damaged = content;
         damaged.replace(at, removed, noise);
 
-        const Reading reading = readAll(damaged, *rc::gen::inRange<std::size_t>(1, 500), timed ? LogFormat::Tlog : LogFormat::Raw);
+        const Reading reading =
+            readAll(damaged, *rc::gen::inRange<std::size_t>(1, 500), timed ? LogFormat::Tlog : LogFormat::Raw);
         for (std::uint32_t i = 0; i < count; ++i) {
             const bool untouched = begins[i + 1] <= at || begins[i] >= at + removed;
             const auto seen = std::count(reading.numbers.begin(), reading.numbers.end(), i);
@@ -189,7 +191,9 @@ void LogReaderTest::damageCostsOnlyWhatItHits()
 void LogReaderTest::longDamageIsOneSpot()
 {
     for (const LogFormat format : {LogFormat::Raw, LogFormat::Tlog}) {
-        const auto one = [format](std::uint32_t i) { return format == LogFormat::Tlog ? entry(kNoon, heartbeat(i)) : heartbeat(i); };
+        const auto one = [format](std::uint32_t i) {
+            return format == LogFormat::Tlog ? entry(kNoon, heartbeat(i)) : heartbeat(i);
+        };
         const Reading reading = readAll(one(1) + std::string(300'000, 'x') + one(2), 10'000);
         QCOMPARE(reading.format, format);
         QCOMPARE(reading.numbers, (std::vector<std::uint32_t>{1, 2}));

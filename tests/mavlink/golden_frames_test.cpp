@@ -1,5 +1,5 @@
-// Frames packed by the reference implementation and the layout of all its messages, from tests/data/mavlink; the larger set and
-// the full facts are taken where SKYSEAL_MAVLINK_FACTS names their folder, or where they lie beside the checkout.
+// Frames packed by the reference implementation and the layout of all its messages, from tests/data/mavlink; the larger set
+// and the full facts are taken where SKYSEAL_MAVLINK_FACTS names their folder, or where they lie beside the checkout.
 #include "core/base/hex.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/message_json.h"
@@ -30,7 +30,8 @@ QString dataPath(const char *name)
     return QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/data/mavlink/") + QLatin1String(name);
 }
 
-/// The text of a JSON number or string as parseFieldValue wants it; `fallback` are the exact bits where JSON has none for them.
+/// The text of a JSON number or string as parseFieldValue wants it; `fallback` are the exact bits where JSON has none for
+/// them.
 std::optional<FieldValue> fromJson(FieldType type, const QJsonValue &value, const QJsonValue &nanBits)
 {
     if (nanBits.isString())
@@ -72,7 +73,8 @@ Bytes frameFromJson(const QJsonObject &event, const Frame &original)
         }
         for (std::size_t i = 0; i < field.elements(); ++i) {
             const QJsonValue bits = nans[name].toObject()[QString::number(i)];
-            const auto element = fromJson(field.type, field.arrayLength ? value.toArray()[static_cast<qsizetype>(i)] : value, bits);
+            const auto element =
+                fromJson(field.type, field.arrayLength ? value.toArray()[static_cast<qsizetype>(i)] : value, bits);
             if (!element || !builder.set(field, i, *element))
                 return {};
         }
@@ -167,7 +169,9 @@ void GoldenFramesTest::factsAreTheReferences()
     const QJsonObject facts = QJsonDocument::fromJson(contentOf(m_facts + QStringLiteral("/ardupilotmega.json"))).object();
     if (facts.isEmpty())
         QSKIP("SKYSEAL_MAVLINK_FACTS names no folder with the full facts: skipped");
-    const auto text = [](std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); };
+    const auto text = [](std::string_view view) {
+        return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
+    };
     for (const auto &value : facts[QLatin1String("messages")].toArray()) {
         const MessageInfo *info = Dialect::builtin().find(static_cast<std::uint32_t>(value[QLatin1String("id")].toInt()));
         QVERIFY(info);

@@ -1,5 +1,5 @@
-// The rules of signing: times that only rise, streams apart from each other, nothing learned from a wrong signature. That the
-// signatures themselves are the reference's is shown by golden_frames_test.
+// The rules of signing: times that only rise, streams apart from each other, nothing learned from a wrong signature. That
+// the signatures themselves are the reference's is shown by golden_frames_test.
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/signing.h"
@@ -180,7 +180,8 @@ void SigningTest::keyFiles()
     QVERIFY(read(hex)->equals(keyOf(1)));
     QVERIFY(read(" " + hex + "\r\n")->equals(keyOf(1)));
     QVERIFY(read('\x01' + QByteArray(31, '\0'))->equals(keyOf(1)));
-    for (const QByteArray &wrong : {QByteArray(), hex.left(62), hex + "0", hex + "00", QByteArray(64, 'g'), QByteArray(1000, '0')}) {
+    for (const QByteArray &wrong :
+         {QByteArray(), hex.left(62), hex + "0", hex + "00", QByteArray(64, 'g'), QByteArray(1000, '0')}) {
         const auto key = read(wrong);
         QVERIFY(!key);
         QCOMPARE(key.error().source, path.toStdString());

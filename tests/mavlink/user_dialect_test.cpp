@@ -107,7 +107,9 @@ void UserDialectTest::includesAreFollowedOnce()
 {
     QVERIFY(load("<mavlink><include>kite.xml</include><include>ring.xml</include></mavlink>", "ring.xml"));
     QVERIFY(load(kOwnMessage));
-    const auto ring = load("<mavlink><include>kite.xml</include><include>ring.xml</include><include>./kite.xml</include></mavlink>", "ring.xml");
+    const auto ring =
+        load("<mavlink><include>kite.xml</include><include>ring.xml</include><include>./kite.xml</include></mavlink>",
+             "ring.xml");
     QVERIFY(ring && ring->find(60001));
     // The standard's own files may lie beside it.
     const auto whole = loadUserDialect(SKYSEAL_SOURCE_DIR "/resources/dialects/ardupilotmega.xml");
@@ -143,12 +145,16 @@ void UserDialectTest::wrongFilesAreRefused_data()
     row("array not closed", message("<field type=\"char[3\" name=\"a\"/>"), 2, "array length");
     row("payload of 256", message("<field type=\"double[32]\" name=\"a\"/>"), 2, "longer than 255");
     row("field twice", message(kField + kField), 2, "stands twice");
-    row("entry without name", "<mavlink><enums><enum name=\"E\"><entry value=\"1\"/></enum></enums></mavlink>", 1, "needs a name");
-    row("entry no number", "<mavlink><enums><enum name=\"E\"><entry value=\"x\" name=\"X\"/></enum></enums></mavlink>", 1, "whole number");
-    row("entry of 2**64", "<mavlink><enums><enum name=\"E\"><entry value=\"2**64\" name=\"X\"/></enum></enums></mavlink>", 1, "whole number");
+    row("entry without name", "<mavlink><enums><enum name=\"E\"><entry value=\"1\"/></enum></enums></mavlink>", 1,
+        "needs a name");
+    row("entry no number", "<mavlink><enums><enum name=\"E\"><entry value=\"x\" name=\"X\"/></enum></enums></mavlink>", 1,
+        "whole number");
+    row("entry of 2**64", "<mavlink><enums><enum name=\"E\"><entry value=\"2**64\" name=\"X\"/></enum></enums></mavlink>",
+        1, "whole number");
     row("value with two names",
-        "<mavlink><enums><enum name=\"E\"><entry value=\"1\" name=\"X\"/>\n<entry value=\"1\" name=\"Y\"/></enum></enums></mavlink>", 2,
-        "is X already");
+        "<mavlink><enums><enum name=\"E\"><entry value=\"1\" name=\"X\"/>\n<entry value=\"1\" "
+        "name=\"Y\"/></enum></enums></mavlink>",
+        2, "is X already");
 }
 
 void UserDialectTest::wrongFilesAreRefused()
@@ -176,7 +182,8 @@ void UserDialectTest::anEndlessFileOfEntriesIsRefusedSoon()
     QVERIFY(!load(content + "</enum></enums></mavlink>"));
     content = "<mavlink><messages>";
     for (int i = 0; i < 20'000; ++i)
-        content += "<message id=\"" + QByteArray::number(60'000 + i) + "\" name=\"M" + QByteArray::number(i) + "\">" + kField + "</message>\n";
+        content += "<message id=\"" + QByteArray::number(60'000 + i) + "\" name=\"M" + QByteArray::number(i) + "\">"
+                   + kField + "</message>\n";
     QVERIFY(!load(content + "</messages></mavlink>"));
     content = "<mavlink>";
     for (int i = 0; i < 500'000; ++i)

@@ -1,4 +1,5 @@
-// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the tables, the enums and the typed messages that core/mavlink compiles.
+// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the tables, the enums and the typed messages that core/mavlink
+// compiles.
 #include "core/mavlink/dialect_xml.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ std::string quoted(const std::string &text)
 
 const char *enumeratorOf(FieldType type)
 {
-    static const char *const kNames[] = {"Char", "Uint8", "Int8", "Uint16", "Int16", "Uint32", "Int32", "Uint64", "Int64", "Float", "Double"};
+    static const char *const kNames[] = {"Char",  "Uint8",  "Int8",  "Uint16", "Int16", "Uint32",
+                                         "Int32", "Uint64", "Int64", "Float",  "Double"};
     return kNames[static_cast<int>(type)];
 }
 
@@ -56,20 +58,23 @@ std::string typeNameOf(const std::string &message)
 
 void writeTables(const DialectDefinition &dialect, std::ofstream &out)
 {
-    out << kHead << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
+    out << kHead
+        << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
     for (const MessageDefinition &m : dialect.messages) {
         out << "constexpr FieldInfo k" << m.name << "[] = {\n";
         for (const FieldDefinition &f : m.fields) {
-            out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength) << ", " << int(f.offset) << ", "
-                << (f.extension ? "true" : "false") << ", " << (f.isMavlinkVersion ? "true" : "false") << ", " << quoted(f.enumName) << ", "
-                << quoted(f.units) << ", " << quoted(f.printFormat) << ", " << quoted(f.invalid) << "},\n";
+            out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength)
+                << ", " << int(f.offset) << ", " << (f.extension ? "true" : "false") << ", "
+                << (f.isMavlinkVersion ? "true" : "false") << ", " << quoted(f.enumName) << ", " << quoted(f.units) << ", "
+                << quoted(f.printFormat) << ", " << quoted(f.invalid) << "},\n";
         }
         out << "};\n";
     }
     out << "\nconstexpr MessageInfo kMessages[] = {\n";
     for (const MessageDefinition &m : dialect.messages) {
-        out << "    {" << m.id << ", " << quoted(m.name) << ", " << int(m.crcExtra) << ", " << int(m.minLength) << ", " << int(m.maxLength) << ", "
-            << m.targetSystemOffset << ", " << m.targetComponentOffset << ", k" << m.name << "},\n";
+        out << "    {" << m.id << ", " << quoted(m.name) << ", " << int(m.crcExtra) << ", " << int(m.minLength) << ", "
+            << int(m.maxLength) << ", " << m.targetSystemOffset << ", " << m.targetComponentOffset << ", k" << m.name
+            << "},\n";
     }
     out << "};\n\n";
     for (const EnumDefinition &e : dialect.enums) {
@@ -82,8 +87,10 @@ void writeTables(const DialectDefinition &dialect, std::ofstream &out)
     }
     out << "\nconstexpr EnumInfo kEnums[] = {\n";
     for (const EnumDefinition &e : dialect.enums)
-        out << "    {" << quoted(e.name) << ", " << (e.bitmask ? "true" : "false") << ", " << (e.entries.empty() ? "{}" : "k" + e.name) << "},\n";
-    out << "};\n\n} // namespace\n\nstd::span<const MessageInfo> messages() { return kMessages; }\nstd::span<const EnumInfo> enums() { return kEnums; }\n\n"
+        out << "    {" << quoted(e.name) << ", " << (e.bitmask ? "true" : "false") << ", "
+            << (e.entries.empty() ? "{}" : "k" + e.name) << "},\n";
+    out << "};\n\n} // namespace\n\nstd::span<const MessageInfo> messages() { return kMessages; }\nstd::span<const "
+           "EnumInfo> enums() { return kEnums; }\n\n"
            "} // namespace skyseal::mavlink::builtin\n";
 }
 
@@ -91,7 +98,8 @@ void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
 {
     out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\n";
     for (const EnumDefinition &e : dialect.enums) {
-        const bool wide = std::any_of(e.entries.begin(), e.entries.end(), [](const auto &entry) { return entry.value > 0xffffffffu; });
+        const bool wide =
+            std::any_of(e.entries.begin(), e.entries.end(), [](const auto &entry) { return entry.value > 0xffffffffu; });
         out << "enum " << e.name << " : std::uint" << (wide ? 64 : 32) << "_t {\n";
         for (const EnumEntryDefinition &entry : e.entries)
             out << "    " << entry.name << " = " << entry.value << (entry.value > 0x7fffffffu ? "u" : "") << ",\n";
@@ -103,21 +111,25 @@ void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
 void writeMessage(const MessageDefinition &m, std::ofstream &out)
 {
     const std::string type = typeNameOf(m.name);
-    out << "struct " << type << "\n{\n    static constexpr std::uint32_t kId = " << m.id << ";\n    static constexpr std::uint8_t kCrcExtra = "
-        << int(m.crcExtra) << ", kMinLength = " << int(m.minLength) << ", kMaxLength = " << int(m.maxLength) << ";\n\n";
+    out << "struct " << type << "\n{\n    static constexpr std::uint32_t kId = " << m.id
+        << ";\n    static constexpr std::uint8_t kCrcExtra = " << int(m.crcExtra) << ", kMinLength = " << int(m.minLength)
+        << ", kMaxLength = " << int(m.maxLength) << ";\n\n";
     for (const FieldDefinition &f : m.fields) {
         const std::string element = cppTypeOf(f.type);
-        const std::string member = f.arrayLength ? "std::array<" + element + ", " + std::to_string(f.arrayLength) + ">" : element;
+        const std::string member =
+            f.arrayLength ? "std::array<" + element + ", " + std::to_string(f.arrayLength) + ">" : element;
         out << "    " << member << ' ' << f.name << (f.isMavlinkVersion ? " = 3" : "{}") << ";";
         if (!f.units.empty())
             out << " ///< " << f.units;
         out << '\n';
     }
-    out << "\n    /// Bytes that the payload does not have read as zero.\n    static " << type << " decode(ByteView payload)\n    {\n"
+    out << "\n    /// Bytes that the payload does not have read as zero.\n    static " << type
+        << " decode(ByteView payload)\n    {\n"
         << "        const PayloadBytes<kMaxLength> raw(payload);\n        " << type << " out;\n";
     for (const FieldDefinition &f : m.fields)
         out << "        raw.load(" << int(f.offset) << ", out." << f.name << ");\n";
-    out << "        return out;\n    }\n\n    /// Writes all kMaxLength bytes.\n    void encode(std::span<std::uint8_t, kMaxLength> out) const\n    {\n";
+    out << "        return out;\n    }\n\n    /// Writes all kMaxLength bytes.\n    void encode(std::span<std::uint8_t, "
+           "kMaxLength> out) const\n    {\n";
     for (const FieldDefinition &f : m.fields)
         out << "        storeField(out.data() + " << int(f.offset) << ", " << f.name << ");\n";
     out << "    }\n};\n\n";
@@ -147,7 +159,9 @@ int main(int argc, char **argv)
     std::ofstream messages(folder + "/messages.h");
     writeTables(*dialect, tables);
     writeEnums(*dialect, enums);
-    messages << kHead << "#pragma once\n\n#include \"core/mavlink/enums.h\"\n#include \"core/mavlink/payload_bytes.h\"\n\nnamespace skyseal::mavlink {\n\n";
+    messages << kHead
+             << "#pragma once\n\n#include \"core/mavlink/enums.h\"\n#include \"core/mavlink/payload_bytes.h\"\n\nnamespace "
+                "skyseal::mavlink {\n\n";
     for (const MessageDefinition &message : dialect->messages) {
         if (typed.erase(message.name))
             writeMessage(message, messages);
