@@ -24,7 +24,8 @@ tl::unexpected<std::string> refuse(std::string why)
     return tl::make_unexpected(std::move(why));
 }
 
-CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0, float p7 = 0)
+CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0,
+                   float p7 = 0)
 {
     return {command, {p1, p2, p3, p4, p5, p6, p7}};
 }
@@ -218,7 +219,8 @@ private:
 
 } // namespace
 
-Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing)
+Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state,
+                                             const Addressing &addressing)
 {
     return std::visit(Planner(state, addressing), command);
 }

@@ -37,6 +37,7 @@ struct CommandPlan
 };
 
 /// An error says in words why nothing is sent.
-Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state, const Addressing &addressing);
+Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state,
+                                             const Addressing &addressing);
 
 } // namespace skyseal::vehicle

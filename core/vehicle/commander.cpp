@@ -10,7 +10,8 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint8_t kAccepted = 0, kUnsupported = 3, kInProgress = 5, kLongOnly = 7, kIntOnly = 8, kNoSuchFrame = 9; // MAV_RESULT
+constexpr std::uint8_t kAccepted = 0, kUnsupported = 3, kInProgress = 5, kLongOnly = 7, kIntOnly = 8,
+                       kNoSuchFrame = 9; // MAV_RESULT
 constexpr std::uint8_t kNotice = 5; // MAV_SEVERITY; what is chattier gives no reasons
 constexpr std::size_t kLongestWords = 300;
 
@@ -74,7 +75,8 @@ void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command
     takeAnswers(now, state, outbox);
 }
 
-void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state, Outbox &outbox)
+void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state,
+                          Outbox &outbox)
 {
     if (!m_client.handleAck(now, command, result, outbox)) {
         // Some firmware acknowledges messages as well, by their message id.
@@ -127,7 +129,8 @@ void Commander::handlePositionTarget(std::int32_t latitude, std::int32_t longitu
 {
     constexpr std::int64_t kNear = 100; // 1e-7 degrees: a metre, since vehicles convert to metres and back
     seen<TargetIs>([&](const TargetIs &sign) {
-        return std::abs(std::int64_t{sign.latitude} - latitude) <= kNear && std::abs(std::int64_t{sign.longitude} - longitude) <= kNear;
+        return std::abs(std::int64_t{sign.latitude} - latitude) <= kNear
+               && std::abs(std::int64_t{sign.longitude} - longitude) <= kNear;
     });
 }
 
@@ -190,7 +193,8 @@ void Commander::repeat(TimePoint now, Action &action, Outbox &outbox)
     } else if (message.signExpected) {
         nextWay(now, action, CommandOutcome::TimedOut, "no answer to " + std::to_string(kRepeats) + " attempts", outbox);
     } else {
-        finish(action, CommandOutcome::Accepted, "sent " + std::to_string(kRepeats) + " times; the vehicle does not confirm it");
+        finish(action, CommandOutcome::Accepted,
+               "sent " + std::to_string(kRepeats) + " times; the vehicle does not confirm it");
     }
 }
 
@@ -241,7 +245,8 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, con
         action.deadline = now + kWatch;
         return;
     }
-    const bool otherWayMayHelp = result == kUnsupported || result == kLongOnly || result == kIntOnly || result == kNoSuchFrame;
+    const bool otherWayMayHelp =
+        result == kUnsupported || result == kLongOnly || result == kIntOnly || result == kNoSuchFrame;
     if (otherWayMayHelp && action.way + 1 < action.plan.ways.size()) {
         nextWay(now, action, CommandOutcome::Refused, {}, outbox);
     } else if (!action.words.empty()) {
@@ -260,7 +265,8 @@ void Commander::watchEnded(TimePoint now, Action &action, const VehicleState &st
         action.mayAskAgain = false;
         startWay(now, action, outbox);
     } else {
-        finish(action, CommandOutcome::TimedOut, "acknowledged, but the vehicle reports " + whatItReports(action.plan.sign, state));
+        finish(action, CommandOutcome::TimedOut,
+               "acknowledged, but the vehicle reports " + whatItReports(action.plan.sign, state));
     }
 }
 

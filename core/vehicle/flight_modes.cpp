@@ -16,24 +16,27 @@ struct Mode
 };
 
 constexpr Mode kCopterModes[] = {
-    {0, "STABILIZE"}, {1, "ACRO"}, {2, "ALT_HOLD"}, {3, "AUTO"}, {4, "GUIDED"}, {5, "LOITER"}, {6, "RTL"}, {7, "CIRCLE"}, {9, "LAND"},
-    {11, "DRIFT"}, {13, "SPORT"}, {14, "FLIP"}, {15, "AUTOTUNE"}, {16, "POSHOLD"}, {17, "BRAKE"}, {18, "THROW"}, {19, "AVOID_ADSB"},
-    {20, "GUIDED_NOGPS"}, {21, "SMART_RTL"}, {22, "FLOWHOLD"}, {23, "FOLLOW"}, {24, "ZIGZAG"}, {25, "SYSTEMID"}, {26, "AUTOROTATE"},
-    {27, "AUTO_RTL"}, {28, "TURTLE"}};
+    {0, "STABILIZE"},  {1, "ACRO"},      {2, "ALT_HOLD"}, {3, "AUTO"},    {4, "GUIDED"},      {5, "LOITER"},
+    {6, "RTL"},        {7, "CIRCLE"},    {9, "LAND"},     {11, "DRIFT"},  {13, "SPORT"},      {14, "FLIP"},
+    {15, "AUTOTUNE"},  {16, "POSHOLD"},  {17, "BRAKE"},   {18, "THROW"},  {19, "AVOID_ADSB"}, {20, "GUIDED_NOGPS"},
+    {21, "SMART_RTL"}, {22, "FLOWHOLD"}, {23, "FOLLOW"},  {24, "ZIGZAG"}, {25, "SYSTEMID"},   {26, "AUTOROTATE"},
+    {27, "AUTO_RTL"},  {28, "TURTLE"}};
 
 constexpr Mode kPlaneModes[] = {
-    {0, "MANUAL"}, {1, "CIRCLE"}, {2, "STABILIZE"}, {3, "TRAINING"}, {4, "ACRO"}, {5, "FBWA"}, {6, "FBWB"}, {7, "CRUISE"},
-    {8, "AUTOTUNE"}, {10, "AUTO"}, {11, "RTL"}, {12, "LOITER"}, {13, "TAKEOFF"}, {14, "AVOID_ADSB"}, {15, "GUIDED"},
-    {16, "INITIALISING"}, {17, "QSTABILIZE"}, {18, "QHOVER"}, {19, "QLOITER"}, {20, "QLAND"}, {21, "QRTL"}, {22, "QAUTOTUNE"},
-    {23, "QACRO"}, {24, "THERMAL"}, {25, "LOITERALTQLAND"}, {26, "AUTOLAND"}};
+    {0, "MANUAL"},        {1, "CIRCLE"},      {2, "STABILIZE"}, {3, "TRAINING"},    {4, "ACRO"},
+    {5, "FBWA"},          {6, "FBWB"},        {7, "CRUISE"},    {8, "AUTOTUNE"},    {10, "AUTO"},
+    {11, "RTL"},          {12, "LOITER"},     {13, "TAKEOFF"},  {14, "AVOID_ADSB"}, {15, "GUIDED"},
+    {16, "INITIALISING"}, {17, "QSTABILIZE"}, {18, "QHOVER"},   {19, "QLOITER"},    {20, "QLAND"},
+    {21, "QRTL"},         {22, "QAUTOTUNE"},  {23, "QACRO"},    {24, "THERMAL"},    {25, "LOITERALTQLAND"},
+    {26, "AUTOLAND"}};
 
-constexpr Mode kRoverModes[] = {
-    {0, "MANUAL"}, {1, "ACRO"}, {3, "STEERING"}, {4, "HOLD"}, {5, "LOITER"}, {6, "FOLLOW"}, {7, "SIMPLE"}, {8, "DOCK"}, {9, "CIRCLE"},
-    {10, "AUTO"}, {11, "RTL"}, {12, "SMART_RTL"}, {15, "GUIDED"}, {16, "INITIALISING"}};
+constexpr Mode kRoverModes[] = {{0, "MANUAL"}, {1, "ACRO"},       {3, "STEERING"}, {4, "HOLD"},         {5, "LOITER"},
+                                {6, "FOLLOW"}, {7, "SIMPLE"},     {8, "DOCK"},     {9, "CIRCLE"},       {10, "AUTO"},
+                                {11, "RTL"},   {12, "SMART_RTL"}, {15, "GUIDED"},  {16, "INITIALISING"}};
 
-constexpr Mode kSubmarineModes[] = {
-    {0, "STABILIZE"}, {1, "ACRO"}, {2, "ALT_HOLD"}, {3, "AUTO"}, {4, "GUIDED"}, {7, "CIRCLE"}, {9, "SURFACE"}, {16, "POSHOLD"},
-    {19, "MANUAL"}, {20, "MOTORDETECT"}, {21, "SURFTRAK"}};
+constexpr Mode kSubmarineModes[] = {{0, "STABILIZE"}, {1, "ACRO"},         {2, "ALT_HOLD"}, {3, "AUTO"},
+                                    {4, "GUIDED"},    {7, "CIRCLE"},       {9, "SURFACE"},  {16, "POSHOLD"},
+                                    {19, "MANUAL"},   {20, "MOTORDETECT"}, {21, "SURFTRAK"}};
 
 constexpr Mode kTrackerModes[] = {
     {0, "MANUAL"}, {1, "STOP"}, {2, "SCAN"}, {3, "SERVO_TEST"}, {4, "GUIDED"}, {10, "AUTO"}, {16, "INITIALISING"}};
@@ -45,9 +48,10 @@ constexpr std::uint32_t px4(std::uint32_t mainMode, std::uint32_t subMode = 0)
 }
 
 constexpr Mode kPx4Modes[] = {
-    {px4(1), "MANUAL"}, {px4(2), "ALTCTL"}, {px4(3), "POSCTL"}, {px4(4, 1), "READY"}, {px4(4, 2), "TAKEOFF"}, {px4(4, 3), "LOITER"},
-    {px4(4, 4), "MISSION"}, {px4(4, 5), "RTL"}, {px4(4, 6), "LAND"}, {px4(4, 8), "FOLLOWME"}, {px4(4, 9), "PRECLAND"},
-    {px4(4, 10), "VTOL_TAKEOFF"}, {px4(5), "ACRO"}, {px4(6), "OFFBOARD"}, {px4(7), "STABILIZED"}, {px4(8), "RATTITUDE"}};
+    {px4(1), "MANUAL"},     {px4(2), "ALTCTL"},      {px4(3), "POSCTL"},      {px4(4, 1), "READY"},
+    {px4(4, 2), "TAKEOFF"}, {px4(4, 3), "LOITER"},   {px4(4, 4), "MISSION"},  {px4(4, 5), "RTL"},
+    {px4(4, 6), "LAND"},    {px4(4, 8), "FOLLOWME"}, {px4(4, 9), "PRECLAND"}, {px4(4, 10), "VTOL_TAKEOFF"},
+    {px4(5), "ACRO"},       {px4(6), "OFFBOARD"},    {px4(7), "STABILIZED"},  {px4(8), "RATTITUDE"}};
 
 std::span<const Mode> modesOf(VehicleKind kind)
 {

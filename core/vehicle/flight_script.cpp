@@ -151,7 +151,8 @@ StepResult parseWait(ScriptWords &words)
         if (words.atEnd())
             return fail(words, "a value to compare " + std::string(name) + " with");
         out.text = std::string(words.take());
-    } else if (out.field->kind == StateField::Kind::Flag && (sameWord(words.peek(), "true") || sameWord(words.peek(), "false"))) {
+    } else if (out.field->kind == StateField::Kind::Flag
+               && (sameWord(words.peek(), "true") || sameWord(words.peek(), "false"))) {
         out.number = sameWord(words.take(), "true");
     } else {
         const auto value = words.number("a number to compare " + std::string(name) + " with", -1e300, 1e300);
@@ -170,9 +171,9 @@ StepResult parseWait(ScriptWords &words)
 
 constexpr std::pair<std::string_view, StepResult (*)(ScriptWords &)> kVerbs[] = {
     {"mode", parseMode}, {"arm", parseArming<Arm>}, {"disarm", parseArming<Disarm>}, {"takeoff", parseTakeOff},
-    {"land", parsePlain<Land>}, {"rtl", parsePlain<ReturnToLaunch>}, {"goto", parseGoTo}, {"speed", parseSpeed}, {"wait", parseWait},
-    {"sleep", parseSleep}, {"param", parseParam}, {"item", parseItem}, {"start", parsePlain<StartMission>},
-    {"reboot", parsePlain<Reboot>}, {"command", parseRaw}};
+    {"land", parsePlain<Land>}, {"rtl", parsePlain<ReturnToLaunch>}, {"goto", parseGoTo}, {"speed", parseSpeed},
+    {"wait", parseWait}, {"sleep", parseSleep}, {"param", parseParam}, {"item", parseItem},
+    {"start", parsePlain<StartMission>}, {"reboot", parsePlain<Reboot>}, {"command", parseRaw}};
 
 /// Takes "12:" off the front when it is there.
 Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptWords &words)
@@ -222,7 +223,8 @@ Result<FlightStep, InputError> parseStep(ScriptWords &words)
 Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view script)
 {
     if (script.size() > kMaxScriptLength)
-        return tl::make_unexpected(InputError{"the script is longer than " + std::to_string(kMaxScriptLength) + " characters", {}});
+        return tl::make_unexpected(
+            InputError{"the script is longer than " + std::to_string(kMaxScriptLength) + " characters", {}});
     std::vector<FlightStep> steps;
     std::size_t begin = 0;
     while (begin <= script.size()) {

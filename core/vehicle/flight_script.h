@@ -1,5 +1,5 @@
-// A flight written down in one line, as `skyseal-cli monitor --do` takes it: "mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;
-// land; wait armed==0 90". A number and a colon before a step pick the vehicle ("2: arm").
+// A flight written down in one line, as `skyseal-cli monitor --do` takes it: "mode GUIDED; arm; takeoff 10; wait
+// alt_rel>=9.5 60; land; wait armed==0 90". A number and a colon before a step pick the vehicle ("2: arm").
 //
 // Grammar: steps separated by ';', empty ones ignored. mode NAME | arm [force] | disarm [force] | takeoff ALT | land | rtl |
 // goto LAT LON ALT | speed V | wait FIELD OP VALUE [TIMEOUT] | sleep S | param NAME VALUE | item INDEX | start | reboot |

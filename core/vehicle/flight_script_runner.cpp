@@ -142,7 +142,8 @@ void FlightScriptRunner::watch(TimePoint now, const VehicleState &vehicle, const
 void FlightScriptRunner::end(StepResult result, std::string reason)
 {
     const FlightStep &step = m_steps[m_index];
-    m_reports.push_back({m_stepSystem ? m_stepSystem : step.systemId.value_or(0), m_index + 1, step.text, result, std::move(reason)});
+    m_reports.push_back(
+        {m_stepSystem ? m_stepSystem : step.systemId.value_or(0), m_index + 1, step.text, result, std::move(reason)});
     m_failed = result == StepResult::Refused || result == StepResult::TimedOut;
     m_answered = m_phase == Phase::WaitingForAnswer;
     m_phase = Phase::Idle;

@@ -61,8 +61,8 @@ struct ActionText
     std::string operator()(const WaitUntil &wait) const
     {
         const bool isText = wait.field->kind == StateField::Kind::Text;
-        return "wait " + std::string(wait.field->name) + std::string(sign(wait.comparison)) + (isText ? wait.text : exact(wait.number))
-            + " " + exact(seconds(wait.timeout));
+        return "wait " + std::string(wait.field->name) + std::string(sign(wait.comparison))
+               + (isText ? wait.text : exact(wait.number)) + " " + exact(seconds(wait.timeout));
     }
     std::string operator()(const Sleep &sleep) const { return "sleep " + exact(seconds(sleep.time)); }
     std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + exact(write.value); }

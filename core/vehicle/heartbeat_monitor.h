@@ -1,5 +1,5 @@
-// How long a vehicle has been silent. Any message of its autopilot proves that it is there, except RADIO_STATUS, which radios
-// put in by themselves. Nothing is erased when it is lost.
+// How long a vehicle has been silent. Any message of its autopilot proves that it is there, except RADIO_STATUS, which
+// radios put in by themselves. Nothing is erased when it is lost.
 #pragma once
 
 #include "core/base/clock.h"

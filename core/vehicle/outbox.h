@@ -1,5 +1,5 @@
-// What a vehicle's protocols want sent, before it becomes frames: the engine gives each message its sequence number, signs or
-// seals it, and coalesces those that are not urgent. Bounded, so that a silent link can not make it grow.
+// What a vehicle's protocols want sent, before it becomes frames: the engine gives each message its sequence number, signs
+// or seals it, and coalesces those that are not urgent. Bounded, so that a silent link can not make it grow.
 #pragma once
 
 #include "core/base/bytes.h"

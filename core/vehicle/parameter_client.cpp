@@ -40,7 +40,8 @@ void ParameterClient::readAll(TimePoint now, Outbox &outbox)
 void ParameterClient::write(TimePoint now, std::string name, double value, Outbox &outbox)
 {
     if (name.empty() || name.size() > 16 || !std::isfinite(value)) {
-        m_results.push_back({{std::move(name), value}, false, "nothing was sent: a name of up to 16 characters and a number are needed"});
+        m_results.push_back(
+            {{std::move(name), value}, false, "nothing was sent: a name of up to 16 characters and a number are needed"});
         return;
     }
     m_writes.push_back({std::move(name), value, 0, kNever, std::nullopt});
@@ -77,7 +78,8 @@ void ParameterClient::handleValue(TimePoint now, const ParameterValue &value, Ou
     } else {
         if (parameter.index == kNoIndex)
             parameter.index = known->second.index;
-        if (known->second.value != parameter.value || known->second.type != parameter.type || known->second.index != parameter.index) {
+        if (known->second.value != parameter.value || known->second.type != parameter.type
+            || known->second.index != parameter.index) {
             known->second = parameter;
             m_shared.reset();
         }
@@ -90,8 +92,11 @@ void ParameterClient::handleDeadline(TimePoint now, Outbox &outbox)
     if (now >= m_listDeadline) {
         if (++m_fruitless > kRounds) {
             m_listDeadline = kNever;
-            m_results.push_back({{}, false, m_received == 0 ? "the vehicle does not send its parameters"
-                                 : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected) + " parameters came"});
+            m_results.push_back({{},
+                                 false,
+                                 m_received == 0 ? "the vehicle does not send its parameters"
+                                                 : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected)
+                                                       + " parameters came"});
         } else if (m_received == 0) {
             requestList(now, outbox);
         } else {
@@ -105,7 +110,9 @@ void ParameterClient::handleDeadline(TimePoint now, Outbox &outbox)
         } else if (front.seen) {
             finishWrite(now, {*front.seen, false, "the vehicle keeps " + shortNumber(front.seen->value, 6)}, outbox);
         } else {
-            finishWrite(now, {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts"}, outbox);
+            finishWrite(now,
+                        {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts"},
+                        outbox);
         }
     }
 }

@@ -1,4 +1,5 @@
-// The words of one step of a flight script, taken from the front, with what is needed to say exactly where something is wrong.
+// The words of one step of a flight script, taken from the front, with what is needed to say exactly where something is
+// wrong.
 #pragma once
 
 #include "core/base/clock.h"

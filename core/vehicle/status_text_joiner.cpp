@@ -8,8 +8,8 @@ namespace {
 constexpr std::string_view kGap = "…";
 }
 
-void StatusTextJoiner::handleChunk(TimePoint now, std::uint8_t component, std::uint8_t severity, std::uint16_t id, std::uint8_t chunk,
-                                   std::string_view text)
+void StatusTextJoiner::handleChunk(TimePoint now, std::uint8_t component, std::uint8_t severity, std::uint16_t id,
+                                   std::uint8_t chunk, std::string_view text)
 {
     const bool sameText = m_pending && id != 0 && m_pending->component == component && m_pending->id == id;
     if (sameText && chunk < m_pending->nextChunk)

@@ -1,5 +1,6 @@
 // Joins the chunks of long status texts. MAVLink 2 sends a text of more than 50 characters as several STATUSTEXT messages
-// with one id and rising chunk numbers; MAVLink 1 (and id 0) sends each by itself. https://mavlink.io/en/messages/common.html#STATUSTEXT
+// with one id and rising chunk numbers; MAVLink 1 (and id 0) sends each by itself.
+// https://mavlink.io/en/messages/common.html#STATUSTEXT
 #pragma once
 
 #include "core/base/clock.h"

@@ -119,7 +119,8 @@ struct TelemetryReaders
     static void read(const mavlink::EkfStatusReport &m, Context &c)
     {
         c.state.ekfFlags = m.flags;
-        const bool consistent = std::max({m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance}) < 1;
+        const bool consistent =
+            std::max({m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance}) < 1;
         c.state.ekfOk = isEstimateGood(m.flags) && consistent;
     }
 
@@ -203,10 +204,11 @@ template<typename... Messages> constexpr auto makeTable()
     return table;
 }
 
-constexpr auto kReaders = makeTable<mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
-                                    mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration,
-                                    mavlink::MissionCurrent, mavlink::HomePosition, mavlink::ExtendedSysState,
-                                    mavlink::PositionTargetGlobalInt, mavlink::HighLatency2>();
+constexpr auto kReaders =
+    makeTable<mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
+              mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration,
+              mavlink::MissionCurrent, mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::PositionTargetGlobalInt,
+              mavlink::HighLatency2>();
 
 } // namespace
 

@@ -31,7 +31,6 @@ public:
 private:
     friend struct TelemetryReaders;
     bool m_hasGlobalPosition = false; ///< GLOBAL_POSITION_INT came, so that raw GPS is no longer taken for the position
-    bool m_hasBatteryStatus = false;
 };
 
 } // namespace skyseal::vehicle

@@ -23,8 +23,8 @@ public:
     void setSlow(bool slow) { m_slow = slow; }
     void start(TimePoint now);
     /// `tc1`, `ts1` and the targets of a TIMESYNC of the vehicle.
-    void handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem, std::uint8_t targetComponent,
-                        Outbox &outbox);
+    void handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem,
+                        std::uint8_t targetComponent, Outbox &outbox);
     void handleDeadline(TimePoint now, Outbox &outbox);
     TimePoint nextDeadline() const { return m_next; }
 

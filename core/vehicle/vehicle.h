@@ -2,8 +2,8 @@
 // parameters, missions, streams, time) is a small class of its own behind this one, which only routes.
 //
 // Sans-I/O. Query: state(), parameters(), mission(), nextDeadline(). Input: handleFrame(), handleDeadline(). Commands:
-// command(), requestParameters(), writeParameter(), readMission(), writeMission(), clearMission(). After any input or command
-// drain the output: pollOutgoing() first, then pollResult(), pollText(), pollMissionResult(), pollParameterResult().
+// command(), requestParameters(), writeParameter(), readMission(), writeMission(), clearMission(). After any input or
+// command drain the output: pollOutgoing() first, then pollResult(), pollText(), pollMissionResult(), pollParameterResult().
 #pragma once
 
 #include "core/base/clock.h"
@@ -33,7 +33,8 @@ public:
     Vehicle &operator=(Vehicle &&) noexcept;
 
     std::uint8_t systemId() const;
-    /// A copy with the ages as of `now`. VehicleState::sequence stays zero: sequence numbers are counted per link, by the engine.
+    /// A copy with the ages as of `now`. VehicleState::sequence stays zero: sequence numbers are counted per link, by the
+    /// engine.
     VehicleState state(TimePoint now) const;
     /// The state without ages and texts copied; valid until the next call.
     const VehicleState &current() const;

@@ -23,8 +23,8 @@ struct Reboot {};
 /// Any other command, by number, for the inspector and for scripts.
 struct RawCommand { std::uint16_t command = 0; float parameters[7]{}; };
 
-using VehicleCommand = std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeSpeed, SetCurrentMissionItem,
-                                    StartMission, Reboot, RawCommand>;
+using VehicleCommand = std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeSpeed,
+                                    SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
 
 /// Numbers the commands of one station, so that results find their askers.
 enum class CommandId : std::uint32_t {};
@@ -37,7 +37,7 @@ struct CommandResult
     std::uint8_t systemId = 0;
     CommandOutcome outcome{};
     std::uint8_t result = 0; ///< MAV_RESULT, when answered
-    std::string reason;      ///< in words: MAV_RESULT's name, the vehicle's own words where it gave any, or why nothing was sent
+    std::string reason; ///< in words: MAV_RESULT's name, the vehicle's own words where it gave any, or why nothing was sent
 };
 
 } // namespace skyseal::vehicle

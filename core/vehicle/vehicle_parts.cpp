@@ -98,8 +98,7 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Frame &frame)
         state.mode.clear();
         parameters.setBytewise(kind.isPx4());
     }
-    const bool wasCustom = (state.baseMode & 1) != 0;
-    if (state.mode.empty() || state.customMode != m.custom_mode || state.baseMode != m.base_mode || wasCustom != ((m.base_mode & 1) != 0))
+    if (state.mode.empty() || state.customMode != m.custom_mode || state.baseMode != m.base_mode)
         state.mode = modeName(kind, m.base_mode, m.custom_mode);
     state.baseMode = m.base_mode;
     state.customMode = m.custom_mode;
@@ -157,7 +156,8 @@ void Vehicle::Parts::handleVersion(const mavlink::Frame &frame)
 void Vehicle::Parts::handleParameter(TimePoint now, const mavlink::Frame &frame)
 {
     const auto m = unpack<mavlink::ParamValue>(frame);
-    parameters.handleValue(now, {mavlink::textOf(m.param_id), m.param_value, m.param_type, m.param_count, m.param_index}, outbox);
+    parameters.handleValue(now, {mavlink::textOf(m.param_id), m.param_value, m.param_type, m.param_count, m.param_index},
+                           outbox);
 }
 
 void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
@@ -168,15 +168,20 @@ void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
     };
     switch (frame.messageId()) {
     case mavlink::MissionCount::kId:
-        return route(unpack<mavlink::MissionCount>(frame), [&](const auto &m) { mission.handleCount(now, m.count, outbox); });
+        return route(unpack<mavlink::MissionCount>(frame),
+                     [&](const auto &m) { mission.handleCount(now, m.count, outbox); });
     case mavlink::MissionRequest::kId:
-        return route(unpack<mavlink::MissionRequest>(frame), [&](const auto &m) { mission.handleRequest(now, m.seq, false, outbox); });
+        return route(unpack<mavlink::MissionRequest>(frame),
+                     [&](const auto &m) { mission.handleRequest(now, m.seq, false, outbox); });
     case mavlink::MissionRequestInt::kId:
-        return route(unpack<mavlink::MissionRequestInt>(frame), [&](const auto &m) { mission.handleRequest(now, m.seq, true, outbox); });
+        return route(unpack<mavlink::MissionRequestInt>(frame),
+                     [&](const auto &m) { mission.handleRequest(now, m.seq, true, outbox); });
     case mavlink::MissionItem::kId:
-        return route(unpack<mavlink::MissionItem>(frame), [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
+        return route(unpack<mavlink::MissionItem>(frame),
+                     [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
     case mavlink::MissionItemInt::kId:
-        return route(unpack<mavlink::MissionItemInt>(frame), [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
+        return route(unpack<mavlink::MissionItemInt>(frame),
+                     [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
     default:
         return route(unpack<mavlink::MissionAck>(frame), [&](const auto &m) { mission.handleAck(now, m.type, outbox); });
     }

@@ -11,19 +11,14 @@ namespace {
 /// Whether a heartbeat is that of an autopilot, the one component that makes a vehicle.
 bool isAutopilot(const mavlink::Heartbeat &heartbeat)
 {
-    constexpr std::uint8_t kInvalidAutopilot = 8; // MAV_AUTOPILOT_INVALID: says of itself that it is none
-    if (heartbeat.autopilot == kInvalidAutopilot)
+    using namespace mavlink;
+    if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID) // says of itself that it is none
         return false;
-    switch (heartbeat.type) {
-    case 6:  // ground station
-    case 18: // onboard controller
-    case 26: case 27: case 30: case 31: case 32: case 33: case 34: // gimbal, ADS-B, camera, charging station, FLARM, servo, remote id
-    case 36: case 37: case 38: case 39: case 40: case 41: case 42: // battery, parachute, log, OSD, IMU, GPS, winch
-    case 44: case 48: case 49: // illuminator, gripper, radio
-        return false;
-    default:
-        return true;
-    }
+    constexpr std::array<std::uint8_t, 19> kNoVehicles{
+        MAV_TYPE_GCS, MAV_TYPE_ONBOARD_CONTROLLER, MAV_TYPE_GIMBAL, MAV_TYPE_ADSB, MAV_TYPE_CAMERA, MAV_TYPE_CHARGING_STATION,
+        MAV_TYPE_FLARM, MAV_TYPE_SERVO, MAV_TYPE_ODID, MAV_TYPE_BATTERY, MAV_TYPE_PARACHUTE, MAV_TYPE_LOG, MAV_TYPE_OSD,
+        MAV_TYPE_IMU, MAV_TYPE_GPS, MAV_TYPE_WINCH, MAV_TYPE_ILLUMINATOR, MAV_TYPE_GRIPPER, MAV_TYPE_RADIO};
+    return std::find(kNoVehicles.begin(), kNoVehicles.end(), heartbeat.type) == kNoVehicles.end();
 }
 
 } // namespace

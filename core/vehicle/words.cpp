@@ -7,15 +7,34 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::string_view kCommandResults[] = {
-    "accepted", "temporarily rejected", "denied", "not supported", "failed", "in progress", "cancelled", "accepted as COMMAND_LONG only",
-    "accepted as COMMAND_INT only", "coordinate frame not supported", "this station is not in control"};
+constexpr std::string_view kCommandResults[] = {"accepted",
+                                                "temporarily rejected",
+                                                "denied",
+                                                "not supported",
+                                                "failed",
+                                                "in progress",
+                                                "cancelled",
+                                                "accepted as COMMAND_LONG only",
+                                                "accepted as COMMAND_INT only",
+                                                "coordinate frame not supported",
+                                                "this station is not in control"};
 
-constexpr std::string_view kMissionResults[] = {
-    "accepted", "the vehicle reports an error", "coordinate frame not supported", "command not supported", "no space left on the vehicle",
-    "an item is invalid", "parameter 1 is invalid", "parameter 2 is invalid", "parameter 3 is invalid", "parameter 4 is invalid",
-    "x (latitude) is invalid", "y (longitude) is invalid", "z (altitude) is invalid", "an item came out of sequence",
-    "not accepting missions from this station", "cancelled"};
+constexpr std::string_view kMissionResults[] = {"accepted",
+                                                "the vehicle reports an error",
+                                                "coordinate frame not supported",
+                                                "command not supported",
+                                                "no space left on the vehicle",
+                                                "an item is invalid",
+                                                "parameter 1 is invalid",
+                                                "parameter 2 is invalid",
+                                                "parameter 3 is invalid",
+                                                "parameter 4 is invalid",
+                                                "x (latitude) is invalid",
+                                                "y (longitude) is invalid",
+                                                "z (altitude) is invalid",
+                                                "an item came out of sequence",
+                                                "not accepting missions from this station",
+                                                "cancelled"};
 
 } // namespace
 

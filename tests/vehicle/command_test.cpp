@@ -1,4 +1,5 @@
-// Commands against a scripted vehicle: exact times of the retries, fallbacks for old firmware, and how each ending is worded.
+// Commands against a scripted vehicle: exact times of the retries, fallbacks for old firmware, and how each ending is
+// worded.
 #include "vehicle_harness.h"
 
 using namespace skyseal;
@@ -206,10 +207,12 @@ void CommandTest::takeOffStatesItsPreconditions()
 {
     Harness h = Harness::copter(0, false);
     h.vehicle.command(h.now, CommandId{1}, TakeOff{10});
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
+    QCOMPARE(h.vehicle.pollResult()->reason,
+             std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, false));
     h.vehicle.command(h.now, CommandId{2}, TakeOff{10});
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    QCOMPARE(h.vehicle.pollResult()->reason,
+             std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
     h.feed(heartbeat(4, true));
     h.vehicle.command(h.now, CommandId{3}, TakeOff{-1});
     QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Refused);
@@ -299,7 +302,8 @@ void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
     Harness h = Harness::copter(0, true);
     const GoTo place{-35.3625, 149.1655, 25};
     h.vehicle.command(h.now, CommandId{1}, place);
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: going to a place needs the mode GUIDED, the vehicle is in STABILIZE"));
+    QCOMPARE(h.vehicle.pollResult()->reason,
+             std::string("nothing was sent: going to a place needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, true));
     h.vehicle.command(h.now, CommandId{2}, place);
     const auto reposition = h.sentOf<mavlink::CommandInt>();
@@ -372,8 +376,9 @@ void CommandTest::missionItemIsConfirmedByMissionCurrent()
 void CommandTest::everyCommandEndsExactlyOnce()
 {
     Harness h = Harness::copter(4, true);
-    const VehicleCommand all[] = {Arm{}, Disarm{}, TakeOff{}, Land{}, ReturnToLaunch{}, SetMode{"AUTO"}, GoTo{1, 1, 1}, ChangeSpeed{5},
-                                  SetCurrentMissionItem{1}, StartMission{}, Reboot{}, RawCommand{1, {}}, RawCommand{1, {}}};
+    const VehicleCommand all[] = {Arm{}, Disarm{}, TakeOff{}, Land{}, ReturnToLaunch{}, SetMode{"AUTO"}, GoTo{1, 1, 1},
+                                  ChangeSpeed{5}, SetCurrentMissionItem{1}, StartMission{}, Reboot{}, RawCommand{1, {}},
+                                  RawCommand{1, {}}};
     std::vector<int> ended(200);
     std::uint32_t id = 0;
     for (int round = 0; round < 5; ++round) {

@@ -66,7 +66,8 @@ void FlightScriptRunnerTest::runsStepByStep()
     Run run("mode GUIDED; arm; wait alt_rel>=9.5 60");
     auto &state = run.add(3);
     run.advance(0);
-    QCOMPARE(std::get<SetMode>(std::get<VehicleCommand>(run.answer(CommandOutcome::Accepted).request)).mode, std::string("GUIDED"));
+    QCOMPARE(std::get<SetMode>(std::get<VehicleCommand>(run.answer(CommandOutcome::Accepted).request)).mode,
+             std::string("GUIDED"));
     const auto first = run.runner.pollReport();
     QVERIFY(first);
     QCOMPARE(first->systemId, std::uint8_t(3));

@@ -168,9 +168,10 @@ void FlightScriptTest::conditionsCompare()
 
 void FlightScriptTest::everyFieldCanBeWrittenAndWaitedFor()
 {
-    const char *promised[] = {"sysid", "mode", "armed", "roll", "pitch", "yaw", "lat", "lon", "alt_rel", "ground_speed", "battery_v",
-                              "battery_percent", "gps_fix", "satellites", "ekf_ok", "heartbeat_age", "climb", "heading",
-                              "mission_current", "distance_home"};
+    const char *promised[] = {
+        "sysid",  "mode",          "armed",        "roll",      "pitch",           "yaw",          "lat",
+        "lon",    "alt_rel",       "ground_speed", "battery_v", "battery_percent", "gps_fix",      "satellites",
+        "ekf_ok", "heartbeat_age", "climb",        "heading",   "mission_current", "distance_home"};
     for (const char *name : promised)
         QVERIFY2(findStateField(name), name);
     VehicleState state;
@@ -190,7 +191,8 @@ void FlightScriptTest::everyFieldCanBeWrittenAndWaitedFor()
     QVERIFY(has("\"gps_fix\":6,"));
     for (const StateField &field : stateFields()) {
         QVERIFY(has(("\"" + std::string(field.name) + "\":").c_str()));
-        QVERIFY(parseFlightScript("wait " + std::string(field.name) + (field.kind == StateField::Kind::Text ? "==x" : "==1")));
+        QVERIFY(
+            parseFlightScript("wait " + std::string(field.name) + (field.kind == StateField::Kind::Text ? "==x" : "==1")));
     }
 }
 
@@ -214,8 +216,8 @@ void FlightScriptTest::anyTextIsReadOrRefused()
     }));
     QVERIFY(rc::check("any words", [] {
         const auto words = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
-            "mode", "arm", "wait", "alt_rel", ">=", "==", ";", ":", "1", "-3.5", "force", "goto", "mode==", "param", "sleep", "1e9", "3:", " ", "command",
-            "lat<", "\t", "é", "takeoff"));
+            "mode", "arm", "wait", "alt_rel", ">=", "==", ";", ":", "1", "-3.5", "force", "goto", "mode==", "param", "sleep",
+            "1e9", "3:", " ", "command", "lat<", "\t", "é", "takeoff"));
         std::string script;
         for (const std::string &word : words)
             script += word + (*rc::gen::arbitrary<bool>() ? " " : "");
@@ -239,20 +241,27 @@ void FlightScriptTest::stepsRoundTrip()
         switch (actions) {
         case 0: step.action = VehicleCommand(Arm{*rc::gen::arbitrary<bool>()}); break;
         case 1: step.action = VehicleCommand(Disarm{*rc::gen::arbitrary<bool>()}); break;
-        case 2: step.action = VehicleCommand(TakeOff{*rc::gen::map(rc::gen::inRange(1, 9999), [](int n) { return n / 7.0 + 0.01; })}); break;
+        case 2:
+            step.action =
+                VehicleCommand(TakeOff{*rc::gen::map(rc::gen::inRange(1, 9999), [](int n) { return n / 7.0 + 0.01; })});
+            break;
         case 3: step.action = VehicleCommand(GoTo{*milli, *milli, *milli}); break;
         case 4: step.action = VehicleCommand(SetMode{*rc::gen::element<std::string>("RTL", "MODE(17)", "x")}); break;
         case 5: step.action = VehicleCommand(SetCurrentMissionItem{*rc::gen::arbitrary<std::uint16_t>()}); break;
         case 6: step.action = Sleep{std::chrono::milliseconds(*rc::gen::inRange(0, 86400000))}; break;
         case 7: step.action = WriteParameter{"WPNAV_SPEED", *milli}; break;
-        case 8: step.action = VehicleCommand(RawCommand{*rc::gen::arbitrary<std::uint16_t>(), {1, 2.5f, static_cast<float>(*milli)}}); break;
+        case 8:
+            step.action =
+                VehicleCommand(RawCommand{*rc::gen::arbitrary<std::uint16_t>(), {1, 2.5f, static_cast<float>(*milli)}});
+            break;
         case 9: step.action = VehicleCommand(ChangeSpeed{*positive}); break;
         default: {
             const auto &field = stateFields()[*rc::gen::inRange<std::size_t>(0, stateFields().size())];
             WaitUntil wait;
             wait.field = &field;
             const bool isText = field.kind == StateField::Kind::Text;
-            wait.comparison = isText ? Comparison::NotEqual : *rc::gen::element(Comparison::AtLeast, Comparison::Less, Comparison::Equal);
+            wait.comparison =
+                isText ? Comparison::NotEqual : *rc::gen::element(Comparison::AtLeast, Comparison::Less, Comparison::Equal);
             wait.text = isText ? "LAND" : "";
             wait.number = isText ? 0 : *milli;
             wait.timeout = std::chrono::milliseconds(*rc::gen::inRange(0, 86400000));

@@ -159,7 +159,8 @@ std::string story(const std::vector<StepReport> &reports)
 {
     std::string out;
     for (const StepReport &report : reports)
-        out += std::to_string(report.systemId) + ": " + report.step + " → " + std::string(stepResultName(report.result)) + " " + report.reason + "\n";
+        out += std::to_string(report.systemId) + ": " + report.step + " → " + std::string(stepResultName(report.result))
+               + " " + report.reason + "\n";
     return out;
 }
 
@@ -179,9 +180,10 @@ void ScriptedFlightTest::wholeFlight()
     QFETCH(double, loss);
     QFETCH(int, seed);
     World world(loss, static_cast<unsigned>(seed));
-    const auto reports = world.fly("wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
-                                   "goto -35.3630 149.1655 15; wait distance_home>=25 60; rtl; wait mode==RTL 5; wait armed==0 180",
-                                   600);
+    const auto reports =
+        world.fly("wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
+                  "goto -35.3630 149.1655 15; wait distance_home>=25 60; rtl; wait mode==RTL 5; wait armed==0 180",
+                  600);
     QVERIFY2(!reports.empty() && reports.size() == 11, story(reports).c_str());
     QVERIFY2(reports.back().result == StepResult::Reached, story(reports).c_str());
     const auto state = world.set.find(1)->state(world.now);
@@ -227,7 +229,9 @@ void ScriptedFlightTest::missionIsUploadedAndFlown()
     QCOMPARE(vehicle.mission()->size(), std::size_t(4));
     QVERIFY(std::abs(vehicle.mission()->at(3).latitude - items[3].latitude) < 1e-6);
 
-    const auto reports = world.fly("mode GUIDED; arm; takeoff 10; wait alt_rel>=9 60; mode AUTO; wait mission_current==3 90; land; wait armed==0 120", 400);
+    const auto reports = world.fly(
+        "mode GUIDED; arm; takeoff 10; wait alt_rel>=9 60; mode AUTO; wait mission_current==3 90; land; wait armed==0 120",
+        400);
     QVERIFY2(reports.size() == 8 && reports.back().result == StepResult::Reached, story(reports).c_str());
 }
 
@@ -237,7 +241,8 @@ void ScriptedFlightTest::parametersAreReadAndWritten()
     QVERIFY(world.run(60, [&] { return world.set.find(1) != nullptr; }));
     Vehicle &vehicle = *world.set.find(1);
     vehicle.requestParameters(world.now);
-    QVERIFY(world.run(120, [&] { return vehicle.parameters() && vehicle.parametersExpected() == vehicle.parameters()->size(); }));
+    QVERIFY(world.run(120,
+                      [&] { return vehicle.parameters() && vehicle.parametersExpected() == vehicle.parameters()->size(); }));
     QVERIFY(vehicle.parameters()->size() >= 100);
     const auto reports = world.fly("param WPNAV_SPEED 750; param NO_SUCH_THING 1", 60);
     QCOMPARE(reports.size(), std::size_t(2));
@@ -248,9 +253,10 @@ void ScriptedFlightTest::parametersAreReadAndWritten()
 void ScriptedFlightTest::twoVehicles()
 {
     World world(0, 6, 2);
-    const auto reports = world.fly("1: wait ekf_ok==1 60; 2: wait ekf_ok==1 60; 1: mode GUIDED; 2: mode GUIDED; 1: arm; 2: arm; 2: takeoff 5;"
-                                   "1: takeoff 10; 2: wait alt_rel>4.5 60; 1: wait alt_rel>9 60; 2: land; 2: wait armed==0 90; 1: wait armed==1 1",
-                                   400);
+    const auto reports = world.fly(
+        "1: wait ekf_ok==1 60; 2: wait ekf_ok==1 60; 1: mode GUIDED; 2: mode GUIDED; 1: arm; 2: arm; 2: takeoff 5;"
+        "1: takeoff 10; 2: wait alt_rel>4.5 60; 1: wait alt_rel>9 60; 2: land; 2: wait armed==0 90; 1: wait armed==1 1",
+        400);
     QVERIFY2(reports.size() == 13 && reports.back().result == StepResult::Reached, story(reports).c_str());
 }
 

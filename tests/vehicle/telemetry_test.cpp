@@ -220,8 +220,9 @@ void TelemetryTest::framesOfTheReference()
     r.feedHex("fd1a0000754c1fc10000920f15b9d408bd43499f38363b468e4485372fc3d87c881c2848c9c1"); // EKF_STATUS_REPORT
     QCOMPARE(int(r.state.ekfFlags), 31960);
     QCOMPARE(r.state.ekfOk, std::optional(false));
-    const auto home = r.feedHex("fd3c0000c57e33f200005d403ddc8e9b8c30c5c7b1d985c29ec2d8c37ec03ae297c5f2619cb555740db832ad433fa61341c486299cb"
-                                "69bc2c3bfd7f9dcb733d752660472faab0365"); // HOME_POSITION
+    const auto home = r.feedHex(
+        "fd3c0000c57e33f200005d403ddc8e9b8c30c5c7b1d985c29ec2d8c37ec03ae297c5f2619cb555740db832ad433fa61341c486299cb"
+        "69bc2c3bfd7f9dcb733d752660472faab0365"); // HOME_POSITION
     QVERIFY(home.home && near(home.home->latitude, -59.9965603) && near(home.home->longitude, 81.452123));
     r.feedHex("fd1300000f71d14a00000000807f000080ff0100c0ff0000c07fffff049939"); // VFR_HUD: infinities, NaN, heading -1
     QCOMPARE(r.state.heading, double(1945 % 360));
@@ -229,7 +230,8 @@ void TelemetryTest::framesOfTheReference()
 
 void TelemetryTest::anyPayloadLeavesShowableValues()
 {
-    const std::uint32_t ids[] = {0, 1, 24, 30, 33, 42, 74, 87, 147, 193, 230, 235, 241, 242, 245, 253, 77, 111, 148, 22, 44, 51, 73, 39, 47};
+    const std::uint32_t ids[] = {0,   1,   24,  30, 33,  42,  74, 87, 147, 193, 230, 235, 241,
+                                 242, 245, 253, 77, 111, 148, 22, 44, 51,  73,  39,  47};
     QVERIFY(rc::check("random payloads through a whole vehicle", [&] {
         Harness h = Harness::copter(4, true);
         h.vehicle.readMission(h.now);
@@ -249,7 +251,8 @@ void TelemetryTest::anyPayloadLeavesShowableValues()
         h.runUntil(h.now + std::chrono::seconds(5));
         const auto state = h.vehicle.state(h.now);
         RC_ASSERT(std::isnan(state.heading) || (state.heading >= 0 && state.heading < 360));
-        RC_ASSERT(!state.position.known() || (std::abs(state.position.latitude) <= 90 && std::abs(state.position.longitude) <= 180));
+        RC_ASSERT(!state.position.known()
+                  || (std::abs(state.position.latitude) <= 90 && std::abs(state.position.longitude) <= 180));
         RC_ASSERT(std::isnan(state.distanceHome) || (state.distanceHome >= 0 && state.distanceHome < 20100e3));
     }));
 }

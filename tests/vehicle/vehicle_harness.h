@@ -22,7 +22,10 @@ inline TimePoint at(double s)
 class Sender
 {
 public:
-    explicit Sender(std::uint8_t system = 1, std::uint8_t component = 1, int version = 2) : m_writer(system, component, version) {}
+    explicit Sender(std::uint8_t system = 1, std::uint8_t component = 1, int version = 2)
+        : m_writer(system, component, version)
+    {
+    }
 
     template<typename Message> mavlink::Frame frame(const Message &message)
     {
@@ -42,7 +45,8 @@ template<typename Message> std::optional<Message> as(const OutMessage &out)
     return Message::decode(out.view());
 }
 
-inline mavlink::Heartbeat heartbeat(std::uint32_t mode = 0, bool armed = false, std::uint8_t type = mavlink::MAV_TYPE_QUADROTOR,
+inline mavlink::Heartbeat heartbeat(std::uint32_t mode = 0, bool armed = false,
+                                    std::uint8_t type = mavlink::MAV_TYPE_QUADROTOR,
                                     std::uint8_t autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA)
 {
     mavlink::Heartbeat out;
@@ -54,7 +58,8 @@ inline mavlink::Heartbeat heartbeat(std::uint32_t mode = 0, bool armed = false, 
     return out;
 }
 
-inline mavlink::Statustext statusText(std::string_view text, std::uint8_t severity = 2, std::uint16_t id = 0, std::uint8_t chunk = 0)
+inline mavlink::Statustext statusText(std::string_view text, std::uint8_t severity = 2, std::uint16_t id = 0,
+                                      std::uint8_t chunk = 0)
 {
     mavlink::Statustext out;
     out.severity = severity;
