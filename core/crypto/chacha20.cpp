@@ -15,6 +15,8 @@ public:
 
     bool encrypt(std::uint64_t counter, ByteView plaintext, MutableByteView out)
     {
+        if (plaintext.empty()) // libsodium declares its pointers non-null
+            return true;
         const Nonce12 nonce = m_nonces.at(counter);
         return crypto_stream_chacha20_ietf_xor(out.data(), plaintext.data(), plaintext.size(), nonce.data(), m_key.view().data()) == 0;
     }

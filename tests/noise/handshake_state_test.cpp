@@ -34,7 +34,8 @@ struct Ends
     HandshakeState make(Role role)
     {
         const bool initiator = role == Role::Initiator;
-        HandshakeConfig config{role, pattern, asBytes(initiator ? initiatorPrologue : "prologue"), {}, {}, {}};
+        const std::string prologue = initiator ? initiatorPrologue : "prologue";
+        HandshakeConfig config{role, pattern, asBytes(prologue), {}, {}, {}};
         config.localStatic = (initiator ? initiatorKeys : responderKeys).clone();
         if (initiator && pattern == kKnownPeers)
             config.remoteStatic = responderKeys.publicKey;
