@@ -6,7 +6,10 @@
 namespace skyseal::app {
 
 int runMonitor(const QStringList &arguments);
+int runDecode(const QStringList &arguments);
 int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);
+int runLog(const QStringList &arguments);
+int runSelfTest(const QStringList &arguments);
 
 } // namespace skyseal::app

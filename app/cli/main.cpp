@@ -22,8 +22,11 @@ struct Command
 
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
+    {"decode", "MAVLink bytes or a .tlog, one message a line", runDecode},
     {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
     {"keys", "private keys and the files of known peers", runKeys},
+    {"log", "information about, verification and export of .tlog files", runLog},
+    {"selftest", "known-answer tests of all that the sealed link stands on", runSelfTest},
 };
 
 void printHelp(std::FILE *out)

@@ -37,7 +37,7 @@ void Impairer::close()
 Impairer::Totals Impairer::totals(Direction direction) const
 {
     const Side &side = m_sides[direction == Direction::Forward ? 1 : 0];
-    return {side.outgoing.counters(), side.unroutable};
+    return {side.outgoing.counters(), side.unroutable, side.droppedRecords};
 }
 
 bool Impairer::hasPeer(const Side &side) const
@@ -64,7 +64,9 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
     }
     const Direction direction = from == 0 ? Direction::Forward : Direction::Backward;
     for (const ReceivedBlock &block : blocks) {
+        const bool isRecord = !block.bytes.empty() && (block.bytes[0] & 0xc8) == 0x40;
         const impair::Verdict verdict = target.outgoing.push(block.time, block.bytes);
+        target.droppedRecords += isRecord && verdict.dropped();
         if (m_log)
             m_log(direction, block.time, verdict);
     }
@@ -110,6 +112,7 @@ static void writeTotals(JsonWriter &json, const Impairer::Totals &totals)
         .field("out_of_order", c.outOfOrder)
         .field("waiting", c.waiting)
         .field("unroutable", totals.unroutable)
+        .field("dropped_records", totals.droppedRecords)
         .endObject();
 }
 

@@ -32,6 +32,8 @@ public:
     {
         impair::Counters counters;
         std::uint64_t unroutable = 0; ///< came before anyone was known on the other side: not offered, not counted there
+        /// Of those dropped, sealed records (not handshakes), by their first byte: what a sealed link must miss, and no more.
+        std::uint64_t droppedRecords = 0;
     };
     Totals totals(Direction direction) const;
 
@@ -51,6 +53,7 @@ private:
         impair::Impairment outgoing; ///< towards this side's peer
         Address peer; ///< whoever sent here last, for links without a fixed remote
         std::uint64_t unroutable = 0;
+        std::uint64_t droppedRecords = 0;
     };
 
     void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override;

@@ -1,0 +1,88 @@
+// skyseal-cli decode: a recording or raw MAVLink as text, one message a line.
+#include "app/cli/commands.h"
+#include "app/cli/log_input.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "core/log/decode.h"
+#include "core/mavlink/signing_key.h"
+#include "core/mavlink/user_dialect.h"
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr char kName[] = "skyseal-cli decode";
+
+void declare(Options &options)
+{
+    options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
+    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
+    options.addValue("signing-key", "FILE", "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
+    options.addValue("framing", "plain", "How the frames are protected: not at all.", "plain");
+}
+
+void checkFraming(Options &options)
+{
+    const std::string framing = options.text("framing");
+    if (framing == "mavsec2019")
+        options.fail("--framing 'mavsec2019': not supported by this version; it reads plain MAVLink");
+    else if (framing != "plain")
+        options.fail("--framing '" + framing + "': plain is expected");
+}
+
+/// The built-in dialect, with the user's further messages where there are some.
+Result<mavlink::Dialect, InputError> readDialect(const std::string &file)
+{
+    return file.empty() ? mavlink::Dialect::builtin() : mavlink::loadUserDialect(file);
+}
+
+} // namespace
+
+int runDecode(const QStringList &arguments)
+{
+    const QString name = QLatin1String(kName);
+    Options options(name, QStringLiteral("Shows MAVLink, one message a line."));
+    declare(options);
+    if (const auto status = options.parse(arguments))
+        return *status;
+    const QStringList files = options.arguments(1, 1);
+    checkFraming(options);
+    if (const auto status = options.finish())
+        return *status;
+
+    const auto dialect = readDialect(options.text("dialect"));
+    if (!dialect) {
+        complain(name, dialect.error().text());
+        return kCannotOpen;
+    }
+    tlog::DecodeOptions how;
+    how.json = options.has("json");
+    Result<Key32, InputError> key;
+    if (options.has("signing-key")) {
+        key = mavlink::readSigningKey(options.text("signing-key"));
+        if (!key) {
+            complain(name, key.error().text());
+            return kCannotOpen;
+        }
+        how.signingKey = &*key;
+    }
+    LogInput input;
+    if (const auto problem = input.open(files[0])) {
+        complain(name, *problem);
+        return kCannotOpen;
+    }
+    // Flushed when nothing more waits: a pipe is followed live, a file is not slowed down.
+    const auto counts = tlog::decode(input.stream(), *dialect, how, [&](std::string_view line) {
+        std::fwrite(line.data(), 1, line.size(), stdout);
+        std::fputc('\n', stdout);
+        return input.stream().rdbuf()->in_avail() > 0 || std::fflush(stdout) == 0;
+    });
+    std::fflush(stdout);
+    if (!how.json)
+        remark(std::to_string(counts.messages) + " messages, " + std::to_string(counts.bad) + " bad");
+    return kDone;
+}
+
+} // namespace skyseal::app

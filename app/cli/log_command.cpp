@@ -1,0 +1,124 @@
+// skyseal-cli log: what a recording holds, whether it is sound, and its telemetry as a table.
+#include "app/cli/commands.h"
+#include "app/cli/log_input.h"
+#include "app/common/exit_status.h"
+#include "app/common/format.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "core/engine/telemetry_csv.h"
+#include "core/log/log_summary.h"
+
+namespace skyseal::app {
+
+namespace {
+
+unsigned long long count(std::uint64_t n)
+{
+    return n;
+}
+
+void printInWords(const tlog::LogSummary &summary)
+{
+    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.bytes),
+                     count(summary.frames), count(summary.signedFrames), count(summary.version1Frames), count(summary.unknownMessages)));
+    if (summary.first && summary.last)
+        printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last));
+    for (const auto &[sender, frames] : summary.bySender)
+        printLine(format("  system %u component %u: %llu", unsigned(sender.first), unsigned(sender.second), count(frames)));
+    for (const auto &[message, frames] : summary.byMessage)
+        printLine(format("  %-32s %llu", message.c_str(), count(frames)));
+    printLine(format("%llu bad spots (%llu bytes), %llu pauses, time ran back %llu times", count(summary.badSpots), count(summary.badBytes),
+                     count(summary.pauses), count(summary.backwardSteps)));
+}
+
+int summarizeFile(const QString &name, const QStringList &arguments, bool verify)
+{
+    Options options(name, verify ? QStringLiteral("Checks that a recording is sound: every frame whole, time never running back.")
+                                 : QStringLiteral("Says what a recording holds."));
+    options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
+    options.addFlag("json", "One JSON object on stdout.");
+    if (const auto status = options.parse(arguments))
+        return *status;
+    const QStringList files = options.arguments(1, 1);
+    if (const auto status = options.finish())
+        return *status;
+    LogInput input;
+    if (const auto problem = input.open(files[0])) {
+        complain(name, *problem);
+        return kCannotOpen;
+    }
+    const tlog::LogSummary summary = tlog::summarize(input.stream(), mavlink::Dialect::builtin());
+    if (options.has("json")) {
+        JsonWriter json;
+        json.beginObject().field("event", "log").field("file", files[0].toStdString()).field("sound", summary.isSound());
+        tlog::writeSummaryFields(json, summary);
+        json.endObject();
+        printLine(json.text());
+    } else if (verify) {
+        for (const tlog::BadSpot &spot : summary.listedSpots)
+            printLine(format("offset %llu: %s, %llu bytes", count(spot.offset), std::string(mavlink::nameOf(spot.fault)).c_str(), count(spot.length)));
+        printLine(summary.isSound() ? format("sound: %llu frames", count(summary.frames))
+                                    : format("damaged: %llu bad spots, time runs back %llu times; %llu good frames", count(summary.badSpots),
+                                             count(summary.backwardSteps), count(summary.frames)));
+    } else {
+        printInWords(summary);
+    }
+    return verify && !summary.isSound() ? kNotReached : kDone;
+}
+
+int exportFile(const QString &name, const QStringList &arguments)
+{
+    Options options(name, QStringLiteral("Writes the telemetry of a .tlog as CSV."));
+    options.addArgument("FILE", "A .tlog; - reads standard input.");
+    options.addValue("out", "FILE", "Where to write; standard output when left out.");
+    options.addValue("every", "S", "Seconds between two rows of a vehicle; 0 = a row for every frame.", "0.1");
+    if (const auto status = options.parse(arguments))
+        return *status;
+    const QStringList files = options.arguments(1, 1);
+    const auto every = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
+    if (const auto status = options.finish())
+        return *status;
+    LogInput input;
+    if (const auto problem = input.open(files[0])) {
+        complain(name, *problem);
+        return kCannotOpen;
+    }
+    std::FILE *out = stdout;
+    const std::string target = options.text("out");
+    if (!target.empty() && !(out = std::fopen(target.c_str(), "wb"))) {
+        complain(name, target + ": " + std::strerror(errno));
+        return kCannotOpen;
+    }
+    const std::uint64_t rows = engine::exportTelemetry(input.stream(), mavlink::Dialect::builtin(), every, [out](const std::string &line) {
+        return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF;
+    });
+    const bool written = (out == stdout ? std::fflush(out) : std::fclose(out)) == 0;
+    if (!written) {
+        complain(name, (target.empty() ? "standard output" : target) + ": " + std::strerror(errno));
+        return kCannotOpen;
+    }
+    remark(std::to_string(rows) + " rows");
+    return rows > 0 ? kDone : kNotReached;
+}
+
+} // namespace
+
+int runLog(const QStringList &arguments)
+{
+    const QString action = arguments.value(0);
+    const QString name = QStringLiteral("skyseal-cli log");
+    if (action == QLatin1String("info"))
+        return summarizeFile(name + QStringLiteral(" info"), arguments.mid(1), false);
+    if (action == QLatin1String("verify"))
+        return summarizeFile(name + QStringLiteral(" verify"), arguments.mid(1), true);
+    if (action == QLatin1String("export"))
+        return exportFile(name + QStringLiteral(" export"), arguments.mid(1));
+    if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
+        printLine("Usage: skyseal-cli log info|verify|export FILE\nEach explains itself with --help.");
+        return kDone;
+    }
+    complain(name, "info, verify or export is expected");
+    return kUsage;
+}
+
+} // namespace skyseal::app
