@@ -31,7 +31,20 @@ Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths)
 {
     if (paths.peers.empty())
         return std::vector<channel::Peer>{};
-    return keys::loadPeers(paths.peers);
+    const auto file = keys::PeersFile::load(paths.peers);
+    if (!file)
+        return tl::unexpected(file.error());
+    std::vector<channel::Peer> out;
+    for (const keys::PeerEntry &entry : file->entries()) {
+        out.push_back(entry.peer);
+        if (entry.presharedKeyFile.empty())
+            continue;
+        auto key = keys::loadPresharedKey(entry.presharedKeyFile);
+        if (!key)
+            return tl::unexpected(key.error());
+        out.back().presharedKey = std::make_shared<const Key32>(std::move(*key));
+    }
+    return out;
 }
 
 } // namespace skyseal::engine
