@@ -31,7 +31,8 @@ void SimHost::start()
     makeVehicles(steadyNow());
     for (const link::LinkUrl &url : m_settings.links) {
         const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
-        m_links.push_back(std::make_unique<SimLink>(url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
+        m_links.push_back(std::make_unique<SimLink>(
+            url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
         link::Link &opened = m_links.back()->link();
         connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
         opened.open();
@@ -101,11 +102,13 @@ void SimHost::report(link::Link &link)
         printLine(json.endObject().text());
     }
     const int last = m_settings.systemId + m_settings.vehicles - 1;
-    const std::string who = m_settings.vehicles == 1 ? "vehicle " + std::to_string(last)
-                                                     : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
+    const std::string who = m_settings.vehicles == 1
+                                ? "vehicle " + std::to_string(last)
+                                : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
     if ((state == State::Listening || state == State::Connected) && !m_settings.json)
         printLine("skyseal-sim: " + who + " " + verb(link)
-                  + (state == State::Listening ? link.localAddress() : link.url().toText()) + " (" + link::name(link.url().scheme()) + ")");
+                  + (state == State::Listening ? link.localAddress() : link.url().toText()) + " ("
+                  + link::name(link.url().scheme()) + ")");
     else if (state == State::Waiting)
         remark("skyseal-sim: " + link.error().sentence() + "; trying again");
     else if (state == State::Failed) {

@@ -30,7 +30,8 @@ Rotors AttitudeController::update(double dt, const AttitudeDemand &demand, const
     m_target.yaw = demand.yaw;
 
     const Vector3 error = attitude.errorTo(Attitude::fromEuler(m_target));
-    const Vector3 wanted{limited(error.x * settings.anglePRoll, kRateLimit), limited(error.y * settings.anglePPitch, kRateLimit),
+    const Vector3 wanted{limited(error.x * settings.anglePRoll, kRateLimit),
+                         limited(error.y * settings.anglePPitch, kRateLimit),
                          limited(error.z * settings.anglePYaw + demand.yawRate, kRateLimit)};
     const Vector3 missing = wanted - rates;
     m_trim += missing * (kTrimGain * dt);

@@ -99,8 +99,9 @@ void Autopilot::watchBattery()
     case BatteryLevel::Good: break;
     case BatteryLevel::Low: case BatteryLevel::Critical: {
         const bool critical = m_batteryWatch.level() == BatteryLevel::Critical;
-        m_texts.say(Severity::Warning, format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
-                                              m_battery.voltage(), m_battery.consumed()));
+        m_texts.say(Severity::Warning,
+                    format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
+                           m_battery.voltage(), m_battery.consumed()));
         const int action = m_parameters.integer(critical ? "BATT_FS_CRT_ACT" : "BATT_FS_LOW_ACT");
         if (action != 0 && m_armed)
             failsafe("Battery", action == 1 ? FlightMode::Land : FlightMode::Rtl);

@@ -16,8 +16,15 @@ constexpr double kSettling = 0.4;        // s, polarisation of the cells: voltag
 
 // Rest voltage of three lithium-polymer cells by state of charge: the flat middle and the knee at the end.
 struct Point { double charge, voltage; };
-constexpr std::array<Point, 9> kRest{{{0.0, 9.6}, {0.05, 10.6}, {0.1, 10.98}, {0.2, 11.22}, {0.4, 11.4}, {0.6, 11.61}, {0.8, 11.98},
-                                      {0.95, 12.42}, {1.0, 12.6}}};
+constexpr std::array<Point, 9> kRest{{{0.0, 9.6},
+                                      {0.05, 10.6},
+                                      {0.1, 10.98},
+                                      {0.2, 11.22},
+                                      {0.4, 11.4},
+                                      {0.6, 11.61},
+                                      {0.8, 11.98},
+                                      {0.95, 12.42},
+                                      {1.0, 12.6}}};
 
 } // namespace
 

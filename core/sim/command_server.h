@@ -36,7 +36,8 @@ public:
 
     /// Where a command or message means, NED; nullopt when the frame or the place cannot be used. A zero or not-a-number
     /// place means here.
-    static std::optional<Vector3> place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude, double altitude);
+    static std::optional<Vector3> place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
+                                        double altitude);
 
 private:
     std::uint8_t execute(TimePoint now, const Command &command);

@@ -67,13 +67,15 @@ void ControlServer::localTarget(ByteView payload)
     const auto in = SetPositionTargetLocalNed::decode(payload);
     const Estimate &here = m_autopilot.estimate();
     const bool body = in.coordinate_frame == MAV_FRAME_BODY_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
-    const bool offset = in.coordinate_frame == MAV_FRAME_LOCAL_OFFSET_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
+    const bool offset =
+        in.coordinate_frame == MAV_FRAME_LOCAL_OFFSET_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
     if (!body && !offset && in.coordinate_frame != MAV_FRAME_LOCAL_NED)
         return;
     const double yaw = here.attitude.euler().yaw;
     const auto turned = [&](float x, float y, float z) {
         const auto n = static_cast<double>(x), e = static_cast<double>(y), d = static_cast<double>(z);
-        return body ? Vector3{n * std::cos(yaw) - e * std::sin(yaw), n * std::sin(yaw) + e * std::cos(yaw), d} : Vector3{n, e, d};
+        return body ? Vector3{n * std::cos(yaw) - e * std::sin(yaw), n * std::sin(yaw) + e * std::cos(yaw), d}
+                    : Vector3{n, e, d};
     };
     if (hasPosition(in.type_mask)) {
         const Vector3 place = turned(in.x, in.y, in.z);
@@ -90,7 +92,8 @@ void ControlServer::globalTarget(ByteView payload)
         return;
     const auto in = SetPositionTargetGlobalInt::decode(payload);
     if (hasPosition(in.type_mask)) {
-        const auto place = CommandServer::place(m_autopilot, in.coordinate_frame, in.lat_int * 1e-7, in.lon_int * 1e-7, static_cast<double>(in.alt));
+        const auto place = CommandServer::place(m_autopilot, in.coordinate_frame, in.lat_int * 1e-7, in.lon_int * 1e-7,
+                                                static_cast<double>(in.alt));
         report(place ? m_autopilot.goTo(*place) : Autopilot::Refusal("Goto: bad place"));
     } else if (hasVelocity(in.type_mask)) {
         report(m_autopilot.move({static_cast<double>(in.vx), static_cast<double>(in.vy), static_cast<double>(in.vz)}));
@@ -101,8 +104,8 @@ void ControlServer::globalTarget(ByteView payload)
 void ControlServer::overrideSticks(TimePoint now, ByteView payload)
 {
     const auto in = RcChannelsOverride::decode(payload);
-    m_autopilot.pilot().override(now, {in.chan1_raw, in.chan2_raw, in.chan3_raw, in.chan4_raw, in.chan5_raw, in.chan6_raw, in.chan7_raw,
-                                       in.chan8_raw});
+    m_autopilot.pilot().override(now, {in.chan1_raw, in.chan2_raw, in.chan3_raw, in.chan4_raw, in.chan5_raw, in.chan6_raw,
+                                       in.chan7_raw, in.chan8_raw});
 }
 
 void ControlServer::manualControl(TimePoint now, ByteView payload)

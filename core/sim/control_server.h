@@ -1,5 +1,5 @@
-// The messages that steer without being commands: SET_MODE, position and velocity targets, stick overrides. None is answered;
-// what is refused is said as text.
+// The messages that steer without being commands: SET_MODE, position and velocity targets, stick overrides. None is
+// answered; what is refused is said as text.
 #pragma once
 
 #include "core/mavlink/frame.h"

@@ -7,7 +7,16 @@
 
 namespace skyseal::sim {
 
-enum class FlightMode : std::uint32_t { Stabilize = 0, AltHold = 2, Auto = 3, Guided = 4, Loiter = 5, Rtl = 6, Land = 9, Brake = 17 };
+enum class FlightMode : std::uint32_t {
+    Stabilize = 0,
+    AltHold = 2,
+    Auto = 3,
+    Guided = 4,
+    Loiter = 5,
+    Rtl = 6,
+    Land = 9,
+    Brake = 17
+};
 
 std::optional<FlightMode> flightMode(std::uint32_t number);
 /// As ArduCopter spells it: "STABILIZE", "ALT_HOLD", …

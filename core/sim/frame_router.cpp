@@ -31,21 +31,27 @@ void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
     if (!isForUs(frame))
         return;
     const Peer peer{frame.systemId(), frame.componentId(), frame.version()};
-    routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
-        || routeLink(now, peer, frame);
+    routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame)
+        || control.handle(now, frame) || routeLink(now, peer, frame);
 }
 
 bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
 {
     if (frame.messageId() == mavlink::CommandLong::kId) {
         const auto in = mavlink::CommandLong::decode(frame.payload());
-        commands.handle(now, peer, {in.command, mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT, {in.param1, in.param2, in.param3, in.param4},
-                                    static_cast<double>(in.param5), static_cast<double>(in.param6), in.param7});
+        commands.handle(now, peer,
+                        {in.command,
+                         mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT,
+                         {in.param1, in.param2, in.param3, in.param4},
+                         static_cast<double>(in.param5),
+                         static_cast<double>(in.param6),
+                         in.param7});
         return true;
     }
     if (frame.messageId() == mavlink::CommandInt::kId) {
         const auto in = mavlink::CommandInt::decode(frame.payload());
-        commands.handle(now, peer, {in.command, in.frame, {in.param1, in.param2, in.param3, in.param4}, in.x * 1e-7, in.y * 1e-7, in.z});
+        commands.handle(
+            now, peer, {in.command, in.frame, {in.param1, in.param2, in.param3, in.param4}, in.x * 1e-7, in.y * 1e-7, in.z});
         return true;
     }
     return false;
@@ -62,7 +68,8 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     }
     case MissionItemInt::kId: {
         const auto in = MissionItemInt::decode(frame.payload());
-        const sim::MissionItem item{in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4}, in.x, in.y, in.z};
+        const sim::MissionItem item{
+            in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4}, in.x, in.y, in.z};
         if (in.current >= 2)
             flyTo(peer, item, in.current);
         else
@@ -72,8 +79,13 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     case mavlink::MissionItem::kId: {
         const auto in = mavlink::MissionItem::decode(frame.payload());
         const double scale = in.command < mission_command::kLastNavigation ? 1e7 : 1;
-        const sim::MissionItem item{in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4},
-                                    scaled<std::int32_t>(static_cast<double>(in.x), scale), scaled<std::int32_t>(static_cast<double>(in.y), scale), in.z};
+        const sim::MissionItem item{in.frame,
+                                    in.command,
+                                    in.autocontinue != 0,
+                                    {in.param1, in.param2, in.param3, in.param4},
+                                    scaled<std::int32_t>(static_cast<double>(in.x), scale),
+                                    scaled<std::int32_t>(static_cast<double>(in.y), scale),
+                                    in.z};
         if (in.current >= 2)
             flyTo(peer, item, in.current);
         else
@@ -150,7 +162,8 @@ bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Fram
         return true;
     case mavlink::RequestDataStream::kId: {
         const auto in = mavlink::RequestDataStream::decode(frame.payload());
-        if (StreamScheduler::requestGroup(autopilot.parameters(), in.req_stream_id, in.start_stop != 0 ? in.req_message_rate : 0)) {
+        if (StreamScheduler::requestGroup(autopilot.parameters(), in.req_stream_id,
+                                          in.start_stop != 0 ? in.req_message_rate : 0)) {
             streams.forgetSingles(in.req_stream_id);
             streams.applyParameters(now, autopilot.parameters());
         }

@@ -30,7 +30,8 @@ public:
     GeoPoint toGeo(const Vector3 &ned) const
     {
         return {std::clamp(m_origin.latitude + ned.x / kMetresPerDegree, -90.0, 90.0),
-                degrees(wrapPi(radians(m_origin.longitude + ned.y / (kMetresPerDegree * shrink())))), m_origin.altitude - ned.z};
+                degrees(wrapPi(radians(m_origin.longitude + ned.y / (kMetresPerDegree * shrink())))),
+                m_origin.altitude - ned.z};
     }
 
 private:

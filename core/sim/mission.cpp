@@ -6,12 +6,15 @@ namespace skyseal::sim {
 
 namespace {
 
-bool absoluteFrame(std::uint8_t frame) { return frame == 0 || frame == 5; }                                // GLOBAL
-bool relativeFrame(std::uint8_t frame) { return frame == 3 || frame == 6 || frame == 10 || frame == 11; } // …_RELATIVE, _TERRAIN
+// MAV_FRAME_GLOBAL and its kin; the terrain frames count as relative, since the ground is flat.
+bool absoluteFrame(std::uint8_t frame) { return frame == 0 || frame == 5; }
+bool relativeFrame(std::uint8_t frame) { return frame == 3 || frame == 6 || frame == 10 || frame == 11; }
+
 bool hasPlace(std::uint16_t command)
 {
     using namespace mission_command;
-    return command == kWaypoint || command == kLoiterUnlimited || command == kLoiterTime || command == kLand || command == kTakeOff;
+    return command == kWaypoint || command == kLoiterUnlimited || command == kLoiterTime || command == kLand
+           || command == kTakeOff;
 }
 
 } // namespace
@@ -53,7 +56,8 @@ Vector3 placeOf(const MissionItem &item, const LocalFrame &world, const Vector3 
     Vector3 place = here;
     if (item.x != 0 || item.y != 0)
         place = world.toLocal({item.x * 1e-7, item.y * 1e-7, 0});
-    place.z = absoluteFrame(item.frame) ? world.origin().altitude - static_cast<double>(item.z) : home.z - static_cast<double>(item.z);
+    place.z = absoluteFrame(item.frame) ? world.origin().altitude - static_cast<double>(item.z)
+                                        : home.z - static_cast<double>(item.z);
     return place;
 }
 

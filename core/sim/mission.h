@@ -25,7 +25,14 @@ struct MissionItem
 };
 
 /// Why an item cannot be part of a mission, numbered as MAV_MISSION_RESULT.
-enum class ItemError : std::uint8_t { UnsupportedFrame = 2, Unsupported = 3, Invalid = 5, InvalidX = 10, InvalidY = 11, InvalidZ = 12 };
+enum class ItemError : std::uint8_t {
+    UnsupportedFrame = 2,
+    Unsupported = 3,
+    Invalid = 5,
+    InvalidX = 10,
+    InvalidY = 11,
+    InvalidZ = 12
+};
 
 /// nullopt when the vehicle can fly it.
 std::optional<ItemError> checkItem(const MissionItem &item);

@@ -141,7 +141,8 @@ bool MissionRunner::execute(const MissionItem &item, const Situation &s)
         ++m_current;
         return false;
     case kConditionYaw:
-        m_yaw.fix(radians(static_cast<double>(item.parameters[0])) + (item.parameters[3] == 1 ? s.estimate.attitude.euler().yaw : 0));
+        m_yaw.fix(radians(static_cast<double>(item.parameters[0]))
+                  + (item.parameters[3] == 1 ? s.estimate.attitude.euler().yaw : 0));
         ++m_current;
         return false;
     case kTakeOff:

@@ -58,7 +58,8 @@ void MissionServer::askFor(TimePoint now)
     }
 }
 
-void MissionServer::handleItem(TimePoint now, const Peer &peer, std::uint16_t sequence, const MissionItem &item, std::uint8_t type)
+void MissionServer::handleItem(TimePoint now, const Peer &peer, std::uint16_t sequence, const MissionItem &item,
+                               std::uint8_t type)
 {
     if (type != MAV_MISSION_TYPE_MISSION)
         return acknowledge(peer, MAV_MISSION_UNSUPPORTED, type);

@@ -12,7 +12,10 @@ namespace skyseal::sim {
 class Noise
 {
 public:
-    Noise(std::uint64_t seed, std::uint64_t cause) : m_state(seed * 0x9e3779b97f4a7c15u ^ (cause + 1) * 0xd1342543de82ef95u) { next(); }
+    Noise(std::uint64_t seed, std::uint64_t cause) : m_state(seed * 0x9e3779b97f4a7c15u ^ (cause + 1) * 0xd1342543de82ef95u)
+    {
+        next();
+    }
 
     std::uint64_t next()
     {

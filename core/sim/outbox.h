@@ -10,7 +10,9 @@ namespace skyseal::sim {
 class Outbox
 {
 public:
-    explicit Outbox(std::uint8_t systemId, std::uint8_t componentId = 1) : m_writer(systemId, componentId), m_slots(kSlots) {}
+    explicit Outbox(std::uint8_t systemId, std::uint8_t componentId = 1) : m_writer(systemId, componentId), m_slots(kSlots)
+    {
+    }
 
     /// Queues a message as a MAVLink 2 frame. When nobody fetched the last 256 frames, it is dropped and counted: a link
     /// that stalls loses telemetry, as a radio does.

@@ -54,7 +54,9 @@ AttitudeDemand PositionController::update(double dt, const FlightDemand &demand,
 
     m_shaped.step(dt, wantedVelocity(demand, estimate, settings), settings.acceleration, settings.verticalAcceleration);
     const Vector3 error = m_shaped.velocity() - estimate.velocity;
-    m_push += Vector3{error.x * settings.velocityI * kPatience, error.y * settings.velocityI * kPatience, error.z * settings.climbP * 0.4} * dt;
+    m_push += Vector3{error.x * settings.velocityI * kPatience, error.y * settings.velocityI * kPatience,
+                      error.z * settings.climbP * 0.4}
+              * dt;
     m_push = m_push.horizontalLimited(kPushLimit);
     m_push.z = std::clamp(m_push.z, -kPushLimit, kPushLimit);
     const Vector3 acceleration = m_shaped.acceleration() + m_push
@@ -68,7 +70,8 @@ AttitudeDemand PositionController::update(double dt, const FlightDemand &demand,
         out.pitch = std::get<Lean>(demand.horizontal).pitch;
     } else {
         const double yaw = estimate.attitude.euler().yaw;
-        const Vector3 level = Vector3{acceleration.x, acceleration.y, 0}.horizontalLimited(kGravity * std::tan(settings.leanLimit));
+        const Vector3 level =
+            Vector3{acceleration.x, acceleration.y, 0}.horizontalLimited(kGravity * std::tan(settings.leanLimit));
         const double forward = level.x * std::cos(yaw) + level.y * std::sin(yaw);
         const double right = level.y * std::cos(yaw) - level.x * std::sin(yaw);
         out.pitch = -std::atan2(forward, kGravity);
@@ -97,7 +100,8 @@ Vector3 PositionController::wantedVelocity(const FlightDemand &demand, const Est
         wanted.y = velocity->east;
     }
     if (const auto *hold = std::get_if<HoldAltitude>(&demand.vertical)) {
-        const double rate = approach(hold->altitude - estimate.altitude(), settings.altitudeP, settings.verticalAcceleration * 0.5);
+        const double rate =
+            approach(hold->altitude - estimate.altitude(), settings.altitudeP, settings.verticalAcceleration * 0.5);
         wanted.z = -std::clamp(rate, -hold->descent, hold->climb);
     } else if (const auto *climb = std::get_if<Climb>(&demand.vertical)) {
         wanted.z = -climb->rate;

@@ -28,7 +28,8 @@ void ReturnToLaunch::enter(Phase phase, const Situation &s)
 
 bool ReturnToLaunch::reached(const Situation &s) const
 {
-    return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y) < s.settings.waypointRadius;
+    return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y)
+           < s.settings.waypointRadius;
 }
 
 FlightDemand ReturnToLaunch::update(double dt, const Situation &s)

@@ -12,7 +12,7 @@ namespace skyseal::sim {
 
 namespace {
 constexpr Duration kLongestGap = std::chrono::seconds(1);
-constexpr Duration kMostCatchUp = std::chrono::minutes(1); // of flight in one call: a machine that slept does not fly for hours
+constexpr Duration kMostCatchUp = std::chrono::minutes(1); // of flight in one call, after the machine slept for hours
 constexpr Duration kLook = std::chrono::milliseconds(50);  // texts, failsafes and mission progress come out of flying
 }
 
@@ -44,6 +44,7 @@ struct SimulatedVehicle::Parts
     TimePoint look;  ///< when to look next for what flying brought up
     Duration owed{}; ///< of flight, not stepped yet
     bool homeTold = false;
+    bool actedOnSilence = false; ///< of the station, in this flight
 };
 
 SimulatedVehicle::SimulatedVehicle(const VehicleConfig &config, TimePoint now)
@@ -96,21 +97,19 @@ void SimulatedVehicle::Parts::watchStation(TimePoint now)
 {
     const Parameters &values = autopilot.parameters();
     const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("FS_GCS_TIMEOUT")));
-    const auto override = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
+    const auto override =
+        std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
     autopilot.pilot().expire(now, override);
     const int action = values.integer("FS_GCS_ENABLE");
-    switch (station.update(now, timeout)) {
-    case GcsWatch::Event::None: break;
-    case GcsWatch::Event::Lost:
-        if (action != 0)
-            autopilot.failsafe("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
-        break;
-    case GcsWatch::Event::Back:
+    if (station.update(now, timeout) == GcsWatch::Event::Back) {
         if (autopilot.inFailsafe())
             autopilot.texts().say(Severity::Notice, "GCS Failsafe Cleared");
         autopilot.setInFailsafe(false);
-        break;
     }
+    if (!autopilot.armed() || !station.lost())
+        actedOnSilence = false;
+    else if (action != 0 && !std::exchange(actedOnSilence, true))
+        autopilot.failsafe("GCS", action == 5 ? FlightMode::Land : FlightMode::Rtl);
 }
 
 void SimulatedVehicle::Parts::speak(TimePoint now)
@@ -138,15 +137,16 @@ void SimulatedVehicle::Parts::tellNews()
 
 TimePoint SimulatedVehicle::nextDeadline() const
 {
-    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), m_parts->look});
+    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(),
+                     m_parts->look});
 }
 
 void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
     advance(now);
     Parts &parts = *m_parts;
-    const FrameRouter router{parts.autopilot, parts.outbox, parts.streams, parts.commands, parts.control, parts.missions, parts.parameters,
-                             parts.station, m_boot, systemId()};
+    const FrameRouter router{parts.autopilot, parts.outbox,     parts.streams, parts.commands, parts.control,
+                             parts.missions,  parts.parameters, parts.station, m_boot,         systemId()};
     router.route(now, frame);
     parts.tellNews();
 }

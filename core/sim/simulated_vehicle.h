@@ -1,5 +1,5 @@
-// One simulated vehicle as the other end of a link sees it: frames and time go in, frames come out. Composes the autopilot and
-// one server per MAVLink micro-protocol, and only routes between them.
+// One simulated vehicle as the other end of a link sees it: frames and time go in, frames come out. Composes the autopilot
+// and one server per MAVLink micro-protocol, and only routes between them.
 //
 // Sans-I/O. Input: handleFrame(), advance(). Output, after any input: pollFrame() until it is empty. Query: nextDeadline().
 //

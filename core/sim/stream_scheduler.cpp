@@ -57,7 +57,8 @@ constexpr std::array<Member, 27> kMembers{{
 
 std::optional<std::size_t> find(std::uint32_t message)
 {
-    const auto at = std::find_if(kMembers.begin(), kMembers.end(), [&](const Member &member) { return member.message == message; });
+    const auto at =
+        std::find_if(kMembers.begin(), kMembers.end(), [&](const Member &member) { return member.message == message; });
     return at == kMembers.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - kMembers.begin()));
 }
 
@@ -144,7 +145,8 @@ void StreamScheduler::setPeriod(std::size_t index, TimePoint now, Duration perio
 
 std::size_t StreamScheduler::earliest() const
 {
-    const auto at = std::min_element(m_slots.begin(), m_slots.end(), [](const Slot &a, const Slot &b) { return a.due < b.due; });
+    const auto at =
+        std::min_element(m_slots.begin(), m_slots.end(), [](const Slot &a, const Slot &b) { return a.due < b.due; });
     return static_cast<std::size_t>(at - m_slots.begin());
 }
 

@@ -108,7 +108,8 @@ Telemetry::Inertial Telemetry::inertial()
     const auto noisy = [&](const Vector3 &v, double deviation) {
         return v + Vector3{m_noise.normal(deviation), m_noise.normal(deviation), m_noise.normal(deviation)};
     };
-    return {noisy(truth.specificForce, shake), noisy(truth.rates, 0.001 + 0.01 * lift), noisy(truth.attitude.toBody(kEarthField), 1.5)};
+    return {noisy(truth.specificForce, shake), noisy(truth.rates, 0.001 + 0.01 * lift),
+            noisy(truth.attitude.toBody(kEarthField), 1.5)};
 }
 
 void Telemetry::rawImu()
@@ -153,7 +154,8 @@ void Telemetry::pressure()
     mavlink::ScaledPressure out;
     out.time_boot_ms = bootMilliseconds();
     // The international standard atmosphere, below 11 km.
-    out.press_abs = static_cast<float>(kStandardPressure * std::pow(std::max(1 - altitude * 2.25577e-5, 0.2), 5.25588) + m_noise.normal(0.012));
+    out.press_abs = static_cast<float>(kStandardPressure * std::pow(std::max(1 - altitude * 2.25577e-5, 0.2), 5.25588)
+                                       + m_noise.normal(0.012));
     out.temperature = scaled<std::int16_t>(35 - altitude * 0.0065, 100);
     m_outbox.send(out);
 }

@@ -16,8 +16,10 @@ public:
     {
         const double gustiness = 0.25 + speed * 0.15;
         m_velocity = {-std::cos(from) * speed + m_north.step(m_noise, dt) * gustiness,
-                      -std::sin(from) * speed + m_east.step(m_noise, dt) * gustiness, m_down.step(m_noise, dt) * gustiness * 0.4};
-        m_torque = {m_roll.step(m_noise, dt) * gustiness, m_pitch.step(m_noise, dt) * gustiness, m_yaw.step(m_noise, dt) * gustiness};
+                      -std::sin(from) * speed + m_east.step(m_noise, dt) * gustiness,
+                      m_down.step(m_noise, dt) * gustiness * 0.4};
+        m_torque = {m_roll.step(m_noise, dt) * gustiness, m_pitch.step(m_noise, dt) * gustiness,
+                    m_yaw.step(m_noise, dt) * gustiness};
     }
 
     const Vector3 &velocity() const { return m_velocity; } ///< m/s, NED

@@ -63,7 +63,8 @@ void SimFlightTest::landsAndDisarms()
     QVERIFY(flight.airborne(8));
     QVERIFY(!flight.autopilot.enterMode(FlightMode::Land));
     const double taken = flight.until([&] { return !flight.autopilot.armed(); }, 60);
-    QVERIFY2(taken > 12 && taken < 25, qPrintable(QString::number(taken))); // half a metre a second, and a second of certainty
+    QVERIFY2(taken > 12 && taken < 25,
+             qPrintable(QString::number(taken))); // half a metre a second, and a second of certainty
     QVERIFY(flight.said("Disarming motors"));
 }
 
@@ -222,8 +223,8 @@ void SimFlightTest::fliesAMission()
     fast.parameters = {1, 8, -1, 0};
     MissionItem wait = item(kLoiterTime, a, 40, 20, 12);
     wait.parameters[0] = 3;
-    a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kTakeOff, a, 0, 0, 12), fast, item(kWaypoint, a, 40, 0, 12), wait,
-                              item(kLand, a, 10, 10, 0)});
+    a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kTakeOff, a, 0, 0, 12), fast, item(kWaypoint, a, 40, 0, 12),
+                              wait, item(kLand, a, 10, 10, 0)});
     QVERIFY(!a.enterMode(FlightMode::Guided));
     QVERIFY(!a.arm(false));
     QVERIFY(!a.startMission());

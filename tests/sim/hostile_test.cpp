@@ -1,5 +1,5 @@
-// Whatever arrives, the vehicle goes on: valid frames with random contents, random bytes, and random flights by random requests.
-// Nothing that it sends may hold a number that is none.
+// Whatever arrives, the vehicle goes on: valid frames with random contents, random bytes, and random flights by random
+// requests. Nothing that it sends may hold a number that is none.
 #include "tests/sim/test_flight.h"
 #include "tests/sim/test_station.h"
 
@@ -66,14 +66,17 @@ void SimHostileTest::randomFlightsStayFinite()
         Autopilot &a = flight.autopilot;
         Noise dice(config.seed, 1000);
         flight.airborne(3 + dice.uniform() * 6);
-        constexpr FlightMode kModes[] = {FlightMode::Stabilize, FlightMode::AltHold, FlightMode::Auto, FlightMode::Guided, FlightMode::Loiter,
-                                         FlightMode::Rtl, FlightMode::Land, FlightMode::Brake};
+        constexpr FlightMode kModes[] = {FlightMode::Stabilize, FlightMode::AltHold, FlightMode::Auto, FlightMode::Guided,
+                                         FlightMode::Loiter,    FlightMode::Rtl,     FlightMode::Land, FlightMode::Brake};
         for (int i = 0; i < 12; ++i) {
             switch (dice.next() % 9) {
             case 0: a.enterMode(kModes[dice.next() % 8]); break;
             case 1: a.goTo({dice.normal(200), dice.normal(200), -std::abs(dice.normal(40))}); break;
             case 2: a.move({static_cast<double>(strangeFloat(dice)), dice.normal(10), dice.normal(5)}); break;
-            case 3: a.pilot().manual({}, {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()}); break;
+            case 3:
+                a.pilot().manual({},
+                                 {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()});
+                break;
             case 4: a.parameters().set(dice.next() % a.parameters().count(), strangeFloat(dice)); break;
             case 5: a.face(static_cast<double>(strangeFloat(dice)), dice.normal(1)); break;
             case 6: a.changeSpeed(Autopilot::SpeedKind(dice.next() % 3), static_cast<double>(strangeFloat(dice))); break;
@@ -109,11 +112,12 @@ void SimHostileTest::randomPayloadsOfAllMessages()
             payload[static_cast<std::size_t>(info.targetSystemOffset)] = static_cast<std::uint8_t>(dice.next() % 2);
         if (info.targetComponentOffset >= 0)
             payload[static_cast<std::size_t>(info.targetComponentOffset)] = static_cast<std::uint8_t>(dice.next() % 2);
-        station.deliver(mavlink::writeFrame(buffer, dice.next() % 4 ? 2 : 1, static_cast<std::uint8_t>(i), 255, 190, info.id, info.crcExtra,
-                                            info.minLength, ByteView(payload).first(info.maxLength)));
+        station.deliver(mavlink::writeFrame(buffer, dice.next() % 4 ? 2 : 1, static_cast<std::uint8_t>(i), 255, 190, info.id,
+                                            info.crcExtra, info.minLength, ByteView(payload).first(info.maxLength)));
         // And commands that are nearly right.
         mavlink::CommandLong command;
-        constexpr std::uint16_t kCommands[] = {22, 20, 21, 16, 115, 176, 178, 179, 192, 224, 246, 300, 400, 410, 511, 512, 519, 520};
+        constexpr std::uint16_t kCommands[] = {22,  20,  21,  16,  115, 176, 178, 179, 192,
+                                               224, 246, 300, 400, 410, 511, 512, 519, 520};
         command.target_system = 1;
         command.command = kCommands[dice.next() % std::size(kCommands)];
         command.param1 = strangeFloat(dice);

@@ -1,5 +1,5 @@
-// The mission protocol with a vehicle: transfers over a link that loses a third of all frames, each error's result, and what a
-// flown mission reports.
+// The mission protocol with a vehicle: transfers over a link that loses a third of all frames, each error's result, and what
+// a flown mission reports.
 #include "tests/sim/test_station.h"
 
 #include "core/mavlink/enums.h"
@@ -51,7 +51,8 @@ std::vector<mavlink::MissionItemInt> survey(int count)
 class Uploader
 {
 public:
-    Uploader(TestStation &station, std::vector<mavlink::MissionItemInt> items) : m_station(station), m_items(std::move(items))
+    Uploader(TestStation &station, std::vector<mavlink::MissionItemInt> items)
+        : m_station(station), m_items(std::move(items))
     {
         station.onFrame = [this](const Frame &frame) { handle(frame); };
     }

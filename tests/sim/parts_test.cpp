@@ -55,7 +55,8 @@ void SimPartsTest::placesSurviveTheFrame()
 {
     QVERIFY(rc::check("local to global and back", [] {
         const LocalFrame frame({*rc::gen::inRange(-80, 80) + 0.5, *rc::gen::inRange(-180, 180) + 0.25, 100});
-        const Vector3 in{*rc::gen::inRange(-9000, 9000) * 1.0, *rc::gen::inRange(-9000, 9000) * 1.0, *rc::gen::inRange(-500, 50) * 1.0};
+        const Vector3 in{*rc::gen::inRange(-9000, 9000) * 1.0, *rc::gen::inRange(-9000, 9000) * 1.0,
+                         *rc::gen::inRange(-500, 50) * 1.0};
         RC_ASSERT((frame.toLocal(frame.toGeo(in)) - in).length() < 0.01);
     }));
 }
@@ -108,9 +109,9 @@ void SimPartsTest::parametersAreNamedAndGuarded()
         QVERIFY2(info.standard >= info.minimum && info.standard <= info.maximum, info.name.c_str());
         QCOMPARE(parameters.find(info.name), std::optional<std::size_t>(i)); // sorted, and no name twice
     }
-    for (const char *name : {"SYSID_THISMAV", "WPNAV_SPEED", "RTL_ALT", "ATC_ANG_RLL_P", "PSC_POSXY_P", "BATT_CAPACITY", "FS_GCS_ENABLE",
-                             "ARMING_CHECK", "SR0_EXTRA1", "INS_USE", "COMPASS_USE", "GPS_TYPE", "EK3_ENABLE", "RC3_MIN", "SERVO1_FUNCTION",
-                             "FLTMODE1"})
+    for (const char *name : {"SYSID_THISMAV", "WPNAV_SPEED", "RTL_ALT", "ATC_ANG_RLL_P", "PSC_POSXY_P", "BATT_CAPACITY",
+                             "FS_GCS_ENABLE", "ARMING_CHECK", "SR0_EXTRA1", "INS_USE", "COMPASS_USE", "GPS_TYPE",
+                             "EK3_ENABLE", "RC3_MIN", "SERVO1_FUNCTION", "FLTMODE1"})
         QVERIFY2(parameters.find(name), name);
     using R = Parameters::SetResult;
     const unsigned before = parameters.revision();

@@ -106,13 +106,15 @@ void SimProgramTest::sendsToItsPeerAndEndsOnRequest()
     QUdpSocket station;
     QVERIFY(station.bind(QHostAddress::LocalHost, 0));
     QProcess sim;
-    sim.start(program(), {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(station.localPort()),
-                          QStringLiteral("--vehicles"), QStringLiteral("3"), QStringLiteral("--sysid"), QStringLiteral("7")});
+    sim.start(program(),
+              {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(station.localPort()),
+               QStringLiteral("--vehicles"), QStringLiteral("3"), QStringLiteral("--sysid"), QStringLiteral("7")});
     std::set<int> systems;
     const auto heard = [&] {
         while (station.hasPendingDatagrams()) {
             const QByteArray bytes = station.receiveDatagram().data();
-            const ByteView view(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size()));
+            const ByteView view(reinterpret_cast<const std::uint8_t *>(bytes.constData()),
+                                static_cast<std::size_t>(bytes.size()));
             const auto frame = mavlink::readFrame(view, mavlink::Dialect::builtin());
             if (frame && frame->bytes().size() == view.size() && frame->messageId() == mavlink::Heartbeat::kId)
                 systems.insert(frame->systemId());
@@ -136,7 +138,8 @@ void SimProgramTest::answersWhoeverSpoke()
         QVERIFY(socket->bind(QHostAddress::LocalHost, 0));
     const Bytes hello = heartbeat();
     for (QUdpSocket *socket : {&first, &second})
-        socket->writeDatagram(reinterpret_cast<const char *>(hello.data()), static_cast<qint64>(hello.size()), QHostAddress::LocalHost, port);
+        socket->writeDatagram(reinterpret_cast<const char *>(hello.data()), static_cast<qint64>(hello.size()),
+                              QHostAddress::LocalHost, port);
     silent.writeDatagram("noise", QHostAddress::LocalHost, port); // no frame: not a station
     QTRY_VERIFY_WITH_TIMEOUT(first.hasPendingDatagrams() && second.hasPendingDatagrams(), 20000);
     QVERIFY(!silent.hasPendingDatagrams());
@@ -155,8 +158,9 @@ void SimProgramTest::servesTcp()
         QByteArray received;
         const auto framed = [&] {
             received += station.readAll();
-            mavlink::FrameScanner scanner({reinterpret_cast<const std::uint8_t *>(received.constData()), static_cast<std::size_t>(received.size())},
-                                          mavlink::Dialect::builtin());
+            mavlink::FrameScanner scanner(
+                {reinterpret_cast<const std::uint8_t *>(received.constData()), static_cast<std::size_t>(received.size())},
+                mavlink::Dialect::builtin());
             int frames = 0;
             while (const auto item = scanner.next())
                 frames += item->frame ? 1 : 0;

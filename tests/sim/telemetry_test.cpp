@@ -1,5 +1,5 @@
-// What the simulated vehicle tells a station: parameters, streams at exact rates, texts, time; and two runs that are equal to the
-// last byte.
+// What the simulated vehicle tells a station: parameters, streams at exact rates, texts, time; and two runs that are equal
+// to the last byte.
 #include "tests/sim/test_station.h"
 
 #include "core/mavlink/enums.h"
@@ -57,7 +57,9 @@ void SimTelemetryTest::parameterListIsComplete()
     read.target_system = 1;
     read.param_index = 17;
     station.send(read);
-    QCOMPARE(std::string(station.last<ParamValue>().param_id.data(), strnlen(station.last<ParamValue>().param_id.data(), 16)), names[17]);
+    QCOMPARE(
+        std::string(station.last<ParamValue>().param_id.data(), strnlen(station.last<ParamValue>().param_id.data(), 16)),
+        names[17]);
     read.param_index = -1;
     std::copy_n("WPNAV_SPEED", 11, read.param_id.begin());
     station.send(read);
@@ -117,7 +119,8 @@ void SimTelemetryTest::streamRatesAreExact()
         std::map<std::uint32_t, int> counts;
         for (const Bytes &bytes : station.received)
             ++counts[readFrame(bytes, Dialect::builtin())->messageId()];
-        for (std::uint32_t id : {1u, 2u, 24u, 27u, 29u, 30u, 32u, 33u, 36u, 42u, 62u, 65u, 74u, 116u, 125u, 147u, 152u, 163u, 168u, 193u, 241u})
+        for (std::uint32_t id :
+             {1u, 2u, 24u, 27u, 29u, 30u, 32u, 33u, 36u, 42u, 62u, 65u, 74u, 116u, 125u, 147u, 152u, 163u, 168u, 193u, 241u})
             QVERIFY2(std::abs(counts[id] - 20 * rate) <= 1, qPrintable(QStringLiteral("%1: %2").arg(id).arg(counts[id])));
         QVERIFY(std::abs(counts[0] - 20) <= 1);
         QCOMPARE(station.vehicle.dropped(), std::uint64_t(0));
@@ -234,7 +237,8 @@ void SimTelemetryTest::hurriedFlightKeepsTheLinksTime()
     config.rate = 10;
     TestStation station(config);
     station.run(1);
-    QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 4}), int(MAV_RESULT_ACCEPTED)); // ten seconds of flight time have passed
+    QCOMPARE(station.command(MAV_CMD_DO_SET_MODE, {1, 4}),
+             int(MAV_RESULT_ACCEPTED)); // ten seconds of flight time have passed
     QCOMPARE(station.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_ACCEPTED));
     QCOMPARE(station.command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 10}), int(MAV_RESULT_ACCEPTED));
     station.forget();

@@ -39,7 +39,8 @@ struct TestFlight
 
     bool said(std::string_view words) const
     {
-        return std::any_of(texts.begin(), texts.end(), [&](const StatusText &t) { return t.text.find(words) != std::string::npos; });
+        return std::any_of(texts.begin(), texts.end(),
+                           [&](const StatusText &t) { return t.text.find(words) != std::string::npos; });
     }
 
     Autopilot autopilot;
@@ -56,7 +57,8 @@ private:
         highest = std::max(highest, autopilot.heightAboveHome());
         const BodyState &truth = autopilot.truth();
         finite = finite && truth.position.finite() && truth.velocity.finite() && truth.rates.finite()
-            && std::isfinite(truth.attitude.w()) && truth.attitude.vector().finite() && std::isfinite(autopilot.battery().voltage());
+                 && std::isfinite(truth.attitude.w()) && truth.attitude.vector().finite()
+                 && std::isfinite(autopilot.battery().voltage());
     }
 };
 

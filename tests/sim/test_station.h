@@ -83,7 +83,8 @@ public:
         out.param7 = p[6];
         send(out);
         const auto acks = all<mavlink::CommandAck>();
-        if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255 || acks.back().target_component != 190)
+        if (acks.size() != before + 1 || acks.back().command != id || acks.back().target_system != 255
+            || acks.back().target_component != 190)
             return -1;
         return acks.back().result;
     }
@@ -93,9 +94,10 @@ public:
     {
         using namespace mavlink;
         run(6);
-        return command(MAV_CMD_DO_SET_MODE, {1, 4}) == MAV_RESULT_ACCEPTED && command(MAV_CMD_COMPONENT_ARM_DISARM, {1}) == MAV_RESULT_ACCEPTED
-            && command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}) == MAV_RESULT_ACCEPTED
-            && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
+        return command(MAV_CMD_DO_SET_MODE, {1, 4}) == MAV_RESULT_ACCEPTED
+               && command(MAV_CMD_COMPONENT_ARM_DISARM, {1}) == MAV_RESULT_ACCEPTED
+               && command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}) == MAV_RESULT_ACCEPTED
+               && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
     }
 
     template<typename Message> std::vector<Message> all() const

@@ -1,4 +1,5 @@
-// The simulated vehicle as a station flies it: a whole flight by messages, refusals with the right results, failsafe, sticks.
+// The simulated vehicle as a station flies it: a whole flight by messages, refusals with the right results, failsafe,
+// sticks.
 #include "tests/sim/test_station.h"
 
 #include "core/mavlink/enums.h"
@@ -198,6 +199,14 @@ void SimVehicleTest::stationLossReturns()
     station.run(2);
     QVERIFY(station.said("GCS Failsafe Cleared"));
     QCOMPARE(station.last<mavlink::Heartbeat>().custom_mode, 6u); // it stays in RTL until told otherwise
+
+    TestStation late; // silent before it armed: no reason to fly off without a station
+    late.run(6);
+    late.silent = true;
+    late.run(7);
+    QCOMPARE(late.command(MAV_CMD_COMPONENT_ARM_DISARM, {1}), int(MAV_RESULT_ACCEPTED));
+    late.run(1);
+    QVERIFY(!late.vehicle.autopilot().armed());
 
     TestStation alone; // a vehicle that never heard a station has nothing to lose
     alone.silent = true;
