@@ -2,6 +2,7 @@
 
 #include "core/mavlink/crc.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace skyseal::mavlink {
@@ -31,7 +32,7 @@ MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequen
                                        componentId, static_cast<std::uint8_t>(messageId)};
         std::memcpy(out.data(), fields, sizeof fields);
     }
-    std::memcpy(out.data() + header, payload.data(), length);
+    std::copy_n(payload.data(), length, out.data() + header); // an empty payload may have no address
     std::uint16_t crc = crcAccumulate(kCrcStart, out.subspan(1, header - 1 + length));
     crc = crcAccumulate(crc, {&crcExtra, 1});
     out[header + length] = static_cast<std::uint8_t>(crc);

@@ -20,7 +20,7 @@ public:
     explicit PayloadBytes(ByteView payload)
     {
         const std::size_t size = std::min(N, payload.size());
-        std::memcpy(m_raw.data(), payload.data(), size);
+        std::copy_n(payload.data(), size, m_raw.data()); // an empty payload may have no address
         std::memset(m_raw.data() + size, 0, N - size);
     }
 

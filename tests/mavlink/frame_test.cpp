@@ -67,6 +67,7 @@ void FrameTest::trailingZerosAreTrimmedToOneByte()
     const auto read = readFrame(frame, Dialect::builtin());
     QVERIFY(read.has_value());
     QCOMPARE(SystemTime::decode(read->payload()).time_boot_ms, 0u);
+    QCOMPARE(SystemTime::decode({}).time_boot_ms, 0u);
 }
 
 void FrameTest::everySingleBitFlipIsRefused()
