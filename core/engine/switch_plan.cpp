@@ -30,7 +30,9 @@ std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
             continue;
         out.push_back({session, m_suites[walk.next % m_suites.size()]});
         ++walk.next;
-        walk.due = std::max(walk.due + m_every, now); // a late one does not hurry the next ones into a burst
+        walk.due += m_every;
+        if (walk.due <= now)
+            walk.due = now + m_every; // a late one does not hurry the next one
         walk.pending = true;
     }
     return out;

@@ -1,0 +1,186 @@
+// The command line as scripts see it: exit statuses, one clear line for what is wrong, JSON that parses.
+#include "tests/app/run_program.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+namespace {
+
+QStringList words(const char *line)
+{
+    return QString::fromUtf8(line).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+} // namespace
+
+class CommandLineTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void helpAndVersion_data();
+    void helpAndVersion();
+    void usageErrors_data();
+    void usageErrors();
+    void cannotOpen_data();
+    void cannotOpen();
+    void requiredSessionThatNeverComes();
+    void selftestPasses();
+    void suiteThatIsNotAllowedIsNotReached();
+};
+
+void CommandLineTest::helpAndVersion_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("expected");
+    const auto row = [](const char *program, const char *arguments, const char *expected) {
+        QTest::addRow("%s %s", program, arguments) << QString::fromUtf8(program) << words(arguments) << QString::fromUtf8(expected);
+    };
+    row("skyseal-cli", "--help", "monitor");
+    row("skyseal-cli", "--version", "skyseal-cli ");
+    row("skyseal-cli", "monitor --help", "--switch-every");
+    row("skyseal-cli", "impair --help", "--jitter");
+    row("skyseal-cli", "decode --help", "FILE");
+    row("skyseal-cli", "keys --help", "peers add");
+    row("skyseal-cli", "log --help", "verify");
+    row("skyseal-air", "--help", "--allow-plain");
+    row("skyseal-air", "--version", "skyseal-air ");
+}
+
+void CommandLineTest::helpAndVersion()
+{
+    QFETCH(QString, program);
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, expected);
+    const RunResult result = runProgram(program.toUtf8().constData(), arguments);
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.out.contains(expected.toUtf8()), result.out.constData());
+}
+
+void CommandLineTest::usageErrors_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("named"); // the error names what is wrong
+    const auto row = [](const char *program, const char *arguments, const char *named) {
+        QTest::addRow("%s %s", program, arguments) << QString::fromUtf8(program) << words(arguments) << QString::fromUtf8(named);
+    };
+    row("skyseal-cli", "", "command");
+    row("skyseal-cli", "fly", "fly");
+    row("skyseal-cli", "monitor", "--link");
+    row("skyseal-cli", "monitor --link", "link");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --loud", "loud");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 extra", "extra");
+    row("skyseal-cli", "monitor --link pigeon:coop", "pigeon");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:99999", "99999");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure maybe", "maybe");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure required", "--identity");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --duration soon", "soon");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --duration -1", "-1");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --suite des", "des");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --switch-to rc4,rc4", "rc4");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing inline", "inline");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --do dance", "dance");
+    row("skyseal-cli", "impair --listen udpin:127.0.0.1:0 --to udpout:127.0.0.1:9 --loss 1.5", "1.5");
+    row("skyseal-cli", "impair --listen udpin:127.0.0.1:0", "--to");
+    row("skyseal-cli", "decode", "argument");
+    row("skyseal-cli", "decode a b", "b");
+    row("skyseal-cli", "decode --framing mavsec2019 a", "mavsec2019");
+    row("skyseal-cli", "keys", "new");
+    row("skyseal-cli", "keys new", "--out");
+    row("skyseal-cli", "keys peers add --peers p --name n nonsense", "public key");
+    row("skyseal-cli", "log", "info");
+    row("skyseal-cli", "selftest now", "now");
+    row("skyseal-air", "", "--vehicle");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p", "udpout");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
+}
+
+void CommandLineTest::usageErrors()
+{
+    QFETCH(QString, program);
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, named);
+    const RunResult result = runProgram(program.toUtf8().constData(), arguments);
+    QCOMPARE(result.status, 2);
+    QVERIFY(result.out.isEmpty());
+    QCOMPARE(result.err.count('\n'), 1);
+    QVERIFY2(result.err.contains(named.toUtf8()), result.err.constData());
+}
+
+void CommandLineTest::cannotOpen_data()
+{
+    QTest::addColumn<QString>("program");
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("named");
+    const auto row = [](const char *program, const char *arguments, const char *named) {
+        QTest::addRow("%s %s", program, arguments) << QString::fromUtf8(program) << words(arguments) << QString::fromUtf8(named);
+    };
+    row("skyseal-cli", "decode /nonexistent/flight.tlog", "/nonexistent/flight.tlog");
+    row("skyseal-cli", "decode /tmp", "/tmp");
+    row("skyseal-cli", "log info /nonexistent/flight.tlog", "/nonexistent/flight.tlog");
+    row("skyseal-cli", "keys show /nonexistent/key", "/nonexistent/key");
+    row("skyseal-cli", "keys new --out /nonexistent/key", "/nonexistent/key");
+    row("skyseal-cli", "keys peers list --peers /nonexistent/peers", "/nonexistent/peers");
+    row("skyseal-cli", "monitor --no-record --link tlog:/nonexistent/flight.tlog --secure off", "/nonexistent/flight.tlog");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity /nonexistent/key --peers /nonexistent/peers", "/nonexistent/key");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity /nonexistent/key --peers p", "/nonexistent/key");
+}
+
+void CommandLineTest::cannotOpen()
+{
+    QFETCH(QString, program);
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, named);
+    const RunResult result = runProgram(program.toUtf8().constData(), arguments);
+    QCOMPARE(result.status, 3);
+    QVERIFY2(result.err.contains(named.toUtf8()), result.err.constData());
+}
+
+void CommandLineTest::requiredSessionThatNeverComes()
+{
+    QTemporaryDir folder;
+    const QString key = folder.filePath(QStringLiteral("ground.key")), peers = folder.filePath(QStringLiteral("peers"));
+    QCOMPARE(runProgram("skyseal-cli", {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), key}).status, 0);
+    QFile file(peers);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.close();
+    const QStringList arguments{QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--secure"),
+                                QStringLiteral("required"), QStringLiteral("--identity"), key, QStringLiteral("--peers"), peers,
+                                QStringLiteral("--no-record"), QStringLiteral("--json"), QStringLiteral("--duration"), QStringLiteral("1.2")};
+    const RunResult result = runProgram("skyseal-cli", arguments);
+    QCOMPARE(result.status, 1);
+    QVERIFY(result.err.contains("session"));
+    const QByteArrayList lines = result.out.trimmed().split('\n');
+    for (const QByteArray &line : lines)
+        QVERIFY2(QJsonDocument::fromJson(line).isObject(), line.constData());
+    const QJsonObject summary = QJsonDocument::fromJson(lines.back()).object();
+    QCOMPARE(summary[QLatin1String("event")].toString(), QStringLiteral("summary"));
+    for (const char *part : {"t", "mavlink", "channel", "process", "vehicles"})
+        QVERIFY2(summary.contains(QLatin1String(part)), part);
+}
+
+void CommandLineTest::selftestPasses()
+{
+    const RunResult result = runProgram("skyseal-cli", words("selftest --json"));
+    QCOMPARE(result.status, 0);
+    const QByteArrayList lines = result.out.trimmed().split('\n');
+    QVERIFY(lines.size() > 10);
+    for (const QByteArray &line : lines)
+        QVERIFY2(QJsonDocument::fromJson(line)[QLatin1String("passed")].toBool(), line.constData());
+}
+
+void CommandLineTest::suiteThatIsNotAllowedIsNotReached()
+{
+    const RunResult result = runProgram("skyseal-cli", words("monitor --link udpin:127.0.0.1:0 --secure off --switch-to rc4"));
+    QCOMPARE(result.status, 2);
+    QVERIFY(result.err.contains("--switch-to"));
+}
+
+QTEST_GUILESS_MAIN(CommandLineTest)
+#include "command_line_test.moc"

@@ -1,0 +1,118 @@
+// The work with keys and peers, as a person does it before the first flight.
+#include "tests/app/run_program.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+class KeysCommandTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void newKeyIsPrivateAndShown();
+    void existingKeyIsNeverOverwritten();
+    void keyThatOthersCanReadIsRefused();
+    void peersAreAddedListedRemoved();
+    void changedKeyNeedsAnExplicitReplace();
+    void noKeyByteInTheOutput();
+
+private:
+    QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
+    RunResult keys(const QStringList &arguments) const { return runProgram("skyseal-cli", QStringList{QStringLiteral("keys")} + arguments); }
+    RunResult newKey(const char *name) const { return keys({QStringLiteral("new"), QStringLiteral("--out"), path(name)}); }
+    QJsonObject shown(const char *name) const
+    {
+        return QJsonDocument::fromJson(keys({QStringLiteral("show"), path(name), QStringLiteral("--json")}).out).object();
+    }
+    RunResult addPeer(const QString &publicKey, const QStringList &more = {}) const
+    {
+        return keys(QStringList{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"), QStringLiteral("--name"),
+                                QStringLiteral("scout-1"), publicKey}
+                    + more);
+    }
+    RunResult peers(const char *action, const QStringList &more = {}) const
+    {
+        return keys(QStringList{QStringLiteral("peers"), QLatin1String(action), QStringLiteral("--peers"), path("peers")} + more);
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void KeysCommandTest::newKeyIsPrivateAndShown()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    const auto others = QFile::ReadGroup | QFile::WriteGroup | QFile::ReadOther | QFile::WriteOther;
+    QVERIFY(!(QFile::permissions(path("a.key")) & others));
+    const QJsonObject key = shown("a.key");
+    QCOMPARE(key[QLatin1String("event")].toString(), QStringLiteral("key"));
+    QVERIFY(key[QLatin1String("public")].toString().startsWith(QLatin1String("skyseal:")));
+    QCOMPARE(key[QLatin1String("fingerprint")].toString().remove(QLatin1Char(' ')).size(), 64);
+    QCOMPARE(newKey("b.key").status, 0);
+    QVERIFY(shown("b.key")[QLatin1String("public")] != key[QLatin1String("public")]);
+}
+
+void KeysCommandTest::existingKeyIsNeverOverwritten()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    const QJsonObject before = shown("a.key");
+    QCOMPARE(newKey("a.key").status, 3);
+    QCOMPARE(shown("a.key"), before);
+}
+
+void KeysCommandTest::keyThatOthersCanReadIsRefused()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QVERIFY(QFile::setPermissions(path("a.key"), QFile::ReadOwner | QFile::WriteOwner | QFile::ReadGroup));
+    const RunResult refused = keys({QStringLiteral("show"), path("a.key")});
+    QCOMPARE(refused.status, 3);
+    QVERIFY2(refused.err.contains("a.key"), refused.err.constData());
+}
+
+void KeysCommandTest::peersAreAddedListedRemoved()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    const QJsonObject key = shown("a.key");
+    QCOMPARE(addPeer(key[QLatin1String("public")].toString(), {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"),
+                                                               QStringLiteral("1,7")}).status, 0);
+    const QJsonObject listed = QJsonDocument::fromJson(peers("list", {QStringLiteral("--json")}).out).object();
+    QCOMPARE(listed[QLatin1String("name")].toString(), QStringLiteral("scout-1"));
+    QCOMPARE(listed[QLatin1String("role")].toString(), QStringLiteral("observer"));
+    QCOMPARE(listed[QLatin1String("sysids")].toString(), QStringLiteral("1,7"));
+    QCOMPARE(listed[QLatin1String("fingerprint")], key[QLatin1String("fingerprint")]);
+    QCOMPARE(peers("remove", {QStringLiteral("nobody")}).status, 1);
+    QCOMPARE(peers("remove", {QStringLiteral("scout-1")}).status, 0);
+    QVERIFY(peers("list", {QStringLiteral("--json")}).out.isEmpty());
+}
+
+void KeysCommandTest::changedKeyNeedsAnExplicitReplace()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(newKey("b.key").status, 0);
+    const QString first = shown("a.key")[QLatin1String("public")].toString(), second = shown("b.key")[QLatin1String("public")].toString();
+    QCOMPARE(addPeer(first).status, 0);
+    QCOMPARE(addPeer(second).status, 1);
+    QVERIFY(peers("list", {QStringLiteral("--json")}).out.contains(first.toUtf8()));
+    QCOMPARE(addPeer(second, {QStringLiteral("--replace")}).status, 0);
+    QVERIFY(peers("list", {QStringLiteral("--json")}).out.contains(second.toUtf8()));
+}
+
+void KeysCommandTest::noKeyByteInTheOutput()
+{
+    const RunResult made = newKey("a.key");
+    QFile file(path("a.key"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray secret = file.readAll().trimmed().split('\n').back().trimmed();
+    QVERIFY(secret.size() >= 40);
+    const RunResult show = keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")});
+    for (const QByteArray &output : {made.out, made.err, show.out, show.err})
+        QVERIFY(!output.contains(secret.left(8)));
+}
+
+QTEST_GUILESS_MAIN(KeysCommandTest)
+#include "keys_command_test.moc"

@@ -1,0 +1,129 @@
+#include "tests/engine/flight_rig.h"
+
+#include "core/crypto/init_crypto.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/secret_file.h"
+#include "core/mavlink/stream_parser.h"
+
+namespace skyseal::test {
+
+namespace {
+
+sim::VehicleConfig vehicleConfig(std::uint8_t systemId)
+{
+    sim::VehicleConfig config;
+    config.systemId = systemId;
+    return config;
+}
+
+void introduce(const std::string &file, const char *name, const crypto::PublicKey &key, channel::PeerRole role,
+               std::vector<std::uint8_t> systemIds)
+{
+    keys::PeersFile peers;
+    keys::PeerEntry entry;
+    entry.peer.key = key;
+    entry.peer.name = name;
+    entry.peer.role = role;
+    entry.peer.systemIds = std::move(systemIds);
+    if (!peers.add(std::move(entry)) || !peers.save(file))
+        qFatal("cannot write %s", file.c_str());
+}
+
+} // namespace
+
+link::LinkUrl urlOf(const std::string &text)
+{
+    return *link::LinkUrl::parse(text);
+}
+
+VehicleOnUdp::VehicleOnUdp(const std::string &target, std::uint8_t systemId)
+    : vehicle(vehicleConfig(systemId), steadyNow()), m_link(link::makeLink(urlOf("udpout:" + target), LinkId{1}, *this))
+{
+    m_link->open();
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { advance(); });
+    m_timer.start(5);
+}
+
+void VehicleOnUdp::linkReceived(link::Link &, std::span<const link::ReceivedBlock> blocks)
+{
+    for (const link::ReceivedBlock &block : blocks) {
+        mavlink::FrameScanner scanner(block.bytes, mavlink::Dialect::builtin());
+        while (const auto item = scanner.next()) {
+            if (item->frame)
+                vehicle.handleFrame(block.time, *item->frame);
+        }
+    }
+    advance();
+}
+
+void VehicleOnUdp::advance()
+{
+    vehicle.advance(steadyNow());
+    for (ByteView frame = vehicle.pollFrame(); !frame.empty(); frame = vehicle.pollFrame()) {
+        m_link->send({}, frame);
+        ++sent;
+    }
+    m_link->flush();
+}
+
+FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned)
+{
+    if (!crypto::initCrypto())
+        qFatal("no randomness");
+    crypto::SystemRandom random;
+    const auto ground = keys::writeNewIdentity(file("ground.key"), random);
+    const auto air = keys::writeNewIdentity(file("air.key"), random);
+    if (!ground || !air)
+        qFatal("cannot write keys");
+    introduce(file("ground.peers"), "air-1", air->publicKey, channel::PeerRole::Pilot, std::move(pinned));
+    introduce(file("air.peers"), "ground", ground->publicKey, stationRole, {});
+}
+
+engine::StationConfig FlightRig::stationConfig(engine::SecureMode mode) const
+{
+    engine::StationConfig config;
+    config.secure = mode;
+    if (mode != engine::SecureMode::Off)
+        config.keys = {file("ground.key"), file("ground.peers")};
+    config.policy.suites = channel::defaultSuites();
+    config.policy.allowResearch = true;
+    config.record = false;
+    return config;
+}
+
+void FlightRig::startAgent(const std::string &ground)
+{
+    auto secrets = engine::readSecretFiles({file("air.key"), file("air.peers")});
+    if (!secrets)
+        qFatal("%s", secrets.error().text().c_str());
+    engine::AgentConfig config{urlOf("udpin:127.0.0.1:" + m_vehiclePort), urlOf("udpout:" + ground), {channel::defaultSuites(), true, false}, false};
+    agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
+                                                [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
+    agent->start();
+    const std::string address = vehicleAddress();
+    m_vehiclePort = address.substr(address.rfind(':') + 1);
+}
+
+std::string FlightRig::vehicleAddress()
+{
+    return agent->snapshot().vehicle.localAddress;
+}
+
+StationEars::StationEars(engine::Station &station)
+{
+    QObject::connect(&station, &engine::Station::snapshotReady, &m_context,
+                     [this](const std::shared_ptr<const engine::Snapshot> &taken) { snapshot = taken; });
+    QObject::connect(&station, &engine::Station::happened, &m_context,
+                     [this](const engine::Happening &happening) { happenings.push_back(happening); });
+}
+
+std::string StationEars::listening() const
+{
+    for (const engine::LinkChanged &changed : all<engine::LinkChanged>()) {
+        if (changed.link.phase == engine::LinkPhase::Listening)
+            return changed.link.localAddress;
+    }
+    return {};
+}
+
+} // namespace skyseal::test

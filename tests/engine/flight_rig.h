@@ -1,0 +1,85 @@
+// A whole flight in one process over real sockets of 127.0.0.1: a simulated vehicle on UDP, an agent, and files with keys that
+// know each other. All live on the caller's thread and its event loop; ports are chosen by the system.
+#pragma once
+
+#include "core/engine/agent_core.h"
+#include "core/engine/station.h"
+#include "core/sim/simulated_vehicle.h"
+
+#include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyseal::test {
+
+/// A vehicle that sends to one address, as a simulator started with udpout does.
+class VehicleOnUdp : private link::LinkListener
+{
+public:
+    VehicleOnUdp(const std::string &target, std::uint8_t systemId = 1);
+
+    sim::SimulatedVehicle vehicle;
+    std::uint64_t sent = 0; ///< frames
+
+private:
+    void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
+    void advance();
+
+    std::unique_ptr<link::Link> m_link;
+    QTimer m_timer;
+};
+
+class FlightRig
+{
+public:
+    /// `stationRole`: what the agent lets the station do; `pinned`: system ids that the station binds to the agent's key.
+    explicit FlightRig(channel::PeerRole stationRole = channel::PeerRole::Pilot, std::vector<std::uint8_t> pinned = {});
+
+    engine::StationConfig stationConfig(engine::SecureMode mode = engine::SecureMode::Required) const;
+    /// A fresh agent, as after a restart of its program, that announces itself to `ground` ("127.0.0.1:port").
+    void startAgent(const std::string &ground);
+    /// As kill -9: nobody is told.
+    void killAgent() { agent.reset(); }
+    std::string vehicleAddress(); ///< where a vehicle sends to
+
+    std::unique_ptr<engine::AgentCore> agent;
+    std::vector<engine::AgentEvent> agentEvents;
+
+private:
+    std::string file(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }
+
+    QTemporaryDir m_folder;
+    std::string m_vehiclePort = "0"; ///< kept over restarts
+};
+
+/// What a station said, kept.
+class StationEars
+{
+public:
+    explicit StationEars(engine::Station &station);
+
+    template<typename E> std::vector<E> all() const
+    {
+        std::vector<E> out;
+        for (const engine::Happening &happening : happenings) {
+            if (const E *e = std::get_if<E>(&happening))
+                out.push_back(*e);
+        }
+        return out;
+    }
+    /// Address on which the station listens; empty before.
+    std::string listening() const;
+
+    std::vector<engine::Happening> happenings;
+    std::shared_ptr<const engine::Snapshot> snapshot = std::make_shared<engine::Snapshot>();
+
+private:
+    QObject m_context;
+};
+
+link::LinkUrl urlOf(const std::string &text);
+
+} // namespace skyseal::test

@@ -1,0 +1,120 @@
+// A station without keys: it shows plain vehicles, says which port is taken, and stops its heartbeat when its reader hangs.
+#include "core/engine/station_core.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/flight_rig.h"
+
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class PlainStationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void plainVehicleIsShownAsPlain();
+    void takenPortIsNamed();
+    void heartbeatStopsWithItsReader();
+    void noTargetWithoutAHeartbeat();
+};
+
+void PlainStationTest::plainVehicleIsShownAsPlain()
+{
+    FlightRig rig;
+    auto station = engine::Station::create(rig.stationConfig(engine::SecureMode::Preferred));
+    QVERIFY(station);
+    StationEars ears(**station);
+    (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
+    QTRY_VERIFY_WITH_TIMEOUT(!ears.listening().empty(), 10000);
+    VehicleOnUdp vehicle(ears.listening());
+    QTRY_VERIFY_WITH_TIMEOUT(!ears.all<engine::VehicleFound>().empty(), 10000);
+    QVERIFY(!ears.all<engine::VehicleFound>()[0].sealed);
+    QTRY_COMPARE_WITH_TIMEOUT(int(ears.snapshot->security), int(engine::Security::Plain), 10000);
+    // It hears us, too: streams start only when they were asked for.
+    QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
+}
+
+void PlainStationTest::takenPortIsNamed()
+{
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Off;
+    config.record = false;
+    auto first = engine::Station::create(config);
+    auto second = engine::Station::create(config);
+    StationEars firstEars(**first), secondEars(**second);
+    (*first)->addLink(urlOf("udpin:127.0.0.1:0"));
+    QTRY_VERIFY_WITH_TIMEOUT(!firstEars.listening().empty(), 10000);
+    const std::string address = firstEars.listening();
+    (*second)->addLink(urlOf("udpin:" + address));
+    const auto failed = [&secondEars] {
+        for (const engine::LinkChanged &changed : secondEars.all<engine::LinkChanged>()) {
+            if (changed.link.phase == engine::LinkPhase::Failed)
+                return changed.link;
+        }
+        return engine::LinkSnapshot{};
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(failed().addressInUse, 10000);
+    QVERIFY2(failed().problem.find(address.substr(address.rfind(':'))) != std::string::npos, failed().problem.c_str());
+}
+
+namespace {
+
+/// Heartbeats of a ground station among the datagrams that wait in a socket.
+int gcsHeartbeats(QUdpSocket &socket)
+{
+    int out = 0;
+    while (socket.hasPendingDatagrams()) {
+        QByteArray datagram(static_cast<qsizetype>(socket.pendingDatagramSize()), 0);
+        socket.readDatagram(datagram.data(), datagram.size());
+        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(datagram.constData()), static_cast<std::size_t>(datagram.size()));
+        const auto frame = mavlink::readFrame(bytes, mavlink::Dialect::builtin());
+        out += frame && frame->messageId() == 0 && frame->systemId() == 255;
+    }
+    return out;
+}
+
+engine::StationConfig offConfig()
+{
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Off;
+    config.record = false;
+    return config;
+}
+
+} // namespace
+
+void PlainStationTest::heartbeatStopsWithItsReader()
+{
+    QUdpSocket remote;
+    QVERIFY(remote.bind(QHostAddress::LocalHost, 0));
+    engine::StationCore core(offConfig(), nullptr, {[](const auto &) {}, [](const auto &) {}});
+    core.addLink(LinkId{1}, urlOf("udpout:127.0.0.1:" + std::to_string(remote.localPort())));
+    int heard = 0;
+    QVERIFY(QTest::qWaitFor([&] { return (heard += gcsHeartbeats(remote)) >= 2; }, 10000));
+    core.setReaderAlive(false);
+    gcsHeartbeats(remote);
+    QVERIFY(!QTest::qWaitFor([&] { return gcsHeartbeats(remote) > 0; }, 2500));
+    core.setReaderAlive(true);
+    QVERIFY(QTest::qWaitFor([&] { return gcsHeartbeats(remote) > 0; }, 10000));
+}
+
+void PlainStationTest::noTargetWithoutAHeartbeat()
+{
+    engine::LinkSnapshot listening;
+    engine::StationCore core(offConfig(), nullptr, {[](const auto &) {}, [&](const engine::Happening &happening) {
+                                                        if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
+                                                            listening = changed->link;
+                                                    }});
+    core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(listening.phase), int(engine::LinkPhase::Listening), 10000);
+    const auto port = static_cast<quint16>(std::stoi(listening.localAddress.substr(listening.localAddress.rfind(':') + 1)));
+    QUdpSocket noise;
+    QVERIFY(noise.bind(QHostAddress::LocalHost, 0));
+    noise.writeDatagram("anybody there?", QHostAddress::LocalHost, port);
+    QVERIFY(!QTest::qWaitFor([&] { return noise.hasPendingDatagrams(); }, 1500));
+}
+
+QTEST_GUILESS_MAIN(PlainStationTest)
+#include "plain_station_test.moc"

@@ -1,0 +1,123 @@
+// The recorder: what it writes reads back, a crash costs the last second at the most, and a bad disk stops nothing.
+#include "core/engine/recorder.h"
+#include "core/base/hex.h"
+#include "core/log/log_summary.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <csignal>
+#include <fstream>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+
+namespace {
+
+const Bytes kFrame = *fromHex("fd090000010f1b000000221e0769f237925b0352fa");
+
+WallTime timeOf(int number)
+{
+    return WallTime(std::chrono::seconds(1'700'000'000) + std::chrono::milliseconds(number));
+}
+
+tlog::LogSummary summaryOf(const QString &folder)
+{
+    const QStringList files = QDir(folder).entryList({QStringLiteral("*.tlog")}, QDir::Files);
+    if (files.size() != 1)
+        return {};
+    std::ifstream file((folder + QLatin1Char('/') + files[0]).toStdString(), std::ios::binary);
+    return tlog::summarize(file, mavlink::Dialect::builtin());
+}
+
+} // namespace
+
+class RecorderTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { m_folder = std::make_unique<QTemporaryDir>(); }
+    void writesWhatItWasGiven();
+    void killedProcessLosesTheLastSecondAtMost();
+    void fullBufferDropsAndCounts();
+    void unwritableFolderIsAProblemAndNoMore();
+    void noFrameNoFile();
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
+
+void RecorderTest::writesWhatItWasGiven()
+{
+    const QString folder = m_folder->filePath(QStringLiteral("made/by/it"));
+    {
+        Recorder recorder(folder.toStdString());
+        for (int i = 0; i < 1000; ++i)
+            recorder.record(timeOf(i), kFrame);
+    }
+    const tlog::LogSummary summary = summaryOf(folder);
+    QVERIFY(summary.isSound());
+    QCOMPARE(summary.frames, std::uint64_t(1000));
+    QVERIFY(summary.first == timeOf(0));
+    QVERIFY(summary.last == timeOf(999));
+}
+
+void RecorderTest::killedProcessLosesTheLastSecondAtMost()
+{
+    const std::string folder = m_folder->path().toStdString();
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) {
+        Recorder recorder(folder);
+        for (int i = 0; i < 100; ++i)
+            recorder.record(timeOf(i), kFrame);
+        while (recorder.snapshot().frames < 100)
+            usleep(1000);
+        for (int i = 100; i < 200; ++i)
+            recorder.record(timeOf(i), kFrame);
+        kill(getpid(), SIGKILL);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QVERIFY(WIFSIGNALED(status));
+    const tlog::LogSummary summary = summaryOf(m_folder->path());
+    QVERIFY(summary.frames >= 100);
+    QVERIFY(summary.isSound());
+}
+
+void RecorderTest::fullBufferDropsAndCounts()
+{
+    Recorder recorder(m_folder->path().toStdString(), 1000);
+    for (int i = 0; i < 1000; ++i)
+        recorder.record(timeOf(i), kFrame);
+    const RecordingSnapshot at = recorder.snapshot();
+    QVERIFY(at.dropped > 0);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.snapshot().frames + recorder.snapshot().dropped, std::uint64_t(1000), 10000);
+}
+
+void RecorderTest::unwritableFolderIsAProblemAndNoMore()
+{
+    Recorder recorder("/dev/null/flights");
+    recorder.record(timeOf(0), kFrame);
+    std::optional<RecordingSnapshot> problem;
+    QVERIFY(QTest::qWaitFor([&] { return (problem = recorder.takeProblem()).has_value(); }, 10000));
+    QVERIFY(problem->file.find("/dev/null/flights") == 0);
+    QVERIFY(!problem->problem.empty());
+    QVERIFY(!recorder.takeProblem()); // told once
+    recorder.record(timeOf(1), kFrame);
+    QTRY_COMPARE_WITH_TIMEOUT(recorder.snapshot().dropped, std::uint64_t(2), 10000);
+}
+
+void RecorderTest::noFrameNoFile()
+{
+    { Recorder recorder(m_folder->path().toStdString()); }
+    QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
+}
+
+QTEST_GUILESS_MAIN(RecorderTest)
+#include "recorder_test.moc"

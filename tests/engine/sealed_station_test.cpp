@@ -1,0 +1,212 @@
+// Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back after a
+// restart, and lets through only what is allowed.
+#include "tests/engine/flight_rig.h"
+
+#include <QtCore/QElapsedTimer>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+/// A station that listens on a port of its own.
+struct Ground
+{
+    explicit Ground(engine::StationConfig config)
+    {
+        auto made = engine::Station::create(std::move(config));
+        if (!made)
+            qFatal("%s", made.error().text().c_str());
+        station = std::move(*made);
+        ears = std::make_unique<StationEars>(*station);
+        station->addLink(urlOf("udpin:127.0.0.1:0"));
+        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
+            qFatal("no link");
+    }
+    bool up() const { return !ears->all<channel::SessionUp>().empty(); }
+
+    std::unique_ptr<engine::Station> station;
+    std::unique_ptr<StationEars> ears;
+};
+
+} // namespace
+
+class SealedStationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sessionIsUpWithinASecond();
+    void carriesEverythingWhileSuitesChange();
+    void comesBackAfterTheAgentWasKilled();
+    void clearFramesOfAPinnedVehicleAreRefused();
+    void observerCannotCommand();
+    void pilotCanCommand();
+    void unknownStationGetsNothing();
+    void lastSnapshotKeepsTheCounts();
+};
+
+void SealedStationTest::sessionIsUpWithinASecond()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig());
+    QElapsedTimer since;
+    since.start();
+    rig.startAgent(ground.ears->listening());
+    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
+    QVERIFY2(since.elapsed() <= 1000, qPrintable(QString::number(since.elapsed())));
+    QCOMPARE(ground.ears->all<channel::SessionUp>()[0].peerName, std::string("air-1"));
+    QTRY_COMPARE(int(ground.ears->snapshot->security), int(engine::Security::Sealed));
+}
+
+void SealedStationTest::carriesEverythingWhileSuitesChange()
+{
+    FlightRig rig;
+    auto config = rig.stationConfig();
+    config.streamRate = 50;
+    Ground ground(std::move(config));
+    rig.startAgent(ground.ears->listening());
+    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+
+    const channel::SessionId session = ground.ears->all<channel::SessionUp>()[0].session;
+    std::size_t switches = 0;
+    for (int round = 0; round < 3; ++round) {
+        for (const crypto::SuiteInfo &info : crypto::suites()) {
+            if (!info.authenticated || (round == 0 && info.id == crypto::SuiteId::ChaCha20Poly1305))
+                continue;
+            ground.station->switchSuite(session, info.id);
+            ++switches;
+            QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<channel::SwitchDone>().size(), switches, 10000);
+            const channel::SwitchDone done = ground.ears->all<channel::SwitchDone>().back();
+            QCOMPARE(int(done.to), int(info.id));
+            QCOMPARE(int(done.failure), int(channel::SwitchFailure::None));
+            const std::uint64_t frames = ground.ears->snapshot->mavlink.frames;
+            QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > frames + 20, 10000);
+        }
+    }
+    const engine::Snapshot &seen = *ground.ears->snapshot;
+    QCOMPARE(seen.mavlink.lost, std::uint64_t(0));
+    QCOMPARE(seen.mavlink.duplicate, std::uint64_t(0));
+    QCOMPARE(seen.channel.rx.lost, std::uint64_t(0));
+    QCOMPARE(seen.channel.rx.forged, std::uint64_t(0));
+    QVERIFY(seen.vehicles[0].session.has_value());
+    QVERIFY(!seen.samples.empty());
+}
+
+void SealedStationTest::comesBackAfterTheAgentWasKilled()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig());
+    rig.startAgent(ground.ears->listening());
+    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
+    const std::string vehicleAddress = rig.vehicleAddress();
+    VehicleOnUdp vehicle(vehicleAddress);
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+
+    const std::uint64_t before = ground.ears->snapshot->channel.rx.good;
+    QVERIFY(before > 0);
+    rig.killAgent();
+    QElapsedTimer since;
+    since.start();
+    rig.startAgent(ground.ears->listening());
+    QCOMPARE(rig.vehicleAddress(), vehicleAddress);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<channel::SessionUp>().size(), std::size_t(2), 10000);
+    QVERIFY2(since.elapsed() <= 3000, qPrintable(QString::number(since.elapsed())));
+    const std::uint64_t frames = ground.ears->snapshot->mavlink.frames;
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > frames, 10000);
+    // What was received before the restart is not forgotten.
+    QVERIFY(ground.ears->snapshot->channel.rx.good > before);
+}
+
+void SealedStationTest::clearFramesOfAPinnedVehicleAreRefused()
+{
+    FlightRig rig(channel::PeerRole::Pilot, {1});
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    VehicleOnUdp impostor(ground.ears->listening(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::PlaintextRefused>().empty(), 10000);
+    QCOMPARE(int(ground.ears->all<engine::PlaintextRefused>()[0].systemId), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 0, 10000);
+    QVERIFY(ground.ears->snapshot->vehicles.empty());
+    QVERIFY(ground.ears->snapshot->channel.rx.plaintextDropped > 0);
+
+    // Another vehicle, whose key nobody pinned, is shown for what it is.
+    VehicleOnUdp other(ground.ears->listening(), 2);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<engine::VehicleFound>().size(), std::size_t(1), 10000);
+    QCOMPARE(int(ground.ears->all<engine::VehicleFound>()[0].systemId), 2);
+    QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
+}
+
+void SealedStationTest::observerCannotCommand()
+{
+    FlightRig rig(channel::PeerRole::Observer);
+    Ground ground(rig.stationConfig());
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    ground.station->command(1, vehicle::SetMode{"GUIDED"});
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
+    QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::TimedOut));
+    const engine::AgentSnapshot agent = rig.agent->snapshot();
+    QVERIFY(agent.counters.observerRefused > 0);
+    QCOMPARE(agent.counters.toVehicle, std::uint64_t(0));
+}
+
+void SealedStationTest::pilotCanCommand()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig());
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    const vehicle::CommandId id = ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
+    QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Accepted));
+    QVERIFY(ground.ears->all<vehicle::CommandResult>()[0].id == id);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles[0].state.mode, std::string("ALT_HOLD"), 10000);
+}
+
+void SealedStationTest::unknownStationGetsNothing()
+{
+    FlightRig rig, stranger;
+    Ground ground(stranger.stationConfig()); // knows other keys
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::HandshakeRefused>().empty(), 10000);
+    QVERIFY(!ground.up());
+    QVERIFY(ground.ears->snapshot->vehicles.empty());
+    QCOMPARE(rig.agent->snapshot().counters.toGround, std::uint64_t(0));
+}
+
+void SealedStationTest::lastSnapshotKeepsTheCounts()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig());
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > 5, 10000);
+    std::shared_ptr<const engine::Snapshot> last;
+    connect(ground.station.get(), &engine::Station::stopped, this,
+            [&last](const std::shared_ptr<const engine::Snapshot> &snapshot) { last = snapshot; });
+    ground.station->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(last, 10000);
+    QVERIFY(last->mavlink.frames > 5);
+    QVERIFY(last->channel.rx.good > 5);
+    QVERIFY(last->channel.up);
+    const auto goodbye = [&rig] {
+        for (const engine::AgentEvent &event : rig.agentEvents) {
+            const auto *told = std::get_if<channel::Event>(&event);
+            const auto *down = told ? std::get_if<channel::SessionDown>(told) : nullptr;
+            if (down && down->reason == channel::DownReason::PeerClosed)
+                return true;
+        }
+        return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(goodbye(), 10000);
+}
+
+QTEST_GUILESS_MAIN(SealedStationTest)
+#include "sealed_station_test.moc"

@@ -1,0 +1,137 @@
+// Whose frames are believed.
+#include "core/engine/sender_policy.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+
+namespace {
+
+constexpr channel::SessionId kFirst{1}, kSecond{2};
+const Path kPathA{LinkId{1}, {{1}, 1000}}, kPathB{LinkId{1}, {{1}, 2000}}, kElsewhere{LinkId{1}, {{9}, 9}};
+
+channel::Peer peerWith(std::uint8_t number, std::vector<std::uint8_t> systemIds, channel::PeerRole role = channel::PeerRole::Pilot)
+{
+    channel::Peer peer;
+    peer.key[0] = number;
+    peer.role = role;
+    peer.systemIds = std::move(systemIds);
+    return peer;
+}
+
+} // namespace
+
+class SenderPolicyTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void peerSpeaksOnlyAsItsSystems();
+    void systemBelongsToTheFirstThatSpokeAsIt();
+    void samePeerKeepsItsSystemOverARestart();
+    void clearFramesByMode();
+    void systemHeardSealedIsNeverClearAgain();
+    void clearFramesFromASessionsPlaceAreRefused();
+    void removedPeerSpeaksAsNothing();
+    void observerMayNotCommand();
+};
+
+void SenderPolicyTest::peerSpeaksOnlyAsItsSystems()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer peer = peerWith(1, {3, 4});
+    policy.setPeers({peer});
+    QVERIFY(!policy.acceptSealed(kFirst, 3)); // no session
+    policy.sessionUp(kFirst, peer.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 3));
+    QVERIFY(policy.acceptSealed(kFirst, 4));
+    QVERIFY(!policy.acceptSealed(kFirst, 5));
+}
+
+void SenderPolicyTest::systemBelongsToTheFirstThatSpokeAsIt()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {}), b = peerWith(2, {});
+    policy.setPeers({a, b});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    policy.sessionUp(kSecond, b.key, kPathB);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
+    QVERIFY(!policy.acceptSealed(kSecond, 1));
+    QVERIFY(policy.acceptSealed(kSecond, 2));
+    policy.sessionDown(kFirst);
+    QVERIFY(policy.acceptSealed(kSecond, 1));
+}
+
+void SenderPolicyTest::samePeerKeepsItsSystemOverARestart()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {});
+    policy.setPeers({a});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
+    policy.sessionUp(kSecond, a.key, kPathB); // the new one is up before the old one is told down
+    QVERIFY(policy.acceptSealed(kSecond, 1));
+}
+
+void SenderPolicyTest::clearFramesByMode()
+{
+    QVERIFY(SenderPolicy(SecureMode::Preferred).acceptClear(kPathA, 1));
+    QVERIFY(SenderPolicy(SecureMode::Off).acceptClear(kPathA, 1));
+    QVERIFY(!SenderPolicy(SecureMode::Required).acceptClear(kPathA, 1));
+}
+
+void SenderPolicyTest::systemHeardSealedIsNeverClearAgain()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer any = peerWith(1, {}), pinned = peerWith(2, {7});
+    policy.setPeers({any, pinned});
+    QVERIFY(!policy.acceptClear(kElsewhere, 7)); // pinned by the list
+    QVERIFY(policy.acceptClear(kElsewhere, 1));
+    policy.sessionUp(kFirst, any.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
+    QVERIFY(!policy.acceptClear(kElsewhere, 1));
+    QVERIFY(policy.sessionConcerned(kElsewhere, 1) == kFirst);
+    policy.sessionDown(kFirst); // cutting the sealed link must not open the clear one
+    QVERIFY(!policy.acceptClear(kElsewhere, 1));
+    QVERIFY(policy.acceptClear(kElsewhere, 2));
+}
+
+void SenderPolicyTest::clearFramesFromASessionsPlaceAreRefused()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer any = peerWith(1, {});
+    policy.setPeers({any});
+    policy.sessionUp(kFirst, any.key, kPathA);
+    QVERIFY(!policy.acceptClear(kPathA, 40));
+    policy.sessionMoved(kFirst, kPathB);
+    QVERIFY(policy.acceptClear(kPathA, 40));
+    QVERIFY(!policy.acceptClear(kPathB, 40));
+}
+
+void SenderPolicyTest::removedPeerSpeaksAsNothing()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {});
+    policy.setPeers({a});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
+    policy.setPeers({});
+    QVERIFY(!policy.acceptSealed(kFirst, 1));
+    QVERIFY(!policy.mayCommand(kFirst));
+}
+
+void SenderPolicyTest::observerMayNotCommand()
+{
+    SenderPolicy policy(SecureMode::Required);
+    const channel::Peer pilot = peerWith(1, {}), observer = peerWith(2, {}, channel::PeerRole::Observer);
+    policy.setPeers({pilot, observer});
+    policy.sessionUp(kFirst, pilot.key, kPathA);
+    policy.sessionUp(kSecond, observer.key, kPathB);
+    QVERIFY(policy.mayCommand(kFirst));
+    QVERIFY(!policy.mayCommand(kSecond));
+    QVERIFY(!policy.mayCommand(channel::SessionId{99}));
+}
+
+QTEST_GUILESS_MAIN(SenderPolicyTest)
+#include "sender_policy_test.moc"
