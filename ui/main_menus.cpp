@@ -8,6 +8,7 @@
 
 #include <QtGui/QAction>
 #include <QtWidgets/QDockWidget>
+#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 #include <QtWidgets/QMessageBox>
@@ -41,6 +42,12 @@ void MainMenus::fillFile(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuFile"));
     add(menu, tr("&Settings …"), QStringLiteral("actionSettings"), QKeySequence::Preferences, [this] { m_window.openSettings(); });
+    add(menu, tr("&Replay a log …"), QStringLiteral("actionReplay"), QKeySequence::Open, [this] {
+        const QString file = QFileDialog::getOpenFileName(&m_window, tr("Replay a log"), m_window.m_facts.recordFolder,
+                                                          tr("Telemetry logs (*.tlog);;All files (*)"));
+        if (!file.isEmpty())
+            m_window.replay(file);
+    });
     menu.addSeparator();
     add(menu, tr("&Quit"), QStringLiteral("actionQuit"), QKeySequence::Quit, [this] { m_window.close(); });
 }
@@ -126,6 +133,8 @@ void MainMenus::fillSecurity(QMenu &menu)
     menu.addSection(tr("Cipher suite"));
     for (QAction *action : m_window.m_suites->actions())
         menu.addAction(action);
+    menu.addSeparator();
+    add(menu, tr("&Own key …"), QStringLiteral("actionOwnKey"), Qt::CTRL | Qt::Key_K, [this] { m_window.openKeys(); });
 }
 
 void MainMenus::fillView(QMenu &menu)

@@ -1,12 +1,22 @@
 #include "ui/main_window.h"
 
+#include "ui/charts/diagnostics_panel.h"
+#include "ui/dialogs/help_dialog.h"
+#include "ui/dialogs/key_dialog.h"
+#include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/flight_panel.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/inspector/inspector_panel.h"
+#include "ui/links/link_dialog.h"
+#include "ui/links/links_panel.h"
 #include "ui/links/problem_banner.h"
+#include "ui/logs/logs_panel.h"
 #include "ui/main_menus.h"
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
 #include "ui/messages/messages_panel.h"
+#include "ui/mission/mission_panel.h"
+#include "ui/parameters/parameters_panel.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
@@ -46,7 +56,7 @@ MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts fact
     m_defaultArrangement = saveState(kArrangementVersion);
     restoreArrangement();
     applySettings(m_settings);
-    m_map->setFocus();
+    setFocus(); // no control is the first one: the map takes the keys once it is clicked or reached by Tab
 }
 
 MainWindow::~MainWindow() = default;
@@ -58,8 +68,6 @@ void MainWindow::makeCentre()
     bar->setMovable(false);
     bar->setContextMenuPolicy(Qt::PreventContextMenu);
     bar->toggleViewAction()->setEnabled(false);
-    bar->setContentsMargins(0, 0, 0, 0);
-    bar->layout()->setContentsMargins(0, 0, 0, 0);
     m_strip = new StatusStrip(bar);
     bar->addWidget(m_strip);
     addToolBar(Qt::TopToolBarArea, bar);
@@ -112,9 +120,29 @@ void MainWindow::makeDocks()
     m_messages = new MessagesPanel(this);
     QDockWidget *flight = addDock(tr("Flight"), QStringLiteral("dockFlight"), m_flight, Qt::LeftDockWidgetArea, true);
     QDockWidget *secure = addDock(tr("Secure link"), QStringLiteral("dockSecure"), m_secure, Qt::RightDockWidgetArea, true);
-    QDockWidget *messages = addDock(tr("Messages"), QStringLiteral("dockMessages"), m_messages, Qt::BottomDockWidgetArea);
-    resizeDocks({flight, secure}, {280, 264}, Qt::Horizontal);
-    resizeDocks({messages}, {200}, Qt::Vertical);
+    m_diagnostics = new DiagnosticsPanel(this);
+    m_inspector = new InspectorPanel(m_station, this);
+    m_parameters = new ParametersPanel(m_station, this);
+    m_mission = new MissionPanel(m_station, this);
+    m_logs = new LogsPanel(m_station, m_facts.recordFolder, this);
+    m_links = new LinksPanel(m_station, this);
+    const auto below = [this](const QString &title, const char *name, QWidget *panel) {
+        return addDock(title, QLatin1String(name), panel, Qt::BottomDockWidgetArea);
+    };
+    QDockWidget *diagnostics = below(tr("Diagnostics"), "dockDiagnostics", m_diagnostics);
+    for (QDockWidget *dock : {below(tr("Messages"), "dockMessages", m_messages), below(tr("Inspector"), "dockInspector", m_inspector),
+                              below(tr("Parameters"), "dockParameters", m_parameters), below(tr("Mission"), "dockMission", m_mission),
+                              below(tr("Logs"), "dockLogs", m_logs), below(tr("Links"), "dockLinks", m_links)})
+        tabifyDockWidget(diagnostics, dock);
+    diagnostics->raise();
+    const auto watch = [this](const char *dock, DockPanel *panel) {
+        connect(findChild<QDockWidget *>(QLatin1String(dock)), &QDockWidget::visibilityChanged, panel, &DockPanel::setInFront);
+    };
+    m_inspector->setInFront(false);
+    watch("dockDiagnostics", m_diagnostics);
+    watch("dockInspector", m_inspector);
+    resizeDocks({flight, secure}, {280, 272}, Qt::Horizontal);
+    resizeDocks({diagnostics}, {216}, Qt::Vertical);
 }
 
 void MainWindow::connectPanels()
@@ -132,6 +160,8 @@ void MainWindow::connectPanels()
             if (vehicle.session && static_cast<quint32>(*vehicle.session) == session)
                 chooseVehicle(vehicle.state.systemId);
     });
+    connect(m_links, &LinksPanel::addWanted, this, &MainWindow::openLinkDialog);
+    connect(m_logs, &LogsPanel::replayWanted, this, &MainWindow::replay);
     connect(m_commands, &VehicleCommands::said, this, [this](const QString &line, bool ok) {
         constexpr std::uint8_t kWarning = 4, kInfo = 6;
         m_messages->say(line, ok ? kInfo : kWarning);
@@ -149,6 +179,12 @@ void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
     m_empty->showScene(m_scene);
     m_flight->showScene(m_scene);
     m_secure->showScene(m_scene);
+    m_diagnostics->showScene(m_scene);
+    m_inspector->showScene(m_scene);
+    m_parameters->showScene(m_scene);
+    m_mission->showScene(m_scene);
+    m_logs->showScene(m_scene);
+    m_links->showScene(m_scene);
 }
 
 void MainWindow::take(const engine::Happening &happening)
@@ -222,9 +258,40 @@ void MainWindow::revealDock(QDockWidget *dock)
         inside->setFocus(Qt::ShortcutFocusReason);
 }
 
-void MainWindow::openLinkDialog() {}
-void MainWindow::openSettings() {}
-void MainWindow::openHelp(const QString &) {}
+void MainWindow::openLinkDialog()
+{
+    auto *dialog = new LinkDialog(m_settings.defaultLink, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { addLink(dialog->url()); });
+    dialog->open();
+}
+
+void MainWindow::openSettings()
+{
+    auto *dialog = new SettingsDialog(m_settings, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { applySettings(dialog->settings()); });
+    dialog->open();
+}
+
+void MainWindow::openHelp(const QString &page)
+{
+    auto *dialog = new HelpDialog(page, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}
+
+void MainWindow::openKeys()
+{
+    auto *dialog = new KeyDialog(m_station.publicKey(), m_facts.identityFile, m_facts.peersFile, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::replay(const QString &file)
+{
+    addLink(QStringLiteral("tlog:") + file);
+}
 
 void MainWindow::applySettings(const Settings &settings)
 {

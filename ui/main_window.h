@@ -25,6 +25,12 @@ class StatusStrip;
 class SuiteActions;
 class TrafficBar;
 class VehicleCommands;
+class DiagnosticsPanel;
+class InspectorPanel;
+class LinksPanel;
+class LogsPanel;
+class MissionPanel;
+class ParametersPanel;
 
 /// Facts about this program that some dialogs show.
 struct ProgramFacts
@@ -76,6 +82,8 @@ private:
     void openLinkDialog();
     void openSettings();
     void openHelp(const QString &page);
+    void openKeys();
+    void replay(const QString &file);
     void applySettings(const Settings &settings);
     void restoreArrangement();
     void resetArrangement();
@@ -97,6 +105,12 @@ private:
     FlightPanel *m_flight;
     SecureLinkPanel *m_secure;
     MessagesPanel *m_messages;
+    DiagnosticsPanel *m_diagnostics;
+    InspectorPanel *m_inspector;
+    ParametersPanel *m_parameters;
+    MissionPanel *m_mission;
+    LogsPanel *m_logs;
+    LinksPanel *m_links;
     std::vector<QDockWidget *> m_docks; ///< in the order of Ctrl+1 … n
     QByteArray m_defaultArrangement;
 };

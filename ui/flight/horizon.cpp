@@ -17,6 +17,11 @@ constexpr int kTape = 52;
 constexpr int kCompass = 24;
 constexpr double kDegreesShown = 50; ///< over the height of the picture
 
+double rollRadius(const QRectF &area)
+{
+    return std::min(area.width(), area.height()) / 2 - 6;
+}
+
 bool differs(double a, double b, double by)
 {
     return std::isfinite(a) != std::isfinite(b) || (std::isfinite(a) && std::abs(a - b) >= by);
@@ -105,7 +110,7 @@ void Horizon::paintWorld(QPainter &painter, const QRectF &area) const
     painter.fillRect(QRectF(-far, horizon, 2 * far, 2 * far), shade(colors.ground));
     painter.setPen(QPen(Qt::white, 1.5));
     painter.drawLine(QPointF(-far, horizon), QPointF(far, horizon));
-    paintLadder(painter, pixelsPerDegree);
+    paintLadder(painter, pixelsPerDegree, rollRadius(area) - 22);
     painter.restore();
 
     painter.save();
@@ -116,7 +121,7 @@ void Horizon::paintWorld(QPainter &painter, const QRectF &area) const
     painter.restore();
 }
 
-void Horizon::paintLadder(QPainter &painter, double pixelsPerDegree) const
+void Horizon::paintLadder(QPainter &painter, double pixelsPerDegree, double reach) const
 {
     const QFontMetricsF metrics(painter.font());
     painter.setPen(QPen(QColor(255, 255, 255, 210), 1));
@@ -126,7 +131,7 @@ void Horizon::paintLadder(QPainter &painter, double pixelsPerDegree) const
         if (degrees == 0 || std::abs(degrees) > 90)
             continue;
         const double y = (m_attitude.pitch - degrees) * pixelsPerDegree;
-        if (std::abs(y) > 17.5 * pixelsPerDegree)
+        if (std::abs(y) > reach)
             continue; // keeps clear of the roll scale
         const double half = degrees % 10 == 0 ? 22 : 10;
         painter.drawLine(QPointF(-half, y), QPointF(half, y));
@@ -140,7 +145,7 @@ void Horizon::paintLadder(QPainter &painter, double pixelsPerDegree) const
 
 void Horizon::paintRollScale(QPainter &painter, const QRectF &area) const
 {
-    const double radius = std::min(area.width(), area.height()) / 2 - 6;
+    const double radius = rollRadius(area);
     painter.translate(area.center());
     painter.setPen(QPen(QColor(255, 255, 255, 210), 1.2));
     for (const int degrees : {-60, -45, -30, -20, -10, 0, 10, 20, 30, 45, 60}) {

@@ -28,7 +28,7 @@ protected:
 
 private:
     void paintWorld(QPainter &painter, const QRectF &area) const;
-    void paintLadder(QPainter &painter, double pixelsPerDegree) const;
+    void paintLadder(QPainter &painter, double pixelsPerDegree, double reach) const;
     void paintRollScale(QPainter &painter, const QRectF &area) const;
     void paintAircraft(QPainter &painter, const QRectF &area) const;
 

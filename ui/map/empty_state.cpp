@@ -24,7 +24,7 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     large.setWeight(QFont::DemiBold);
     m_title->setFont(large);
     m_title->setWordWrap(true);
-    setMinimumWidth(50 * kGrid);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_text = new QLabel(this);
     m_text->setObjectName(QStringLiteral("emptyText"));
     m_text->setWordWrap(true);
@@ -48,6 +48,12 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
     connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
     showScene({});
+}
+
+QSize EmptyState::sizeHint() const
+{
+    constexpr int kWidth = 54 * kGrid;
+    return {kWidth, layout()->heightForWidth(kWidth)};
 }
 
 void EmptyState::setDemoAvailable(bool available)
@@ -93,6 +99,7 @@ void EmptyState::showScene(const Scene &scene)
         m_title->setText(title);
     if (m_text->text() != text)
         m_text->setText(text);
+    updateGeometry();
 }
 
 } // namespace skyseal::ui

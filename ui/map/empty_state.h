@@ -21,6 +21,9 @@ public:
     void showScene(const Scene &scene);
     void setDemoAvailable(bool available);
 
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
 Q_SIGNALS:
     void demoWanted();
     void connectWanted();

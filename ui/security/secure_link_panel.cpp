@@ -29,12 +29,6 @@ void put(QLabel *label, const QString &text)
     label->setVisible(!text.isEmpty());
 }
 
-/// Groups of four letters, so that two people can read it to each other; the break keeps it in a narrow dock.
-QString readable(const QString &fingerprint)
-{
-    return fingerprint;
-}
-
 } // namespace
 
 SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidget(parent), m_suites(suites)
@@ -75,8 +69,6 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     };
     m_peer = fact("securePeer", tr("Peer"));
     m_since = fact("secureSince", tr("Sealed since"));
-    m_fingerprint = fact("secureFingerprint", tr("Fingerprint of the peer's key"));
-    m_fingerprint->setWordWrap(true);
 
     m_advice = new QLabel(this);
     m_advice->setObjectName(QStringLiteral("secureAdvice"));
@@ -105,6 +97,9 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     column->addWidget(line);
     m_counters = new CountersTable(this);
     column->addWidget(m_counters);
+    column->addSpacing(kHalfGrid);
+    m_fingerprint = fact("secureFingerprint", tr("Fingerprint of the peer's key"));
+    m_fingerprint->setWordWrap(true);
     column->addStretch(1);
 
     connect(&suites, &SuiteActions::noteChanged, this, &SecureLinkPanel::showNote);
@@ -170,7 +165,7 @@ void SecureLinkPanel::showHead(const Scene &scene)
     const QString name = info.peerName.empty() ? tr("unnamed peer") : fromStd(info.peerName);
     put(m_peer, tr("%1 ✓ · %2").arg(name, fromStd(scene.session->remoteAddress)));
     put(m_since, tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(scene.session->age)));
-    put(m_fingerprint, readable(fromStd(scene.session->fingerprint)));
+    put(m_fingerprint, tr("Fingerprint of %1\n%2").arg(name, fromStd(scene.session->fingerprint)));
 }
 
 void SecureLinkPanel::showSessions(const Scene &scene)

@@ -12,19 +12,20 @@ using engine::Security;
 
 namespace {
 
-QString tr(const char *text)
+/// The translations' context of the free functions below.
+struct Words
 {
-    return QCoreApplication::translate("skyseal::ui::LockFace", text);
-}
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LockFace)
+};
 
 QString peerName(const engine::SessionSnapshot &session)
 {
-    return session.info.peerName.empty() ? tr("peer") : fromStd(session.info.peerName);
+    return session.info.peerName.empty() ? Words::tr("peer") : fromStd(session.info.peerName);
 }
 
 QString sealedToolTip(const engine::SessionSnapshot &session)
 {
-    return tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
+    return Words::tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
         .arg(suiteName(session.info.suite), durationText(session.age), peerName(session), fromStd(session.remoteAddress),
              fromStd(session.fingerprint));
 }
@@ -47,13 +48,13 @@ LockFace lockFaceOf(const Scene &scene)
     if (!scene.session) {
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
-            face.variants = {tr("Nothing sealed"), tr("Nothing sealed")};
-            face.toolTip = tr("No vehicle and no session yet");
+            face.variants = {Words::tr("Nothing sealed"), Words::tr("Nothing sealed")};
+            face.toolTip = Words::tr("No vehicle and no session yet");
             return face;
         }
         face.icon = QStringLiteral("lock-open");
-        face.variants = {tr("Not sealed · plain MAVLink"), tr("Not sealed")};
-        face.toolTip = tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
+        face.variants = {Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")};
+        face.toolTip = Words::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
         face.suite = crypto::SuiteId::None;
         return face;
     }
@@ -67,21 +68,21 @@ LockFace lockFaceOf(const Scene &scene)
     case Security::Switching: {
         const QString to = suiteName(session.info.pending.value_or(session.info.suite));
         face.icon = QStringLiteral("lock-switching");
-        face.variants = {suite + QStringLiteral(" → ") + to + dot + tr("switching…"), suite + dot + tr("switching…")};
-        face.toolTip += QLatin1Char('\n') + tr("Switching to %1").arg(to);
+        face.variants = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"), suite + dot + Words::tr("switching…")};
+        face.toolTip += QLatin1Char('\n') + Words::tr("Switching to %1").arg(to);
         break;
     }
     case Security::UnderAttack: {
-        const QString count = tr("%1 forged or replayed in the last minute")
+        const QString count = Words::tr("%1 forged or replayed in the last minute")
                                   .arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
-        const QString brief = tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
+        const QString brief = Words::tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
         face.icon = QStringLiteral("lock-alert");
-        face.variants = {suite + dot + peer + dot + tr("under attack, %1").arg(brief), suite + dot + brief};
-        face.toolTip += QLatin1Char('\n') + tr("Under attack: %1. All of them were refused.").arg(count);
+        face.variants = {suite + dot + peer + dot + Words::tr("under attack, %1").arg(brief), suite + dot + brief};
+        face.toolTip += QLatin1Char('\n') + Words::tr("Under attack: %1. All of them were refused.").arg(count);
         break;
     }
     default: {
-        const QString epoch = tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
+        const QString epoch = Words::tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
         face.icon = QStringLiteral("lock-closed");
         face.variants = {suite + dot + peer + dot + epoch, suite + dot + peer, suite};
         break;

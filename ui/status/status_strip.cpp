@@ -42,8 +42,6 @@ StatusStrip::StatusStrip(QWidget *parent)
     m_armed->setSamples({tr("DISARMED")});
     m_gps->setSamples({tr("RTK fixed") + kDot + tr("%1 sat").arg(88), QString(), QString()});
     m_battery->setSamples({QStringLiteral("88.8 V · 100 %"), QStringLiteral("100 %")});
-    m_link->setSamples({tr("Link OK %1 %").arg(QStringLiteral("100.0")) + QStringLiteral(" · 888 ms · 8.8 s"),
-                        tr("Link OK %1 %").arg(QStringLiteral("100.0")) + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
     m_lock->setClickable(true);
     m_vehicle->setClickable(true);
     m_link->setClickable(true);
@@ -130,10 +128,13 @@ void StatusStrip::showLink(const Scene &scene)
 {
     const StateColors &colors = stateColors(palette());
     if (!scene.vehicle) {
+        m_link->setSamples({});
         m_link->setContent({tr("No link"), tr("No link"), dash()}, QStringLiteral("link"));
         m_link->setTextColor(colors.dim);
         return;
     }
+    const QString widest = tr("Link OK %1").arg(QStringLiteral("100.0 %"));
+    m_link->setSamples({widest + QStringLiteral(" · 888 ms · 8.8 s"), widest + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
     const auto &state = scene.vehicle->state;
     const QString age = tr("%1 s").arg(number(state.messageAge, 1));
     if (state.lost || scene.stale()) {

@@ -40,7 +40,12 @@ void StripItem::setContent(const QStringList &variants, const QString &iconName)
 
 void StripItem::setSamples(const QStringList &samples)
 {
+    if (samples == m_samples)
+        return;
+    const int before = widthOf(m_variant);
     m_samples = samples;
+    if (widthOf(m_variant) != before)
+        Q_EMIT widthChanged();
 }
 
 void StripItem::setIconColor(const QColor &color)

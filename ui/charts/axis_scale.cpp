@@ -1,0 +1,36 @@
+#include "ui/charts/axis_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyseal::ui {
+
+double roundUp(double value)
+{
+    if (!(value > 0))
+        return 0;
+    const double power = std::pow(10, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (power * factor >= value * (1 - 1e-12))
+            return power * factor;
+    return power * 10;
+}
+
+double AxisScale::update(double highest, double now)
+{
+    const double wanted = std::max(m_least, roundUp(highest * 1.05));
+    if (wanted >= m_top) {
+        m_top = wanted;
+        m_lowSince = -1;
+    } else if (highest > m_top * 0.4) {
+        m_lowSince = -1;
+    } else if (m_lowSince < 0 || now < m_lowSince) {
+        m_lowSince = now;
+    } else if (now - m_lowSince >= kShrinkAfter) {
+        m_top = wanted;
+        m_lowSince = -1;
+    }
+    return m_top;
+}
+
+} // namespace skyseal::ui

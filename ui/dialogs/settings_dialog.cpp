@@ -1,0 +1,147 @@
+#include "ui/dialogs/settings_dialog.h"
+
+#include "core/link/link_url.h"
+#include "ui/theme/grid.h"
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QGroupBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QVBoxLayout>
+
+namespace skyseal::ui {
+
+namespace {
+
+template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
+{
+    widget->setObjectName(QLatin1String(objectName));
+    widget->setAccessibleName(accessible);
+    return widget;
+}
+
+QLabel *smallPrint(const QString &text, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+} // namespace
+
+SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDialog(parent), m_start(settings)
+{
+    setObjectName(QStringLiteral("settingsDialog"));
+    setWindowTitle(tr("Settings"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
+    column->setSpacing(2 * kGrid);
+    column->addWidget(makeView());
+    column->addWidget(makeStation());
+    column->addWidget(makeSecurity());
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    // A link that cannot be one is not kept.
+    connect(m_link, &QLineEdit::textChanged, this, [this, buttons] {
+        const auto parsed = link::LinkUrl::parse(m_link->text().toStdString());
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(parsed.has_value());
+        m_link->setToolTip(parsed ? QString() : QString::fromStdString(parsed.error().message));
+    });
+    setMinimumWidth(64 * kGrid);
+}
+
+QWidget *SettingsDialog::makeView()
+{
+    auto *box = new QGroupBox(tr("View"), this);
+    auto *form = new QFormLayout(box);
+    m_theme = named(new QComboBox(box), "settingTheme", tr("Colours"));
+    m_theme->addItem(tr("as the desktop"), static_cast<int>(Theme::Desktop));
+    m_theme->addItem(tr("light"), static_cast<int>(Theme::Light));
+    m_theme->addItem(tr("dark"), static_cast<int>(Theme::Dark));
+    m_theme->addItem(tr("high contrast"), static_cast<int>(Theme::HighContrast));
+    m_theme->setCurrentIndex(m_theme->findData(static_cast<int>(m_start.theme)));
+    m_units = named(new QComboBox(box), "settingUnits", tr("Units"));
+    m_units->addItem(tr("metric (m, m/s)"), static_cast<int>(UnitSystem::Metric));
+    m_units->addItem(tr("imperial (ft, mph)"), static_cast<int>(UnitSystem::Imperial));
+    m_units->setCurrentIndex(m_units->findData(static_cast<int>(m_start.units)));
+    form->addRow(tr("&Colours"), m_theme);
+    form->addRow(tr("&Units"), m_units);
+    return box;
+}
+
+QWidget *SettingsDialog::makeStation()
+{
+    auto *box = new QGroupBox(tr("Station"), this);
+    auto *form = new QFormLayout(box);
+    m_systemId = named(new QSpinBox(box), "settingSystemId", tr("MAVLink system id"));
+    m_systemId->setRange(1, 255);
+    m_systemId->setValue(m_start.systemId);
+    m_componentId = named(new QSpinBox(box), "settingComponentId", tr("MAVLink component id"));
+    m_componentId->setRange(1, 255);
+    m_componentId->setValue(m_start.componentId);
+    m_link = named(new QLineEdit(m_start.defaultLink, box), "settingLink", tr("Link to open at start"));
+    m_record = named(new QCheckBox(tr("&Record what is received and sent (.tlog)"), box), "settingRecord", tr("Record"));
+    m_record->setChecked(m_start.record);
+    m_folder = named(new QLineEdit(m_start.recordFolder, box), "settingFolder", tr("Folder of the recordings"));
+    m_folder->setPlaceholderText(tr("the application's own folder"));
+    auto *browse = new QPushButton(tr("Browse …"), box);
+    browse->setAccessibleName(tr("Browse for the folder of the recordings"));
+    connect(browse, &QPushButton::clicked, this, [this] {
+        const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the recordings"), m_folder->text());
+        if (!folder.isEmpty())
+            m_folder->setText(folder);
+    });
+    auto *where = new QHBoxLayout;
+    where->addWidget(m_folder, 1);
+    where->addWidget(browse);
+    form->addRow(tr("MAVLink &system"), m_systemId);
+    form->addRow(tr("MAVLink c&omponent"), m_componentId);
+    form->addRow(tr("&Link at start"), m_link);
+    form->addRow(QString(), m_record);
+    form->addRow(tr("&Folder"), where);
+    form->addRow(QString(), smallPrint(tr("Ids, link and folder take effect at the next start."), box));
+    return box;
+}
+
+QWidget *SettingsDialog::makeSecurity()
+{
+    auto *box = new QGroupBox(tr("Security"), this);
+    auto *column = new QVBoxLayout(box);
+    m_required = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired", tr("Show sealed vehicles only"));
+    m_required->setChecked(m_start.requireSealed);
+    m_research = named(new QCheckBox(tr("Allow &insecure research suites (RC4)"), box), "settingResearch", tr("Allow insecure research suites"));
+    m_research->setChecked(m_start.allowResearch);
+    column->addWidget(m_required);
+    column->addWidget(smallPrint(tr("Plain MAVLink is then never shown and never answered. Takes effect at the next start."), box));
+    column->addWidget(m_research);
+    column->addWidget(smallPrint(tr("RC4 is broken: who records the link may read it. It is here to be measured against the others, is never "
+                                    "chosen by itself, and works only when the vehicle's agent allows it as well. I understand that while it is "
+                                    "in use the link is not confidential."), box));
+    return box;
+}
+
+Settings SettingsDialog::settings() const
+{
+    Settings out = m_start;
+    out.theme = static_cast<Theme>(m_theme->currentData().toInt());
+    out.units = static_cast<UnitSystem>(m_units->currentData().toInt());
+    out.systemId = m_systemId->value();
+    out.componentId = m_componentId->value();
+    out.defaultLink = m_link->text();
+    out.record = m_record->isChecked();
+    out.recordFolder = m_folder->text();
+    out.allowResearch = m_research->isChecked();
+    out.requireSealed = m_required->isChecked();
+    return out;
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,36 @@
+// The settings, edited as one value. What is dangerous says so and needs its own tick.
+#pragma once
+
+#include "ui/settings.h"
+
+#include <QtWidgets/QDialog>
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QSpinBox;
+
+namespace skyseal::ui {
+
+class SettingsDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit SettingsDialog(const Settings &settings, QWidget *parent = nullptr);
+
+    Settings settings() const;
+
+private:
+    QWidget *makeView();
+    QWidget *makeStation();
+    QWidget *makeSecurity();
+
+    Settings m_start;
+    QComboBox *m_theme, *m_units;
+    QSpinBox *m_systemId, *m_componentId;
+    QLineEdit *m_link, *m_folder;
+    QCheckBox *m_record, *m_research, *m_required;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,36 @@
+// The fields of one message with their values, units and enum names, decoded by the dialect.
+#pragma once
+
+#include "core/engine/snapshot.h"
+#include "core/mavlink/dialect.h"
+
+#include <QtCore/QAbstractTableModel>
+#include <QtCore/QStringList>
+
+namespace skyseal::ui {
+
+class FieldModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    enum Column { Name, Value, Unit, Type, Columns };
+
+    explicit FieldModel(const mavlink::Dialect &dialect, QObject *parent = nullptr);
+
+    /// Null empties it. A message that the dialect does not know shows its raw bytes.
+    void setMessage(const engine::InspectorRow *row);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    const mavlink::Dialect &m_dialect;
+    const mavlink::MessageInfo *m_message = nullptr;
+    std::optional<std::uint32_t> m_id;
+    QStringList m_values;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,96 @@
+#include "ui/inspector/inspector_panel.h"
+
+#include "ui/theme/grid.h"
+
+#include <QtCore/QSortFilterProxyModel>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QSplitter>
+#include <QtWidgets/QTreeView>
+#include <QtWidgets/QVBoxLayout>
+
+#include <cmath>
+
+namespace skyseal::ui {
+
+namespace {
+
+constexpr double kRefreshSeconds = 0.25; ///< people cannot read quicker
+
+QTreeView *makeView(QAbstractItemModel *model, const QString &accessible, QWidget *parent)
+{
+    auto *view = new QTreeView(parent);
+    view->setAccessibleName(accessible);
+    view->setModel(model);
+    view->setRootIsDecorated(false);
+    view->setUniformRowHeights(true);
+    view->setFrameShape(QFrame::NoFrame);
+    view->setAlternatingRowColors(true);
+    return view;
+}
+
+} // namespace
+
+InspectorPanel::InspectorPanel(StationPort &station, QWidget *parent)
+    : DockPanel(parent), m_station(station), m_fields(mavlink::Dialect::builtin()), m_filter(new QSortFilterProxyModel(this))
+{
+    m_filter->setSourceModel(&m_messages);
+    m_filter->setFilterKeyColumn(InspectorModel::Name);
+    m_filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    auto *wanted = new QLineEdit(this);
+    wanted->setObjectName(QStringLiteral("inspectorFilter"));
+    wanted->setPlaceholderText(tr("Filter by name"));
+    wanted->setAccessibleName(tr("Filter of the message kinds"));
+    wanted->setClearButtonEnabled(true);
+    connect(wanted, &QLineEdit::textChanged, m_filter, &QSortFilterProxyModel::setFilterFixedString);
+
+    m_list = makeView(m_filter, tr("Message kinds"), this);
+    m_list->setObjectName(QStringLiteral("inspectorList"));
+    m_detail = makeView(&m_fields, tr("Fields of the chosen message"), this);
+    m_detail->setObjectName(QStringLiteral("inspectorFields"));
+    const QFontMetrics metrics(font());
+    const auto room = [&](const char *sample) { return metrics.horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
+    m_list->header()->setStretchLastSection(true);
+    m_list->header()->resizeSection(InspectorModel::Name, room("GLOBAL_POSITION_INT_COV"));
+    m_list->header()->resizeSection(InspectorModel::Id, room("88888"));
+    m_list->header()->resizeSection(InspectorModel::Sender, room("255 / 255"));
+    m_list->header()->resizeSection(InspectorModel::Rate, room("1888.8 /s"));
+    m_list->header()->resizeSection(InspectorModel::Count, room("88 888 888"));
+    m_detail->header()->resizeSection(FieldModel::Name, room("onboard_control_sensors"));
+    m_detail->header()->resizeSection(FieldModel::Value, room("0 (MAV_AUTOPILOT_ARDUPILOTMEGA)"));
+    m_detail->header()->resizeSection(FieldModel::Unit, room("cdeg/s"));
+
+    auto *split = new QSplitter(Qt::Horizontal, this);
+    split->addWidget(m_list);
+    split->addWidget(m_detail);
+    split->setChildrenCollapsible(false);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addWidget(wanted);
+    column->addWidget(split, 1);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &InspectorPanel::showFields);
+}
+
+void InspectorPanel::showScene(const Scene &scene)
+{
+    if (!isSeen() || !scene.snapshot || scene.snapshot->inspector.empty())
+        return;
+    if (std::abs(scene.snapshot->time - m_shownAt) < kRefreshSeconds)
+        return;
+    m_shownAt = scene.snapshot->time;
+    m_messages.setRows(scene.snapshot->inspector);
+    showFields();
+}
+
+void InspectorPanel::showFields()
+{
+    m_fields.setMessage(m_messages.rowAt(m_filter->mapToSource(m_list->currentIndex()).row()));
+}
+
+void InspectorPanel::seenChanged(bool seen)
+{
+    m_station.setInspecting(seen);
+}
+
+} // namespace skyseal::ui

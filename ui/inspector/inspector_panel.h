@@ -1,0 +1,38 @@
+// The inspector: every kind of message that comes in, and the fields of the chosen one, live. The station collects for it only
+// while it can be seen.
+#pragma once
+
+#include "ui/dock_panel.h"
+#include "ui/inspector/field_model.h"
+#include "ui/inspector/inspector_model.h"
+#include "ui/scene.h"
+
+class QTreeView;
+class QSortFilterProxyModel;
+
+namespace skyseal::ui {
+
+class InspectorPanel : public DockPanel
+{
+    Q_OBJECT
+
+public:
+    explicit InspectorPanel(StationPort &station, QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+
+protected:
+    void seenChanged(bool seen) override;
+
+private:
+    void showFields();
+
+    StationPort &m_station;
+    InspectorModel m_messages;
+    FieldModel m_fields;
+    QSortFilterProxyModel *m_filter;
+    QTreeView *m_list, *m_detail;
+    double m_shownAt = -1;
+};
+
+} // namespace skyseal::ui

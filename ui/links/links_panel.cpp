@@ -1,0 +1,70 @@
+#include "ui/links/links_panel.h"
+
+#include "ui/theme/grid.h"
+
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
+
+#include <cmath>
+
+namespace skyseal::ui {
+
+LinksPanel::LinksPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+{
+    auto *add = new QPushButton(tr("Add …"), this);
+    add->setObjectName(QStringLiteral("linkAdd"));
+    add->setAccessibleName(tr("Add a link"));
+    m_remove = new QPushButton(tr("Remove"), this);
+    m_remove->setObjectName(QStringLiteral("linkRemove"));
+    m_remove->setAccessibleName(tr("Remove the chosen link"));
+    m_view = new QTreeView(this);
+    m_view->setObjectName(QStringLiteral("linkView"));
+    m_view->setAccessibleName(tr("Links"));
+    m_view->setModel(&m_model);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setFrameShape(QFrame::NoFrame);
+    const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
+    m_view->header()->resizeSection(LinkModel::Url, room("udpin:255.255.255.255:14550"));
+    m_view->header()->resizeSection(LinkModel::State, room("waiting to try again"));
+    m_view->header()->resizeSection(LinkModel::Local, room("255.255.255.255:65535"));
+    m_view->header()->resizeSection(LinkModel::Remote, room("255.255.255.255:65535"));
+    m_view->header()->resizeSection(LinkModel::Received, room("888 kB/s · 888 MB"));
+    m_view->header()->resizeSection(LinkModel::Sent, room("888 kB/s · 888 MB"));
+    auto *tools = new QHBoxLayout;
+    tools->setSpacing(kGrid);
+    tools->addWidget(add);
+    tools->addWidget(m_remove);
+    tools->addStretch(1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addLayout(tools);
+    column->addWidget(m_view, 1);
+
+    connect(add, &QPushButton::clicked, this, &LinksPanel::addWanted);
+    connect(m_remove, &QPushButton::clicked, this, [this] {
+        if (const auto *link = m_model.linkAt(m_view->currentIndex().row()))
+            m_station.removeLink(link->id);
+    });
+    const auto allow = [this] { m_remove->setEnabled(m_view->currentIndex().isValid()); };
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, allow);
+    connect(&m_model, &LinkModel::modelReset, this, allow);
+    allow();
+}
+
+void LinksPanel::showScene(const Scene &scene)
+{
+    constexpr double kRefreshSeconds = 0.5;
+    if (!scene.snapshot)
+        return;
+    const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == scene.snapshot->links.size();
+    if (sameCount && std::abs(scene.snapshot->time - m_shownAt) < kRefreshSeconds)
+        return;
+    m_shownAt = scene.snapshot->time;
+    m_model.setLinks(scene.snapshot->links);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,92 @@
+#include "ui/mission/mission_model.h"
+
+#include "core/mavlink/dialect.h"
+#include "ui/text/units.h"
+#include "ui/text/words.h"
+
+#include <QtGui/QFont>
+
+namespace skyseal::ui {
+
+namespace {
+
+QString commandName(std::uint16_t command)
+{
+    const mavlink::EnumInfo *commands = mavlink::Dialect::builtin().enumeration("MAV_CMD");
+    QString name = commands ? fromStd(commands->nameOf(command)) : QString();
+    if (name.isEmpty())
+        return QString::number(command);
+    name.remove(QLatin1String("MAV_CMD_"));
+    name.remove(QLatin1String("NAV_"));
+    return name;
+}
+
+} // namespace
+
+void MissionModel::setMission(const Mission &mission, int current)
+{
+    if (mission != m_mission) {
+        beginResetModel();
+        m_mission = mission;
+        m_current = current;
+        endResetModel();
+    } else if (current != m_current) {
+        m_current = current;
+        if (rowCount() > 0)
+            Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
+    }
+}
+
+int MissionModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() || !m_mission ? 0 : static_cast<int>(m_mission->size());
+}
+
+int MissionModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : Columns;
+}
+
+QVariant MissionModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid() || index.row() >= rowCount())
+        return {};
+    const vehicle::MissionItem &item = (*m_mission)[static_cast<std::size_t>(index.row())];
+    const bool isCurrent = item.sequence == m_current;
+    if (role == Qt::FontRole && isCurrent) {
+        QFont bold;
+        bold.setBold(true);
+        return bold;
+    }
+    if (role == Qt::TextAlignmentRole && index.column() != Command)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (index.column()) {
+    case Number: return item.sequence;
+    case Command: {
+        const QString name = item.sequence == 0 ? tr("home") : commandName(item.command);
+        return isCurrent ? tr("%1 (now)").arg(name) : name;
+    }
+    case Latitude: return number(item.latitude, 7);
+    case Longitude: return number(item.longitude, 7);
+    case Altitude: return number(static_cast<double>(item.altitude), 1) + QStringLiteral(" m");
+    default: return {};
+    }
+}
+
+QVariant MissionModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case Number: return tr("No.");
+    case Command: return tr("Command");
+    case Latitude: return tr("Latitude");
+    case Longitude: return tr("Longitude");
+    case Altitude: return tr("Altitude");
+    default: return {};
+    }
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,36 @@
+// The items of a mission as a table.
+#pragma once
+
+#include "core/vehicle/mission.h"
+
+#include <QtCore/QAbstractTableModel>
+
+#include <memory>
+#include <vector>
+
+namespace skyseal::ui {
+
+class MissionModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    using Mission = std::shared_ptr<const std::vector<vehicle::MissionItem>>;
+    enum Column { Number, Command, Latitude, Longitude, Altitude, Columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// `current` is the item that is being flown, −1 for none.
+    void setMission(const Mission &mission, int current);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    Mission m_mission;
+    int m_current = -1;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,124 @@
+#include "ui/mission/mission_panel.h"
+
+#include "ui/mission/mission_file.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QSaveFile>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
+
+namespace skyseal::ui {
+
+MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+{
+    const auto button = [this](const QString &text, const char *name) {
+        auto *made = new QPushButton(text, this);
+        made->setObjectName(QLatin1String(name));
+        made->setAccessibleName(text);
+        return made;
+    };
+    m_read = button(tr("Read from the vehicle"), "missionRead");
+    m_send = button(tr("Send a file …"), "missionSend");
+    m_save = button(tr("Save as …"), "missionSave");
+    m_result = new QLabel(this);
+    m_result->setObjectName(QStringLiteral("missionResult"));
+    m_result->setAccessibleName(tr("Result of the last transfer"));
+    auto *tools = new QHBoxLayout;
+    tools->setSpacing(kGrid);
+    for (QPushButton *made : {m_read, m_send, m_save})
+        tools->addWidget(made);
+    tools->addWidget(m_result, 1);
+
+    auto *view = new QTreeView(this);
+    view->setObjectName(QStringLiteral("missionView"));
+    view->setAccessibleName(tr("Mission items"));
+    view->setModel(&m_model);
+    view->setRootIsDecorated(false);
+    view->setUniformRowHeights(true);
+    view->setFrameShape(QFrame::NoFrame);
+    view->header()->setStretchLastSection(false);
+    view->header()->resizeSection(MissionModel::Number, 6 * kGrid);
+    view->header()->setSectionResizeMode(MissionModel::Command, QHeaderView::Stretch);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addLayout(tools);
+    column->addWidget(view, 1);
+
+    const QString kinds = tr("Missions (*.waypoints *.txt);;All files (*)");
+    connect(m_read, &QPushButton::clicked, this, [this] {
+        say(tr("Reading …"));
+        m_station.readMission(m_systemId);
+    });
+    connect(m_send, &QPushButton::clicked, this, [this, kinds] {
+        const QString file = QFileDialog::getOpenFileName(this, tr("Send a mission"), {}, kinds);
+        if (!file.isEmpty())
+            sendFile(file);
+    });
+    connect(m_save, &QPushButton::clicked, this, [this, kinds] {
+        const QString file = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds);
+        if (!file.isEmpty())
+            saveFile(file);
+    });
+    connect(&station, &StationPort::happened, this, &MissionPanel::take);
+    showScene({});
+}
+
+void MissionPanel::say(const QString &line)
+{
+    m_result->setText(line);
+}
+
+void MissionPanel::sendFile(const QString &file)
+{
+    QFile in(file);
+    if (!in.open(QIODevice::ReadOnly)) {
+        say(tr("%1: %2").arg(file, in.errorString()));
+        return;
+    }
+    const auto items = parseMission(in.readAll().toStdString(), file.toStdString());
+    if (!items) {
+        say(fromStd(items.error().text()));
+        return;
+    }
+    say(tr("Sending %1 items …").arg(items->size()));
+    m_station.writeMission(m_systemId, *items);
+}
+
+void MissionPanel::saveFile(const QString &file)
+{
+    QSaveFile out(file);
+    const std::string text = missionText(*m_mission);
+    const bool ok = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0 && out.commit();
+    say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
+}
+
+void MissionPanel::showScene(const Scene &scene)
+{
+    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
+    m_mission = scene.vehicle ? scene.vehicle->mission : nullptr;
+    m_read->setEnabled(scene.vehicle != nullptr);
+    m_send->setEnabled(scene.vehicle != nullptr);
+    m_save->setEnabled(m_mission && !m_mission->empty());
+    m_model.setMission(m_mission, scene.vehicle ? scene.vehicle->state.missionCurrent : -1);
+}
+
+void MissionPanel::take(const engine::Happening &happening)
+{
+    const auto *done = std::get_if<engine::MissionTransferDone>(&happening);
+    if (!done || done->systemId != m_systemId)
+        return;
+    const QString reason = fromStd(done->reason);
+    if (done->upload)
+        say(done->ok ? tr("The vehicle has the mission") : tr("Not sent: %1").arg(reason));
+    else
+        say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,38 @@
+// The mission: read it from the vehicle, send one from a file, keep it in a file.
+#pragma once
+
+#include "ui/mission/mission_model.h"
+#include "ui/scene.h"
+
+#include <QtWidgets/QWidget>
+
+class QLabel;
+class QPushButton;
+
+namespace skyseal::ui {
+
+class MissionPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit MissionPanel(StationPort &station, QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+    void take(const engine::Happening &happening);
+    /// Sends the mission of a file; says so when it is none.
+    void sendFile(const QString &file);
+    void saveFile(const QString &file);
+
+private:
+    void say(const QString &line);
+
+    StationPort &m_station;
+    MissionModel m_model;
+    MissionModel::Mission m_mission;
+    QPushButton *m_read, *m_send, *m_save;
+    QLabel *m_result;
+    std::uint8_t m_systemId = 0;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,45 @@
+// The vehicle's parameters. Editing a value only asks: the table shows what the vehicle read back.
+#pragma once
+
+#include "core/vehicle/parameter.h"
+
+#include <QtCore/QAbstractTableModel>
+#include <QtCore/QHash>
+
+#include <memory>
+#include <vector>
+
+namespace skyseal::ui {
+
+class ParameterModel : public QAbstractTableModel
+{
+    Q_OBJECT
+
+public:
+    using Parameters = std::shared_ptr<const std::vector<vehicle::Parameter>>;
+    enum Column { Name, Value, State, Columns };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setParameters(const Parameters &parameters);
+    /// The answer to a write.
+    void written(const vehicle::Parameter &parameter, bool ok, const QString &reason);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+Q_SIGNALS:
+    void writeWanted(const QString &name, double value);
+
+private:
+    void touch(const QString &name);
+
+    Parameters m_parameters;
+    QHash<QString, QString> m_states; ///< by name: "writing …", "written", "refused: …"
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,92 @@
+#include "ui/parameters/parameters_panel.h"
+
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+
+#include <QtCore/QSortFilterProxyModel>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QTreeView>
+
+namespace skyseal::ui {
+
+ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+{
+    auto *filter = new QSortFilterProxyModel(this);
+    filter->setSourceModel(&m_model);
+    filter->setFilterKeyColumn(ParameterModel::Name);
+    filter->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    m_fetch = new QPushButton(tr("Fetch"), this);
+    m_fetch->setObjectName(QStringLiteral("parameterFetch"));
+    m_fetch->setAccessibleName(tr("Fetch the parameters"));
+    auto *wanted = new QLineEdit(this);
+    wanted->setObjectName(QStringLiteral("parameterFilter"));
+    wanted->setPlaceholderText(tr("Filter by name"));
+    wanted->setAccessibleName(tr("Filter of the parameters"));
+    wanted->setClearButtonEnabled(true);
+    connect(wanted, &QLineEdit::textChanged, filter, &QSortFilterProxyModel::setFilterFixedString);
+    m_progress = new QProgressBar(this);
+    m_progress->setAccessibleName(tr("Parameters fetched"));
+    m_progress->setTextVisible(false);
+    m_progress->setFixedWidth(16 * kGrid);
+    m_count = new QLabel(this);
+    m_count->setObjectName(QStringLiteral("parameterCount"));
+    m_count->setMinimumWidth(fontMetrics().horizontalAdvance(tr("%1 of %2").arg(8888).arg(8888)));
+    auto *tools = new QHBoxLayout;
+    tools->setSpacing(kGrid);
+    tools->addWidget(m_fetch);
+    tools->addWidget(wanted, 1);
+    tools->addWidget(m_progress);
+    tools->addWidget(m_count);
+
+    auto *view = new QTreeView(this);
+    view->setObjectName(QStringLiteral("parameterView"));
+    view->setAccessibleName(tr("Parameters"));
+    view->setModel(filter);
+    view->setRootIsDecorated(false);
+    view->setUniformRowHeights(true);
+    view->setFrameShape(QFrame::NoFrame);
+    view->setAlternatingRowColors(true);
+    view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    view->header()->resizeSection(ParameterModel::Name, fontMetrics().horizontalAdvance(QLatin1Char('W')) * 17);
+    view->header()->resizeSection(ParameterModel::Value, fontMetrics().horizontalAdvance(QStringLiteral("-8888888.88")) + 3 * kGrid);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
+    column->setSpacing(kGrid);
+    column->addLayout(tools);
+    column->addWidget(view, 1);
+
+    connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.requestParameters(m_systemId); });
+    connect(&m_model, &ParameterModel::writeWanted, this,
+            [this](const QString &name, double value) { m_station.writeParameter(m_systemId, name.toStdString(), value); });
+    connect(&station, &StationPort::happened, this, &ParametersPanel::take);
+    showScene({});
+}
+
+void ParametersPanel::showScene(const Scene &scene)
+{
+    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
+    m_fetch->setEnabled(scene.vehicle != nullptr);
+    m_model.setParameters(scene.vehicle ? scene.vehicle->parameters : nullptr);
+    const int have = m_model.rowCount();
+    const int all = scene.vehicle ? static_cast<int>(scene.vehicle->parametersExpected) : 0;
+    const QString count = all > 0 ? tr("%1 of %2").arg(have).arg(all) : tr("not fetched");
+    if (m_count->text() != count)
+        m_count->setText(count);
+    m_progress->setVisible(all > 0 && have < all);
+    m_progress->setMaximum(qMax(1, all));
+    m_progress->setValue(have);
+}
+
+void ParametersPanel::take(const engine::Happening &happening)
+{
+    const auto *written = std::get_if<engine::ParameterWritten>(&happening);
+    if (written && written->systemId == m_systemId)
+        m_model.written(written->parameter, written->ok, fromStd(written->reason));
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,35 @@
+// The vehicle's parameters: fetch, find, edit.
+#pragma once
+
+#include "ui/parameters/parameter_model.h"
+#include "ui/scene.h"
+
+#include <QtWidgets/QWidget>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTreeView;
+
+namespace skyseal::ui {
+
+class ParametersPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ParametersPanel(StationPort &station, QWidget *parent = nullptr);
+
+    void showScene(const Scene &scene);
+    void take(const engine::Happening &happening);
+
+private:
+    StationPort &m_station;
+    ParameterModel m_model;
+    QPushButton *m_fetch;
+    QProgressBar *m_progress;
+    QLabel *m_count;
+    std::uint8_t m_systemId = 0;
+};
+
+} // namespace skyseal::ui
