@@ -1,0 +1,44 @@
+// Joins the engine, the window and the demo: the one place of this program where they know each other.
+#pragma once
+
+#include "core/base/random_source.h"
+#include "demo.h"
+#include "station_adapter.h"
+#include "ui/main_window.h"
+#include "window_options.h"
+
+#include <QtCore/QSettings>
+
+namespace skyseal::app {
+
+class Application : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `random` must outlive it.
+    Application(WindowOptions options, RandomSource &random);
+    ~Application() override;
+
+    /// Shows the window; false where there can be no station at all, with a word on stderr.
+    bool start();
+
+private:
+    engine::StationConfig configOf(const ui::Settings &settings, engine::KeyPaths keys) const;
+    engine::KeyPaths chooseKeys();
+    void makeWindow();
+    void openLinks();
+    void beginDemo();
+    void followLink(const link::LinkUrl &url);
+    void takeScreenshot();
+
+    WindowOptions m_options;
+    RandomSource &m_random;
+    QSettings m_store;
+    QString m_keyProblem;
+    std::unique_ptr<StationAdapter> m_station;
+    std::unique_ptr<ui::MainWindow> m_window;
+    std::unique_ptr<Demo> m_demo;
+};
+
+} // namespace skyseal::app

@@ -1,0 +1,156 @@
+#include "demo.h"
+
+#include "core/keys/peers_file.h"
+#include "core/keys/secret_file.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QFileInfo>
+#include <QtCore/QStandardPaths>
+#include <QtNetwork/QUdpSocket>
+
+#ifdef Q_OS_LINUX
+#include <csignal>
+#include <sys/prctl.h>
+#endif
+
+namespace skyseal::app {
+
+namespace {
+
+const QString kSimulator = QStringLiteral("skyseal-sim");
+const QString kAgent = QStringLiteral("skyseal-air");
+constexpr int kStopMs = 2000;
+
+Result<void, InputError> introduce(const std::string &peersFile, const std::string &name, const crypto::X25519KeyPair &peer)
+{
+    keys::PeersFile peers;
+    keys::PeerEntry entry;
+    entry.peer.name = name;
+    entry.peer.key = peer.publicKey;
+    if (auto added = peers.add(std::move(entry)); !added)
+        return added;
+    return peers.save(peersFile);
+}
+
+quint16 freePort()
+{
+    QUdpSocket probe;
+    probe.bind(QHostAddress::LocalHost, 0);
+    return probe.localPort();
+}
+
+} // namespace
+
+QString Demo::programPath(const QString &name)
+{
+    const QFileInfo beside(QCoreApplication::applicationDirPath() + QLatin1Char('/') + name);
+    return beside.isExecutable() ? beside.absoluteFilePath() : QStandardPaths::findExecutable(name);
+}
+
+bool Demo::isAvailable()
+{
+    return !programPath(kSimulator).isEmpty() && !programPath(kAgent).isEmpty();
+}
+
+Result<std::unique_ptr<Demo>, InputError> Demo::create(RandomSource &random)
+{
+    std::unique_ptr<Demo> demo(new Demo);
+    if (!demo->m_folder.isValid())
+        return tl::unexpected(InputError{demo->m_folder.errorString().toStdString(), demo->m_folder.path().toStdString()});
+    const auto file = [&](const char *name) { return demo->m_folder.filePath(QLatin1String(name)).toStdString(); };
+    const auto station = keys::writeNewIdentity(file("station.key"), random);
+    if (!station)
+        return tl::unexpected(station.error());
+    const auto agent = keys::writeNewIdentity(file("air.key"), random);
+    if (!agent)
+        return tl::unexpected(agent.error());
+    if (auto told = introduce(file("station.peers"), "air-demo", *agent); !told)
+        return tl::unexpected(told.error());
+    if (auto told = introduce(file("air.peers"), "station", *station); !told)
+        return tl::unexpected(told.error());
+    return demo;
+}
+
+Demo::~Demo()
+{
+    m_stopping = true;
+    stop(m_agent);
+    stop(m_simulator);
+}
+
+engine::KeyPaths Demo::stationKeys() const
+{
+    return {m_folder.filePath(QStringLiteral("station.key")).toStdString(), m_folder.filePath(QStringLiteral("station.peers")).toStdString()};
+}
+
+void Demo::start(quint16 groundPort)
+{
+    if (m_vehiclePort == 0) {
+        m_vehiclePort = freePort();
+        for (QProcess *process : {&m_simulator, &m_agent}) {
+            const QString name = process == &m_simulator ? kSimulator : kAgent;
+            process->setStandardOutputFile(QProcess::nullDevice());
+            connect(process, &QProcess::finished, this, [this, name, process] { tellEnd(name, *process); });
+            connect(process, &QProcess::errorOccurred, this, [this, name, process](QProcess::ProcessError error) {
+                if (error == QProcess::FailedToStart)
+                    tellEnd(name, *process);
+            });
+        }
+    }
+    if (m_groundPort != 0 && m_groundPort != groundPort) {
+        m_stopping = true;
+        stop(m_agent);
+        m_stopping = false;
+    }
+    m_groundPort = groundPort;
+    restart();
+}
+
+void Demo::restart()
+{
+    const QString vehicle = QStringLiteral("127.0.0.1:%1").arg(m_vehiclePort);
+    if (m_agent.state() == QProcess::NotRunning)
+        launch(m_agent, kAgent,
+               {QStringLiteral("--vehicle"), QStringLiteral("udpin:") + vehicle, QStringLiteral("--ground"),
+                QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("air.key")),
+                QStringLiteral("--peers"), m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research")});
+    if (m_simulator.state() == QProcess::NotRunning)
+        launch(m_simulator, kSimulator, {QStringLiteral("--link"), QStringLiteral("udpout:") + vehicle});
+}
+
+void Demo::launch(QProcess &process, const QString &name, const QStringList &arguments)
+{
+    const QString program = programPath(name);
+    if (program.isEmpty()) {
+        Q_EMIT ended(tr("The demo needs %1, which is neither beside this program nor on the PATH.").arg(name));
+        return;
+    }
+#ifdef Q_OS_LINUX
+    process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
+#endif
+    process.start(program, arguments);
+}
+
+void Demo::stop(QProcess &process)
+{
+    if (process.state() == QProcess::NotRunning)
+        return;
+    process.terminate();
+    if (!process.waitForFinished(kStopMs)) {
+        process.kill();
+        process.waitForFinished(kStopMs);
+    }
+}
+
+void Demo::tellEnd(const QString &name, QProcess &process)
+{
+    if (m_stopping)
+        return;
+    const QStringList words = QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
+                        : words.isEmpty()                          ? tr("exit status %1").arg(process.exitCode())
+                                                                   : words.last();
+    Q_EMIT ended(tr("%1 of the demo ended: %2").arg(name, how));
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,53 @@
+// The demo: a simulated vehicle and an agent beside it as child processes on loopback, with keys made for this one run.
+// The children end with this object, and with the window even when that crashes.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/engine/station.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QProcess>
+#include <QtCore/QTemporaryDir>
+
+#include <memory>
+
+namespace skyseal::app {
+
+class Demo : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Makes keys and known peers for both ends in a temporary folder.
+    static Result<std::unique_ptr<Demo>, InputError> create(RandomSource &random);
+    ~Demo() override;
+
+    /// Where the programs are: beside our own, then on the PATH; empty where they are missing.
+    static QString programPath(const QString &name);
+    static bool isAvailable();
+
+    /// The keys of the station's end.
+    engine::KeyPaths stationKeys() const;
+    /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port changed.
+    void start(quint16 groundPort);
+    /// Starts again what ended.
+    void restart();
+
+Q_SIGNALS:
+    /// One of the programs ended by itself or could not be started: a sentence for the operator.
+    void ended(const QString &problem);
+
+private:
+    Demo() = default;
+
+    void launch(QProcess &process, const QString &name, const QStringList &arguments);
+    void stop(QProcess &process);
+    void tellEnd(const QString &name, QProcess &process);
+
+    QTemporaryDir m_folder;
+    QProcess m_simulator, m_agent;
+    quint16 m_vehiclePort = 0, m_groundPort = 0;
+    bool m_stopping = false;
+};
+
+} // namespace skyseal::app

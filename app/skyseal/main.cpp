@@ -1,0 +1,50 @@
+// skyseal: the desktop ground control station.
+#include "application.h"
+
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/process.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/system_random.h"
+
+#include <QtWidgets/QApplication>
+
+using namespace skyseal;
+using namespace skyseal::app;
+
+namespace {
+
+/// Without a window system: --help and a wrong usage need none.
+std::variant<WindowOptions, int> readCommandLine(int argc, char **argv)
+{
+    const QCoreApplication bare(argc, argv);
+    return readOptions(QCoreApplication::arguments().mid(1));
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    forbidCoreDumps();
+    QCoreApplication::setApplicationName(QStringLiteral("skyseal"));
+    QCoreApplication::setOrganizationName(QStringLiteral("skyseal"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(SKYSEAL_VERSION));
+    auto options = readCommandLine(argc, argv);
+    if (const int *status = std::get_if<int>(&options))
+        return *status;
+
+    QApplication application(argc, argv);
+    QApplication::setApplicationDisplayName(QStringLiteral("Skyseal"));
+    QApplication::setDesktopFileName(QStringLiteral("skyseal"));
+    if (!crypto::initCrypto()) {
+        complain(QStringLiteral("skyseal"), "the system offers no randomness");
+        return kCannotOpen;
+    }
+    crypto::SystemRandom random;
+    Application window(std::get<WindowOptions>(std::move(options)), random);
+    if (!window.start())
+        return kCannotOpen;
+    StopSignals signalled;
+    QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
+    return QApplication::exec();
+}

@@ -1,0 +1,41 @@
+#include "own_files.h"
+
+#include "core/keys/peers_file.h"
+#include "core/keys/secret_file.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+#include <QtCore/QStandardPaths>
+
+namespace skyseal::app {
+
+QString dataFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+}
+
+QString defaultRecordFolder()
+{
+    return dataFolder() + QStringLiteral("/logs");
+}
+
+Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random)
+{
+    const QDir folder(dataFolder());
+    if (!folder.mkpath(QStringLiteral(".")))
+        return tl::unexpected(InputError{"the folder cannot be made", folder.path().toStdString()});
+    const engine::KeyPaths paths{folder.filePath(QStringLiteral("identity.key")).toStdString(),
+                                 folder.filePath(QStringLiteral("peers")).toStdString()};
+    if (!QFileInfo::exists(QString::fromStdString(paths.identity))) {
+        const auto made = keys::writeNewIdentity(paths.identity, random);
+        if (!made)
+            return tl::unexpected(made.error());
+    }
+    if (!QFileInfo::exists(QString::fromStdString(paths.peers))) {
+        if (auto saved = keys::PeersFile().save(paths.peers); !saved)
+            return tl::unexpected(saved.error());
+    }
+    return paths;
+}
+
+} // namespace skyseal::app

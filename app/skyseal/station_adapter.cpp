@@ -1,0 +1,110 @@
+#include "station_adapter.h"
+
+namespace skyseal::app {
+
+using engine::Station;
+
+StationAdapter::StationAdapter(std::unique_ptr<Station> station) : m_station(std::move(station))
+{
+    listen();
+}
+
+StationAdapter::~StationAdapter() = default;
+
+void StationAdapter::listen()
+{
+    connect(m_station.get(), &Station::snapshotReady, this, &StationPort::snapshotReady);
+    connect(m_station.get(), &Station::happened, this, &StationPort::happened);
+}
+
+void StationAdapter::exchange(const engine::StationConfig &config)
+{
+    m_station.reset();
+    auto created = Station::create(config);
+    if (!created) {
+        Q_EMIT failed(QString::fromStdString(created.error().text()));
+        return;
+    }
+    m_station = std::move(*created);
+    listen();
+    m_station->setInspecting(m_inspecting);
+}
+
+Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)
+{
+    if (!m_station)
+        return tl::unexpected(InputError{"the station is not running", url});
+    const auto parsed = link::LinkUrl::parse(url);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    const LinkId id = m_station->addLink(*parsed);
+    Q_EMIT linkAdded(*parsed);
+    return id;
+}
+
+void StationAdapter::removeLink(LinkId link)
+{
+    if (m_station)
+        m_station->removeLink(link);
+}
+
+void StationAdapter::switchSuite(channel::SessionId session, crypto::SuiteId suite)
+{
+    if (m_station)
+        m_station->switchSuite(session, suite);
+}
+
+void StationAdapter::setAllowResearch(bool allow)
+{
+    if (m_station)
+        m_station->setAllowResearch(allow);
+}
+
+vehicle::CommandId StationAdapter::command(std::uint8_t systemId, vehicle::VehicleCommand command)
+{
+    return m_station ? m_station->command(systemId, std::move(command)) : vehicle::CommandId{};
+}
+
+void StationAdapter::requestParameters(std::uint8_t systemId)
+{
+    if (m_station)
+        m_station->requestParameters(systemId);
+}
+
+void StationAdapter::writeParameter(std::uint8_t systemId, std::string name, double value)
+{
+    if (m_station)
+        m_station->writeParameter(systemId, std::move(name), value);
+}
+
+void StationAdapter::readMission(std::uint8_t systemId)
+{
+    if (m_station)
+        m_station->readMission(systemId);
+}
+
+void StationAdapter::writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items)
+{
+    if (m_station)
+        m_station->writeMission(systemId, std::move(items));
+}
+
+void StationAdapter::setInspecting(bool inspecting)
+{
+    m_inspecting = inspecting;
+    if (m_station)
+        m_station->setInspecting(inspecting);
+}
+
+void StationAdapter::setRecording(bool recording)
+{
+    if (m_station)
+        m_station->setRecording(recording);
+}
+
+std::optional<channel::PublicKey> StationAdapter::publicKey() const
+{
+    return m_station ? m_station->publicKey() : std::nullopt;
+}
+
+} // namespace skyseal::app

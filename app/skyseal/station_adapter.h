@@ -1,0 +1,48 @@
+// The engine behind the windows' seam. The station can be exchanged while the window lives (the demo brings its own keys).
+#pragma once
+
+#include "core/engine/station.h"
+#include "ui/station_port.h"
+
+#include <memory>
+
+namespace skyseal::app {
+
+class StationAdapter : public ui::StationPort
+{
+    Q_OBJECT
+
+public:
+    explicit StationAdapter(std::unique_ptr<engine::Station> station);
+    ~StationAdapter() override;
+
+    /// Ends the old station first, so that its ports are free.
+    void exchange(const engine::StationConfig &config);
+    engine::Station &station() { return *m_station; }
+
+    Result<LinkId, InputError> addLink(const std::string &url) override;
+    void removeLink(LinkId link) override;
+    void switchSuite(channel::SessionId session, crypto::SuiteId suite) override;
+    void setAllowResearch(bool allow) override;
+    vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override;
+    void requestParameters(std::uint8_t systemId) override;
+    void writeParameter(std::uint8_t systemId, std::string name, double value) override;
+    void readMission(std::uint8_t systemId) override;
+    void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) override;
+    void setInspecting(bool inspecting) override;
+    void setRecording(bool recording) override;
+    std::optional<channel::PublicKey> publicKey() const override;
+
+Q_SIGNALS:
+    /// A new station could not be made; the old one is gone.
+    void failed(const QString &problem);
+    void linkAdded(const skyseal::link::LinkUrl &url);
+
+private:
+    void listen();
+
+    std::unique_ptr<engine::Station> m_station; ///< null only after `failed`
+    bool m_inspecting = false;
+};
+
+} // namespace skyseal::app
