@@ -1,13 +1,13 @@
 // Draws the window in its states and sizes into a folder, for people to look at: ui_gallery DIR [STATE SIZE THEME].
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "ui/charts/diagnostics_panel.h"
 #include "ui/main_window.h"
 #include "ui/security/suite_actions.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
-#include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QDockWidget>
 
@@ -91,9 +91,10 @@ int main(int argc, char **argv)
                 MainWindow window(station, store, facts);
                 window.resize(size.section(QLatin1Char('x'), 0, 0).toInt(), size.section(QLatin1Char('x'), 1).toInt());
                 window.show();
-                QTest::qWait(50);
+                QCoreApplication::processEvents();
                 play(station, window, state, dock);
-                QTest::qWait(700);
+                window.findChild<DiagnosticsPanel *>()->refresh();
+                QCoreApplication::processEvents();
                 window.grab().save(out.filePath(QStringLiteral("%1-%2-%3.png").arg(state, size, theme)));
             }
         }

@@ -168,7 +168,7 @@ engine::Snapshot sealedSnapshot(double time, SuiteId suite, std::uint32_t epoch)
     session.stats.peerRx.good = 1204;
     session.stats.peerRx.lost = 1;
     session.stats.roundTrip = std::chrono::milliseconds(12);
-    session.fingerprint = "SHA256:k3Vd 9uXb Qm4T r7Zs Lw2H y8Ng";
+    session.fingerprint = "41c0 9be7 d3f2 0a5e 77b1 c864 2f9d e013 5a88 b6cc 1d40 93fe 08a7 64b5 e2d9 3c71";
     session.remoteAddress = "127.0.0.1:41234";
     session.age = 120 + time;
     session.lossPercent = 0.2;

@@ -1,0 +1,170 @@
+// At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
+#include "fake_station.h"
+#include "scripted_snapshots.h"
+#include "ui/main_window.h"
+#include "ui/status/status_strip.h"
+#include "ui/status/strip_item.h"
+#include "ui/text/figures.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QRadioButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class LayoutTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void nothingIsCut_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<QString>("state");
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1920, 1080), QSize(2560, 1440)})
+            for (const char *state : {"waiting", "plain", "sealed", "attack"})
+                QTest::addRow("%dx%d %s", size.width(), size.height(), state) << size << QString::fromLatin1(state);
+    }
+
+    void nothingIsCut()
+    {
+        QFETCH(QSize, size);
+        QFETCH(QString, state);
+        open(size);
+        show(state);
+        QCoreApplication::processEvents();
+        QCOMPARE(m_window->size(), size);
+        for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
+            if (!widget->isVisible() || !needsItsRoom(widget))
+                continue;
+            const QSize wanted = qobject_cast<const QLabel *>(widget) && static_cast<const QLabel *>(widget)->wordWrap()
+                                     ? QSize(0, widget->heightForWidth(widget->width()))
+                                     : widget->sizeHint();
+            const QByteArray what = (QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
+                                     + QStringLiteral(" \"%1\"").arg(widget->property("text").toString())).toUtf8();
+            QVERIFY2(widget->width() + 1 >= wanted.width(), what.constData());
+            QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
+            QVERIFY2(!overlaps(widget), what.constData());
+        }
+    }
+
+    void stripNeverWrapsOrOverlaps()
+    {
+        open({1280, 800});
+        auto *strip = m_window->findChild<StatusStrip *>();
+        for (const char *state : {"waiting", "plain", "sealed", "attack"}) {
+            show(QString::fromLatin1(state));
+            for (int width = 2560; width >= 760; width -= 40) {
+                strip->resize(width, strip->height());
+                int right = 0;
+                auto items = strip->findChildren<StripItem *>();
+                std::ranges::sort(items, {}, [](const StripItem *item) { return item->x(); });
+                for (const StripItem *item : items) {
+                    if (item->isHidden())
+                        continue;
+                    const QByteArray what = QStringLiteral("%1 at %2, %3").arg(item->objectName()).arg(width).arg(QLatin1String(state)).toUtf8();
+                    QVERIFY2(item->x() >= right, what.constData());
+                    right = item->x() + item->width();
+                    QVERIFY2(right <= width, what.constData());
+                }
+            }
+        }
+    }
+
+    void changingNumbersMoveNothing()
+    {
+        open({1280, 800});
+        m_station->show(sealedSnapshot(1));
+        QCoreApplication::processEvents();
+        const auto places = [this] {
+            QHash<QString, QRect> out;
+            for (const QWidget *widget : m_window->findChildren<QWidget *>())
+                if (widget->isVisible() && !widget->objectName().isEmpty() && !widget->objectName().startsWith(QLatin1String("qt_")))
+                    out.insert(widget->objectName(), QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
+            return out;
+        };
+        const auto before = places();
+        engine::Snapshot snapshot = sealedSnapshot(2);
+        auto &state = snapshot.vehicles.front().state;
+        state.altitudeRelative = -118.8;
+        state.groundSpeed = 48.8;
+        state.climb = -11.1;
+        state.heading = 8;
+        state.distanceHome = 8888;
+        state.satellites = 9;
+        state.batteryVoltage = 9.1;
+        state.batteryPercent = 100;
+        state.latency = 0.888;
+        snapshot.sessions.front().lossPercent = 0;
+        snapshot.sessions.front().stats.rx.good = 8'888'888;
+        snapshot.sessions.front().stats.peerRx.lost = 888;
+        snapshot.links.front().rxBytesPerSecond = 888'000;
+        snapshot.recording.bytes = 888'000'000;
+        m_station->show(snapshot);
+        QCoreApplication::processEvents();
+        const auto after = places();
+        for (auto at = before.begin(); at != before.end(); ++at)
+            QVERIFY2(after.value(at.key()) == at.value(), qPrintable(at.key()));
+    }
+
+private:
+    static bool needsItsRoom(const QWidget *widget)
+    {
+        const auto *label = qobject_cast<const QLabel *>(widget);
+        if (label)
+            return !label->text().isEmpty() && label->objectName() != QLatin1String("trafficLinks")
+                   && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored;
+        return qobject_cast<const QPushButton *>(widget) || qobject_cast<const QRadioButton *>(widget);
+    }
+
+    static bool overlaps(const QWidget *widget)
+    {
+        const auto siblings = widget->parentWidget()->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly);
+        return std::ranges::any_of(siblings, [&](const QWidget *other) {
+            return other != widget && other->isVisible() && needsItsRoom(other) && other->geometry().intersects(widget->geometry());
+        });
+    }
+
+    void open(const QSize &size)
+    {
+        m_window.reset();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_station = std::make_unique<FakeStation>();
+        ProgramFacts facts;
+        facts.demoAvailable = true;
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, facts);
+        m_window->resize(size);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+
+    void show(const QString &state)
+    {
+        if (state == QLatin1String("waiting")) {
+            m_station->show(waitingSnapshot());
+        } else if (state == QLatin1String("plain")) {
+            m_station->show(plainSnapshot(1));
+        } else {
+            engine::Snapshot snapshot = sealedSnapshot(1);
+            if (state == QLatin1String("attack")) {
+                snapshot.security = engine::Security::UnderAttack;
+                snapshot.sessions.front().forgedLastMinute = 12'345;
+                snapshot.sessions.front().replayedLastMinute = 678;
+            }
+            m_station->show(snapshot);
+        }
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<FakeStation> m_station;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(LayoutTest)
+#include "layout_test.moc"

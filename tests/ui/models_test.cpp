@@ -1,0 +1,219 @@
+// Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and what its cells say.
+#include "scripted_snapshots.h"
+#include "ui/inspector/field_model.h"
+#include "ui/inspector/inspector_model.h"
+#include "ui/links/link_model.h"
+#include "ui/messages/message_filter.h"
+#include "ui/messages/message_model.h"
+#include "ui/mission/mission_file.h"
+#include "ui/mission/mission_model.h"
+#include "ui/parameters/parameter_model.h"
+
+#include <QtTest/QAbstractItemModelTester>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+
+#include <bit>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::QtTest;
+
+QString cell(const QAbstractItemModel &model, int row, int column)
+{
+    return model.index(row, column).data().toString();
+}
+
+} // namespace
+
+class ModelsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void messagesAreBounded()
+    {
+        MessageModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        for (int i = 0; i < MessageModel::kMost + 50; ++i)
+            model.append({QDateTime::currentDateTime(), 1, static_cast<std::uint8_t>(i % 8), QString::number(i)});
+        QCOMPARE(model.rowCount(), MessageModel::kMost);
+        QCOMPARE(cell(model, 0, MessageModel::Text), QStringLiteral("50"));
+        QCOMPARE(cell(model, model.rowCount() - 1, MessageModel::Text), QString::number(MessageModel::kMost + 49));
+        model.clear();
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void messagesAreFiltered()
+    {
+        MessageModel model;
+        MessageFilter filter;
+        filter.setSourceModel(&model);
+        QAbstractItemModelTester tester(&filter, kFatal);
+        model.append({QDateTime::currentDateTime(), 1, 3, QStringLiteral("PreArm: Compass")});
+        model.append({QDateTime::currentDateTime(), 1, 6, QStringLiteral("EKF3 ready")});
+        filter.setLeastGrave(4);
+        QCOMPARE(filter.rowCount(), 1);
+        QCOMPARE(cell(filter, 0, MessageModel::Severity), QStringLiteral("error"));
+        filter.setLeastGrave(7);
+        filter.setWanted(QStringLiteral("ekf"));
+        QCOMPARE(filter.rowCount(), 1);
+        QCOMPARE(cell(filter, 0, MessageModel::Text), QStringLiteral("EKF3 ready"));
+    }
+
+    void inspectorRowsKeepTheirPlace()
+    {
+        InspectorModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        auto rows = plainSnapshot(0).inspector;
+        model.setRows(rows);
+        QCOMPARE(model.rowCount(), static_cast<int>(rows.size()));
+        QCOMPARE(cell(model, 0, InspectorModel::Name), QStringLiteral("ATTITUDE"));
+        QSignalSpy inserted(&model, &QAbstractItemModel::rowsInserted);
+        QSignalSpy reset(&model, &QAbstractItemModel::modelReset);
+        std::ranges::reverse(rows);
+        for (auto &row : rows)
+            row.count += 10;
+        model.setRows(rows);
+        QCOMPARE(inserted.size(), 0);
+        QCOMPARE(reset.size(), 0);
+        QCOMPARE(cell(model, 0, InspectorModel::Name), QStringLiteral("ATTITUDE"));
+        rows.front().systemId = 2;
+        model.setRows(rows);
+        QCOMPARE(inserted.size(), 1);
+        QCOMPARE(model.rowAt(model.rowCount() - 1)->systemId, std::uint8_t(2));
+    }
+
+    void fieldsAreDecoded()
+    {
+        FieldModel model(mavlink::Dialect::builtin());
+        QAbstractItemModelTester tester(&model, kFatal);
+        engine::InspectorRow heartbeat;
+        heartbeat.messageId = 0;
+        heartbeat.payloadSize = 9;
+        const std::uint8_t payload[] = {4, 0, 0, 0, 2, 3, 0x81, 4, 3}; // custom_mode, quadrotor, ArduPilot, armed, active, version
+        std::ranges::copy(payload, heartbeat.payload.begin());
+        model.setMessage(&heartbeat);
+        QHash<QString, QString> values;
+        for (int row = 0; row < model.rowCount(); ++row)
+            values.insert(cell(model, row, FieldModel::Name), cell(model, row, FieldModel::Value));
+        QCOMPARE(values.value(QStringLiteral("type")), QStringLiteral("2 (MAV_TYPE_QUADROTOR)"));
+        QCOMPARE(values.value(QStringLiteral("autopilot")), QStringLiteral("3 (MAV_AUTOPILOT_ARDUPILOTMEGA)"));
+        QCOMPARE(values.value(QStringLiteral("custom_mode")), QStringLiteral("4"));
+        QVERIFY(values.value(QStringLiteral("base_mode")).contains(QStringLiteral("MAV_MODE_FLAG_SAFETY_ARMED")));
+
+        engine::InspectorRow attitude;
+        attitude.messageId = 30;
+        attitude.payloadSize = 28;
+        const auto roll = std::bit_cast<std::array<std::uint8_t, 4>>(0.25f);
+        std::ranges::copy(roll, attitude.payload.begin() + 4);
+        model.setMessage(&attitude);
+        QCOMPARE(cell(model, 1, FieldModel::Name), QStringLiteral("roll"));
+        QCOMPARE(cell(model, 1, FieldModel::Value), QStringLiteral("0.25"));
+        QCOMPARE(cell(model, 1, FieldModel::Unit), QStringLiteral("rad"));
+
+        engine::InspectorRow strange;
+        strange.messageId = 0xfffff0;
+        strange.payloadSize = 2;
+        strange.payload[0] = 0xab;
+        model.setMessage(&strange);
+        QCOMPARE(model.rowCount(), 1);
+        QCOMPARE(cell(model, 0, FieldModel::Value), QStringLiteral("ab00"));
+        model.setMessage(nullptr);
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void parametersAskAndShowWhatCameBack()
+    {
+        ParameterModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        QSignalSpy wanted(&model, &ParameterModel::writeWanted);
+        model.setParameters(plainSnapshot(0).vehicles.front().parameters);
+        QCOMPARE(model.rowCount(), 12);
+        const QModelIndex value = model.index(2, ParameterModel::Value);
+        QCOMPARE(value.data().toString(), QStringLiteral("3300"));
+        QVERIFY(model.setData(value, QStringLiteral("5200"), Qt::EditRole));
+        QCOMPARE(wanted.size(), 1);
+        QCOMPARE(wanted[0][0].toString(), QStringLiteral("BATT_CAPACITY"));
+        QCOMPARE(wanted[0][1].toDouble(), 5200.0);
+        QCOMPARE(value.data().toString(), QStringLiteral("3300")); // until the vehicle has read it back
+        model.written({"BATT_CAPACITY", 5200, 9, 2}, true, {});
+        QVERIFY(cell(model, 2, ParameterModel::State).contains(QStringLiteral("5200")));
+        QVERIFY(!model.setData(value, QStringLiteral("many"), Qt::EditRole));
+        QVERIFY(cell(model, 2, ParameterModel::State).contains(QStringLiteral("no number")));
+        QCOMPARE(wanted.size(), 1);
+        model.setParameters(nullptr);
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void missionShowsWhatIsFlown()
+    {
+        MissionModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        model.setMission(plainSnapshot(0).vehicles.front().mission, 2);
+        QCOMPARE(model.rowCount(), 5);
+        QCOMPARE(cell(model, 0, MissionModel::Command), QStringLiteral("home"));
+        QVERIFY(cell(model, 1, MissionModel::Command).startsWith(QStringLiteral("WAYPOINT")));
+        QVERIFY(cell(model, 2, MissionModel::Command).contains(QStringLiteral("now")));
+        model.setMission(nullptr, -1);
+        QCOMPARE(model.rowCount(), 0);
+    }
+
+    void missionFileComesBack()
+    {
+        const auto items = *plainSnapshot(0).vehicles.front().mission;
+        const auto again = parseMission(missionText(items), "m");
+        QVERIFY(again);
+        QCOMPARE(again->size(), items.size());
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            QVERIFY(std::abs((*again)[i].latitude - items[i].latitude) < 1e-7);
+            QCOMPARE((*again)[i].command, items[i].command);
+        }
+    }
+
+    void badMissionFilesSayWhere_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<int>("line");
+        QTest::newRow("empty") << QByteArray() << 1;
+        QTest::newRow("other kind") << QByteArray("hello\n") << 1;
+        QTest::newRow("no items") << QByteArray("QGC WPL 110\n") << 0;
+        QTest::newRow("columns") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 100\n") << 2;
+        QTest::newRow("no number") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 east 100 1\n") << 2;
+        QTest::newRow("latitude") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 97 8 100 1\n") << 2;
+        QTest::newRow("gap") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 47 8 100 1\n2 0 3 16 0 0 0 0 47 8 20 1\n") << 3;
+        QTest::newRow("nan") << QByteArray("QGC WPL 110\n0 1 0 16 0 0 0 0 nan 8 100 1\n") << 2;
+    }
+    void badMissionFilesSayWhere()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(int, line);
+        const auto parsed = parseMission(text.toStdString(), "m.waypoints");
+        QVERIFY(!parsed);
+        QCOMPARE(parsed.error().source, std::string("m.waypoints"));
+        QCOMPARE(static_cast<int>(parsed.error().line), line);
+    }
+
+    void linksShowWhereTheyListen()
+    {
+        LinkModel model;
+        QAbstractItemModelTester tester(&model, kFatal);
+        auto links = plainSnapshot(0).links;
+        model.setLinks(links);
+        QCOMPARE(cell(model, 0, LinkModel::State), QStringLiteral("listening"));
+        QCOMPARE(cell(model, 0, LinkModel::Local), QStringLiteral("0.0.0.0:14550"));
+        links.front().phase = engine::LinkPhase::Failed;
+        links.front().problem = "address in use";
+        model.setLinks(links);
+        QCOMPARE(cell(model, 0, LinkModel::State), QStringLiteral("failed: address in use"));
+        links.clear();
+        model.setLinks(links);
+        QCOMPARE(model.rowCount(), 0);
+    }
+};
+
+QTEST_MAIN(ModelsTest)
+#include "models_test.moc"

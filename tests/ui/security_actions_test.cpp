@@ -1,0 +1,201 @@
+// The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
+#include "fake_station.h"
+#include "scripted_snapshots.h"
+#include "ui/main_window.h"
+#include "ui/security/suite_actions.h"
+#include "ui/security/suite_row.h"
+#include "ui/status/strip_item.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using crypto::SuiteId;
+
+class SecurityActionsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_station = std::make_unique<FakeStation>();
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
+        m_window->resize(1280, 900);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+    }
+
+    void cleanup()
+    {
+        m_window.reset();
+        m_station.reset();
+    }
+
+    void menuClickAsksTheStation()
+    {
+        m_station->show(sealedSnapshot(1));
+        auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
+        QVERIFY(menu);
+        QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {}, m_window->menuBar()->actionGeometry(menu->menuAction()).center());
+        QTRY_VERIFY(menu->isVisible());
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action(SuiteId::Aes256Gcm)).center());
+        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
+        QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Gcm);
+    }
+
+    void menuByKeysAsksTheStation()
+    {
+        m_station->show(sealedSnapshot(1));
+        auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
+        QTest::keyClick(m_window.get(), Qt::Key_S, Qt::AltModifier);
+        QTRY_VERIFY(menu->isVisible());
+        menu->setActiveAction(action(SuiteId::ChaCha20Poly1305));
+        QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Down);
+        QTest::keyClick(menu, Qt::Key_Return);
+        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Ctr);
+    }
+
+    void shortcutAsksTheStation()
+    {
+        m_station->show(sealedSnapshot(1));
+        QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Cbc);
+    }
+
+    void panelClickPendsThenCommits()
+    {
+        m_station->show(sealedSnapshot(1));
+        SuiteRow *gcm = row(SuiteId::Aes256Gcm);
+        SuiteRow *chacha = row(SuiteId::ChaCha20Poly1305);
+        QVERIFY(chacha->isChecked());
+        QTest::mouseClick(gcm, Qt::LeftButton, {}, QPoint(12, gcm->height() / 2));
+        QCOMPARE(m_station->switches.size(), std::size_t(1));
+        // Until it is confirmed the old suite has the mark, in both views.
+        QVERIFY(gcm->text().contains(QStringLiteral("switching")));
+        QVERIFY(!gcm->isChecked());
+        QVERIFY(chacha->isChecked());
+        QVERIFY(action(SuiteId::ChaCha20Poly1305)->isChecked());
+
+        engine::Snapshot pending = sealedSnapshot(1.1);
+        pending.security = engine::Security::Switching;
+        pending.sessions.front().info.pending = SuiteId::Aes256Gcm;
+        m_station->show(pending);
+        QVERIFY(strip()->text().contains(QStringLiteral("switching")));
+        QVERIFY(strip()->text().contains(QStringLiteral("ChaCha20-Poly1305")));
+
+        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, channel::Epoch{4}, false, false,
+                                            channel::SwitchFailure::None, std::chrono::milliseconds(42)});
+        QVERIFY(gcm->isChecked());
+        QVERIFY(!chacha->isChecked());
+        QCOMPARE(gcm->text(), QStringLiteral("AES-256-GCM"));
+        QVERIFY(note()->text().contains(QStringLiteral("AES-256-GCM")));
+        QVERIFY(note()->text().contains(QStringLiteral("42 ms")));
+        m_station->show(sealedSnapshot(1.2, SuiteId::Aes256Gcm, 4));
+        QVERIFY(strip()->text().startsWith(QStringLiteral("AES-256-GCM")));
+        QVERIFY(strip()->text().contains(QStringLiteral("epoch 4")));
+    }
+
+    void rollBackKeepsTheOldSuiteAndSaysWhy()
+    {
+        m_station->show(sealedSnapshot(1));
+        QTest::mouseClick(row(SuiteId::ChaCha20), Qt::LeftButton, {}, QPoint(12, 8));
+        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20, channel::Epoch{4}, false, false,
+                                            channel::SwitchFailure::NotConfirmed, std::chrono::seconds(5)});
+        QVERIFY(row(SuiteId::ChaCha20Poly1305)->isChecked());
+        QVERIFY(!row(SuiteId::ChaCha20)->isChecked());
+        QCOMPARE(row(SuiteId::ChaCha20)->text(), QStringLiteral("ChaCha20"));
+        QVERIFY(note()->isVisible());
+        QVERIFY(note()->text().contains(QStringLiteral("ChaCha20-Poly1305")));
+        QVERIFY(note()->text().contains(QStringLiteral("did not confirm")));
+    }
+
+    void rowsAreReachedByKeys()
+    {
+        m_station->show(sealedSnapshot(1));
+        row(SuiteId::ChaCha20Poly1305)->setFocus();
+        QTest::keyClick(m_window->focusWidget(), Qt::Key_Down);
+        QCOMPARE(m_window->focusWidget(), row(SuiteId::Aes256Gcm));
+        QVERIFY(m_station->switches.empty()); // moving the focus chooses nothing
+        QTest::keyClick(m_window->focusWidget(), Qt::Key_Space);
+        QCOMPARE(m_station->switches.size(), std::size_t(1));
+    }
+
+    void disabledSuitesSayWhy()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        auto &info = snapshot.sessions.front().info;
+        info.permitted = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm};
+        info.peerOffered = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr};
+        m_station->show(snapshot);
+        QVERIFY(!row(SuiteId::Rc4)->isEnabled());
+        QVERIFY(row(SuiteId::Rc4)->text().contains(QStringLiteral("research")));
+        QVERIFY(row(SuiteId::Rc4)->text().contains(QStringLiteral("insecure")));
+        QVERIFY(row(SuiteId::Aes256Cbc)->toolTip().contains(QStringLiteral("not offered")));
+        QVERIFY(row(SuiteId::Aes256Ctr)->toolTip().contains(QStringLiteral("not allowed here")));
+        QTest::mouseClick(row(SuiteId::Rc4), Qt::LeftButton, {}, QPoint(12, 8));
+        QTest::keyClick(m_window.get(), Qt::Key_6, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(m_station->switches.empty());
+    }
+
+    void rc4IsCalledInsecureWherever()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1, SuiteId::Rc4);
+        snapshot.sessions.front().info.permitted.push_back(SuiteId::Rc4);
+        m_station->show(snapshot);
+        QVERIFY(strip()->text().contains(QStringLiteral("insecure")));
+        QVERIFY(action(SuiteId::Rc4)->text().contains(QStringLiteral("insecure")));
+        QVERIFY(strip()->toolTip().contains(QStringLiteral("insecure")));
+    }
+
+    void plainVehicleIsNotSealed()
+    {
+        m_station->show(plainSnapshot(1));
+        QVERIFY(strip()->text().contains(QStringLiteral("Not sealed")));
+        for (const SuiteId suite : kChoosableSuites) {
+            QVERIFY(!action(suite)->isEnabled());
+            QVERIFY(!action(suite)->isChecked());
+        }
+        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("secureAdvice"))->text().contains(QStringLiteral("skyseal-air")));
+        QVERIFY(m_window->findChild<QWidget *>(QStringLiteral("secureHelp"))->isVisible());
+    }
+
+    void attackShowsTheCount()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.security = engine::Security::UnderAttack;
+        snapshot.sessions.front().forgedLastMinute = 214;
+        snapshot.sessions.front().stats.rx.forged = 214;
+        m_station->show(snapshot);
+        QVERIFY(strip()->text().contains(QStringLiteral("214")));
+        QVERIFY(strip()->text().contains(QStringLiteral("attack")));
+        QCOMPARE(m_window->findChild<QLabel *>(QStringLiteral("counter_5_1"))->text(), QStringLiteral("214"));
+    }
+
+private:
+    QAction *action(SuiteId suite) { return m_window->suites().action(suite); }
+    SuiteRow *row(SuiteId suite) { return m_window->findChild<SuiteRow *>(QStringLiteral("row_") + action(suite)->objectName()); }
+    QLabel *note() { return m_window->findChild<QLabel *>(QStringLiteral("switchNote")); }
+    StripItem *strip() { return m_window->findChild<StripItem *>(QStringLiteral("stripLock")); }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<FakeStation> m_station;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(SecurityActionsTest)
+#include "security_actions_test.moc"

@@ -1,0 +1,333 @@
+// The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and keys.
+#include "fake_station.h"
+#include "scripted_snapshots.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/hold_button.h"
+#include "ui/links/link_dialog.h"
+#include "ui/main_window.h"
+#include "ui/map/map_view.h"
+#include "ui/status/strip_item.h"
+#include "ui/text/figures.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMenuBar>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+/// The list that pops out of a combo box, named by the box itself.
+bool isInsideCombo(const QWidget *widget)
+{
+    const QByteArray name = widget->metaObject()->className();
+    return name.startsWith("QComboBox") && name != "QComboBox";
+}
+
+} // namespace
+
+class WindowStatesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_station = std::make_unique<FakeStation>();
+        open();
+    }
+
+    void cleanup()
+    {
+        m_window.reset();
+        m_station.reset();
+    }
+
+    void nothingThereSaysWhatToDo()
+    {
+        QVERIFY(find<QWidget>("emptyState")->isVisible());
+        m_station->show(waitingSnapshot());
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("0.0.0.0:14550")));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("skyseal-air")));
+        QVERIFY(find<QPushButton>("demoButton")->isVisible());
+        QSignalSpy wanted(m_window.get(), &MainWindow::demoWanted);
+        QTest::mouseClick(find<QPushButton>("demoButton"), Qt::LeftButton);
+        QCOMPARE(wanted.size(), 1);
+        QVERIFY(!find<HoldButton>("armButton")->isEnabled());
+        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QString(QChar(0x2013)));
+        m_station->show(plainSnapshot(1));
+        QVERIFY(!find<QWidget>("emptyState")->isVisible());
+        QVERIFY(find<HoldButton>("armButton")->isEnabled());
+    }
+
+    void valuesAreThoseOfTheVehicle()
+    {
+        engine::Snapshot snapshot = plainSnapshot(1);
+        auto &state = snapshot.vehicles.front().state;
+        state.altitudeRelative = 12.44;
+        state.groundSpeed = 3.06;
+        state.climb = -0.04;
+        state.heading = 359.7;
+        state.distanceHome = 48.2;
+        state.flightTime = 3723;
+        m_station->show(snapshot);
+        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QStringLiteral("12.4"));
+        QCOMPARE(find<FigureLabel>("valueSpeed")->value(), QStringLiteral("3.1"));
+        QCOMPARE(find<FigureLabel>("valueClimb")->value(), QStringLiteral("0.0")); // no minus before a zero
+        QCOMPARE(find<FigureLabel>("valueHeading")->value(), QStringLiteral("000"));
+        QCOMPARE(find<FigureLabel>("valueHome")->value(), QStringLiteral("48"));
+        QCOMPARE(find<FigureLabel>("valueTime")->value(), QStringLiteral("1:02:03"));
+        QCOMPARE(find<StripItem>("stripArmed")->text(), QStringLiteral("ARMED"));
+        QCOMPARE(find<StripItem>("stripMode")->text(), QStringLiteral("GUIDED"));
+        QVERIFY(find<StripItem>("stripGps")->text().contains(QStringLiteral("3D fix")));
+    }
+
+    void staleValuesTurnGreyWithTheirAge()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        m_station->show(snapshot);
+        QVERIFY(!find<FigureLabel>("valueAltitude")->isStale());
+        snapshot.vehicles.front().state.messageAge = 3.4;
+        m_station->show(snapshot);
+        QVERIFY(!find<FigureLabel>("valueAltitude")->isStale());
+        snapshot.vehicles.front().state.messageAge = 7.2;
+        m_station->show(snapshot);
+        QVERIFY(find<FigureLabel>("valueAltitude")->isStale());
+        QCOMPARE(find<FigureLabel>("valueAltitude")->value(), QStringLiteral("12.8")); // nothing is erased
+        QVERIFY(find<QLabel>("valueAge")->text().contains(QStringLiteral("00:07")));
+        QVERIFY(find<StripItem>("stripLink")->text().contains(QStringLiteral("lost")));
+    }
+
+    void heldButtonCommandsAndTheAnswerIsSaid()
+    {
+        m_station->show(sealedSnapshot(1)); // armed
+        auto *arm = find<HoldButton>("armButton");
+        QCOMPARE(arm->text(), QStringLiteral("Disarm"));
+        QTest::mouseClick(arm, Qt::LeftButton);
+        QVERIFY(m_station->commands.empty());
+        QVERIFY(find<QLabel>("commandResult")->text().contains(QStringLiteral("hold")));
+        QTest::mousePress(arm, Qt::LeftButton);
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        QTest::mouseRelease(arm, Qt::LeftButton);
+        QVERIFY(std::holds_alternative<vehicle::Disarm>(m_station->commands[0].second));
+        QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
+        m_station->tell(vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
+    }
+
+    void takeOffByKeys()
+    {
+        m_station->show(sealedSnapshot(1));
+        find<QDoubleSpinBox>("takeOffAltitude")->setValue(25);
+        auto *button = find<HoldButton>("takeOffButton");
+        button->setFocus();
+        QTest::keyPress(button, Qt::Key_Return);
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        QTest::keyRelease(button, Qt::Key_Return);
+        QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 25.0);
+        m_station->tell(vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Accepted, 0, {}});
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 25 m: accepted"));
+    }
+
+    void menuCommandIsConfirmed()
+    {
+        m_station->show(sealedSnapshot(1));
+        auto *land = m_window->findChild<QAction *>(QStringLiteral("actionLand"));
+        land->trigger();
+        auto *box = m_window->findChild<QMessageBox *>(QStringLiteral("confirmCommand"));
+        QTRY_VERIFY(box && box->isVisible());
+        QTest::keyClick(box, Qt::Key_Escape);
+        QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
+        QVERIFY(m_station->commands.empty());
+        land->trigger();
+        box = m_window->findChild<QMessageBox *>(QStringLiteral("confirmCommand"));
+        QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        QVERIFY(std::holds_alternative<vehicle::Land>(m_station->commands[0].second));
+    }
+
+    void portInUseOffersTheNextOne()
+    {
+        engine::LinkSnapshot link = waitingSnapshot().links.front();
+        link.phase = engine::LinkPhase::Failed;
+        link.addressInUse = true;
+        link.problem = "UDP port 14550 is in use";
+        m_station->tell(engine::LinkChanged{link});
+        QVERIFY(find<QWidget>("problemBanner")->isVisible());
+        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("14550")));
+        auto *remedy = find<QPushButton>("problemRemedy");
+        QVERIFY(remedy->text().contains(QStringLiteral("14551")));
+        QTest::mouseClick(remedy, Qt::LeftButton);
+        QCOMPARE(m_station->addedLinks, std::vector<std::string>{"udpin:0.0.0.0:14551"});
+        QCOMPARE(m_station->removedLinks.size(), std::size_t(1));
+        QVERIFY(!find<QWidget>("problemBanner")->isVisible());
+    }
+
+    void f12OpensTheLinkDialog()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_F12);
+        auto *dialog = m_window->findChild<LinkDialog *>();
+        QTRY_VERIFY(dialog && dialog->isVisible());
+        QCOMPARE(dialog->url(), QStringLiteral("udpin:0.0.0.0:14550"));
+        auto *ok = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        auto *host = dialog->findChild<QLineEdit *>(QStringLiteral("linkHost"));
+        host->clear();
+        QTest::keyClicks(host, QStringLiteral("bad host"));
+        QVERIFY(!ok->isEnabled());
+        host->clear();
+        QTest::keyClicks(host, QStringLiteral("127.0.0.1"));
+        dialog->findChild<QSpinBox *>(QStringLiteral("linkPort"))->setValue(14999);
+        QVERIFY(ok->isEnabled());
+        QTest::mouseClick(ok, Qt::LeftButton);
+        QCOMPARE(m_station->addedLinks, std::vector<std::string>{"udpin:127.0.0.1:14999"});
+    }
+
+    void inspectorCollectsOnlyWhileSeen()
+    {
+        QVERIFY(!m_station->inspecting);
+        auto *dock = find<QDockWidget>("dockInspector");
+        QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier);
+        QTRY_VERIFY(m_station->inspecting);
+        QVERIFY(dock->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier); // diagnostics come to the front
+        QTRY_VERIFY(!m_station->inspecting);
+    }
+
+    void docksToggleByKeysAndAreKept()
+    {
+        auto *dock = find<QDockWidget>("dockFlight");
+        QVERIFY(dock->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
+        QTRY_VERIFY(!dock->isVisible());
+        m_window->close();
+        m_window.reset();
+        open();
+        QVERIFY(!find<QDockWidget>("dockFlight")->isVisible());
+        m_window->findChild<QAction *>(QStringLiteral("actionResetView"))->trigger();
+        QTRY_VERIFY(find<QDockWidget>("dockFlight")->isVisible());
+    }
+
+    void settingsAreKeptAndApplied()
+    {
+        m_station->show(plainSnapshot(1));
+        m_window->findChild<QAction *>(QStringLiteral("actionSettings"))->trigger();
+        auto *dialog = m_window->findChild<SettingsDialog *>();
+        QTRY_VERIFY(dialog && dialog->isVisible());
+        auto *units = dialog->findChild<QComboBox *>(QStringLiteral("settingUnits"));
+        units->setCurrentIndex(units->findData(static_cast<int>(UnitSystem::Imperial)));
+        auto *theme = dialog->findChild<QComboBox *>(QStringLiteral("settingTheme"));
+        theme->setCurrentIndex(theme->findData(static_cast<int>(Theme::Dark)));
+        auto *research = dialog->findChild<QCheckBox *>(QStringLiteral("settingResearch"));
+        QVERIFY(research->text().contains(QStringLiteral("insecure")));
+        QTest::mouseClick(research, Qt::LeftButton, {}, QPoint(8, research->height() / 2));
+        dialog->findChild<QSpinBox *>(QStringLiteral("settingSystemId"))->setValue(250);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QCOMPARE(find<FigureLabel>("valueAltitude")->unit(), QStringLiteral("ft"));
+        QVERIFY(m_station->allowResearch);
+        QVERIFY(isDark(QApplication::palette()));
+        m_store->sync();
+        const Settings kept = loadSettings(*m_store);
+        QCOMPARE(static_cast<int>(kept.units), static_cast<int>(UnitSystem::Imperial));
+        QCOMPARE(kept.systemId, 250);
+        QVERIFY(kept.allowResearch);
+        applyTheme(Theme::Light);
+    }
+
+    void damagedSettingsFallBack()
+    {
+        m_store->setValue(QStringLiteral("station/systemId"), QStringLiteral("many"));
+        m_store->setValue(QStringLiteral("station/componentId"), 4711);
+        m_store->setValue(QStringLiteral("view/theme"), -3);
+        m_store->setValue(QStringLiteral("window/docks"), QByteArray("garbage"));
+        const Settings loaded = loadSettings(*m_store);
+        QCOMPARE(loaded.systemId, 255);
+        QCOMPARE(loaded.componentId, 190);
+        QCOMPARE(static_cast<int>(loaded.theme), static_cast<int>(Theme::Desktop));
+        m_window.reset();
+        open();
+        QVERIFY(m_window->isVisible());
+    }
+
+    void mapMovesByKeysAndMouse()
+    {
+        for (double t = 0; t < 20; t += 0.5)
+            m_station->show(sealedSnapshot(t));
+        auto *map = m_window->findChild<MapView *>();
+        QVERIFY(map->track().points().size() > 10);
+        const double before = map->metresPerPixel();
+        map->setFocus();
+        QTest::keyClick(map, Qt::Key_Plus);
+        QVERIFY(map->metresPerPixel() < before);
+        const QPointF home = map->toPixels({0, 0});
+        QTest::keyClick(map, Qt::Key_Left);
+        QVERIFY(map->toPixels({0, 0}).x() > home.x());
+        QVERIFY(!map->isFollowing());
+        QTest::keyClick(map, Qt::Key_Home);
+        QVERIFY(map->isFollowing());
+    }
+
+    void everyActionAndControlHasAName()
+    {
+        m_station->show(sealedSnapshot(1));
+        for (const QAction *action : m_window->findChildren<QAction *>()) {
+            if (action->isSeparator() || action->objectName().isEmpty() || action->objectName().startsWith(QLatin1String("_q_")))
+                continue;
+            QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
+        }
+        for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
+            const bool control = (qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget)
+                                  || qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QAbstractItemView *>(widget))
+                                 && !widget->objectName().startsWith(QLatin1String("qt_")) && widget->focusPolicy() != Qt::NoFocus;
+            const bool part = qobject_cast<QComboBox *>(widget->parentWidget()) || qobject_cast<QAbstractItemView *>(widget->parentWidget())
+                              || isInsideCombo(widget)
+                              || qobject_cast<const QDockWidget *>(widget->parentWidget());
+            if (control && !part)
+                QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()));
+        }
+        QVERIFY(m_window->menuBar()->actions().size() == 7);
+    }
+
+private:
+    void open()
+    {
+        ProgramFacts facts;
+        facts.demoAvailable = true;
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, facts);
+        m_window->resize(1280, 900);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+    }
+
+    template<typename W> W *find(const char *name)
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<FakeStation> m_station;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(WindowStatesTest)
+#include "window_states_test.moc"
