@@ -48,7 +48,8 @@ void AgentReport::channelEvent(const channel::Event &event)
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         json = engine::sessionDownEvent(*down, peer(down->session));
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
-        json = engine::peerMovedEvent(peer(moved->session), link::toText(moved->from.remote), link::toText(moved->to.remote));
+        json =
+            engine::peerMovedEvent(peer(moved->session), link::toText(moved->from.remote), link::toText(moved->to.remote));
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         json = engine::switchEvent(*done);
     } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {

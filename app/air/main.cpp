@@ -10,6 +10,8 @@
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::app;
 
@@ -25,7 +27,8 @@ void declare(Options &options)
     options.addValue("peers", "FILE", "Ground stations that may connect.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
-    options.addFlag("allow-plain", "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
+    options.addFlag("allow-plain",
+                    "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
     options.addFlag("json", "One JSON object a line on stdout.");
 }
 
@@ -52,7 +55,13 @@ int main(int argc, char **argv)
     const engine::KeyPaths paths{options.required("identity"), options.required("peers")};
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
     if (ground && ground->scheme() != link::LinkScheme::UdpOut)
-        options.fail("--ground " + ground->toText() + ": the agent announces itself to the station, so this is udpout:HOST:PORT");
+        options.fail("--ground " + ground->toText()
+                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT");
+    const auto isSecure = [](crypto::SuiteId suite) {
+        return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
+    };
+    if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
+        options.fail("--suites: a session begins with a secure suite, so the list must hold one");
     if (const auto status = options.finish())
         return *status;
     if (!crypto::initCrypto()) {

@@ -19,7 +19,8 @@ void declare(Options &options)
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
     options.addFlag("json", "One JSON object a line on stdout.");
     options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
-    options.addValue("signing-key", "FILE", "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
+    options.addValue("signing-key", "FILE",
+                     "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
     options.addValue("framing", "plain", "How the frames are protected: not at all.", "plain");
 }
 

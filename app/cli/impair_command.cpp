@@ -34,7 +34,8 @@ void declare(Options &options)
 impair::Settings readSettings(Options &options)
 {
     const auto milliseconds = [&options](const char *name) {
-        return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
+        return std::chrono::duration_cast<Duration>(
+            std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
     };
     impair::Settings out;
     out.loss = options.number("loss", 0, 1);
@@ -53,8 +54,9 @@ std::string inWords(const link::Impairer &impairer)
     const auto direction = [&impairer](const char *arrow, link::Impairer::Direction which) {
         const impair::Counters counters = impairer.totals(which).counters;
         const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-        return format("%s %llu in, %llu out, %llu lost, %llu twice, %llu damaged", arrow, count(counters.offered), count(counters.delivered),
-                      count(counters.lost + counters.queueFull), count(counters.duplicated), count(counters.corrupted));
+        return format("%s %llu in, %llu out, %llu lost, %llu twice, %llu damaged", arrow, count(counters.offered),
+                      count(counters.delivered), count(counters.lost + counters.queueFull), count(counters.duplicated),
+                      count(counters.corrupted));
     };
     return direction("->", link::Impairer::Direction::Forward) + "; " + direction("<-", link::Impairer::Direction::Backward);
 }
@@ -101,7 +103,8 @@ int runImpair(const QStringList &arguments)
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, qApp, [] { QCoreApplication::exit(kDone); });
     if (options.has("duration"))
-        QTimer::singleShot(std::chrono::milliseconds(static_cast<qint64>(duration * 1000)), qApp, [] { QCoreApplication::exit(kDone); });
+        QTimer::singleShot(std::chrono::milliseconds(static_cast<qint64>(duration * 1000)), qApp,
+                           [] { QCoreApplication::exit(kDone); });
     QTimer::singleShot(0, qApp, [&] {
         impairer.open();
         if (json)

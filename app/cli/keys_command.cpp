@@ -24,7 +24,10 @@ void showKey(const keys::PublicKey &key, bool json)
 {
     if (json) {
         JsonWriter line;
-        line.beginObject().field("event", "key").field("public", keys::publicKeyText(key)).field("fingerprint", keys::fingerprint(key));
+        line.beginObject()
+            .field("event", "key")
+            .field("public", keys::publicKeyText(key))
+            .field("fingerprint", keys::fingerprint(key));
         line.endObject();
         printLine(line.text());
     } else {
@@ -165,7 +168,8 @@ int listPeers(const QStringList &arguments)
         const channel::Peer &peer = entry.peer;
         const std::string role(keys::peerRoleText(peer.role));
         if (!options.has("json")) {
-            printLine(peer.name + "  " + role + "  " + keys::systemIdsText(peer.systemIds) + "  " + keys::fingerprint(peer.key));
+            printLine(peer.name + "  " + role + "  " + keys::systemIdsText(peer.systemIds) + "  "
+                      + keys::fingerprint(peer.key));
             continue;
         }
         JsonWriter line;
@@ -204,12 +208,13 @@ int runKeys(const QStringList &arguments)
         return usage("peers is followed by add, remove or list");
     }
     if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printLine("Usage: skyseal-cli keys new --out FILE\n"
-                  "       skyseal-cli keys show FILE [--qr] [--json]\n"
-                  "       skyseal-cli keys peers add --peers FILE --name NAME [--role pilot|observer] [--sysids LIST] PUBLIC\n"
-                  "       skyseal-cli keys peers remove --peers FILE NAME\n"
-                  "       skyseal-cli keys peers list --peers FILE [--json]\n"
-                  "Each explains itself with --help.");
+        printLine(
+            "Usage: skyseal-cli keys new --out FILE\n"
+            "       skyseal-cli keys show FILE [--qr] [--json]\n"
+            "       skyseal-cli keys peers add --peers FILE --name NAME [--role pilot|observer] [--sysids LIST] PUBLIC\n"
+            "       skyseal-cli keys peers remove --peers FILE NAME\n"
+            "       skyseal-cli keys peers list --peers FILE [--json]\n"
+            "Each explains itself with --help.");
         return kDone;
     }
     return usage("new, show or peers is expected; --help explains them");

@@ -19,22 +19,24 @@ unsigned long long count(std::uint64_t n)
 
 void printInWords(const tlog::LogSummary &summary)
 {
-    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.bytes),
-                     count(summary.frames), count(summary.signedFrames), count(summary.version1Frames), count(summary.unknownMessages)));
+    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)",
+                     count(summary.bytes), count(summary.frames), count(summary.signedFrames), count(summary.version1Frames),
+                     count(summary.unknownMessages)));
     if (summary.first && summary.last)
         printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last));
     for (const auto &[sender, frames] : summary.bySender)
         printLine(format("  system %u component %u: %llu", unsigned(sender.first), unsigned(sender.second), count(frames)));
     for (const auto &[message, frames] : summary.byMessage)
         printLine(format("  %-32s %llu", message.c_str(), count(frames)));
-    printLine(format("%llu bad spots (%llu bytes), %llu pauses, time ran back %llu times", count(summary.badSpots), count(summary.badBytes),
-                     count(summary.pauses), count(summary.backwardSteps)));
+    printLine(format("%llu bad spots (%llu bytes), %llu pauses, time ran back %llu times", count(summary.badSpots),
+                     count(summary.badBytes), count(summary.pauses), count(summary.backwardSteps)));
 }
 
 int summarizeFile(const QString &name, const QStringList &arguments, bool verify)
 {
-    Options options(name, verify ? QStringLiteral("Checks that a recording is sound: every frame whole, time never running back.")
-                                 : QStringLiteral("Says what a recording holds."));
+    Options options(name,
+                    verify ? QStringLiteral("Checks that a recording is sound: every frame whole, time never running back.")
+                           : QStringLiteral("Says what a recording holds."));
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
     options.addFlag("json", "One JSON object on stdout.");
     if (const auto status = options.parse(arguments))
@@ -56,10 +58,11 @@ int summarizeFile(const QString &name, const QStringList &arguments, bool verify
         printLine(json.text());
     } else if (verify) {
         for (const tlog::BadSpot &spot : summary.listedSpots)
-            printLine(format("offset %llu: %s, %llu bytes", count(spot.offset), std::string(mavlink::nameOf(spot.fault)).c_str(), count(spot.length)));
+            printLine(format("offset %llu: %s, %llu bytes", count(spot.offset),
+                             std::string(mavlink::nameOf(spot.fault)).c_str(), count(spot.length)));
         printLine(summary.isSound() ? format("sound: %llu frames", count(summary.frames))
-                                    : format("damaged: %llu bad spots, time runs back %llu times; %llu good frames", count(summary.badSpots),
-                                             count(summary.backwardSteps), count(summary.frames)));
+                                    : format("damaged: %llu bad spots, time runs back %llu times; %llu good frames",
+                                             count(summary.badSpots), count(summary.backwardSteps), count(summary.frames)));
     } else {
         printInWords(summary);
     }
@@ -75,7 +78,8 @@ int exportFile(const QString &name, const QStringList &arguments)
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);
-    const auto every = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
+    const auto every =
+        std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
     if (const auto status = options.finish())
         return *status;
     LogInput input;
@@ -89,9 +93,10 @@ int exportFile(const QString &name, const QStringList &arguments)
         complain(name, target + ": " + std::strerror(errno));
         return kCannotOpen;
     }
-    const std::uint64_t rows = engine::exportTelemetry(input.stream(), mavlink::Dialect::builtin(), every, [out](const std::string &line) {
-        return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF;
-    });
+    const std::uint64_t rows =
+        engine::exportTelemetry(input.stream(), mavlink::Dialect::builtin(), every, [out](const std::string &line) {
+            return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF;
+        });
     const bool written = (out == stdout ? std::fflush(out) : std::fclose(out)) == 0;
     if (!written) {
         complain(name, (target.empty() ? "standard output" : target) + ": " + std::strerror(errno));

@@ -20,8 +20,10 @@ constexpr double kLongestRun = 1e9;
 
 void declare(Options &options)
 {
-    options.addValue("link", "URL", "Where vehicles or their agents are, e.g. udpin:0.0.0.0:14550. May be given several times.");
-    options.addValue("secure", "required|off", "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
+    options.addValue("link", "URL",
+                     "Where vehicles or their agents are, e.g. udpin:0.0.0.0:14550. May be given several times.");
+    options.addValue("secure", "required|off",
+                     "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
     options.addValue("identity", "FILE", "Private key of this station.");
     options.addValue("peers", "FILE", "Vehicles' agents whose keys are confirmed.");
     options.addValue("suite", "NAME", "Suite that every session begins with.");
@@ -31,7 +33,8 @@ void declare(Options &options)
     options.addValue("framing", "sealed", "How MAVLink is protected: whole frames sealed in records.", "sealed");
     options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
     options.addValue("duration", "S", "End after so many seconds.");
-    options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
+    options.addValue("do", "SCRIPT",
+                     "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
     options.addValue("record", "FOLDER", "Folder of the .tlog files.");
     options.addFlag("no-record", "Write no .tlog.");
     options.addFlag("json", "One JSON object a line on stdout.");
@@ -39,7 +42,21 @@ void declare(Options &options)
 
 std::string defaultLogFolder()
 {
-    return (QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/skyseal/logs")).toStdString();
+    return (QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) + QStringLiteral("/skyseal/logs"))
+        .toStdString();
+}
+
+/// What would be refused at once is better said before anything starts.
+void checkSuite(Options &options, const engine::StationConfig &config, const char *option, crypto::SuiteId suite)
+{
+    const crypto::SuiteInfo &info = crypto::suiteInfo(suite);
+    const std::string what = std::string("--") + option + " '" + std::string(info.name) + "': ";
+    if (config.secure != engine::SecureMode::Required)
+        options.fail(what + "there is no sealed link; --secure required");
+    else if (!info.authenticated)
+        options.fail(what + "a sealed link has no plain suite");
+    else if (info.research && !config.policy.allowResearch)
+        options.fail(what + "insecure, for research only; --allow-research");
 }
 
 void readSecurity(Options &options, engine::StationConfig &config)
@@ -54,11 +71,12 @@ void readSecurity(Options &options, engine::StationConfig &config)
         config.policy.suites = channel::defaultSuites();
         config.policy.allowResearch = options.has("allow-research");
     }
-    if (options.has("suite"))
-        config.preferredSuite = options.suite("suite");
+    if (options.has("suite") && (config.preferredSuite = options.suite("suite")))
+        checkSuite(options, config, "suite", *config.preferredSuite);
     if (const std::string framing = options.text("framing"); framing != "sealed") {
         const bool known = framing == "inline" || framing == "mavsec2019";
-        options.fail("--framing '" + framing + "': " + (known ? "not supported by this version; it knows sealed" : "sealed is expected"));
+        options.fail("--framing '" + framing
+                     + "': " + (known ? "not supported by this version; it knows sealed" : "sealed is expected"));
     }
 }
 
@@ -79,8 +97,13 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
     engine::RunPlan plan;
     plan.sessionRequired = config.secure == engine::SecureMode::Required;
     const auto inSeconds = [](double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); };
-    if (options.has("switch-to"))
+    if (options.has("switch-to")) {
         plan.switchTo = options.suites("switch-to");
+        if (options.text("switch-to") == "all" && !config.policy.allowResearch)
+            std::erase_if(plan.switchTo, [](crypto::SuiteId suite) { return crypto::suiteInfo(suite).research; });
+        for (const crypto::SuiteId suite : plan.switchTo)
+            checkSuite(options, config, "switch-to", suite);
+    }
     plan.switchEvery = inSeconds(options.number("switch-every", 0.01, kLongestRun));
     if (options.has("duration"))
         plan.duration = inSeconds(options.number("duration", 0, kLongestRun));
@@ -91,8 +114,6 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
         else
             options.fail("--do: " + script.error().text());
     }
-    if (!plan.switchTo.empty() && !plan.sessionRequired)
-        options.fail("--switch-to needs a sealed link: --secure required");
     return plan;
 }
 
@@ -135,11 +156,12 @@ int runMonitor(const QStringList &arguments)
     engine::HeadlessRun run(**station, *report, std::move(plan), links);
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &run, &engine::HeadlessRun::stop);
-    QObject::connect(&run, &engine::HeadlessRun::finished, qApp, [&](engine::RunOutcome outcome, const std::string &problem) {
-        if (outcome != engine::RunOutcome::Reached)
-            complain(name, problem);
-        QCoreApplication::exit(exitStatus(outcome));
-    });
+    QObject::connect(&run, &engine::HeadlessRun::finished, qApp,
+                     [&](engine::RunOutcome outcome, const std::string &problem) {
+                         if (outcome != engine::RunOutcome::Reached)
+                             complain(name, problem);
+                         QCoreApplication::exit(exitStatus(outcome));
+                     });
     QMetaObject::invokeMethod(&run, &engine::HeadlessRun::start, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }

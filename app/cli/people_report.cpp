@@ -19,9 +19,10 @@ std::string linkText(const engine::Snapshot &snapshot)
         const vehicle::SequenceCounters &count = vehicle.state.sequence;
         const double total = static_cast<double>(count.frames + count.lost);
         const double good = total > 0 ? 100.0 * static_cast<double>(count.frames) / total : 100.0;
-        out += format("%sLink %u %s %.1f %% (%llu frames, %llu lost, %.2f s)", out.empty() ? "" : ", ", unsigned(vehicle.state.systemId),
-                      vehicle.state.lost ? "LOST" : "OK", good, static_cast<unsigned long long>(count.frames),
-                      static_cast<unsigned long long>(count.lost), vehicle.state.messageAge);
+        out += format("%sLink %u %s %.1f %% (%llu frames, %llu lost, %.2f s)", out.empty() ? "" : ", ",
+                      unsigned(vehicle.state.systemId), vehicle.state.lost ? "LOST" : "OK", good,
+                      static_cast<unsigned long long>(count.frames), static_cast<unsigned long long>(count.lost),
+                      vehicle.state.messageAge);
     }
     return out;
 }
@@ -30,12 +31,14 @@ std::string sealText(const engine::Snapshot &snapshot)
 {
     std::string out;
     for (const engine::SessionSnapshot &session : snapshot.sessions) {
-        out += format("%s%s, epoch %u, %s, authenticated", out.empty() ? "sealed: " : "; ", suiteText(session.info.suite).c_str(),
-                      static_cast<unsigned>(session.info.epoch), session.info.peerName.c_str());
+        out += format("%s%s, epoch %u, %s, authenticated", out.empty() ? "sealed: " : "; ",
+                      suiteText(session.info.suite).c_str(), static_cast<unsigned>(session.info.epoch),
+                      session.info.peerName.c_str());
         if (session.info.pending)
             out += ", switching to " + suiteText(*session.info.pending);
         if (session.forgedLastMinute > 0 || session.replayedLastMinute > 0)
-            out += format(", %llu FORGED and %llu replayed in a minute", static_cast<unsigned long long>(session.forgedLastMinute),
+            out += format(", %llu FORGED and %llu replayed in a minute",
+                          static_cast<unsigned long long>(session.forgedLastMinute),
                           static_cast<unsigned long long>(session.replayedLastMinute));
     }
     if (out.empty())
@@ -82,7 +85,8 @@ void PeopleReport::happened(const engine::Happening &happening)
 
 void PeopleReport::stepEnded(const vehicle::StepReport &report)
 {
-    remark(report.step + ": " + std::string(vehicle::stepResultName(report.result)) + (report.reason.empty() ? "" : ", " + report.reason));
+    remark(report.step + ": " + std::string(vehicle::stepResultName(report.result))
+           + (report.reason.empty() ? "" : ", " + report.reason));
 }
 
 void PeopleReport::secondPassed(const engine::Snapshot &snapshot, double)
@@ -95,10 +99,12 @@ void PeopleReport::ended(const engine::Snapshot &last, double time)
     const engine::MavlinkTotals &mavlink = last.mavlink;
     const channel::ReceiveCounters &rx = last.channel.rx;
     const auto count = [](std::uint64_t n) { return static_cast<unsigned long long>(n); };
-    printLine(format("%.1f s: %llu frames, %llu lost, %llu late, %llu duplicate, %llu damaged; records: %llu good, %llu lost, %llu replayed, "
+    printLine(format("%.1f s: %llu frames, %llu lost, %llu late, %llu duplicate, %llu damaged; records: %llu good, %llu "
+                     "lost, %llu replayed, "
                      "%llu forged, %llu clear frames refused",
-                     time, count(mavlink.frames), count(mavlink.lost), count(mavlink.late), count(mavlink.duplicate), count(mavlink.badCrc),
-                     count(rx.good), count(rx.lost), count(rx.replayed), count(rx.forged), count(rx.plaintextDropped)));
+                     time, count(mavlink.frames), count(mavlink.lost), count(mavlink.late), count(mavlink.duplicate),
+                     count(mavlink.badCrc), count(rx.good), count(rx.lost), count(rx.replayed), count(rx.forged),
+                     count(rx.plaintextDropped)));
 }
 
 } // namespace skyseal::app

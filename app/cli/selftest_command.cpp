@@ -11,7 +11,8 @@ namespace skyseal::app {
 int runSelfTest(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli selftest");
-    Options options(name, QStringLiteral("Checks ciphers, handshake, MAVLink and a session inside this process against known answers."));
+    Options options(
+        name, QStringLiteral("Checks ciphers, handshake, MAVLink and a session inside this process against known answers."));
     options.addFlag("json", "One JSON object a line on stdout.");
     if (const auto status = options.parse(arguments))
         return *status;

@@ -83,7 +83,9 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
             },
             [](const engine::VehicleLost &e) { return format("vehicle %u lost", unsigned(e.systemId)); },
             [](const engine::VehicleBack &e) { return format("vehicle %u is back", unsigned(e.systemId)); },
-            [](const engine::TextReceived &e) { return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str()); },
+            [](const engine::TextReceived &e) {
+                return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str());
+            },
             [](const engine::PlaintextRefused &e) {
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
@@ -95,7 +97,9 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
             [](const channel::SessionUp &e) {
                 return "sealed with " + e.peerName + " at " + link::toText(e.path.remote) + " by " + suiteText(e.suite);
             },
-            [&](const channel::SessionDown &e) { return "session with " + peer(e.session) + " ended: " + whyDown(e.reason); },
+            [&](const channel::SessionDown &e) {
+                return "session with " + peer(e.session) + " ended: " + whyDown(e.reason);
+            },
             [&](const channel::PeerMoved &e) { return peer(e.session) + " is now at " + link::toText(e.to.remote); },
             [](const channel::SwitchPending &) { return std::string(); },
             [](const channel::SwitchDone &e) {
@@ -103,16 +107,17 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                     return "switch to " + suiteText(e.to) + " rolled back: " + whyRolledBack(e.failure);
                 if (e.rekey)
                     return format("fresh keys, epoch %u", static_cast<unsigned>(e.epoch));
-                return format("switched to %s, epoch %u, in %.0f ms", suiteText(e.to).c_str(), static_cast<unsigned>(e.epoch),
-                              seconds(e.took) * 1000);
+                return format("switched to %s, epoch %u, in %.0f ms", suiteText(e.to).c_str(),
+                              static_cast<unsigned>(e.epoch), seconds(e.took) * 1000);
             },
             [](const channel::HandshakeRefused &e) {
                 std::string out = "refused a handshake from " + link::toText(e.path.remote) + ": " + whyRefused(e.reason);
                 return e.peer == channel::PublicKey{} ? out : out + " (" + keys::fingerprint(e.peer) + ")";
             },
             [&](const channel::ForgeryAlarm &e) {
-                return format("%llu forged and %llu replayed records claim to be %s's", static_cast<unsigned long long>(e.forged),
-                              static_cast<unsigned long long>(e.replayed), peer(e.session).c_str());
+                return format("%llu forged and %llu replayed records claim to be %s's",
+                              static_cast<unsigned long long>(e.forged), static_cast<unsigned long long>(e.replayed),
+                              peer(e.session).c_str());
             },
         },
         happening);

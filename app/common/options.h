@@ -14,8 +14,8 @@
 
 namespace skyseal::app {
 
-/// Declare, parse(), read, and at the end ask finish(): the getters remember the first problem and go on, so that the reading
-/// code stays a list.
+/// Declare, parse(), read, and at the end ask finish(): the getters remember the first problem and go on, so that the
+/// reading code stays a list.
 class Options
 {
 public:

@@ -95,12 +95,15 @@ void Application::makeWindow()
 {
     ui::ProgramFacts facts;
     facts.version = QCoreApplication::applicationVersion();
-    facts.identityFile = m_options.identityFile.empty() ? dataFolder() + QStringLiteral("/identity.key") : QString::fromStdString(m_options.identityFile);
-    facts.peersFile = m_options.peersFile.empty() ? dataFolder() + QStringLiteral("/peers") : QString::fromStdString(m_options.peersFile);
+    facts.identityFile = m_options.identityFile.empty() ? dataFolder() + QStringLiteral("/identity.key")
+                                                        : QString::fromStdString(m_options.identityFile);
+    facts.peersFile =
+        m_options.peersFile.empty() ? dataFolder() + QStringLiteral("/peers") : QString::fromStdString(m_options.peersFile);
     facts.recordFolder = defaultRecordFolder();
     facts.demoAvailable = Demo::isAvailable();
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
-    connect(m_station.get(), &StationAdapter::failed, m_window.get(), [this](const QString &problem) { m_window->tellProblem(problem); });
+    connect(m_station.get(), &StationAdapter::failed, m_window.get(),
+            [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     connect(m_window.get(), &ui::MainWindow::demoWanted, this, [this] {
         if (m_demo)
@@ -131,7 +134,8 @@ void Application::beginDemo()
         m_window->tellProblem(problem, tr("Start it again"), [this] { m_demo->restart(); });
     });
     quint16 port = kUsualPort;
-    const auto url = m_options.links.empty() ? link::LinkUrl::parse(m_window->settings().defaultLink.toStdString()) : m_options.links.front();
+    const auto url = m_options.links.empty() ? link::LinkUrl::parse(m_window->settings().defaultLink.toStdString())
+                                             : m_options.links.front();
     if (url && url->scheme() == link::LinkScheme::UdpIn && url->port() != 0)
         port = url->port();
     m_demo->start(port);

@@ -80,7 +80,8 @@ Demo::~Demo()
 
 engine::KeyPaths Demo::stationKeys() const
 {
-    return {m_folder.filePath(QStringLiteral("station.key")).toStdString(), m_folder.filePath(QStringLiteral("station.peers")).toStdString()};
+    return {m_folder.filePath(QStringLiteral("station.key")).toStdString(),
+            m_folder.filePath(QStringLiteral("station.peers")).toStdString()};
 }
 
 void Demo::start(quint16 groundPort)
@@ -112,8 +113,9 @@ void Demo::restart()
     if (m_agent.state() == QProcess::NotRunning)
         launch(m_agent, kAgent,
                {QStringLiteral("--vehicle"), QStringLiteral("udpin:") + vehicle, QStringLiteral("--ground"),
-                QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("air.key")),
-                QStringLiteral("--peers"), m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research")});
+                QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"),
+                m_folder.filePath(QStringLiteral("air.key")), QStringLiteral("--peers"),
+                m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research")});
     if (m_simulator.state() == QProcess::NotRunning)
         launch(m_simulator, kSimulator, {QStringLiteral("--link"), QStringLiteral("udpout:") + vehicle});
 }
@@ -146,7 +148,8 @@ void Demo::tellEnd(const QString &name, QProcess &process)
 {
     if (m_stopping)
         return;
-    const QStringList words = QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    const QStringList words =
+        QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
                         : words.isEmpty()                          ? tr("exit status %1").arg(process.exitCode())
                                                                    : words.last();

@@ -28,7 +28,8 @@ public:
 
     /// The keys of the station's end.
     engine::KeyPaths stationKeys() const;
-    /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port changed.
+    /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port
+    /// changed.
     void start(quint16 groundPort);
     /// Starts again what ended.
     void restart();

@@ -13,8 +13,8 @@ namespace skyseal::app {
 QString dataFolder();
 QString defaultRecordFolder();
 
-/// The key files of this user. Makes an identity and an empty list of peers where there is none yet. A key file that exists but
-/// is damaged or open to others is left alone; the engine says so.
+/// The key files of this user. Makes an identity and an empty list of peers where there is none yet. A key file that exists
+/// but is damaged or open to others is left alone; the engine says so.
 Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random);
 
 } // namespace skyseal::app

@@ -39,8 +39,9 @@ std::uint8_t systemOf(const mavlink::ScanItem &item)
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
     : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
-      m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
-      m_policy(SecureMode::Required), m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
+      m_links(*this, [this](link::Link &link) { linkChanged(link); }),
+      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_policy(SecureMode::Required),
+      m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);
 }
@@ -90,7 +91,8 @@ AgentSnapshot AgentCore::snapshot()
 void AgentCore::linkChanged(link::Link &link)
 {
     const link::LinkScheme scheme = link.url().scheme();
-    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    const bool hasOneRemote =
+        scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
     if (link.id() == kVehicleLink && hasOneRemote)
         m_ways.setFixed({kVehicleLink, {}});
     m_tell(AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});

@@ -42,9 +42,9 @@ struct AgentCounters
 {
     std::uint64_t toGround = 0, toVehicle = 0;  ///< frames carried
     std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look
-    std::uint64_t spoofRefused = 0;             ///< frames of a system that their peer may not speak as, or of the vehicle itself
+    std::uint64_t spoofRefused = 0; ///< frames of a system that their peer may not speak as, or of the vehicle itself
     std::uint64_t clearRefused = 0;             ///< clear frames from the ground
-    std::uint64_t undelivered = 0;              ///< from the ground while no vehicle is known, from the vehicle without a session
+    std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
 };
 
 struct AgentSnapshot
@@ -73,8 +73,14 @@ public:
 
 private:
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
-    void linkPeerJoined(link::Link &link, const Path &path) override { m_intake.forget(path), m_ways.streamChanged(link.id(), path); }
-    void linkPeerLeft(link::Link &link, const Path &path) override { m_intake.forget(path), m_ways.streamChanged(link.id(), path); }
+    void linkPeerJoined(link::Link &link, const Path &path) override
+    {
+        m_intake.forget(path), m_ways.streamChanged(link.id(), path);
+    }
+    void linkPeerLeft(link::Link &link, const Path &path) override
+    {
+        m_intake.forget(path), m_ways.streamChanged(link.id(), path);
+    }
     void linkChanged(link::Link &link);
 
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);

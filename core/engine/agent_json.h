@@ -7,8 +7,8 @@
 
 namespace skyseal::engine {
 
-/// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx is what went to
-/// the ground.
+/// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx is what went
+/// to the ground.
 std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time);
 
 } // namespace skyseal::engine

@@ -4,14 +4,17 @@
 
 namespace skyseal::engine {
 
-ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links) {}
+ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links)
+{
+}
 
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
     const std::uint64_t begin = metrics::CycleClock::now();
     std::optional<channel::Delivery> delivery = m_endpoint.handleDatagram(now, from, datagram);
     if (delivery)
-        m_meters[delivery->session].opened(delivery->suite, m_clock.between(begin, metrics::CycleClock::now()), delivery->frames.size());
+        m_meters[delivery->session].opened(delivery->suite, m_clock.between(begin, metrics::CycleClock::now()),
+                                           delivery->frames.size());
     return delivery;
 }
 

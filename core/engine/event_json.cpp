@@ -85,7 +85,9 @@ std::string switchEvent(const channel::SwitchDone &done)
 std::string vehicleEvent(const VehicleFound &found)
 {
     JsonWriter json = begin("vehicle");
-    json.field("sysid", number(found.systemId)).field("type", number(found.type)).field("autopilot", number(found.autopilot));
+    json.field("sysid", number(found.systemId))
+        .field("type", number(found.type))
+        .field("autopilot", number(found.autopilot));
     json.field("sealed", found.sealed);
     return end(json);
 }
@@ -111,7 +113,8 @@ std::string peerMovedEvent(const std::string &peer, const std::string &from, con
     return end(json);
 }
 
-std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress, const std::string &fingerprint)
+std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
+                         const std::string &fingerprint)
 {
     JsonWriter json = begin("refused");
     json.field("reason", word(refused.reason)).field("address", remoteAddress);

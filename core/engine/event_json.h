@@ -21,7 +21,8 @@ std::string vehicleEvent(const VehicleFound &found);
 std::string vehicleLostEvent(std::uint8_t systemId, bool lost);
 std::string statusTextEvent(const TextReceived &text);
 std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to);
-std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress, const std::string &fingerprint);
+std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
+                         const std::string &fingerprint);
 std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
 std::string plaintextEvent(const PlaintextRefused &refused);
 /// One step of a flight script.

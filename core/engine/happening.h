@@ -21,9 +21,9 @@ struct RecordingProblem { std::string file, problem; };
 struct MissionTransferDone { std::uint8_t systemId = 0; bool upload = false; bool ok = false; std::string reason; };
 struct ParameterWritten { std::uint8_t systemId = 0; vehicle::Parameter parameter; bool ok = false; std::string reason; };
 
-using Happening = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, TextReceived, PlaintextRefused, RecordingProblem,
-                               MissionTransferDone, ParameterWritten, vehicle::CommandResult, channel::SessionUp, channel::SessionDown,
-                               channel::PeerMoved, channel::SwitchPending, channel::SwitchDone, channel::HandshakeRefused,
-                               channel::ForgeryAlarm>;
+using Happening = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, TextReceived, PlaintextRefused,
+                               RecordingProblem, MissionTransferDone, ParameterWritten, vehicle::CommandResult,
+                               channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
+                               channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
 
 } // namespace skyseal::engine

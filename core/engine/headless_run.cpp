@@ -24,7 +24,8 @@ HeadlessRun::HeadlessRun(Station &station, RunListener &listener, RunPlan plan, 
     : m_station(station), m_listener(listener), m_plan(std::move(plan)), m_urls(std::move(links)), m_script(m_plan.script),
       m_switching(m_plan.switchTo, m_plan.switchEvery)
 {
-    connect(&m_station, &Station::snapshotReady, this, [this](const std::shared_ptr<const Snapshot> &snapshot) { take(snapshot); });
+    connect(&m_station, &Station::snapshotReady, this,
+            [this](const std::shared_ptr<const Snapshot> &snapshot) { take(snapshot); });
     connect(&m_station, &Station::happened, this, [this](const Happening &happening) { hear(happening); });
     connect(&m_station, &Station::stopped, this, [this](const std::shared_ptr<const Snapshot> &last) { settle(*last); });
     m_tick.setTimerType(Qt::PreciseTimer);

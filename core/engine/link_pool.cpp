@@ -144,7 +144,8 @@ LinkSnapshot LinkPool::describe(const Entry &entry) const
 
 LinkSnapshot LinkPool::snapshot(const link::Link &link) const
 {
-    const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.link.get() == &link; });
+    const auto found =
+        std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.link.get() == &link; });
     return found == m_entries.end() ? LinkSnapshot{} : describe(*found);
 }
 

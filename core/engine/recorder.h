@@ -1,6 +1,6 @@
 // Writes the .tlog of a flight: every frame with its time, as ground stations have always kept them. A slow or full disk
-// must never hold up a flight, so the I/O thread only copies into a bounded buffer, and a thread of the recorder's own writes
-// it out five times a second and makes it durable once a second: a crash costs no more than the last second.
+// must never hold up a flight, so the I/O thread only copies into a bounded buffer, and a thread of the recorder's own
+// writes it out five times a second and makes it durable once a second: a crash costs no more than the last second.
 //
 // record(), snapshot() and takeProblem() are called from one thread (I/O); the file is touched by the writer thread alone.
 #pragma once

@@ -19,7 +19,12 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     if (!counters)
         return tl::unexpected(counters.error());
 
+    auto sealed = readSealedSystems(sealedSystemsFile(paths));
+    if (!sealed)
+        return tl::unexpected(sealed.error());
+
     auto out = std::make_unique<SecretFiles>();
+    out->sealedSystems = std::move(*sealed);
     out->paths = paths;
     out->identity = std::make_shared<const crypto::X25519KeyPair>(std::move(*identity));
     out->peers = std::move(*peers);

@@ -4,6 +4,7 @@
 #include "core/base/result.h"
 #include "core/channel/endpoint.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/sealed_systems.h"
 #include "core/engine/station_config.h"
 
 #include <memory>
@@ -16,12 +17,19 @@ struct SecretFiles
     KeyPaths paths;
     std::shared_ptr<const crypto::X25519KeyPair> identity;
     std::vector<channel::Peer> peers;
+    SealedSystems sealedSystems; ///< that the peers were heard as, by earlier runs
     std::unique_ptr<channel::CounterStore> counters;
     crypto::SystemRandom random;
 };
 
 /// An error names the file and what is wrong with it: missing, readable by others, damaged.
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths);
+/// Where the systems of the peers are remembered.
+inline std::string sealedSystemsFile(const KeyPaths &paths)
+{
+    return paths.peers + ".systems";
+}
+
 /// The peers file alone, as it is now.
 Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths);
 

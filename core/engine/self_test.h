@@ -1,6 +1,6 @@
-// What a program can check of itself on the machine it runs on, in a second: that every cipher, the handshake and the MAVLink
-// code give the known answers, and that two ends inside this process agree on a session. A wrong library or processor flag
-// shows here, before it shows in flight.
+// What a program can check of itself on the machine it runs on, in a second: that every cipher, the handshake and the
+// MAVLink code give the known answers, and that two ends inside this process agree on a session. A wrong library or
+// processor flag shows here, before it shows in flight.
 #pragma once
 
 #include <functional>

@@ -46,18 +46,24 @@ struct KnownRecord
 
 /// Secret bytes 5i + 1, counter 0x010203, associated data "skyseal self-test", 45 bytes 3i of plaintext.
 constexpr KnownRecord kRecords[] = {
-    {crypto::SuiteId::ChaCha20Poly1305, "7316368b9fcb84ee098dcc5df7011f4f9f75ff506e30781b09f88786b5868efce8f5abaa948e9d89490ac6ffd56cfcca7a40168c3458ba0693"
-                                        "bae85193"},
-    {crypto::SuiteId::Aes256Gcm, "a5c5a0e25339018f1c9fdde8cc41f02097826f3b9ad4dc451e4a426bacdee91f5e85ce4a885679800ceb13e73202f3dcc8d0b94ad851022093a6c0"
-                                 "ecd5"},
-    {crypto::SuiteId::Aes256Ctr, "37429b31379a0198cfecd693b06ade651050d5691926ace2a8d967af6231d5220277f01f7a57092ecb74c99d240115bb24f51d42f8d95f55d59785"
-                                 "c126"},
-    {crypto::SuiteId::Aes256Cbc, "e20a0cbc3fb123feb7f84b171eb4ee4633143d0295823ed8915e5b66a6636b56a86b9f3147431c578564a4bbad3b7546b51005ce51714ceceaa280"
-                                 "7cc551900a"},
-    {crypto::SuiteId::ChaCha20, "b2be041111a07541f14b6e7db908bb127463771363eae62e0e228943d85a5ae1d9df99ebf0d3e6d61b41aa805d129bcfe8096037f74d7193f9790c"
-                                "128a"},
-    {crypto::SuiteId::Rc4, "2d4c1aa5815b474f9df787f703cad8c67099147f2bf8ec94147cc49401e73a0a44bece883f2f73f1d2437140c2accc88a32ef7844cd3f6b2efcb76"
-                           "e9cd"},
+    {crypto::SuiteId::ChaCha20Poly1305,
+     "7316368b9fcb84ee098dcc5df7011f4f9f75ff506e30781b09f88786b5868efce8f5abaa948e9d89490ac6ffd56cfcca7a40168c3458ba0693"
+     "bae85193"},
+    {crypto::SuiteId::Aes256Gcm,
+     "a5c5a0e25339018f1c9fdde8cc41f02097826f3b9ad4dc451e4a426bacdee91f5e85ce4a885679800ceb13e73202f3dcc8d0b94ad851022093a6c0"
+     "ecd5"},
+    {crypto::SuiteId::Aes256Ctr,
+     "37429b31379a0198cfecd693b06ade651050d5691926ace2a8d967af6231d5220277f01f7a57092ecb74c99d240115bb24f51d42f8d95f55d59785"
+     "c126"},
+    {crypto::SuiteId::Aes256Cbc,
+     "e20a0cbc3fb123feb7f84b171eb4ee4633143d0295823ed8915e5b66a6636b56a86b9f3147431c578564a4bbad3b7546b51005ce51714ceceaa280"
+     "7cc551900a"},
+    {crypto::SuiteId::ChaCha20,
+     "b2be041111a07541f14b6e7db908bb127463771363eae62e0e228943d85a5ae1d9df99ebf0d3e6d61b41aa805d129bcfe8096037f74d7193f9790c"
+     "128a"},
+    {crypto::SuiteId::Rc4,
+     "2d4c1aa5815b474f9df787f703cad8c67099147f2bf8ec94147cc49401e73a0a44bece883f2f73f1d2437140c2accc88a32ef7844cd3f6b2efcb76"
+     "e9cd"},
 };
 constexpr std::uint64_t kCounter = 0x010203;
 
@@ -95,7 +101,10 @@ class ChosenRandom final : public RandomSource
 {
 public:
     explicit ChosenRandom(Bytes bytes) : m_bytes(std::move(bytes)) {}
-    void fill(MutableByteView out) override { std::copy_n(m_bytes.begin(), std::min(out.size(), m_bytes.size()), out.begin()); }
+    void fill(MutableByteView out) override
+    {
+        std::copy_n(m_bytes.begin(), std::min(out.size(), m_bytes.size()), out.begin());
+    }
 
 private:
     Bytes m_bytes;
@@ -119,14 +128,17 @@ noise::HandshakeState startHandshake(noise::Role role, std::string_view own)
 /// The vector of the cacophony project for Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b.
 std::optional<std::string> checkHandshake()
 {
-    auto initiator = startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
-    auto responder = startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
+    auto initiator =
+        startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
+    auto responder =
+        startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
     ChosenRandom first(hex("893e28b9dc6ca8d611ab664754b8ceb7bac5117349a4439a6b0569da977c464a"));
     ChosenRandom second(hex("bbdb4cdbd309f1a1f2e1456967fe288cadd6f712d65dc7b7793d5e63da6b375b"));
     std::array<std::uint8_t, 256> message, payload;
     const auto sent = initiator.writeMessage(asBytes("Ludwig von Mises"), message, first);
     const Bytes expected =
-        hex("ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c7944b6fe0240b839afac809de1630eaf99d8f9b941394f0512c0554633bbb021d1"
+        hex("ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c7944b6fe0240b839afac809de1630eaf99d8f9b941394f0512c"
+            "0554633bbb021d1"
             "5176135c0a20e7fdb9a9ed066f22f054b47625b1d5061cb27d6a17f053273db7c25216a5addc506ee321bc0618feb5849d");
     if (!sent || !same(ByteView(message).first(*sent), expected))
         return "the first message is another one";
@@ -135,8 +147,9 @@ std::optional<std::string> checkHandshake()
     const auto answer = responder.writeMessage(asBytes("Murray Rothbard"), message, second);
     if (!answer || !initiator.readMessage(ByteView(message).first(*answer), payload))
         return "the answer is refused";
-    const Bytes hash = hex("ed837c9084f2f0333a7ec60b9bcacd9921394858de8ced118b5966d1147ba390084dab42326c565a309c29317a6079be30aa1d790d25a517"
-                           "b43287426cb1d36a");
+    const Bytes hash = hex(
+        "ed837c9084f2f0333a7ec60b9bcacd9921394858de8ced118b5966d1147ba390084dab42326c565a309c29317a6079be30aa1d790d25a517"
+        "b43287426cb1d36a");
     return expect(same(initiator.handshakeHash(), hash) && same(responder.handshakeHash(), hash), "the hash is another one");
 }
 
@@ -151,15 +164,16 @@ std::vector<SelfTest> primitiveSelfTests()
     };
     const auto hkdf = [] { // RFC 5869, case 1
         std::array<std::uint8_t, 42> out;
-        const bool done = crypto::hkdfExpandSha256(out, hex("077709362c2e32df0ddc3f0dc47bba6390b6c73bb50f9c3122ec844ad7c2b3e5"),
-                                                   hex("f0f1f2f3f4f5f6f7f8f9"));
-        return expect(done && same(out, hex("3cb25f25faacd57a90434f64d0362f2a2d2d0a90cf1a5a4c5db02d56ecc4c5bf34007208d5b887185865")),
-                      "wrong answer");
+        const bool done = crypto::hkdfExpandSha256(
+            out, hex("077709362c2e32df0ddc3f0dc47bba6390b6c73bb50f9c3122ec844ad7c2b3e5"), hex("f0f1f2f3f4f5f6f7f8f9"));
+        return expect(
+            done && same(out, hex("3cb25f25faacd57a90434f64d0362f2a2d2d0a90cf1a5a4c5db02d56ecc4c5bf34007208d5b887185865")),
+            "wrong answer");
     };
     const auto blake = [] { // RFC 7693, appendix A
-        return expect(same(crypto::blake2b({asBytes("abc")}),
-                           hex("ba80a53f981c4d0d6a2797b69f12f6e94c212f14685ac4b74b12bb6fdbffa2d17d87c5392aab792dc252d5de4533cc9518d38aa8dbf192"
-                               "5ab92386edd4009923")),
+        return expect(same(crypto::blake2b({asBytes("abc")}), hex("ba80a53f981c4d0d6a2797b69f12f6e94c212f14685ac4b74b12bb6fd"
+                                                                  "bffa2d17d87c5392aab792dc252d5de4533cc9518d38aa8dbf192"
+                                                                  "5ab92386edd4009923")),
                       "wrong answer");
     };
     const auto x25519 = [] { // RFC 7748, 5.2
@@ -167,7 +181,8 @@ std::vector<SelfTest> primitiveSelfTests()
         crypto::PublicKey other{};
         std::copy(point.begin(), point.end(), other.begin());
         const auto shared = crypto::x25519(keyOf("a546e36bf0527c9d3b16154b82465edd62144c0ac1fc5a18506a2244ba449ac4"), other);
-        return expect(shared && shared->equals(keyOf("c3da55379de9c6908e94ea4df28d084f32eccf03491c71f754b4075577a28552")), "wrong answer");
+        return expect(shared && shared->equals(keyOf("c3da55379de9c6908e94ea4df28d084f32eccf03491c71f754b4075577a28552")),
+                      "wrong answer");
     };
     return {{"HMAC-SHA-256", hmac}, {"HKDF-SHA-256", hkdf}, {"BLAKE2b", blake}, {"X25519", x25519}};
 }
@@ -176,7 +191,8 @@ std::vector<SelfTest> suiteSelfTests()
 {
     std::vector<SelfTest> out;
     for (const KnownRecord &known : kRecords)
-        out.push_back({"suite " + std::string(crypto::suiteInfo(known.suite).name), [&known] { return checkRecord(known); }});
+        out.push_back(
+            {"suite " + std::string(crypto::suiteInfo(known.suite).name), [&known] { return checkRecord(known); }});
     return out;
 }
 

@@ -1,4 +1,5 @@
-// Two endpoints inside this process: they shake hands, carry a frame each way under every suite, and refuse what was touched.
+// Two endpoints inside this process: they shake hands, carry a frame each way under every suite, and refuse what was
+// touched.
 #include "core/engine/self_test.h"
 
 #include "core/channel/endpoint.h"
@@ -35,7 +36,8 @@ public:
     {
         auto ground = std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
         auto air = std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
-        m_ground = std::make_unique<Endpoint>(config(Role::Station, ground, air->publicKey), m_random, m_groundCounters, m_now);
+        m_ground =
+            std::make_unique<Endpoint>(config(Role::Station, ground, air->publicKey), m_random, m_groundCounters, m_now);
         m_air = std::make_unique<Endpoint>(config(Role::Agent, air, ground->publicKey), m_random, m_airCounters, m_now);
     }
 
@@ -71,7 +73,8 @@ public:
 private:
     static constexpr Path kAirPath{LinkId{1}, {{}, 1}};
     static constexpr Path kGroundPath{LinkId{1}, {{}, 2}};
-    static constexpr std::array<std::uint8_t, 21> kFrame{0xfd, 9, 0, 0, 1, 15, 27, 0, 0, 0, 34, 30, 7, 105, 242, 55, 146, 91, 3, 82, 250};
+    static constexpr std::array<std::uint8_t, 21> kFrame{0xfd, 9, 0,   0,   1,  15,  27, 0, 0,  0,  34,
+                                                         30,   7, 105, 242, 55, 146, 91, 3, 82, 250};
 
     static Config config(Role role, std::shared_ptr<const crypto::X25519KeyPair> own, const PublicKey &other)
     {

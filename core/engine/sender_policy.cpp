@@ -1,5 +1,7 @@
 #include "core/engine/sender_policy.h"
 
+#include <algorithm>
+
 namespace skyseal::engine {
 
 void SenderPolicy::setPeers(const std::vector<channel::Peer> &peers)
@@ -12,6 +14,7 @@ void SenderPolicy::setPeers(const std::vector<channel::Peer> &peers)
     }
     for (auto &[session, speaker] : m_speakers)
         applyRules(speaker);
+    collectSealed();
 }
 
 void SenderPolicy::applyRules(Speaker &speaker) const
@@ -28,6 +31,25 @@ void SenderPolicy::applyRules(Speaker &speaker) const
             speaker.allowed.set(systemId);
     }
     speaker.spoken &= speaker.allowed;
+}
+
+void SenderPolicy::rememberSealed(const SealedSystems &heard)
+{
+    for (const auto &[peer, systems] : heard)
+        m_heard[peer] |= systems;
+    collectSealed();
+}
+
+void SenderPolicy::collectSealed()
+{
+    // A peer that a person removed from the list no longer stands in the way of its vehicle in clear.
+    std::erase_if(m_heard, [this](const auto &entry) {
+        return std::none_of(m_peers.begin(), m_peers.end(),
+                            [&](const channel::Peer &peer) { return peer.key == entry.first; });
+    });
+    m_sealed.reset();
+    for (const auto &[peer, systems] : m_heard)
+        m_sealed |= systems;
 }
 
 void SenderPolicy::sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path)
@@ -71,6 +93,7 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
             return false;
     }
     speaker.spoken.set(systemId);
+    m_heard[speaker.peer].set(systemId);
     m_sealed.set(systemId);
     return true;
 }

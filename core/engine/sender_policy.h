@@ -5,6 +5,7 @@
 #include "core/base/path.h"
 #include "core/channel/events.h"
 #include "core/channel/policy.h"
+#include "core/engine/sealed_systems.h"
 #include "core/engine/secure_mode.h"
 
 #include <array>
@@ -24,22 +25,27 @@ public:
 
     /// The known peers: the system ids that they are bound to are never again taken in clear.
     void setPeers(const std::vector<channel::Peer> &peers);
+    /// The systems that peers were heard to speak as, sealed, by earlier runs as well: cutting the sealed link, or a
+    /// restart, must not open the way for clear frames in their name. Those of peers that are no longer known do not count.
+    void rememberSealed(const SealedSystems &heard);
+    const SealedSystems &sealedSystems() const { return m_heard; }
     void sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path);
     void sessionMoved(channel::SessionId session, const Path &path);
     void sessionDown(channel::SessionId session);
 
     /// What it sends may reach an autopilot. False for observers.
     bool mayCommand(channel::SessionId session) const;
-    /// Whether a frame that came sealed may speak as this system id. A system belongs to the first peer that spoke as it, for
-    /// as long as that peer has a session.
+    /// Whether a frame that came sealed may speak as this system id. A system belongs to the first peer that spoke as it,
+    /// for as long as that peer has a session.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
 
-    /// Whether a clear frame may be shown. Not when sealing is required, not for a system that is bound to a peer or was ever
-    /// heard sealed, and not from the very place where a session's records come from.
+    /// Whether a clear frame may be shown. Not when sealing is required, not for a system that is bound to a peer or was
+    /// ever heard sealed, and not from the very place where a session's records come from.
     bool acceptClear(const Path &from, std::uint8_t systemId) const;
     /// The session whose records come from there.
     std::optional<channel::SessionId> sessionAt(const Path &path) const;
-    /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the system.
+    /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the
+    /// system.
     std::optional<channel::SessionId> sessionConcerned(const Path &from, std::uint8_t systemId) const;
     /// True when clear frames of the system are refused because it is known to be sealed.
     bool isSealedSystem(std::uint8_t systemId) const { return m_sealed.test(systemId) || m_pinned.test(systemId); }
@@ -55,11 +61,13 @@ private:
     };
 
     void applyRules(Speaker &speaker) const;
+    void collectSealed();
 
     SecureMode m_mode;
     std::vector<channel::Peer> m_peers;
     std::bitset<256> m_pinned;
-    std::bitset<256> m_sealed;
+    SealedSystems m_heard;
+    std::bitset<256> m_sealed; ///< all of m_heard
     std::map<channel::SessionId, Speaker> m_speakers;
 };
 

@@ -30,9 +30,10 @@ public:
 
     void begin()
     {
-        m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets),
-                                               StationSinks{[this](std::shared_ptr<const Snapshot> snapshot) { Q_EMIT snapshotTaken(snapshot); },
-                                                            [this](Happening happening) { Q_EMIT happened(happening); }});
+        m_core = std::make_unique<StationCore>(
+            m_config, std::move(m_secrets),
+            StationSinks{[this](std::shared_ptr<const Snapshot> snapshot) { Q_EMIT snapshotTaken(snapshot); },
+                         [this](Happening happening) { Q_EMIT happened(happening); }});
         m_answered = steadyNow();
         m_ask = std::make_unique<QTimer>();
         connect(m_ask.get(), &QTimer::timeout, this, [this] {
@@ -190,7 +191,8 @@ void Station::requestParameters(std::uint8_t systemId)
 void Station::writeParameter(std::uint8_t systemId, std::string name, double value)
 {
     d->post([=, name = std::move(name)](StationCore &core) {
-        core.withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
+        core.withVehicle(systemId,
+                         [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
     });
 }
 

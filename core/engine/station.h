@@ -28,7 +28,8 @@ class Station : public QObject
     Q_OBJECT
 
 public:
-    /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is an error that names it.
+    /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is
+    /// an error that names it.
     static Result<std::unique_ptr<Station>, InputError> create(StationConfig config);
     ~Station() override;
 
@@ -38,7 +39,8 @@ public:
     /// Every session that is up now or comes up later begins with this suite.
     void setPreferredSuite(crypto::SuiteId);
     void setAllowResearch(bool);
-    /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in force.
+    /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
+    /// force.
     Result<void, InputError> reloadPeers();
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command);
     void requestParameters(std::uint8_t systemId);

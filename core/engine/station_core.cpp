@@ -1,6 +1,5 @@
 #include "core/engine/station_core.h"
 
-#include "core/link/address_text.h"
 #include "core/mavlink/frame_writer.h"
 
 #include <algorithm>
@@ -36,11 +35,12 @@ channel::Config channelConfig(const StationConfig &config, const SecretFiles &se
 StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secrets, StationSinks sinks)
     : m_config(std::move(config)), m_sinks(std::move(sinks)), m_secrets(std::move(secrets)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_policy(m_config.secure),
-      m_intake(mavlink::Dialect::builtin()), m_vehicles(vehicleConfig(m_config)), m_start(steadyNow()), m_lastSnapshot(TimePoint::min()),
-      m_nextQuarter(m_start), m_timer([this] { handleDeadline(); })
+      m_intake(mavlink::Dialect::builtin()), m_vehicles(vehicleConfig(m_config)), m_start(steadyNow()),
+      m_lastSnapshot(TimePoint::min()), m_nextQuarter(m_start), m_timer([this] { handleDeadline(); })
 {
     if (m_secrets && m_config.secure != SecureMode::Off) {
         m_policy.setPeers(m_secrets->peers);
+        m_policy.rememberSealed(m_secrets->sealedSystems);
         channel::Endpoint endpoint(channelConfig(m_config, *m_secrets), m_secrets->random, *m_secrets->counters, m_start);
         m_channel = std::make_unique<ChannelDriver>(std::move(endpoint), m_links);
     }
@@ -128,6 +128,7 @@ void StationCore::setRecording(bool recording)
 
 std::shared_ptr<const Snapshot> StationCore::stop()
 {
+    keepSealedSystems();
     const std::shared_ptr<Snapshot> last = takeSnapshot(steadyNow());
     if (m_channel) {
         for (const channel::SessionId session : m_channel->endpoint().sessions())
@@ -152,139 +153,14 @@ void StationCore::linkChanged(link::Link &link)
 {
     const link::LinkState state = link.state();
     const link::LinkScheme scheme = link.url().scheme();
-    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    const bool hasOneRemote =
+        scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
     if (state == link::LinkState::Connected && hasOneRemote && m_config.secure != SecureMode::Required)
         m_outlets.addFixed({link.id(), link.remote()});
     else if (state == link::LinkState::Waiting || state == link::LinkState::Closed)
         m_outlets.removeLink(link.id());
     m_changed = true;
     tell(LinkChanged{m_links.snapshot(link)});
-}
-
-void StationCore::linkPeerJoined(link::Link &, const Path &path)
-{
-    m_intake.forget(path);
-}
-
-void StationCore::linkPeerLeft(link::Link &, const Path &path)
-{
-    m_intake.forget(path);
-}
-
-void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
-{
-    if (m_stopped)
-        return;
-    for (const link::ReceivedBlock &block : blocks) {
-        if (link.isStream()) {
-            m_intake.takeStream(block.path, block.bytes, [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
-        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
-            takeRecord(block.time, block);
-        } else {
-            bool anyFrame = false;
-            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
-                anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
-                takeClear(block.time, block.path, item);
-            });
-            m_garbage += !anyFrame;
-        }
-    }
-    m_changed = true;
-    finishWake();
-}
-
-void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
-{
-    if (!m_channel) {
-        ++m_garbage;
-        return;
-    }
-    if (const auto delivery = m_channel->receive(now, block.path, block.bytes)) {
-        // The session is told of by its event; what it may speak as must be known before its first frame is judged.
-        handleEvents(now);
-        takeSealed(now, block.path, *delivery);
-    }
-}
-
-void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery)
-{
-    std::uint64_t frames = 0;
-    m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
-        if (!item.frame) {
-            if (isDamagedFrame(item))
-                m_links.countBadFrame(from.link);
-            return;
-        }
-        ++frames;
-        if (m_policy.acceptSealed(delivery.session, item.frame->systemId()))
-            takeFrame(now, from, *item.frame, delivery.session);
-        else
-            ++m_spoofed;
-    });
-    m_channel->countFrames(delivery.session, frames);
-    m_links.noteRemote(from.link, from.remote);
-}
-
-void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item)
-{
-    if (!item.frame) {
-        if (isDamagedFrame(item))
-            m_links.countBadFrame(from.link);
-        return;
-    }
-    const mavlink::Frame &frame = *item.frame;
-    if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
-        return; // our own, looped back
-    if (!m_policy.acceptClear(from, frame.systemId()))
-        return refuseClear(now, from, frame.systemId());
-    takeFrame(now, from, frame, std::nullopt);
-}
-
-void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t systemId)
-{
-    ++m_refusals.total;
-    ++m_refusals.untold.frames;
-    m_refusals.untold.systemId = systemId;
-    m_refusals.untold.remoteAddress = link::toText(from.remote);
-    if (m_channel) {
-        if (const auto session = m_policy.sessionConcerned(from, systemId))
-            m_channel->endpoint().countPlaintextDropped(*session, 1);
-    }
-    tellRefusals(now);
-}
-
-void StationCore::tellRefusals(TimePoint now)
-{
-    if (m_refusals.untold.frames == 0 || (m_refusals.told != TimePoint::min() && now - m_refusals.told < std::chrono::seconds(1)))
-        return;
-    m_refusals.told = now;
-    tell(std::exchange(m_refusals.untold, {}));
-}
-
-void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session)
-{
-    const link::Link *link = m_links.find(from.link);
-    const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
-    const std::uint8_t systemId = frame.systemId();
-    const WallTime wall = wallNow();
-    m_sequences.note({from.link, systemId, frame.componentId()}, frame.sequence(), now);
-    m_inspector.note(now, frame);
-    if (m_recorder && !replayed)
-        m_recorder->record(wall, frame.bytes());
-    if (session) {
-        m_outlets.heardSealed(systemId, *session);
-    } else if (frame.messageId() == 0 && !replayed) {
-        m_outlets.heardClear(now, systemId, from);
-        m_links.noteRemote(from.link, from.remote);
-    }
-    const bool found = m_vehicles.handleFrame(now, wall, frame);
-    if (vehicle::Vehicle *vehicle = m_vehicles.find(systemId)) {
-        VehicleWatch &watch = m_vehicleWatches[systemId];
-        watch.link = from.link;
-        watch.session = session;
-        if (found)
-            tell(VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()});
-    }
 }
 
 void StationCore::finishWake()
@@ -369,7 +245,8 @@ void StationCore::serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Ve
     while (auto text = vehicle.pollText())
         tell(TextReceived{systemId, std::move(*text)});
     while (auto done = vehicle.pollMissionResult())
-        tell(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok, std::move(done->reason)});
+        tell(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
+                                 std::move(done->reason)});
     while (auto written = vehicle.pollParameterResult())
         tell(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
 }
@@ -387,8 +264,8 @@ void StationCore::sendHeartbeats(TimePoint now)
 void StationCore::send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = mavlink::writeFrame(buffer, 2, outlet.sequence, m_config.systemId, m_config.componentId, message.id,
-                                               message.crcExtra, message.minLength, message.view());
+    const ByteView frame = mavlink::writeFrame(buffer, 2, outlet.sequence, m_config.systemId, m_config.componentId,
+                                               message.id, message.crcExtra, message.minLength, message.view());
     if (frame.empty())
         return;
     ++outlet.sequence;
@@ -431,6 +308,7 @@ void StationCore::everySecond(TimePoint now)
 {
     m_outlets.forgetSilent(now);
     tellRefusals(now);
+    keepSealedSystems();
     if (m_channel)
         m_channel->roll(now);
     for (auto &[session, watch] : m_sessionWatches) {
@@ -443,6 +321,16 @@ void StationCore::everySecond(TimePoint now)
         if (const auto problem = m_recorder->takeProblem())
             tell(RecordingProblem{problem->file, problem->problem});
     }
+}
+
+void StationCore::keepSealedSystems()
+{
+    if (!m_secrets || m_secrets->paths.peers.empty() || m_policy.sealedSystems() == m_secrets->sealedSystems)
+        return;
+    m_secrets->sealedSystems = m_policy.sealedSystems();
+    const std::string file = sealedSystemsFile(m_secrets->paths);
+    if (const auto written = writeSealedSystems(file, m_secrets->sealedSystems); !written)
+        tell(RecordingProblem{file, written.error().message}); // in force for this run all the same
 }
 
 void StationCore::publish(TimePoint now)

@@ -1,9 +1,9 @@
 // The station's engine: joins links, secure channel, vehicles, recording and counters. Lives whole on the I/O thread; other
 // threads reach it only through Station, which posts calls and hands out what the sinks are given.
 //
-// The path of a packet: linkReceived -> (record: the channel opens it in place | clear: SenderPolicy decides) -> takeFrame ->
-// sequence counters, vehicles, inspector, recorder. Each wake-up ends in finishWake(): what the vehicles' conversations want
-// sent is framed, coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
+// The path of a packet: linkReceived -> (record: the channel opens it in place | clear: SenderPolicy decides) -> takeFrame
+// -> sequence counters, vehicles, inspector, recorder. Each wake-up ends in finishWake(): what the vehicles' conversations
+// want sent is framed, coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
 #pragma once
 
 #include "core/engine/channel_driver.h"
@@ -104,6 +104,7 @@ private:
     void send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message);
     void everyQuarterSecond(TimePoint now);
     void everySecond(TimePoint now);
+    void keepSealedSystems();
     void tell(Happening happening) { m_sinks.happening(std::move(happening)); }
 
     void publish(TimePoint now);

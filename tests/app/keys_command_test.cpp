@@ -24,7 +24,10 @@ private Q_SLOTS:
 
 private:
     QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
-    RunResult keys(const QStringList &arguments) const { return runProgram("skyseal-cli", QStringList{QStringLiteral("keys")} + arguments); }
+    RunResult keys(const QStringList &arguments) const
+    {
+        return runProgram("skyseal-cli", QStringList{QStringLiteral("keys")} + arguments);
+    }
     RunResult newKey(const char *name) const { return keys({QStringLiteral("new"), QStringLiteral("--out"), path(name)}); }
     QJsonObject shown(const char *name) const
     {
@@ -32,13 +35,14 @@ private:
     }
     RunResult addPeer(const QString &publicKey, const QStringList &more = {}) const
     {
-        return keys(QStringList{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"), QStringLiteral("--name"),
-                                QStringLiteral("scout-1"), publicKey}
+        return keys(QStringList{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"),
+                                QStringLiteral("--name"), QStringLiteral("scout-1"), publicKey}
                     + more);
     }
     RunResult peers(const char *action, const QStringList &more = {}) const
     {
-        return keys(QStringList{QStringLiteral("peers"), QLatin1String(action), QStringLiteral("--peers"), path("peers")} + more);
+        return keys(QStringList{QStringLiteral("peers"), QLatin1String(action), QStringLiteral("--peers"), path("peers")}
+                    + more);
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -78,8 +82,10 @@ void KeysCommandTest::peersAreAddedListedRemoved()
 {
     QCOMPARE(newKey("a.key").status, 0);
     const QJsonObject key = shown("a.key");
-    QCOMPARE(addPeer(key[QLatin1String("public")].toString(), {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"),
-                                                               QStringLiteral("1,7")}).status, 0);
+    QCOMPARE(addPeer(key[QLatin1String("public")].toString(), {QStringLiteral("--role"), QStringLiteral("observer"),
+                                                               QStringLiteral("--sysids"), QStringLiteral("1,7")})
+                 .status,
+             0);
     const QJsonObject listed = QJsonDocument::fromJson(peers("list", {QStringLiteral("--json")}).out).object();
     QCOMPARE(listed[QLatin1String("name")].toString(), QStringLiteral("scout-1"));
     QCOMPARE(listed[QLatin1String("role")].toString(), QStringLiteral("observer"));
@@ -94,7 +100,8 @@ void KeysCommandTest::changedKeyNeedsAnExplicitReplace()
 {
     QCOMPARE(newKey("a.key").status, 0);
     QCOMPARE(newKey("b.key").status, 0);
-    const QString first = shown("a.key")[QLatin1String("public")].toString(), second = shown("b.key")[QLatin1String("public")].toString();
+    const QString first = shown("a.key")[QLatin1String("public")].toString(),
+                  second = shown("b.key")[QLatin1String("public")].toString();
     QCOMPARE(addPeer(first).status, 0);
     QCOMPARE(addPeer(second).status, 1);
     QVERIFY(peers("list", {QStringLiteral("--json")}).out.contains(first.toUtf8()));

@@ -58,13 +58,16 @@ void RecordedFlightTest::initTestCase()
     const QString port = QString::number(freePort());
     QProcess sim;
     sim.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-sim"),
-              {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:") + port, QStringLiteral("--rate"), QStringLiteral("5")});
+              {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:") + port, QStringLiteral("--rate"),
+               QStringLiteral("5")});
     QVERIFY(sim.waitForStarted(10000));
-    m_flight = runProgram("skyseal-cli",
-                          {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:") + port, QStringLiteral("--secure"),
-                           QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--record"), m_folder.path(), QStringLiteral("--do"),
-                           QStringLiteral("wait gps_fix>=3 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; land; wait armed==0 90")},
-                          {}, 180000);
+    m_flight = runProgram(
+        "skyseal-cli",
+        {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:") + port,
+         QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--record"),
+         m_folder.path(), QStringLiteral("--do"),
+         QStringLiteral("wait gps_fix>=3 60; mode GUIDED; arm; takeoff 5; wait alt_rel>=4.5 60; land; wait armed==0 90")},
+        {}, 180000);
     sim.kill();
     sim.waitForFinished(5000);
     QVERIFY2(m_flight.status == 0, m_flight.err + m_flight.out.right(2000));
@@ -91,15 +94,16 @@ void RecordedFlightTest::statisticsHaveEveryField()
     const QJsonObject last = eventsOf(m_flight.out, "summary").back();
     for (const char *field : {"frames", "lost", "late", "duplicate", "bad_crc"})
         QVERIFY2(last[QLatin1String("mavlink")].toObject().contains(QLatin1String(field)), field);
-    for (const char *field : {"suite", "epoch", "rx", "tx", "open_ns_p50", "open_ns_p99", "seal_ns_p50", "seal_ns_p99", "cpu_percent"})
+    for (const char *field :
+         {"suite", "epoch", "rx", "tx", "open_ns_p50", "open_ns_p99", "seal_ns_p50", "seal_ns_p99", "cpu_percent"})
         QVERIFY2(last[QLatin1String("channel")].toObject().contains(QLatin1String(field)), field);
     for (const char *field : {"good", "late", "lost", "replayed", "forged", "malformed", "plaintext_dropped"}) {
         QVERIFY2(last[QLatin1String("channel")][QLatin1String("rx")].toObject().contains(QLatin1String(field)), field);
         QVERIFY2(last[QLatin1String("channel")][QLatin1String("tx")].toObject().contains(QLatin1String(field)), field);
     }
     const QJsonObject vehicle = last[QLatin1String("vehicles")][0].toObject();
-    for (const char *field : {"sysid", "mode", "armed", "roll", "pitch", "yaw", "lat", "lon", "alt_rel", "ground_speed", "battery_v",
-                              "battery_percent", "gps_fix", "satellites", "ekf_ok", "heartbeat_age"})
+    for (const char *field : {"sysid", "mode", "armed", "roll", "pitch", "yaw", "lat", "lon", "alt_rel", "ground_speed",
+                              "battery_v", "battery_percent", "gps_fix", "satellites", "ekf_ok", "heartbeat_age"})
         QVERIFY2(vehicle.contains(QLatin1String(field)), field);
     QCOMPARE(last[QLatin1String("channel")][QLatin1String("suite")].toString(), QStringLiteral("none"));
     QCOMPARE(last[QLatin1String("mavlink")][QLatin1String("lost")].toInt(-1), 0);
@@ -107,16 +111,19 @@ void RecordedFlightTest::statisticsHaveEveryField()
 
 void RecordedFlightTest::recordingIsSound()
 {
-    const RunResult verified = runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), m_log, QStringLiteral("--json")});
+    const RunResult verified =
+        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), m_log, QStringLiteral("--json")});
     QCOMPARE(verified.status, 0);
-    const auto received = eventsOf(m_flight.out, "summary").back()[QLatin1String("mavlink")][QLatin1String("frames")].toInteger();
+    const auto received =
+        eventsOf(m_flight.out, "summary").back()[QLatin1String("mavlink")][QLatin1String("frames")].toInteger();
     QVERIFY(QJsonDocument::fromJson(verified.out)[QLatin1String("frames")].toInteger() >= received); // ours are there, too
 
     QFile file(m_log);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QByteArray damaged = file.readAll();
     damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 0x55);
-    const RunResult refused = runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), QStringLiteral("-")}, damaged);
+    const RunResult refused =
+        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), QStringLiteral("-")}, damaged);
     QCOMPARE(refused.status, 1);
     QVERIFY(refused.out.contains("damaged"));
 }
@@ -137,7 +144,10 @@ void RecordedFlightTest::recordingDecodes()
 void RecordedFlightTest::recordingExports()
 {
     const QString table = m_folder.filePath(QStringLiteral("flight.csv"));
-    QCOMPARE(runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("export"), m_log, QStringLiteral("--out"), table}).status, 0);
+    QCOMPARE(
+        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("export"), m_log, QStringLiteral("--out"), table})
+            .status,
+        0);
     QFile file(table);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArrayList lines = file.readAll().trimmed().split('\n');
@@ -158,13 +168,15 @@ void RecordedFlightTest::recordingExports()
 void RecordedFlightTest::recordingReplays()
 {
     // At its own pace, so only its beginning.
-    const RunResult replayed = runProgram("skyseal-cli",
-                                          {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("tlog:") + m_log, QStringLiteral("--secure"),
-                                           QStringLiteral("off"), QStringLiteral("--record"), m_folder.filePath(QStringLiteral("again")),
-                                           QStringLiteral("--json"), QStringLiteral("--duration"), QStringLiteral("3")});
+    const RunResult replayed =
+        runProgram("skyseal-cli", {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("tlog:") + m_log,
+                                   QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--record"),
+                                   m_folder.filePath(QStringLiteral("again")), QStringLiteral("--json"),
+                                   QStringLiteral("--duration"), QStringLiteral("3")});
     QCOMPARE(replayed.status, 0);
     QCOMPARE(eventsOf(replayed.out, "vehicle").size(), std::size_t(1));
-    QVERIFY(!QDir(m_folder.filePath(QStringLiteral("again"))).exists() || QDir(m_folder.filePath(QStringLiteral("again"))).isEmpty());
+    QVERIFY(!QDir(m_folder.filePath(QStringLiteral("again"))).exists()
+            || QDir(m_folder.filePath(QStringLiteral("again"))).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(RecordedFlightTest)

@@ -13,7 +13,8 @@ struct RunResult
     QByteArray err;
 };
 
-inline RunResult runProgram(const char *name, const QStringList &arguments, const QByteArray &input = {}, int milliseconds = 60000)
+inline RunResult runProgram(const char *name, const QStringList &arguments, const QByteArray &input = {},
+                            int milliseconds = 60000)
 {
     QProcess process;
     process.start(QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name), arguments);

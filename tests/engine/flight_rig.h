@@ -1,5 +1,5 @@
-// A whole flight in one process over real sockets of 127.0.0.1: a simulated vehicle on UDP, an agent, and files with keys that
-// know each other. All live on the caller's thread and its event loop; ports are chosen by the system.
+// A whole flight in one process over real sockets of 127.0.0.1: a simulated vehicle on UDP, an agent, and files with keys
+// that know each other. All live on the caller's thread and its event loop; ports are chosen by the system.
 #pragma once
 
 #include "core/engine/agent_core.h"

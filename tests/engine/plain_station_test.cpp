@@ -68,7 +68,8 @@ int gcsHeartbeats(QUdpSocket &socket)
     while (socket.hasPendingDatagrams()) {
         QByteArray datagram(static_cast<qsizetype>(socket.pendingDatagramSize()), 0);
         socket.readDatagram(datagram.data(), datagram.size());
-        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(datagram.constData()), static_cast<std::size_t>(datagram.size()));
+        const ByteView bytes(reinterpret_cast<const std::uint8_t *>(datagram.constData()),
+                             static_cast<std::size_t>(datagram.size()));
         const auto frame = mavlink::readFrame(bytes, mavlink::Dialect::builtin());
         out += frame && frame->messageId() == 0 && frame->systemId() == 255;
     }
@@ -103,10 +104,12 @@ void PlainStationTest::heartbeatStopsWithItsReader()
 void PlainStationTest::noTargetWithoutAHeartbeat()
 {
     engine::LinkSnapshot listening;
-    engine::StationCore core(offConfig(), nullptr, {[](const auto &) {}, [&](const engine::Happening &happening) {
-                                                        if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
-                                                            listening = changed->link;
-                                                    }});
+    engine::StationCore core(offConfig(), nullptr,
+                             {[](const auto &) {},
+                              [&](const engine::Happening &happening) {
+                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
+                                      listening = changed->link;
+                              }});
     core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
     QTRY_COMPARE_WITH_TIMEOUT(int(listening.phase), int(engine::LinkPhase::Listening), 10000);
     const auto port = static_cast<quint16>(std::stoi(listening.localAddress.substr(listening.localAddress.rfind(':') + 1)));

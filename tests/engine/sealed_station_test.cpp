@@ -1,5 +1,5 @@
-// Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back after a
-// restart, and lets through only what is allowed.
+// Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back
+// after a restart, and lets through only what is allowed.
 #include "tests/engine/flight_rig.h"
 
 #include <QtCore/QElapsedTimer>
@@ -42,6 +42,7 @@ private Q_SLOTS:
     void carriesEverythingWhileSuitesChange();
     void comesBackAfterTheAgentWasKilled();
     void clearFramesOfAPinnedVehicleAreRefused();
+    void clearFramesAreRefusedAfterARestartAsWell();
     void observerCannotCommand();
     void pilotCanCommand();
     void unknownStationGetsNothing();
@@ -138,6 +139,28 @@ void SealedStationTest::clearFramesOfAPinnedVehicleAreRefused()
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<engine::VehicleFound>().size(), std::size_t(1), 10000);
     QCOMPARE(int(ground.ears->all<engine::VehicleFound>()[0].systemId), 2);
     QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
+}
+
+void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
+{
+    FlightRig rig; // the agent's key is bound to no system: what it speaks as is learned
+    {
+        Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+        rig.startAgent(ground.ears->listening());
+        VehicleOnUdp vehicle(rig.vehicleAddress());
+        QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+        QVERIFY(ground.ears->all<engine::VehicleFound>()[0].sealed);
+        std::shared_ptr<const engine::Snapshot> last;
+        connect(ground.station.get(), &engine::Station::stopped, this,
+                [&last](const std::shared_ptr<const engine::Snapshot> &snapshot) { last = snapshot; });
+        ground.station->stop();
+        QTRY_VERIFY_WITH_TIMEOUT(last, 10000);
+    }
+    rig.killAgent();
+    Ground again(rig.stationConfig(engine::SecureMode::Preferred));
+    VehicleOnUdp impostor(again.ears->listening(), 1);
+    QTRY_VERIFY_WITH_TIMEOUT(!again.ears->all<engine::PlaintextRefused>().empty(), 10000);
+    QVERIFY(again.ears->snapshot->vehicles.empty());
 }
 
 void SealedStationTest::observerCannotCommand()

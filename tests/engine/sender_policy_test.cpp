@@ -11,7 +11,8 @@ namespace {
 constexpr channel::SessionId kFirst{1}, kSecond{2};
 const Path kPathA{LinkId{1}, {{1}, 1000}}, kPathB{LinkId{1}, {{1}, 2000}}, kElsewhere{LinkId{1}, {{9}, 9}};
 
-channel::Peer peerWith(std::uint8_t number, std::vector<std::uint8_t> systemIds, channel::PeerRole role = channel::PeerRole::Pilot)
+channel::Peer peerWith(std::uint8_t number, std::vector<std::uint8_t> systemIds,
+                       channel::PeerRole role = channel::PeerRole::Pilot)
 {
     channel::Peer peer;
     peer.key[0] = number;
@@ -35,6 +36,7 @@ private Q_SLOTS:
     void clearFramesFromASessionsPlaceAreRefused();
     void removedPeerSpeaksAsNothing();
     void observerMayNotCommand();
+    void earlierRunsCount();
 };
 
 void SenderPolicyTest::peerSpeaksOnlyAsItsSystems()
@@ -131,6 +133,21 @@ void SenderPolicyTest::observerMayNotCommand()
     QVERIFY(policy.mayCommand(kFirst));
     QVERIFY(!policy.mayCommand(kSecond));
     QVERIFY(!policy.mayCommand(channel::SessionId{99}));
+}
+
+void SenderPolicyTest::earlierRunsCount()
+{
+    const channel::Peer a = peerWith(1, {}), gone = peerWith(2, {});
+    SealedSystems heard;
+    heard[a.key].set(1);
+    heard[gone.key].set(2);
+    SenderPolicy policy(SecureMode::Preferred);
+    policy.setPeers({a});
+    policy.rememberSealed(heard);
+    QVERIFY(!policy.acceptClear(kElsewhere, 1));
+    QVERIFY(policy.acceptClear(kElsewhere, 2)); // its peer is no longer known
+    policy.setPeers({});
+    QVERIFY(policy.acceptClear(kElsewhere, 1)); // forgotten by the operator's act
 }
 
 QTEST_GUILESS_MAIN(SenderPolicyTest)

@@ -1,0 +1,138 @@
+// The part of StationCore that takes in what the links received: records to the channel, clear MAVLink past the policy, and
+// what is believed to the vehicles.
+#include "core/engine/station_core.h"
+
+#include "core/link/address_text.h"
+
+namespace skyseal::engine {
+
+void StationCore::linkPeerJoined(link::Link &, const Path &path)
+{
+    m_intake.forget(path);
+}
+
+void StationCore::linkPeerLeft(link::Link &, const Path &path)
+{
+    m_intake.forget(path);
+}
+
+void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
+{
+    if (m_stopped)
+        return;
+    for (const link::ReceivedBlock &block : blocks) {
+        if (link.isStream()) {
+            m_intake.takeStream(block.path, block.bytes,
+                                [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
+        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
+            takeRecord(block.time, block);
+        } else {
+            bool anyFrame = false;
+            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+                anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
+                takeClear(block.time, block.path, item);
+            });
+            m_garbage += !anyFrame;
+        }
+    }
+    m_changed = true;
+    finishWake();
+}
+
+void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
+{
+    if (!m_channel) {
+        ++m_garbage;
+        return;
+    }
+    if (const auto delivery = m_channel->receive(now, block.path, block.bytes)) {
+        // The session is told of by its event; what it may speak as must be known before its first frame is judged.
+        handleEvents(now);
+        takeSealed(now, block.path, *delivery);
+    }
+}
+
+void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery)
+{
+    std::uint64_t frames = 0;
+    m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
+        if (!item.frame) {
+            if (isDamagedFrame(item))
+                m_links.countBadFrame(from.link);
+            return;
+        }
+        ++frames;
+        if (m_policy.acceptSealed(delivery.session, item.frame->systemId()))
+            takeFrame(now, from, *item.frame, delivery.session);
+        else
+            ++m_spoofed;
+    });
+    m_channel->countFrames(delivery.session, frames);
+    m_links.noteRemote(from.link, from.remote);
+}
+
+void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item)
+{
+    if (!item.frame) {
+        if (isDamagedFrame(item))
+            m_links.countBadFrame(from.link);
+        return;
+    }
+    const mavlink::Frame &frame = *item.frame;
+    if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
+        return; // our own, looped back
+    if (!m_policy.acceptClear(from, frame.systemId()))
+        return refuseClear(now, from, frame.systemId());
+    takeFrame(now, from, frame, std::nullopt);
+}
+
+void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t systemId)
+{
+    ++m_refusals.total;
+    ++m_refusals.untold.frames;
+    m_refusals.untold.systemId = systemId;
+    m_refusals.untold.remoteAddress = link::toText(from.remote);
+    if (m_channel) {
+        if (const auto session = m_policy.sessionConcerned(from, systemId))
+            m_channel->endpoint().countPlaintextDropped(*session, 1);
+    }
+    tellRefusals(now);
+}
+
+void StationCore::tellRefusals(TimePoint now)
+{
+    if (m_refusals.untold.frames == 0
+        || (m_refusals.told != TimePoint::min() && now - m_refusals.told < std::chrono::seconds(1)))
+        return;
+    m_refusals.told = now;
+    tell(std::exchange(m_refusals.untold, {}));
+}
+
+void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
+                            std::optional<channel::SessionId> session)
+{
+    const link::Link *link = m_links.find(from.link);
+    const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
+    const std::uint8_t systemId = frame.systemId();
+    const WallTime wall = wallNow();
+    m_sequences.note({from.link, systemId, frame.componentId()}, frame.sequence(), now);
+    m_inspector.note(now, frame);
+    if (m_recorder && !replayed)
+        m_recorder->record(wall, frame.bytes());
+    if (session) {
+        m_outlets.heardSealed(systemId, *session);
+    } else if (frame.messageId() == 0 && !replayed) {
+        m_outlets.heardClear(now, systemId, from);
+        m_links.noteRemote(from.link, from.remote);
+    }
+    const bool found = m_vehicles.handleFrame(now, wall, frame);
+    if (vehicle::Vehicle *vehicle = m_vehicles.find(systemId)) {
+        VehicleWatch &watch = m_vehicleWatches[systemId];
+        watch.link = from.link;
+        watch.session = session;
+        if (found)
+            tell(VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()});
+    }
+}
+
+} // namespace skyseal::engine
