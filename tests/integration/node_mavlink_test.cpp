@@ -1,0 +1,113 @@
+// An independent peer: the npm package node-mavlink plays a vehicle over UDP, plain and signed; the monitor reports what it
+// sends, and it understands what the monitor commands.
+//
+// Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
+#include "tests/support/program.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QJsonArray>
+#include <QtCore/QStandardPaths>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+class NodeMavlinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void monitorReportsItsTelemetry_data();
+    void monitorReportsItsTelemetry();
+    void itUnderstandsOurCommands();
+
+private:
+    QString m_node;
+};
+
+void NodeMavlinkTest::initTestCase()
+{
+    m_node = QStandardPaths::findExecutable(QStringLiteral("node"));
+    QString modules = qEnvironmentVariable("SKYSEAL_NODE_MODULES");
+    if (modules.isEmpty())
+        modules = QStringLiteral(SKYSEAL_SOURCE_DIR "/build/node/node_modules");
+    if (m_node.isEmpty())
+        QSKIP("node is not installed: the check against node-mavlink is skipped");
+    if (!QDir(modules).exists(QStringLiteral("node-mavlink")))
+        QSKIP("SKYSEAL_NODE_MODULES names no folder with node-mavlink: the check against it is skipped");
+    qputenv("NODE_PATH", modules.toUtf8());
+}
+
+void NodeMavlinkTest::monitorReportsItsTelemetry_data()
+{
+    QTest::addColumn<bool>("isSigned");
+    QTest::newRow("plain") << false;
+    QTest::newRow("signed") << true;
+}
+
+void NodeMavlinkTest::monitorReportsItsTelemetry()
+{
+    QFETCH(bool, isSigned);
+    const quint16 port = freeUdpPort();
+    QTemporaryDir folder;
+    QStringList monitorArguments{QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
+                                 QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json")};
+    QStringList nodeArguments{QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)};
+    if (isSigned)
+        nodeArguments << QString(64, QLatin1Char('5'));
+    Program monitor(QStringLiteral("skyseal-cli"), monitorArguments);
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    Program vehicle(m_node, nodeArguments);
+
+    const QJsonObject found = monitor.waitFor(QStringLiteral("vehicle"), 15000);
+    QCOMPARE(found[QLatin1String("sysid")].toInt(), 42);
+    QJsonObject state;
+    const auto complete = [&state](const QJsonObject &stats) {
+        const QJsonArray vehicles = stats[QLatin1String("vehicles")].toArray();
+        if (vehicles.isEmpty() || stats[QLatin1String("mavlink")][QLatin1String("frames")].toInt() < 60)
+            return false;
+        state = vehicles[0].toObject();
+        return state[QLatin1String("lat")].isDouble();
+    };
+    QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 15000, complete).isEmpty());
+    QCOMPARE(state[QLatin1String("mode")].toString(), QStringLiteral("GUIDED"));
+    QCOMPARE(state[QLatin1String("roll")].toDouble(), 0.25);
+    QCOMPARE(state[QLatin1String("pitch")].toDouble(), -0.125);
+    QCOMPARE(state[QLatin1String("yaw")].toDouble(), 1.5);
+    QCOMPARE(state[QLatin1String("lat")].toDouble(), 47.397742);
+    QCOMPARE(state[QLatin1String("lon")].toDouble(), 8.545594);
+    QCOMPARE(state[QLatin1String("alt_rel")].toDouble(), 12.5);
+    QCOMPARE(state[QLatin1String("ground_speed")].toDouble(), 5.0);
+    const QJsonObject mavlink = monitor.last(QStringLiteral("stats"))[QLatin1String("mavlink")].toObject();
+    QCOMPARE(mavlink[QLatin1String("bad_crc")].toInt(), 0);
+    QCOMPARE(mavlink[QLatin1String("lost")].toInt(), 0);
+    QVERIFY(vehicle.running());
+}
+
+void NodeMavlinkTest::itUnderstandsOurCommands()
+{
+    const quint16 port = freeUdpPort();
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port), QStringLiteral("--secure"),
+                     QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--do"), QStringLiteral("takeoff 12.5"),
+                     QStringLiteral("--duration"), QStringLiteral("20")});
+    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    Program vehicle(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)});
+    const auto heartbeat = [](const QJsonObject &message) { return message[QLatin1String("id")].toInt() == 0; };
+    const QJsonObject station = vehicle.waitFor(QStringLiteral("message"), 15000, heartbeat);
+    QCOMPARE(station[QLatin1String("sysid")].toInt(), 255);
+    QCOMPARE(station[QLatin1String("compid")].toInt(), 190);
+    QCOMPARE(station[QLatin1String("fields")][QLatin1String("type")].toInt(), 6);
+    const auto takeOff = [](const QJsonObject &message) {
+        return message[QLatin1String("id")].toInt() == 76 && message[QLatin1String("fields")][QLatin1String("command")].toInt() == 22;
+    };
+    const QJsonObject command = vehicle.waitFor(QStringLiteral("message"), 15000, takeOff)[QLatin1String("fields")].toObject();
+    QCOMPARE(command[QLatin1String("_param7")].toDouble(), 12.5);
+    QCOMPARE(command[QLatin1String("targetSystem")].toInt(), 42);
+    const QJsonObject answer = monitor.waitFor(QStringLiteral("command"), 15000);
+    QCOMPARE(answer[QLatin1String("result")].toString(), QStringLiteral("accepted"));
+}
+
+QTEST_GUILESS_MAIN(NodeMavlinkTest)
+#include "node_mavlink_test.moc"

@@ -1,0 +1,54 @@
+// Two programs on one port: the second says so in one clear line and ends with status 3; the first goes on.
+#include "tests/support/flight.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+class PortsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void secondMonitorOnOnePort();
+    void badLinksAreNamed_data();
+    void badLinksAreNamed();
+};
+
+void PortsTest::secondMonitorOnOnePort()
+{
+    const QString link = QStringLiteral("udpin:127.0.0.1:%1").arg(freeUdpPort());
+    const QStringList arguments{QStringLiteral("monitor"), QStringLiteral("--link"), link, QStringLiteral("--secure"), QStringLiteral("off"),
+                                QStringLiteral("--json")};
+    Program first(QStringLiteral("skyseal-cli"), arguments);
+    QVERIFY(!first.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    Program second(QStringLiteral("skyseal-cli"), arguments);
+    QCOMPARE(second.waitForExit(10000), 3);
+    QCOMPARE(second.errors().trimmed().count('\n'), 0);
+    QVERIFY2(second.errors().contains("in use"), second.errors().constData());
+    QVERIFY(second.errors().contains(link.section(QLatin1Char(':'), 2).toUtf8()));
+    QVERIFY(first.running());
+    QCOMPARE(first.terminate(), 0);
+}
+
+void PortsTest::badLinksAreNamed_data()
+{
+    QTest::addColumn<QString>("url");
+    QTest::addColumn<int>("status");
+    QTest::newRow("scheme") << QStringLiteral("carrier-pigeon:coop:1") << 2;
+    QTest::newRow("port") << QStringLiteral("udpin:127.0.0.1:99999") << 2;
+    QTest::newRow("missing file") << QStringLiteral("tlog:/nonexistent/flight.tlog") << 3;
+}
+
+void PortsTest::badLinksAreNamed()
+{
+    QFETCH(QString, url);
+    QFETCH(int, status);
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--secure"), QStringLiteral("off")});
+    QCOMPARE(monitor.waitForExit(10000), status);
+    QVERIFY2(!monitor.errors().trimmed().isEmpty(), "no word said");
+}
+
+QTEST_GUILESS_MAIN(PortsTest)
+#include "ports_test.moc"

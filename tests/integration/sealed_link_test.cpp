@@ -1,0 +1,125 @@
+// The sealed link between real programs: simulator, agent and monitor find each other, walk through all suites and lose
+// nothing of their own doing, over a clean and over a bad channel.
+#include "tests/support/flight.h"
+
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QSet>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+#ifndef SKYSEAL_SWITCHING_SECONDS
+#define SKYSEAL_SWITCHING_SECONDS 14
+#endif
+
+namespace {
+
+qint64 number(const QJsonObject &object, const char *key)
+{
+    return object[QLatin1String(key)].toInteger();
+}
+
+QJsonObject within(const QJsonObject &object, const char *outer, const char *inner)
+{
+    return object[QLatin1String(outer)][QLatin1String(inner)].toObject();
+}
+
+} // namespace
+
+class SealedLinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sessionIsUpWithinASecond();
+    void walksThroughAllSuitesAndLosesNothing();
+    void losesOnlyWhatTheChannelDropped();
+};
+
+void SealedLinkTest::sessionIsUpWithinASecond()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    QVERIFY(!air.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments());
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    QElapsedTimer since;
+    since.start();
+    const QJsonObject session = monitor.waitFor(QStringLiteral("session"), 10000);
+    QCOMPARE(session[QLatin1String("state")].toString(), QStringLiteral("up"));
+    QCOMPARE(session[QLatin1String("peer")].toString(), QStringLiteral("air-1"));
+    QCOMPARE(session[QLatin1String("suite")].toString(), QStringLiteral("chacha20-poly1305"));
+    QVERIFY2(since.elapsed() <= 1000, qPrintable(QString::number(since.elapsed())));
+}
+
+void SealedLinkTest::walksThroughAllSuitesAndLosesNothing()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("1"),
+                                             QStringLiteral("--stream-rate"), QStringLiteral("50"), QStringLiteral("--duration"),
+                                             QString::number(SKYSEAL_SWITCHING_SECONDS)}));
+    QCOMPARE(monitor.waitForExit((SKYSEAL_SWITCHING_SECONDS + 30) * 1000), 0);
+
+    const QJsonObject summary = monitor.last(QStringLiteral("summary"));
+    const QJsonObject mavlink = summary[QLatin1String("mavlink")].toObject();
+    const QJsonObject received = within(summary, "channel", "rx");
+    QVERIFY(number(mavlink, "frames") > 50 * (SKYSEAL_SWITCHING_SECONDS - 3));
+    QCOMPARE(number(mavlink, "lost"), 0);
+    QCOMPARE(number(mavlink, "duplicate"), 0);
+    for (const char *counter : {"lost", "replayed", "forged", "malformed"})
+        QVERIFY2(number(received, counter) == 0, counter);
+
+    QSet<QString> reached;
+    for (const QJsonObject &event : monitor.events(QStringLiteral("switch"))) {
+        QCOMPARE(event[QLatin1String("result")].toString(), QStringLiteral("committed"));
+        reached.insert(event[QLatin1String("to")].toString());
+    }
+    const QStringList wanted = allSuites().split(QLatin1Char(','));
+    QCOMPARE(reached, QSet<QString>(wanted.begin(), wanted.end()));
+}
+
+void SealedLinkTest::losesOnlyWhatTheChannelDropped()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    const quint16 relay = freeUdpPort();
+    Program impair(QStringLiteral("skyseal-cli"),
+                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay), QStringLiteral("--to"),
+                    QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort), QStringLiteral("--loss"), QStringLiteral("0.2"),
+                    QStringLiteral("--jitter"), QStringLiteral("50"), QStringLiteral("--duplicate"), QStringLiteral("0.1"),
+                    QStringLiteral("--reorder"), QStringLiteral("0.1"), QStringLiteral("--seed"), QStringLiteral("11"), QStringLiteral("--json")});
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("1"),
+                                             QStringLiteral("--stream-rate"), QStringLiteral("50")}));
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
+
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty());
+    for (int second = 0; second < SKYSEAL_SWITCHING_SECONDS; ++second)
+        QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 10000).isEmpty());
+
+    // The sender stops first; what is still in the air arrives before the receiver is asked.
+    QCOMPARE(air.terminate(), 0);
+    QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000).isEmpty());
+    QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000).isEmpty());
+    QCOMPARE(monitor.terminate(), 0);
+    QCOMPARE(impair.terminate(), 0);
+
+    const qint64 sent = number(within(air.last(QStringLiteral("summary")), "channel", "tx"), "records");
+    const qint64 dropped = number(impair.last(QStringLiteral("summary"))[QLatin1String("forward")].toObject(), "dropped_records");
+    const QJsonObject received = within(monitor.last(QStringLiteral("summary")), "channel", "rx");
+    QVERIFY(dropped > 0);
+    QCOMPARE(number(received, "good"), sent - dropped);
+    QCOMPARE(number(received, "forged"), 0);
+    QCOMPARE(number(received, "malformed"), 0);
+    QVERIFY(number(received, "replayed") > 0); // the channel's duplicates, each refused
+    QCOMPARE(number(monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject(), "duplicate"), 0);
+}
+
+QTEST_GUILESS_MAIN(SealedLinkTest)
+#include "sealed_link_test.moc"

@@ -1,0 +1,133 @@
+#include "tests/support/program.h"
+
+#include <QtCore/QDeadlineTimer>
+#include <QtCore/QDir>
+#include <QtCore/QJsonDocument>
+#include <QtNetwork/QTcpServer>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+namespace skyseal::test {
+
+Program::Program(const QString &name, const QStringList &arguments)
+{
+    const QString path = name.contains(QLatin1Char('/')) ? name : QStringLiteral(SKYSEAL_BIN_DIR "/") + name;
+    m_process.start(path, arguments);
+    if (!m_process.waitForStarted(10000))
+        qWarning("%s did not start: %s", qPrintable(path), qPrintable(m_process.errorString()));
+}
+
+Program::~Program()
+{
+    if (m_process.state() == QProcess::NotRunning)
+        return;
+    m_process.kill();
+    m_process.waitForFinished(5000);
+}
+
+void Program::drain()
+{
+    m_errors += m_process.readAllStandardError();
+    m_partial += m_process.readAllStandardOutput();
+    for (qsizetype end = m_partial.indexOf('\n'); end >= 0; end = m_partial.indexOf('\n')) {
+        const QByteArray line = m_partial.left(end);
+        m_partial.remove(0, end + 1);
+        const QJsonDocument json = QJsonDocument::fromJson(line);
+        if (json.isObject())
+            m_events.push_back(json.object());
+        else
+            m_otherLines.push_back(line);
+    }
+}
+
+QJsonObject Program::waitFor(const QString &event, int milliseconds, const Predicate &predicate)
+{
+    const QDeadlineTimer deadline(milliseconds);
+    for (;;) {
+        const bool ended = m_process.state() == QProcess::NotRunning;
+        drain();
+        while (m_waitedUpTo < m_events.size()) {
+            const QJsonObject &candidate = m_events[m_waitedUpTo++];
+            if (candidate[QLatin1String("event")] == event && (!predicate || predicate(candidate)))
+                return candidate;
+        }
+        if (ended || deadline.hasExpired())
+            return {};
+        m_process.waitForReadyRead(static_cast<int>(qMin<qint64>(50, deadline.remainingTime())));
+    }
+}
+
+int Program::waitForExit(int milliseconds)
+{
+    const QDeadlineTimer deadline(milliseconds);
+    while (m_process.state() != QProcess::NotRunning && !deadline.hasExpired()) {
+        m_process.waitForFinished(static_cast<int>(qMin<qint64>(50, deadline.remainingTime())));
+        drain();
+    }
+    drain();
+    const bool ended = m_process.state() == QProcess::NotRunning && m_process.exitStatus() == QProcess::NormalExit;
+    return ended ? m_process.exitCode() : -1;
+}
+
+int Program::terminate(int milliseconds)
+{
+    m_process.terminate();
+    return waitForExit(milliseconds);
+}
+
+void Program::kill()
+{
+    m_process.kill();
+    m_process.waitForFinished(5000);
+    drain();
+}
+
+const std::vector<QJsonObject> &Program::events()
+{
+    drain();
+    return m_events;
+}
+
+std::vector<QJsonObject> Program::events(const QString &kind)
+{
+    std::vector<QJsonObject> out;
+    for (const QJsonObject &event : events()) {
+        if (event[QLatin1String("event")] == kind)
+            out.push_back(event);
+    }
+    return out;
+}
+
+QJsonObject Program::last(const QString &kind)
+{
+    const auto all = events(kind);
+    return all.empty() ? QJsonObject() : all.back();
+}
+
+QByteArray Program::errors()
+{
+    drain();
+    return m_errors;
+}
+
+const QByteArrayList &Program::otherLines()
+{
+    drain();
+    return m_otherLines;
+}
+
+quint16 freeUdpPort()
+{
+    QUdpSocket socket;
+    socket.bind(QHostAddress::LocalHost, 0);
+    return socket.localPort();
+}
+
+quint16 freeTcpPort()
+{
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost, 0);
+    return server.serverPort();
+}
+
+} // namespace skyseal::test
