@@ -1,0 +1,135 @@
+// The rules of the house that a compiler does not check: arrows between layers go down only, Qt stays out of the protocol,
+// secrets are compared in constant time, files stay small, tests do not wait for fixed times.
+#include <QtCore/QDirIterator>
+#include <QtCore/QFile>
+#include <QtCore/QHash>
+#include <QtCore/QRegularExpression>
+#include <QtTest/QTest>
+
+namespace {
+
+/// What each folder may include besides itself.
+const QHash<QString, QStringList> &allowed()
+{
+    static const QStringList kProtocol{QStringLiteral("base"), QStringLiteral("crypto"), QStringLiteral("noise"), QStringLiteral("keys"),
+                                       QStringLiteral("channel"), QStringLiteral("mavlink"), QStringLiteral("vehicle"), QStringLiteral("log"),
+                                       QStringLiteral("metrics"), QStringLiteral("sim"), QStringLiteral("impair")};
+    static const QHash<QString, QStringList> kAllowed{
+        {QStringLiteral("base"), {}},
+        {QStringLiteral("crypto"), {QStringLiteral("base")}},
+        {QStringLiteral("noise"), {QStringLiteral("base"), QStringLiteral("crypto")}},
+        {QStringLiteral("keys"), {QStringLiteral("base"), QStringLiteral("crypto"), QStringLiteral("channel")}},
+        {QStringLiteral("channel"), {QStringLiteral("base"), QStringLiteral("crypto"), QStringLiteral("noise")}},
+        {QStringLiteral("mavlink"), {QStringLiteral("base")}},
+        {QStringLiteral("vehicle"), {QStringLiteral("base"), QStringLiteral("mavlink")}},
+        {QStringLiteral("log"), {QStringLiteral("base"), QStringLiteral("mavlink")}},
+        {QStringLiteral("metrics"), {QStringLiteral("base")}},
+        {QStringLiteral("sim"), {QStringLiteral("base"), QStringLiteral("mavlink")}},
+        {QStringLiteral("impair"), {QStringLiteral("base")}},
+        {QStringLiteral("link"), kProtocol},
+        {QStringLiteral("engine"), kProtocol + QStringList{QStringLiteral("link")}},
+        {QStringLiteral("experiment"), kProtocol + QStringList{QStringLiteral("link"), QStringLiteral("engine")}},
+    };
+    return kAllowed;
+}
+
+const QStringList kWithQt{QStringLiteral("link"), QStringLiteral("engine"), QStringLiteral("experiment")};
+
+struct SourceFile
+{
+    QString path; ///< relative to the project's root
+    QStringList lines;
+};
+
+QList<SourceFile> sources(const QStringList &folders)
+{
+    QList<SourceFile> out;
+    for (const QString &folder : folders) {
+        QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/") + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
+                          QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            QFile file(walk.next());
+            if (file.open(QIODevice::ReadOnly))
+                out.append({QDir(QStringLiteral(SKYSEAL_SOURCE_DIR)).relativeFilePath(file.fileName()),
+                            QString::fromUtf8(file.readAll()).split(QLatin1Char('\n'))});
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+class LayersTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void arrowsGoDown();
+    void protocolHasNoQt();
+    void secretsAreComparedInConstantTime();
+    void filesStaySmall();
+    void testsDoNotSleep();
+};
+
+void LayersTest::arrowsGoDown()
+{
+    static const QRegularExpression kInclude(QStringLiteral("^#include \"(core/([a-z]+)|ui|app|tests)/"));
+    QStringList wrong;
+    const auto files = sources({QStringLiteral("core"), QStringLiteral("ui")});
+    QVERIFY(files.size() > 50);
+    for (const SourceFile &file : files) {
+        const bool isUi = file.path.startsWith(QLatin1String("ui/"));
+        const QString layer = file.path.section(QLatin1Char('/'), 1, 1);
+        for (const QString &line : file.lines) {
+            const auto match = kInclude.match(line);
+            if (!match.hasMatch())
+                continue;
+            const QString target = match.captured(2);
+            const bool upward = target.isEmpty() && !(isUi && match.captured(1) == QLatin1String("ui"));
+            const bool sideways = !target.isEmpty() && !isUi && target != layer && !allowed().value(layer).contains(target);
+            if (upward || sideways)
+                wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+void LayersTest::protocolHasNoQt()
+{
+    static const QRegularExpression kQt(QStringLiteral("^#include <(Qt|Q[A-Z])"));
+    for (const SourceFile &file : sources({QStringLiteral("core")})) {
+        if (kWithQt.contains(file.path.section(QLatin1Char('/'), 1, 1)))
+            continue;
+        for (const QString &line : file.lines)
+            QVERIFY2(!kQt.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
+}
+
+void LayersTest::secretsAreComparedInConstantTime()
+{
+    static const QRegularExpression kCompare(QStringLiteral("(^|[^_a-z])memcmp\\("));
+    for (const SourceFile &file : sources({QStringLiteral("core/crypto"), QStringLiteral("core/noise"), QStringLiteral("core/channel"), QStringLiteral("core/keys")})) {
+        for (const QString &line : file.lines)
+            QVERIFY2(!kCompare.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
+}
+
+void LayersTest::filesStaySmall()
+{
+    for (const SourceFile &file : sources({QStringLiteral("core"), QStringLiteral("ui"), QStringLiteral("app")}))
+        QVERIFY2(file.lines.size() <= 500, qPrintable(QStringLiteral("%1: %2 lines").arg(file.path).arg(file.lines.size())));
+}
+
+void LayersTest::testsDoNotSleep()
+{
+    static const QRegularExpression kSleep(QStringLiteral("qWait\\(|qSleep\\(|sleep_for\\(|usleep\\(|QThread::m?sleep\\("));
+    for (const SourceFile &file : sources({QStringLiteral("tests")})) {
+        if (file.path == QLatin1String("tests/arch/layers_test.cpp"))
+            continue;
+        for (const QString &line : file.lines)
+            QVERIFY2(!kSleep.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
+}
+
+QTEST_APPLESS_MAIN(LayersTest)
+#include "layers_test.moc"
