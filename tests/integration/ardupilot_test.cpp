@@ -113,9 +113,10 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
     mavlink::StreamParser parser(mavlink::Dialect::builtin());
     connect(&autopilot, &QTcpSocket::readyRead, this, [&] {
         const QByteArray bytes = autopilot.readAll();
-        parser.feed({reinterpret_cast<const std::uint8_t *>(bytes.data()), static_cast<std::size_t>(bytes.size())}, [&](const mavlink::Frame &frame) {
-            station.writeDatagram(reinterpret_cast<const char *>(frame.bytes().data()), static_cast<qint64>(frame.bytes().size()),
-                                  QHostAddress::LocalHost, udpPort);
+        parser.feed({reinterpret_cast<const std::uint8_t *>(bytes.data()), static_cast<std::size_t>(bytes.size())}, [&](const mavlink::ScanItem &item) {
+            if (item.frame)
+                station.writeDatagram(reinterpret_cast<const char *>(item.bytes.data()), static_cast<qint64>(item.bytes.size()),
+                                      QHostAddress::LocalHost, udpPort);
         });
     });
     connect(&station, &QUdpSocket::readyRead, this, [&] {
