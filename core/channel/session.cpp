@@ -158,7 +158,7 @@ void Session::handleControl(TimePoint now, ByteView plaintext)
     if (const auto *report = std::get_if<Report>(&*message))
         handleReport(now, *report);
     else if (std::holds_alternative<Close>(*message))
-        m_closingUntil = now + (m_roundTrip.settled() ? m_roundTrip.generous() : m_around.timing.oldKeysLinger);
+        m_closingUntil = now + std::max(m_roundTrip.generous(), m_around.timing.oldKeysLinger);
     else if (const auto *propose = std::get_if<Propose>(&*message))
         m_switch.handle(now, *propose, *this);
     else if (const auto *accept = std::get_if<Accept>(&*message))

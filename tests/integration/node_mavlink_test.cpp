@@ -10,6 +10,8 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 using namespace skyseal::test;
 
 class NodeMavlinkTest : public QObject
@@ -94,17 +96,18 @@ void NodeMavlinkTest::itUnderstandsOurCommands()
                      QStringLiteral("--duration"), QStringLiteral("20")});
     QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
     Program vehicle(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)});
-    const auto heartbeat = [](const QJsonObject &message) { return message[QLatin1String("id")].toInt() == 0; };
-    const QJsonObject station = vehicle.waitFor(QStringLiteral("message"), 15000, heartbeat);
-    QCOMPARE(station[QLatin1String("sysid")].toInt(), 255);
-    QCOMPARE(station[QLatin1String("compid")].toInt(), 190);
-    QCOMPARE(station[QLatin1String("fields")][QLatin1String("type")].toInt(), 6);
     const auto takeOff = [](const QJsonObject &message) {
         return message[QLatin1String("id")].toInt() == 76 && message[QLatin1String("fields")][QLatin1String("command")].toInt() == 22;
     };
     const QJsonObject command = vehicle.waitFor(QStringLiteral("message"), 15000, takeOff)[QLatin1String("fields")].toObject();
     QCOMPARE(command[QLatin1String("_param7")].toDouble(), 12.5);
     QCOMPARE(command[QLatin1String("targetSystem")].toInt(), 42);
+    const auto heartbeat = [](const QJsonObject &message) { return message[QLatin1String("id")].toInt() == 0; };
+    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(vehicle.events(), heartbeat), 5000);
+    const QJsonObject station = *std::ranges::find_if(vehicle.events(), heartbeat);
+    QCOMPARE(station[QLatin1String("sysid")].toInt(), 255);
+    QCOMPARE(station[QLatin1String("compid")].toInt(), 190);
+    QCOMPARE(station[QLatin1String("fields")][QLatin1String("type")].toInt(), 6);
     const QJsonObject answer = monitor.waitFor(QStringLiteral("command"), 15000);
     QCOMPARE(answer[QLatin1String("result")].toString(), QStringLiteral("accepted"));
 }

@@ -37,7 +37,7 @@ function position() {
 }
 function heartbeat() {
   const message = new minimal.Heartbeat();
-  Object.assign(message, { type: 2, autopilot: 3, baseMode: 81, customMode: 4, systemStatus: 4, mavlinkVersion: 3 });
+  Object.assign(message, { type: 2, autopilot: 3, baseMode: 209, customMode: 4, systemStatus: 4, mavlinkVersion: 3 });
   return message;
 }
 

@@ -26,6 +26,8 @@ public:
     /// Waits for an event of this kind that satisfies `predicate` and came after the last one that was waited for; an
     /// empty object when none came within `milliseconds`.
     QJsonObject waitFor(const QString &event, int milliseconds, const Predicate &predicate = {});
+    /// Only events that come from now on will be waited for.
+    void skipWhatCame();
     /// Waits for the end: the exit status, or -1 when it did not end in time or crashed.
     int waitForExit(int milliseconds);
     /// Asks it to end (SIGTERM) and waits.
