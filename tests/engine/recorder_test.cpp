@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <thread>
+
 using namespace skyseal;
 using namespace skyseal::engine;
 
@@ -77,7 +79,7 @@ void RecorderTest::killedProcessLosesTheLastSecondAtMost()
         for (int i = 0; i < 100; ++i)
             recorder.record(timeOf(i), kFrame);
         while (recorder.snapshot().frames < 100)
-            usleep(1000);
+            std::this_thread::yield();
         for (int i = 100; i < 200; ++i)
             recorder.record(timeOf(i), kFrame);
         kill(getpid(), SIGKILL);
