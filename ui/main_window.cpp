@@ -33,10 +33,13 @@
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QVBoxLayout>
 
+#include <cmath>
+
 namespace skyseal::ui {
 
 namespace {
 constexpr int kArrangementVersion = 1;
+constexpr double kNumbersEvery = 0.2; ///< seconds: nobody reads numbers quicker, and every repaint costs
 }
 
 MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts facts, QWidget *parent)
@@ -172,14 +175,26 @@ void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 {
     m_scene = sceneOf(snapshot, m_chosenVehicle);
     m_commands->setVehicle(m_scene.vehicle ? m_scene.vehicle->state.systemId : 0);
+    m_flight->showAttitude(m_scene);
+    m_map->showScene(m_scene);
+    m_diagnostics->showScene(m_scene);
+    SceneState state = stateOf(m_scene);
+    const bool changed = state != m_shownState;
+    if (!changed && snapshot && std::abs(snapshot->time - m_numbersAt) < kNumbersEvery)
+        return;
+    m_shownState = std::move(state);
+    m_numbersAt = snapshot ? snapshot->time : -1;
+    showNumbers();
+}
+
+void MainWindow::showNumbers()
+{
     m_suites->showScene(m_scene);
     m_strip->showScene(m_scene);
     m_traffic->showScene(m_scene);
-    m_map->showScene(m_scene);
     m_empty->showScene(m_scene);
     m_flight->showScene(m_scene);
     m_secure->showScene(m_scene);
-    m_diagnostics->showScene(m_scene);
     m_inspector->showScene(m_scene);
     m_parameters->showScene(m_scene);
     m_mission->showScene(m_scene);
@@ -230,6 +245,7 @@ void MainWindow::chooseVehicle(std::uint8_t systemId)
     m_chosenVehicle = systemId;
     if (m_scene.snapshot)
         showSnapshot(m_scene.snapshot);
+    showNumbers();
 }
 
 void MainWindow::popUpVehicles()
@@ -300,8 +316,7 @@ void MainWindow::applySettings(const Settings &settings)
     applyTheme(settings.theme);
     m_flight->setUnits(settings.units);
     m_suites->setResearchAllowed(settings.allowResearch);
-    if (m_scene.snapshot)
-        showSnapshot(m_scene.snapshot);
+    showNumbers();
     if (!changed)
         return;
     storeSettings(m_store, settings);

@@ -74,6 +74,7 @@ private:
     void makeDocks();
     QDockWidget *addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area, bool scrolls = false);
     void connectPanels();
+    void showNumbers();
     void take(const engine::Happening &happening);
     void tellPortInUse(const engine::LinkSnapshot &link);
     void chooseVehicle(std::uint8_t systemId);
@@ -94,6 +95,8 @@ private:
     Settings m_settings;
     Scene m_scene;
     std::uint8_t m_chosenVehicle = 0;
+    double m_numbersAt = -1;  ///< when the numbers were last shown, by the snapshots' clock
+    SceneState m_shownState;
 
     SuiteActions *m_suites;
     VehicleCommands *m_commands;

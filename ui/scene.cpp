@@ -27,4 +27,26 @@ Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
     return scene;
 }
 
+SceneState stateOf(const Scene &scene)
+{
+    SceneState state;
+    if (scene.snapshot) {
+        state.security = scene.snapshot->security;
+        state.vehicles = scene.snapshot->vehicles.size();
+        state.sessions = scene.snapshot->sessions.size();
+        state.links = scene.snapshot->links.size();
+    }
+    if (scene.session) {
+        state.suite = scene.session->info.suite;
+        state.pending = scene.session->info.pending;
+    }
+    if (scene.vehicle) {
+        state.systemId = scene.vehicle->state.systemId;
+        state.armed = scene.vehicle->state.armed;
+        state.mode = scene.vehicle->state.mode;
+        state.stale = scene.stale();
+    }
+    return state;
+}
+
 } // namespace skyseal::ui

@@ -19,6 +19,20 @@ struct Scene
     bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }
 };
 
+/// What must show at once when it changes, whatever the rate at which numbers are renewed.
+struct SceneState
+{
+    engine::Security security{};
+    std::optional<crypto::SuiteId> suite, pending;
+    std::uint8_t systemId = 0;
+    bool armed = false, stale = false;
+    std::string mode;
+    std::size_t vehicles = 0, sessions = 0, links = 0;
+    bool operator==(const SceneState &) const = default;
+};
+
+SceneState stateOf(const Scene &scene);
+
 /// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet, the first
 /// session stands in, so that an agent without an autopilot is seen.
 Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId);

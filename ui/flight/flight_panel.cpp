@@ -34,7 +34,7 @@ FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
     column->addStretch(0);
 }
 
-void FlightPanel::showScene(const Scene &scene)
+void FlightPanel::showAttitude(const Scene &scene)
 {
     Attitude attitude;
     if (scene.vehicle) {
@@ -49,6 +49,10 @@ void FlightPanel::showScene(const Scene &scene)
         attitude.stale = scene.stale();
     }
     m_horizon->setAttitude(attitude);
+}
+
+void FlightPanel::showScene(const Scene &scene)
+{
     m_values->showScene(scene);
     m_actions->showScene(scene);
 }

@@ -19,6 +19,9 @@ class FlightPanel : public QWidget
 public:
     explicit FlightPanel(VehicleCommands &commands, QWidget *parent = nullptr);
 
+    /// The horizon: as often as there is something new.
+    void showAttitude(const Scene &scene);
+    /// Numbers and buttons.
     void showScene(const Scene &scene);
     void setUnits(UnitSystem units);
 
