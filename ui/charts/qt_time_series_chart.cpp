@@ -9,6 +9,8 @@
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QGraphicsLayout>
+#include <QtWidgets/QGraphicsScene>
+#include <QtWidgets/QGraphicsTextItem>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QVBoxLayout>
 
@@ -111,6 +113,10 @@ void QtTimeSeriesChart::showContent(const ChartContent &content)
         m_series[i]->hide();
     }
     m_used = content.runs.size();
+    // The labels of the axes are whole text documents: laid out once, kept as pictures.
+    for (QGraphicsItem *item : m_chart->scene()->items())
+        if (item->type() == QGraphicsTextItem::Type && item->cacheMode() == QGraphicsItem::NoCache)
+            item->setCacheMode(QGraphicsItem::DeviceCoordinateCache);
     m_view->viewport()->update();
 }
 
