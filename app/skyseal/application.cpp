@@ -1,8 +1,8 @@
-#include "application.h"
+#include "app/skyseal/application.h"
 
 #include "app/common/options.h"
 #include "core/channel/policy.h"
-#include "own_files.h"
+#include "app/skyseal/own_files.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/base/random_source.h"
-#include "demo.h"
-#include "station_adapter.h"
+#include "app/skyseal/demo.h"
+#include "app/skyseal/station_adapter.h"
 #include "ui/main_window.h"
-#include "window_options.h"
+#include "app/skyseal/window_options.h"
 
 #include <QtCore/QSettings>
 

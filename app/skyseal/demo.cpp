@@ -1,4 +1,4 @@
-#include "demo.h"
+#include "app/skyseal/demo.h"
 
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"

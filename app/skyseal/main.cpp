@@ -1,5 +1,5 @@
 // skyseal: the desktop ground control station.
-#include "application.h"
+#include "app/skyseal/application.h"
 
 #include "app/common/exit_status.h"
 #include "app/common/options.h"

@@ -1,4 +1,4 @@
-#include "own_files.h"
+#include "app/skyseal/own_files.h"
 
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"

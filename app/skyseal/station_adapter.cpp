@@ -1,4 +1,4 @@
-#include "station_adapter.h"
+#include "app/skyseal/station_adapter.h"
 
 namespace skyseal::app {
 

@@ -1,4 +1,4 @@
-#include "window_options.h"
+#include "app/skyseal/window_options.h"
 
 #include "app/common/options.h"
 

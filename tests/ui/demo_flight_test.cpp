@@ -1,0 +1,156 @@
+// A flight as a new user makes it, with the real engine: the demo's simulator and agent as child processes, the window on
+// top, by clicks. Pictures are kept in the folder that SKYSEAL_PICTURES names.
+#include "app/skyseal/demo.h"
+#include "app/skyseal/station_adapter.h"
+#include "core/channel/policy.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/system_random.h"
+#include "ui/flight/hold_button.h"
+#include "ui/main_window.h"
+#include "ui/security/suite_actions.h"
+#include "ui/security/suite_row.h"
+#include "ui/status/strip_item.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using crypto::SuiteId;
+
+class DemoFlightTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(crypto::initCrypto());
+        qputenv("PATH", QByteArray(SKYSEAL_BIN_DIR) + ':' + qgetenv("PATH"));
+        QVERIFY(app::Demo::isAvailable());
+        auto demo = app::Demo::create(m_random);
+        QVERIFY2(demo, demo ? "" : demo.error().text().c_str());
+        m_demo = std::move(*demo);
+        connect(m_demo.get(), &app::Demo::ended, this, [](const QString &problem) { QFAIL(qPrintable(problem)); });
+
+        engine::StationConfig config;
+        config.keys = m_demo->stationKeys();
+        config.policy.suites = channel::defaultSuites();
+        config.record = false;
+        auto station = engine::Station::create(config);
+        QVERIFY2(station, station ? "" : station.error().text().c_str());
+        m_station = std::make_unique<app::StationAdapter>(std::move(*station));
+        m_store = std::make_unique<QSettings>(m_folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
+        m_window->resize(1280, 900);
+        m_window->show();
+
+        QUdpSocket probe;
+        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
+        const quint16 port = probe.localPort();
+        probe.close();
+        m_window->addLink(QStringLiteral("udpin:127.0.0.1:%1").arg(port));
+        m_demo->start(port);
+    }
+
+    void sealsByItself()
+    {
+        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")), 30'000);
+        QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("modeBox")->count() > 5, 10'000);
+    }
+
+    void takesOff()
+    {
+        auto *modes = find<QComboBox>("modeBox");
+        modes->setCurrentIndex(modes->findText(QStringLiteral("GUIDED")));
+        hold("setModeButton");
+        QTRY_COMPARE_WITH_TIMEOUT(strip("stripMode")->text(), QStringLiteral("GUIDED"), 10'000);
+        hold("armButton");
+        QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("ARMED"), 10'000);
+        hold("takeOffButton");
+        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("commandResult")->text().endsWith(QStringLiteral("accepted")), 10'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle->state.altitudeRelative > 2, 20'000);
+    }
+
+    void switchesInFlight()
+    {
+        for (const SuiteId suite : {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::ChaCha20Poly1305}) {
+            auto *row = m_window->findChild<SuiteRow *>(QStringLiteral("row_") + m_window->suites().action(suite)->objectName());
+            QTest::mouseClick(row, Qt::LeftButton, {}, QPoint(12, row->height() / 2));
+            QTRY_VERIFY_WITH_TIMEOUT(row->isChecked(), 6'000);
+            QTRY_VERIFY(m_window->scene().session->info.suite == suite);
+        }
+        QCOMPARE(m_window->scene().session->stats.rx.lost, std::uint64_t(0));
+        QCOMPARE(m_window->scene().session->stats.rx.forged, std::uint64_t(0));
+        picture("flight");
+    }
+
+    void researchSuiteNeedsConsent()
+    {
+        QVERIFY(!m_window->suites().action(SuiteId::Rc4)->isEnabled());
+        m_station->setAllowResearch(true);
+        m_window->suites().setResearchAllowed(true);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->suites().action(SuiteId::Rc4)->isEnabled(), 5'000);
+        m_window->suites().action(SuiteId::Rc4)->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("RC4 (insecure)")), 6'000);
+    }
+
+    void lands()
+    {
+        hold("landButton");
+        QTRY_COMPARE_WITH_TIMEOUT(strip("stripMode")->text(), QStringLiteral("LAND"), 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("DISARMED"), 60'000);
+        picture("landed");
+    }
+
+    void cleanupTestCase()
+    {
+        m_window.reset();
+        m_station.reset();
+        m_demo.reset();
+    }
+
+private:
+    template<typename W> W *find(const char *name)
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+    StripItem *strip(const char *name) { return find<StripItem>(name); }
+
+    void hold(const char *name)
+    {
+        auto *button = find<HoldButton>(name);
+        QTRY_VERIFY(button->isEnabled());
+        QSignalSpy confirmed(button, &HoldButton::confirmed);
+        QTest::mousePress(button, Qt::LeftButton);
+        QTRY_COMPARE(confirmed.size(), 1);
+        QTest::mouseRelease(button, Qt::LeftButton);
+    }
+
+    void picture(const char *name)
+    {
+        const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES");
+        if (!folder.isEmpty())
+            QVERIFY(m_window->grab().save(QDir(folder).filePath(QLatin1String(name) + QStringLiteral(".png"))));
+    }
+
+    crypto::SystemRandom m_random;
+    QTemporaryDir m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<app::Demo> m_demo;
+    std::unique_ptr<app::StationAdapter> m_station;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(DemoFlightTest)
+#include "demo_flight_test.moc"

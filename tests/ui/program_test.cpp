@@ -1,0 +1,126 @@
+// The program skyseal from the outside: help, usage, pictures, an orderly end, a port that is taken.
+#include <QtCore/QProcess>
+#include <QtCore/QTemporaryDir>
+#include <QtGui/QImage>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+#include <csignal>
+
+class ProgramTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void helpAndVersionNeedNoDisplay()
+    {
+        for (const char *option : {"--help", "--version"}) {
+            QProcess skyseal;
+            prepare(skyseal);
+            QProcessEnvironment bare = skyseal.processEnvironment();
+            bare.remove(QStringLiteral("QT_QPA_PLATFORM"));
+            bare.remove(QStringLiteral("DISPLAY"));
+            skyseal.setProcessEnvironment(bare);
+            skyseal.start(program(), {QLatin1String(option)});
+            QVERIFY(skyseal.waitForFinished());
+            QCOMPARE(skyseal.exitCode(), 0);
+            QVERIFY(skyseal.readAllStandardOutput().contains("skyseal"));
+        }
+    }
+
+    void wrongUsageIsTwo_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::newRow("unknown") << QStringList{QStringLiteral("--nonsense")};
+        QTest::newRow("link") << QStringList{QStringLiteral("--link"), QStringLiteral("pigeon:1")};
+        QTest::newRow("seconds") << QStringList{QStringLiteral("--after"), QStringLiteral("soon")};
+        QTest::newRow("keys") << QStringList{QStringLiteral("--identity"), QStringLiteral("a.key")};
+        QTest::newRow("argument") << QStringList{QStringLiteral("stray")};
+    }
+    void wrongUsageIsTwo()
+    {
+        QFETCH(QStringList, arguments);
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), arguments);
+        QVERIFY(skyseal.waitForFinished());
+        QCOMPARE(skyseal.exitCode(), 2);
+        QCOMPARE(skyseal.readAllStandardError().count('\n'), 1);
+    }
+
+    void missingKeyIsThree()
+    {
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), {QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("none.key")), QStringLiteral("--peers"),
+                                  m_folder.filePath(QStringLiteral("none.peers"))});
+        QVERIFY(skyseal.waitForFinished());
+        QCOMPARE(skyseal.exitCode(), 3);
+        QVERIFY(skyseal.readAllStandardError().contains("none.key"));
+    }
+
+    void takesAPicture()
+    {
+        const QString file = m_folder.filePath(QStringLiteral("window.png"));
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
+                                  QStringLiteral("--after"), QStringLiteral("0.5")});
+        QVERIFY(skyseal.waitForFinished());
+        QCOMPARE(skyseal.exitCode(), 0);
+        const QImage picture(file);
+        QVERIFY(picture.width() >= 1024);
+    }
+
+    void anUnwritablePictureIsOne()
+    {
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"),
+                                  m_folder.filePath(QStringLiteral("no/such/folder.png")), QStringLiteral("--after"), QStringLiteral("0.2")});
+        QVERIFY(skyseal.waitForFinished());
+        QCOMPARE(skyseal.exitCode(), 1);
+    }
+
+    void firstRunMakesAnIdentity()
+    {
+        const QString identity = m_folder.filePath(QStringLiteral("data/skyseal/skyseal/identity.key"));
+        QVERIFY(QFile::exists(identity)); // by the pictures above
+        QCOMPARE(QFile::permissions(identity) & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther), QFile::Permissions());
+    }
+
+    void endsOnAnInterrupt()
+    {
+        QUdpSocket probe;
+        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
+        const quint16 port = probe.localPort();
+        probe.close();
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
+        QVERIFY(skyseal.waitForStarted());
+        // It listens once the port can no longer be bound.
+        QTRY_VERIFY_WITH_TIMEOUT(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress), 20'000);
+        ::kill(static_cast<pid_t>(skyseal.processId()), SIGINT);
+        QVERIFY(skyseal.waitForFinished());
+        QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(skyseal.exitCode(), 0);
+    }
+
+private:
+    static QString program() { return QStringLiteral(SKYSEAL_BIN_DIR "/skyseal"); }
+
+    void prepare(QProcess &process)
+    {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("offscreen"));
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), m_folder.filePath(QStringLiteral("data")));
+        environment.insert(QStringLiteral("XDG_CONFIG_HOME"), m_folder.filePath(QStringLiteral("config")));
+        process.setProcessEnvironment(environment);
+    }
+
+    QTemporaryDir m_folder;
+};
+
+QTEST_MAIN(ProgramTest)
+#include "program_test.moc"
