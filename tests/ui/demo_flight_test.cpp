@@ -63,6 +63,8 @@ private Q_SLOTS:
     {
         QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")), 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")), 30'000);
+        // GUIDED needs the vehicle's own estimate of its position, which it has a while after the fix; home comes with it.
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle->state.home.known(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("modeBox")->count() > 5, 10'000);
     }
 
@@ -71,7 +73,7 @@ private Q_SLOTS:
         auto *modes = find<QComboBox>("modeBox");
         modes->setCurrentIndex(modes->findText(QStringLiteral("GUIDED")));
         hold("setModeButton");
-        QTRY_COMPARE_WITH_TIMEOUT(strip("stripMode")->text(), QStringLiteral("GUIDED"), 10'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(strip("stripMode")->text() == QStringLiteral("GUIDED"), qPrintable(find<QLabel>("commandResult")->text()), 10'000);
         hold("armButton");
         QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("ARMED"), 10'000);
         hold("takeOffButton");
