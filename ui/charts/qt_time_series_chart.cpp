@@ -1,5 +1,7 @@
 #include "ui/charts/qt_time_series_chart.h"
 
+#include "ui/text/figures.h"
+#include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -9,14 +11,16 @@
 #include <QtCore/QEvent>
 #include <QtGui/QPainter>
 #include <QtWidgets/QGraphicsLayout>
-#include <QtWidgets/QGraphicsScene>
-#include <QtWidgets/QGraphicsTextItem>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QVBoxLayout>
 
 #include <algorithm>
 
 namespace skyseal::ui {
+
+namespace {
+constexpr int kTimeTicks = 5, kValueTicks = 3;
+}
 
 MarkedChartView::MarkedChartView(QChart *chart, QWidget *parent) : QChartView(chart, parent)
 {
@@ -26,15 +30,52 @@ MarkedChartView::MarkedChartView(QChart *chart, QWidget *parent) : QChartView(ch
     setFocusPolicy(Qt::NoFocus);
 }
 
-void MarkedChartView::setMarks(const std::vector<ChartMark> &marks, double span)
+void MarkedChartView::setMarks(const std::vector<ChartMark> &marks, double span, double top)
 {
     m_marks = marks;
     m_span = span;
+    m_top = top;
+}
+
+void MarkedChartView::resizeEvent(QResizeEvent *event)
+{
+    QChartView::resizeEvent(event);
+    const QFontMetrics metrics(labelFont());
+    const int left = metrics.horizontalAdvance(QStringLiteral("88888")) + kGrid;
+    chart()->setPlotArea(QRectF(left, metrics.height() / 2.0, width() - left - 2 * kGrid, height() - 2.0 * metrics.height() - 2));
+}
+
+QFont MarkedChartView::labelFont() const
+{
+    QFont small = font();
+    small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
+    return small;
+}
+
+void MarkedChartView::drawLabels(QPainter &painter, const QRectF &area) const
+{
+    painter.setFont(labelFont());
+    painter.setPen(stateColors(palette()).dim);
+    const QFontMetricsF metrics(labelFont());
+    const int decimals = m_top >= 10 ? 0 : m_top < 0.5 ? 2 : 1;
+    for (int i = 0; i < kValueTicks; ++i) {
+        const double part = static_cast<double>(i) / (kValueTicks - 1);
+        const QString text = number(part * m_top, decimals);
+        const double y = area.bottom() - part * area.height();
+        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2), text);
+    }
+    for (int i = 0; i < kTimeTicks; ++i) {
+        const double part = static_cast<double>(i) / (kTimeTicks - 1);
+        const QString text = i == kTimeTicks - 1 ? tr("now") : tr("%1 s").arg(number((part - 1) * m_span, 0));
+        const double x = area.left() + part * area.width();
+        drawFigures(painter, QPointF(x - figuresWidth(metrics, text) / 2, area.bottom() + metrics.height() + 2), text);
+    }
 }
 
 void MarkedChartView::drawForeground(QPainter *painter, const QRectF &)
 {
     const QRectF area = chart()->plotArea();
+    drawLabels(*painter, area);
     for (const ChartMark &mark : m_marks) {
         const qreal x = area.right() + mark.x / m_span * area.width();
         if (x < area.left())
@@ -58,10 +99,11 @@ QtTimeSeriesChart::QtTimeSeriesChart(const QString &title, const QString &unit, 
     m_chart->setBackgroundRoundness(0);
     m_chart->setAnimationOptions(QChart::NoAnimation);
     m_time = new QValueAxis(m_chart);
-    m_time->setTickCount(5);
-    m_time->setLabelFormat(QStringLiteral("%d s"));
+    m_time->setTickCount(kTimeTicks);
+    m_time->setLabelsVisible(false); // the view writes them: Qt Charts lays out a text document for each at every redraw
     m_value = new QValueAxis(m_chart);
-    m_value->setTickCount(3);
+    m_value->setTickCount(kValueTicks);
+    m_value->setLabelsVisible(false);
     m_chart->addAxis(m_time, Qt::AlignBottom);
     m_chart->addAxis(m_value, Qt::AlignLeft);
 
@@ -93,11 +135,9 @@ void QtTimeSeriesChart::showContent(const ChartContent &content)
 {
     if (m_time->min() != -content.span || m_time->max() != 0)
         m_time->setRange(-content.span, 0);
-    if (m_value->max() != content.top) {
+    if (m_value->max() != content.top)
         m_value->setRange(0, content.top);
-        m_value->setLabelFormat(content.top >= 10 ? QStringLiteral("%.0f") : content.top < 0.5 ? QStringLiteral("%.2f") : QStringLiteral("%.1f"));
-    }
-    m_view->setMarks(content.marks, content.span);
+    m_view->setMarks(content.marks, content.span, content.top);
     for (std::size_t i = 0; i < content.runs.size(); ++i) {
         const ChartRun &run = content.runs[i];
         QLineSeries *line = series(i);
@@ -113,10 +153,6 @@ void QtTimeSeriesChart::showContent(const ChartContent &content)
         m_series[i]->hide();
     }
     m_used = content.runs.size();
-    // The labels of the axes are whole text documents: laid out once, kept as pictures.
-    for (QGraphicsItem *item : m_chart->scene()->items())
-        if (item->type() == QGraphicsTextItem::Type && item->cacheMode() == QGraphicsItem::NoCache)
-            item->setCacheMode(QGraphicsItem::DeviceCoordinateCache);
     m_view->viewport()->update();
 }
 
@@ -139,11 +175,7 @@ void QtTimeSeriesChart::applyColors()
     m_chart->setBackgroundBrush(palette().color(QPalette::Window));
     m_chart->setBackgroundPen(Qt::NoPen);
     m_view->setBackgroundBrush(palette().color(QPalette::Window));
-    QFont small = font();
-    small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
     for (QValueAxis *axis : {m_time, m_value}) {
-        axis->setLabelsColor(colors.dim);
-        axis->setLabelsFont(small);
         axis->setGridLineColor(colors.line);
         axis->setLinePenColor(colors.line);
     }

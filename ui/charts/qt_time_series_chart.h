@@ -12,22 +12,26 @@ class QValueAxis;
 
 namespace skyseal::ui {
 
-/// Draws the marks over the plot.
+/// Draws marks and the axes' labels around the plot.
 class MarkedChartView : public QChartView
 {
     Q_OBJECT
 
 public:
     explicit MarkedChartView(QChart *chart, QWidget *parent);
-    void setMarks(const std::vector<ChartMark> &marks, double span);
+    void setMarks(const std::vector<ChartMark> &marks, double span, double top);
     const std::vector<ChartMark> &marks() const { return m_marks; }
 
 protected:
     void drawForeground(QPainter *painter, const QRectF &rect) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
+    QFont labelFont() const;
+    void drawLabels(QPainter &painter, const QRectF &area) const;
+
     std::vector<ChartMark> m_marks;
-    double m_span = 120;
+    double m_span = 120, m_top = 1;
 };
 
 class QtTimeSeriesChart : public TimeSeriesChart
