@@ -40,7 +40,7 @@ std::uint8_t systemOf(const mavlink::ScanItem &item)
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
     : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
-      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_policy(SecureMode::Required),
+      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_policy(SecureMode::Required, Speakers::MayShareASystem),
       m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);

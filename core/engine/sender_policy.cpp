@@ -26,7 +26,7 @@ void SenderPolicy::applyRules(Speaker &speaker) const
             continue;
         speaker.pilot = known.role == channel::PeerRole::Pilot;
         if (known.systemIds.empty())
-            speaker.allowed.set();
+            speaker.allowed = ~m_pinned;
         for (const std::uint8_t systemId : known.systemIds)
             speaker.allowed.set(systemId);
     }
@@ -89,7 +89,7 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
     if (!speaker.allowed.test(systemId))
         return false;
     for (const auto &[other, holder] : m_speakers) {
-        if (holder.spoken.test(systemId) && holder.peer != speaker.peer)
+        if (m_rule == Speakers::OnePerSystem && holder.spoken.test(systemId) && holder.peer != speaker.peer)
             return false;
     }
     speaker.spoken.set(systemId);

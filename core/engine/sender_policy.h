@@ -16,10 +16,14 @@
 
 namespace skyseal::engine {
 
+/// A vehicle has one agent. Stations share: several may speak as the customary system 255, and one that takes over from
+/// another that crashed must not wait until the crashed one's session is forgotten.
+enum class Speakers : std::uint8_t { OnePerSystem, MayShareASystem };
+
 class SenderPolicy
 {
 public:
-    explicit SenderPolicy(SecureMode mode) : m_mode(mode) {}
+    explicit SenderPolicy(SecureMode mode, Speakers speakers = Speakers::OnePerSystem) : m_mode(mode), m_rule(speakers) {}
 
     SecureMode mode() const { return m_mode; }
 
@@ -35,8 +39,9 @@ public:
 
     /// What it sends may reach an autopilot. False for observers.
     bool mayCommand(channel::SessionId session) const;
-    /// Whether a frame that came sealed may speak as this system id. A system belongs to the first peer that spoke as it,
-    /// for as long as that peer has a session.
+    /// Whether a frame that came sealed may speak as this system id. A system that is bound to peers by the list is theirs
+    /// alone; with Speakers::OnePerSystem any other belongs to the first peer that spoke as it, for as long as that peer
+    /// has a session.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
 
     /// Whether a clear frame may be shown. Not when sealing is required, not for a system that is bound to a peer or was
@@ -64,6 +69,7 @@ private:
     void collectSealed();
 
     SecureMode m_mode;
+    Speakers m_rule;
     std::vector<channel::Peer> m_peers;
     std::bitset<256> m_pinned;
     SealedSystems m_heard;

@@ -30,6 +30,8 @@ class SenderPolicyTest : public QObject
 private Q_SLOTS:
     void peerSpeaksOnlyAsItsSystems();
     void systemBelongsToTheFirstThatSpokeAsIt();
+    void stationsShareASystem();
+    void systemBoundToAPeerIsNobodyElses();
     void samePeerKeepsItsSystemOverARestart();
     void clearFramesByMode();
     void systemHeardSealedIsNeverClearAgain();
@@ -63,6 +65,31 @@ void SenderPolicyTest::systemBelongsToTheFirstThatSpokeAsIt()
     QVERIFY(policy.acceptSealed(kSecond, 2));
     policy.sessionDown(kFirst);
     QVERIFY(policy.acceptSealed(kSecond, 1));
+}
+
+void SenderPolicyTest::stationsShareASystem()
+{
+    SenderPolicy policy(SecureMode::Required, Speakers::MayShareASystem);
+    const channel::Peer first = peerWith(1, {}), spare = peerWith(2, {});
+    policy.setPeers({first, spare});
+    policy.sessionUp(kFirst, first.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 255));
+    policy.sessionUp(kSecond, spare.key, kPathB); // the first crashed; its session is not over yet
+    QVERIFY(policy.acceptSealed(kSecond, 255));
+}
+
+void SenderPolicyTest::systemBoundToAPeerIsNobodyElses()
+{
+    for (const Speakers rule : {Speakers::OnePerSystem, Speakers::MayShareASystem}) {
+        SenderPolicy policy(SecureMode::Required, rule);
+        const channel::Peer any = peerWith(1, {}), bound = peerWith(2, {7});
+        policy.setPeers({any, bound});
+        policy.sessionUp(kFirst, any.key, kPathA);
+        QVERIFY(!policy.acceptSealed(kFirst, 7)); // though its owner has not come up yet
+        QVERIFY(policy.acceptSealed(kFirst, 8));
+        policy.sessionUp(kSecond, bound.key, kPathB);
+        QVERIFY(policy.acceptSealed(kSecond, 7));
+    }
 }
 
 void SenderPolicyTest::samePeerKeepsItsSystemOverARestart()
