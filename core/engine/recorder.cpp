@@ -57,7 +57,8 @@ struct Recorder::File
         const std::string stem = folder + "/" + nameByTime();
         for (int copy = 1; copy < 100; ++copy) {
             name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
-            fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
+            // For the owner alone: here stands in clear what the link kept secret, the vehicle's whereabouts first of all.
+            fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
             if (fd >= 0 || errno != EEXIST)
                 break;
         }

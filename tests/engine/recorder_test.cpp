@@ -4,12 +4,14 @@
 #include "core/log/log_summary.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QFileInfo>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <csignal>
 #include <fstream>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -45,6 +47,7 @@ class RecorderTest : public QObject
 private Q_SLOTS:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
     void writesWhatItWasGiven();
+    void onlyTheOwnerReadsIt();
     void killedProcessLosesTheLastSecondAtMost();
     void fullBufferDropsAndCounts();
     void unwritableFolderIsAProblemAndNoMore();
@@ -67,6 +70,19 @@ void RecorderTest::writesWhatItWasGiven()
     QCOMPARE(summary.frames, std::uint64_t(1000));
     QVERIFY(summary.first == timeOf(0));
     QVERIFY(summary.last == timeOf(999));
+}
+
+void RecorderTest::onlyTheOwnerReadsIt()
+{
+    const mode_t before = umask(0);
+    {
+        Recorder recorder(m_folder->path().toStdString());
+        recorder.record(timeOf(0), kFrame);
+    }
+    umask(before);
+    const QFileInfoList files = QDir(m_folder->path()).entryInfoList({QStringLiteral("*.tlog")}, QDir::Files);
+    QCOMPARE(files.size(), 1);
+    QVERIFY(!(files[0].permissions() & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther)));
 }
 
 void RecorderTest::killedProcessLosesTheLastSecondAtMost()
