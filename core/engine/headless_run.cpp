@@ -88,6 +88,8 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
         known->second = true;
     if (link.phase == LinkPhase::Finished && m_played.contains(link.id))
         m_played[link.id] = true;
+    if (!known->second && !link.problem.empty())
+        m_linkProblem = link.url + ": " + link.problem;
     const bool hopeless = link.phase == LinkPhase::Failed || (link.phase == LinkPhase::Waiting && link.hostUnknown);
     if (!known->second && hopeless && m_brokenLink.empty()) {
         m_brokenLink = link.url + ": " + link.problem;
@@ -147,6 +149,10 @@ void HeadlessRun::settle(const Snapshot &last)
     const auto end = [this](RunOutcome outcome, std::string problem = {}) { Q_EMIT finished(outcome, std::move(problem)); };
     if (!m_brokenLink.empty())
         return end(RunOutcome::CannotOpen, m_brokenLink);
+    // Each went on trying, as it should, but the run is over and there never was anything to hear.
+    const bool anyWorked = std::any_of(m_links.begin(), m_links.end(), [](const auto &link) { return link.second; });
+    if (!anyWorked && !m_linkProblem.empty())
+        return end(RunOutcome::CannotOpen, m_linkProblem);
     if (m_script.failed())
         return end(RunOutcome::ScriptFailed, "a step of the flight script failed");
     if (!m_script.finished())

@@ -87,6 +87,7 @@ private:
     bool m_sessionSeen = false;
     bool m_stopping = false;
     std::string m_brokenLink;
+    std::string m_linkProblem; ///< the last one of a link that has never worked
 };
 
 } // namespace skyseal::engine

@@ -13,6 +13,7 @@ private Q_SLOTS:
     void secondMonitorOnOnePort();
     void badLinksAreNamed_data();
     void badLinksAreNamed();
+    void linkThatNeverOpened();
 };
 
 void PortsTest::secondMonitorOnOnePort()
@@ -48,6 +49,17 @@ void PortsTest::badLinksAreNamed()
                     {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--secure"), QStringLiteral("off")});
     QCOMPARE(monitor.waitForExit(10000), status);
     QVERIFY2(!monitor.errors().trimmed().isEmpty(), "no word said");
+}
+
+void PortsTest::linkThatNeverOpened()
+{
+    // Both might have come up later; when the time is over, nothing was reached, and a script should notice.
+    for (const QString &url : {QStringLiteral("tcp:127.0.0.1:1"), QStringLiteral("serial:/dev/nonexistent:57600")}) {
+        Program monitor(QStringLiteral("skyseal-cli"),
+                        {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--duration"), QStringLiteral("1")});
+        QCOMPARE(monitor.waitForExit(10000), 3);
+        QVERIFY2(monitor.errors().contains(url.toUtf8()), monitor.errors().constData());
+    }
 }
 
 QTEST_GUILESS_MAIN(PortsTest)
