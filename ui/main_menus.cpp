@@ -28,7 +28,8 @@ MainMenus::MainMenus(MainWindow &window) : QObject(&window), m_window(window)
     fillHelp(*bar->addMenu(tr("&Help")));
 }
 
-QAction *MainMenus::add(QMenu &menu, const QString &text, const QString &name, const QKeySequence &keys, std::function<void()> act)
+QAction *MainMenus::add(QMenu &menu, const QString &text, const QString &name, const QKeySequence &keys,
+                        std::function<void()> act)
 {
     auto *action = new QAction(text, &m_window);
     action->setObjectName(name);
@@ -41,7 +42,8 @@ QAction *MainMenus::add(QMenu &menu, const QString &text, const QString &name, c
 void MainMenus::fillFile(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuFile"));
-    add(menu, tr("&Settings …"), QStringLiteral("actionSettings"), QKeySequence::Preferences, [this] { m_window.openSettings(); });
+    add(menu, tr("&Settings …"), QStringLiteral("actionSettings"), QKeySequence::Preferences,
+        [this] { m_window.openSettings(); });
     add(menu, tr("&Replay a log …"), QStringLiteral("actionReplay"), QKeySequence::Open, [this] {
         const QString file = QFileDialog::getOpenFileName(&m_window, tr("Replay a log"), m_window.m_facts.recordFolder,
                                                           tr("Telemetry logs (*.tlog);;All files (*)"));
@@ -61,7 +63,8 @@ void MainMenus::fillLink(QMenu &menu)
 void MainMenus::askAndSend(const QString &question, const vehicle::VehicleCommand &command)
 {
     const vehicle::VehicleCommand asked = command;
-    auto *box = new QMessageBox(QMessageBox::Question, tr("Confirm"), question, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
+    auto *box
+        = new QMessageBox(QMessageBox::Question, tr("Confirm"), question, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
     box->setObjectName(QStringLiteral("confirmCommand"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);
@@ -77,7 +80,8 @@ void MainMenus::askAndSend(const QString &question, const vehicle::VehicleComman
 void MainMenus::fillVehicle(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuVehicle"));
-    const auto ask = [this, &menu](const QString &text, const QString &name, const QString &question, const vehicle::VehicleCommand &command) {
+    const auto ask = [this, &menu](const QString &text, const QString &name, const QString &question,
+                                   const vehicle::VehicleCommand &command) {
         return add(menu, text, name, {}, [this, question, command] { askAndSend(question, command); });
     };
     QList<QAction *> all;
@@ -86,8 +90,10 @@ void MainMenus::fillVehicle(QMenu &menu)
     menu.addSeparator();
     all << ask(tr("&Take off …"), QStringLiteral("actionTakeOff"), tr("Take off to 10 m?"), vehicle::TakeOff{});
     all << ask(tr("&Land …"), QStringLiteral("actionLand"), tr("Land here?"), vehicle::Land{});
-    all << ask(tr("&Return to launch …"), QStringLiteral("actionReturn"), tr("Return to launch and land there?"), vehicle::ReturnToLaunch{});
-    all << ask(tr("&Start the mission …"), QStringLiteral("actionStartMission"), tr("Fly the mission?"), vehicle::StartMission{});
+    all << ask(tr("&Return to launch …"), QStringLiteral("actionReturn"), tr("Return to launch and land there?"),
+               vehicle::ReturnToLaunch{});
+    all << ask(tr("&Start the mission …"), QStringLiteral("actionStartMission"), tr("Fly the mission?"),
+               vehicle::StartMission{});
     menu.addSeparator();
     QMenu *modes = menu.addMenu(tr("&Mode"));
     modes->setObjectName(QStringLiteral("menuMode"));
@@ -160,9 +166,11 @@ void MainMenus::fillView(QMenu &menu)
         menu.addAction(action);
     }
     menu.addSeparator();
-    add(menu, tr("&Follow the vehicle"), QStringLiteral("actionFollow"), Qt::CTRL | Qt::Key_Home, [this] { m_window.m_map->followVehicle(); });
+    add(menu, tr("&Follow the vehicle"), QStringLiteral("actionFollow"), Qt::CTRL | Qt::Key_Home,
+        [this] { m_window.m_map->followVehicle(); });
     add(menu, tr("Zoom &in"), QStringLiteral("actionZoomIn"), QKeySequence::ZoomIn, [this] { m_window.m_map->zoomBy(1.5); });
-    add(menu, tr("Zoom &out"), QStringLiteral("actionZoomOut"), QKeySequence::ZoomOut, [this] { m_window.m_map->zoomBy(1 / 1.5); });
+    add(menu, tr("Zoom &out"), QStringLiteral("actionZoomOut"), QKeySequence::ZoomOut,
+        [this] { m_window.m_map->zoomBy(1 / 1.5); });
     add(menu, tr("&Clear the track"), QStringLiteral("actionClearTrack"), {}, [this] { m_window.m_map->clearTrack(); });
     menu.addSeparator();
     add(menu, tr("&Reset the arrangement"), QStringLiteral("actionResetView"), {}, [this] { m_window.resetArrangement(); });
@@ -181,14 +189,17 @@ void MainMenus::fillTools(QMenu &menu)
 void MainMenus::fillHelp(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuHelp"));
-    add(menu, tr("&First steps"), QStringLiteral("actionHelp"), QKeySequence::HelpContents, [this] { m_window.openHelp(QStringLiteral("start")); });
-    add(menu, tr("&Sealing a link"), QStringLiteral("actionHelpSealing"), {}, [this] { m_window.openHelp(QStringLiteral("sealing")); });
+    add(menu, tr("&First steps"), QStringLiteral("actionHelp"), QKeySequence::HelpContents,
+        [this] { m_window.openHelp(QStringLiteral("start")); });
+    add(menu, tr("&Sealing a link"), QStringLiteral("actionHelpSealing"), {},
+        [this] { m_window.openHelp(QStringLiteral("sealing")); });
     menu.addSeparator();
     add(menu, tr("&About Skyseal"), QStringLiteral("actionAbout"), {}, [this] {
-        QMessageBox::about(&m_window, tr("About Skyseal"),
-                           tr("Skyseal %1\n\nA ground control station whose MAVLink link is sealed.\nGPL-3.0-or-later; built with Qt %2, "
-                              "Qt Charts, libsodium and OpenSSL.")
-                               .arg(m_window.m_facts.version, QLatin1String(qVersion())));
+        QMessageBox::about(
+            &m_window, tr("About Skyseal"),
+            tr("Skyseal %1\n\nA ground control station whose MAVLink link is sealed.\nGPL-3.0-or-later; built with Qt %2, "
+               "Qt Charts, libsodium and OpenSSL.")
+                .arg(m_window.m_facts.version, QLatin1String(qVersion())));
     });
 }
 

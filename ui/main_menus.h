@@ -1,4 +1,5 @@
-// The menus of the window: File, Link, Vehicle, Security, View, Tools, Help. All that a panel's button does can be done from here.
+// The menus of the window: File, Link, Vehicle, Security, View, Tools, Help. All that a panel's button does can be done from
+// here.
 #pragma once
 
 #include "core/vehicle/vehicle_command.h"

@@ -95,7 +95,8 @@ void MainWindow::makeCentre()
     setStatusBar(m_traffic);
 }
 
-QDockWidget *MainWindow::addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area, bool scrolls)
+QDockWidget *MainWindow::addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area,
+                                 bool scrolls)
 {
     auto *dock = new QDockWidget(title, this);
     dock->setObjectName(name);
@@ -133,13 +134,15 @@ void MainWindow::makeDocks()
         return addDock(title, QLatin1String(name), panel, Qt::BottomDockWidgetArea);
     };
     QDockWidget *diagnostics = below(tr("Diagnostics"), "dockDiagnostics", m_diagnostics);
-    for (QDockWidget *dock : {below(tr("Messages"), "dockMessages", m_messages), below(tr("Inspector"), "dockInspector", m_inspector),
-                              below(tr("Parameters"), "dockParameters", m_parameters), below(tr("Mission"), "dockMission", m_mission),
-                              below(tr("Logs"), "dockLogs", m_logs), below(tr("Links"), "dockLinks", m_links)})
+    for (QDockWidget *dock :
+         {below(tr("Messages"), "dockMessages", m_messages), below(tr("Inspector"), "dockInspector", m_inspector),
+          below(tr("Parameters"), "dockParameters", m_parameters), below(tr("Mission"), "dockMission", m_mission),
+          below(tr("Logs"), "dockLogs", m_logs), below(tr("Links"), "dockLinks", m_links)})
         tabifyDockWidget(diagnostics, dock);
     diagnostics->raise();
     const auto watch = [this](const char *dock, DockPanel *panel) {
-        connect(findChild<QDockWidget *>(QLatin1String(dock)), &QDockWidget::visibilityChanged, panel, &DockPanel::setInFront);
+        connect(findChild<QDockWidget *>(QLatin1String(dock)), &QDockWidget::visibilityChanged, panel,
+                &DockPanel::setInFront);
     };
     m_inspector->setInFront(false);
     watch("dockDiagnostics", m_diagnostics);
@@ -152,9 +155,11 @@ void MainWindow::connectPanels()
 {
     connect(&m_station, &StationPort::snapshotReady, this, &MainWindow::showSnapshot);
     connect(&m_station, &StationPort::happened, this, &MainWindow::take);
-    connect(m_strip, &StatusStrip::lockClicked, this, [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockSecure"))); });
+    connect(m_strip, &StatusStrip::lockClicked, this,
+            [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockSecure"))); });
     connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
-    connect(m_strip, &StatusStrip::linkClicked, this, [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockLinks"))); });
+    connect(m_strip, &StatusStrip::linkClicked, this,
+            [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockLinks"))); });
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
     connect(m_secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
@@ -221,7 +226,7 @@ void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)
     }
     const QString other = url.left(colon + 1) + QString::number(port + 1);
     const LinkId id = link.id;
-    tellProblem(tr("Port %1 is in use, probably by another ground station on this machine (%2).").arg(port).arg(fromStd(link.problem)),
+    tellProblem(tr("Port %1 cannot be listened on: %2").arg(port).arg(fromStd(link.problem)),
                 tr("Listen on %1 instead").arg(port + 1), [this, other, id] {
                     m_station.removeLink(id);
                     addLink(other);
@@ -256,7 +261,8 @@ void MainWindow::popUpVehicles()
     for (const auto &vehicle : m_scene.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
         const QString type = vehicleTypeWord(vehicle.state.type);
-        QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type) : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
+        QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type)
+                                                         : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
         action->setCheckable(true);
         action->setChecked(m_scene.vehicle && m_scene.vehicle->state.systemId == id);
         connect(action, &QAction::triggered, this, [this, id] { chooseVehicle(id); });

@@ -72,7 +72,8 @@ private:
 
     void makeCentre();
     void makeDocks();
-    QDockWidget *addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area, bool scrolls = false);
+    QDockWidget *addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area,
+                         bool scrolls = false);
     void connectPanels();
     void showNumbers();
     void take(const engine::Happening &happening);

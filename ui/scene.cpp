@@ -18,7 +18,8 @@ Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
         scene.vehicle = &vehicles.front();
 
     if (scene.vehicle && scene.vehicle->session) {
-        const auto own = std::ranges::find_if(sessions, [&](const auto &s) { return s.info.session == *scene.vehicle->session; });
+        const auto own
+            = std::ranges::find_if(sessions, [&](const auto &s) { return s.info.session == *scene.vehicle->session; });
         if (own != sessions.end())
             scene.session = &*own;
     } else if (!scene.vehicle && !sessions.empty()) {

@@ -33,8 +33,8 @@ struct SceneState
 
 SceneState stateOf(const Scene &scene);
 
-/// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet, the first
-/// session stands in, so that an agent without an autopilot is seen.
+/// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet,
+/// the first session stands in, so that an agent without an autopilot is seen.
 Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId);
 
 } // namespace skyseal::ui

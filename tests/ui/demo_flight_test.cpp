@@ -61,7 +61,8 @@ private Q_SLOTS:
 
     void sealsByItself()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")), 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")),
+                                 20'000);
         QTRY_VERIFY_WITH_TIMEOUT(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")), 30'000);
         // GUIDED needs the vehicle's own estimate of its position, which it has a while after the fix; home comes with it.
         QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle->state.home.known(), 60'000);
@@ -73,7 +74,8 @@ private Q_SLOTS:
         auto *modes = find<QComboBox>("modeBox");
         modes->setCurrentIndex(modes->findText(QStringLiteral("GUIDED")));
         hold("setModeButton");
-        QTRY_VERIFY2_WITH_TIMEOUT(strip("stripMode")->text() == QStringLiteral("GUIDED"), qPrintable(find<QLabel>("commandResult")->text()), 10'000);
+        QTRY_VERIFY2_WITH_TIMEOUT(strip("stripMode")->text() == QStringLiteral("GUIDED"),
+                                  qPrintable(find<QLabel>("commandResult")->text()), 10'000);
         hold("armButton");
         QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("ARMED"), 10'000);
         hold("takeOffButton");
@@ -83,8 +85,10 @@ private Q_SLOTS:
 
     void switchesInFlight()
     {
-        for (const SuiteId suite : {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::ChaCha20Poly1305}) {
-            auto *row = m_window->findChild<SuiteRow *>(QStringLiteral("row_") + m_window->suites().action(suite)->objectName());
+        for (const SuiteId suite :
+             {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::ChaCha20Poly1305}) {
+            auto *row
+                = m_window->findChild<SuiteRow *>(QStringLiteral("row_") + m_window->suites().action(suite)->objectName());
             QTest::mouseClick(row, Qt::LeftButton, {}, QPoint(12, row->height() / 2));
             QTRY_VERIFY_WITH_TIMEOUT(row->isChecked(), 6'000);
             QTRY_VERIFY(m_window->scene().session->info.suite == suite);

@@ -46,7 +46,8 @@ private Q_SLOTS:
         QCOMPARE(rate.runs.size(), std::size_t(2));
         QCOMPARE(rate.runs[0].color, suiteColor(SuiteId::ChaCha20Poly1305));
         QCOMPARE(rate.runs[1].color, suiteColor(SuiteId::Rc4));
-        std::vector<QPointF> plotted(rate.runs[0].points.begin(), rate.runs[0].points.end() - 1); // the last one is where the next begins
+        std::vector<QPointF> plotted(rate.runs[0].points.begin(),
+                                     rate.runs[0].points.end() - 1); // the last one is where the next begins
         plotted.insert(plotted.end(), rate.runs[1].points.begin(), rate.runs[1].points.end());
         QCOMPARE(plotted.size(), all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -91,7 +92,8 @@ private Q_SLOTS:
         samples[1000].openedFramesPerSecond = 999;
         samples[1500].openedFramesPerSecond = 1;
         history.take(samples);
-        const ChartContent content = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 600, 300);
+        const ChartContent content
+            = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 600, 300);
         std::size_t points = 0;
         double low = 1e9;
         for (const ChartRun &run : content.runs)
@@ -111,7 +113,8 @@ private Q_SLOTS:
         for (std::size_t i = 16; i < 24; ++i)
             samples[i].openedFramesPerSecond = vehicle::kUnknown;
         history.take(samples);
-        const ChartContent content = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 60, 1000);
+        const ChartContent content
+            = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 60, 1000);
         QCOMPARE(content.runs.size(), std::size_t(2));
         QVERIFY(content.marks.empty());
     }

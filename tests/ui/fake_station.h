@@ -30,9 +30,15 @@ public:
         return vehicle::CommandId{static_cast<std::uint32_t>(commands.size())};
     }
     void requestParameters(std::uint8_t systemId) override { parameterRequests.push_back(systemId); }
-    void writeParameter(std::uint8_t, std::string name, double value) override { written.emplace_back(std::move(name), value); }
+    void writeParameter(std::uint8_t, std::string name, double value) override
+    {
+        written.emplace_back(std::move(name), value);
+    }
     void readMission(std::uint8_t systemId) override { missionReads.push_back(systemId); }
-    void writeMission(std::uint8_t, std::vector<vehicle::MissionItem> items) override { missionWrites.push_back(std::move(items)); }
+    void writeMission(std::uint8_t, std::vector<vehicle::MissionItem> items) override
+    {
+        missionWrites.push_back(std::move(items));
+    }
     void setInspecting(bool on) override { inspecting = on; }
     void setRecording(bool on) override { recording = on; }
     std::optional<channel::PublicKey> publicKey() const override { return key; }

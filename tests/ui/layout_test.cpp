@@ -44,8 +44,10 @@ private Q_SLOTS:
             const QSize wanted = qobject_cast<const QLabel *>(widget) && static_cast<const QLabel *>(widget)->wordWrap()
                                      ? QSize(0, widget->heightForWidth(widget->width()))
                                      : widget->sizeHint();
-            const QByteArray what = (QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
-                                     + QStringLiteral(" \"%1\"").arg(widget->property("text").toString())).toUtf8();
+            const QByteArray what
+                = (QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
+                   + QStringLiteral(" \"%1\"").arg(widget->property("text").toString()))
+                      .toUtf8();
             QVERIFY2(widget->width() + 1 >= wanted.width(), what.constData());
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
@@ -66,7 +68,11 @@ private Q_SLOTS:
                 for (const StripItem *item : items) {
                     if (item->isHidden())
                         continue;
-                    const QByteArray what = QStringLiteral("%1 at %2, %3").arg(item->objectName()).arg(width).arg(QLatin1String(state)).toUtf8();
+                    const QByteArray what = QStringLiteral("%1 at %2, %3")
+                                                .arg(item->objectName())
+                                                .arg(width)
+                                                .arg(QLatin1String(state))
+                                                .toUtf8();
                     QVERIFY2(item->x() >= right, what.constData());
                     right = item->x() + item->width();
                     QVERIFY2(right <= width, what.constData());
@@ -83,7 +89,8 @@ private Q_SLOTS:
         const auto places = [this] {
             QHash<QString, QRect> out;
             for (const QWidget *widget : m_window->findChildren<QWidget *>())
-                if (widget->isVisible() && !widget->objectName().isEmpty() && !widget->objectName().startsWith(QLatin1String("qt_")))
+                if (widget->isVisible() && !widget->objectName().isEmpty()
+                    && !widget->objectName().startsWith(QLatin1String("qt_")))
                     out.insert(widget->objectName(), QRect(widget->mapTo(m_window.get(), QPoint()), widget->size()));
             return out;
         };
@@ -125,7 +132,8 @@ private:
     {
         const auto siblings = widget->parentWidget()->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly);
         return std::ranges::any_of(siblings, [&](const QWidget *other) {
-            return other != widget && other->isVisible() && needsItsRoom(other) && other->geometry().intersects(widget->geometry());
+            return other != widget && other->isVisible() && needsItsRoom(other)
+                   && other->geometry().intersects(widget->geometry());
         });
     }
 

@@ -94,7 +94,8 @@ private Q_SLOTS:
         engine::InspectorRow heartbeat;
         heartbeat.messageId = 0;
         heartbeat.payloadSize = 9;
-        const std::uint8_t payload[] = {4, 0, 0, 0, 2, 3, 0x81, 4, 3}; // custom_mode, quadrotor, ArduPilot, armed, active, version
+        const std::uint8_t payload[]
+            = {4, 0, 0, 0, 2, 3, 0x81, 4, 3}; // custom_mode, quadrotor, ArduPilot, armed, active, version
         std::ranges::copy(payload, heartbeat.payload.begin());
         model.setMessage(&heartbeat);
         QHash<QString, QString> values;

@@ -61,7 +61,8 @@ vehicle::VehicleState flyingState(double time)
     s.heading = std::fmod(angle * 180 / pi + 90, 360);
     s.yaw = s.heading * pi / 180;
     const double north = kRadius * std::cos(angle), east = kRadius * std::sin(angle);
-    s.position = {kHomeLatitude + north / 111319.5, kHomeLongitude + east / (111319.5 * std::cos(kHomeLatitude * pi / 180)), 500};
+    s.position
+        = {kHomeLatitude + north / 111319.5, kHomeLongitude + east / (111319.5 * std::cos(kHomeLatitude * pi / 180)), 500};
     s.home = {kHomeLatitude, kHomeLongitude, 488};
     s.altitudeRelative = 12.4 + std::sin(time * 0.2) * 2;
     s.groundSpeed = 5.8 + 0.2 * std::sin(time);
@@ -177,7 +178,8 @@ engine::Snapshot sealedSnapshot(double time, SuiteId suite, std::uint32_t epoch)
     return snapshot;
 }
 
-std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, SuiteId suite, std::uint32_t epoch)
+std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, SuiteId suite,
+                                             std::uint32_t epoch)
 {
     std::vector<engine::MetricsSample> out;
     const double cost = 1 + 0.35 * static_cast<double>(suite);

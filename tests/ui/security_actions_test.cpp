@@ -46,7 +46,8 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
         QVERIFY(menu);
-        QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {}, m_window->menuBar()->actionGeometry(menu->menuAction()).center());
+        QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
+                          m_window->menuBar()->actionGeometry(menu->menuAction()).center());
         QTRY_VERIFY(menu->isVisible());
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action(SuiteId::Aes256Gcm)).center());
         QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
@@ -97,8 +98,9 @@ private Q_SLOTS:
         QVERIFY(strip()->text().contains(QStringLiteral("switching")));
         QVERIFY(strip()->text().contains(QStringLiteral("ChaCha20-Poly1305")));
 
-        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, channel::Epoch{4}, false, false,
-                                            channel::SwitchFailure::None, std::chrono::milliseconds(42)});
+        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm,
+                                            channel::Epoch{4}, false, false, channel::SwitchFailure::None,
+                                            std::chrono::milliseconds(42)});
         QVERIFY(gcm->isChecked());
         QVERIFY(!chacha->isChecked());
         QCOMPARE(gcm->text(), QStringLiteral("AES-256-GCM"));
@@ -113,8 +115,9 @@ private Q_SLOTS:
     {
         m_station->show(sealedSnapshot(1));
         QTest::mouseClick(row(SuiteId::ChaCha20), Qt::LeftButton, {}, QPoint(12, 8));
-        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20, channel::Epoch{4}, false, false,
-                                            channel::SwitchFailure::NotConfirmed, std::chrono::seconds(5)});
+        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20,
+                                            channel::Epoch{4}, false, false, channel::SwitchFailure::NotConfirmed,
+                                            std::chrono::seconds(5)});
         QVERIFY(row(SuiteId::ChaCha20Poly1305)->isChecked());
         QVERIFY(!row(SuiteId::ChaCha20)->isChecked());
         QCOMPARE(row(SuiteId::ChaCha20)->text(), QStringLiteral("ChaCha20"));
@@ -169,7 +172,8 @@ private Q_SLOTS:
             QVERIFY(!action(suite)->isEnabled());
             QVERIFY(!action(suite)->isChecked());
         }
-        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("secureAdvice"))->text().contains(QStringLiteral("skyseal-air")));
+        QVERIFY(
+            m_window->findChild<QLabel *>(QStringLiteral("secureAdvice"))->text().contains(QStringLiteral("skyseal-air")));
         QVERIFY(m_window->findChild<QWidget *>(QStringLiteral("secureHelp"))->isVisible());
     }
 
@@ -187,7 +191,10 @@ private Q_SLOTS:
 
 private:
     QAction *action(SuiteId suite) { return m_window->suites().action(suite); }
-    SuiteRow *row(SuiteId suite) { return m_window->findChild<SuiteRow *>(QStringLiteral("row_") + action(suite)->objectName()); }
+    SuiteRow *row(SuiteId suite)
+    {
+        return m_window->findChild<SuiteRow *>(QStringLiteral("row_") + action(suite)->objectName());
+    }
     QLabel *note() { return m_window->findChild<QLabel *>(QStringLiteral("switchNote")); }
     StripItem *strip() { return m_window->findChild<StripItem *>(QStringLiteral("stripLock")); }
 

@@ -1,4 +1,5 @@
-// The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and keys.
+// The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and
+// keys.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -127,7 +128,8 @@ private Q_SLOTS:
         QTest::mouseRelease(arm, Qt::LeftButton);
         QVERIFY(std::holds_alternative<vehicle::Disarm>(m_station->commands[0].second));
         QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
-        m_station->tell(vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
+        m_station->tell(
+            vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
     }
 
@@ -286,19 +288,22 @@ private Q_SLOTS:
     {
         m_station->show(sealedSnapshot(1));
         for (const QAction *action : m_window->findChildren<QAction *>()) {
-            if (action->isSeparator() || action->objectName().isEmpty() || action->objectName().startsWith(QLatin1String("_q_")))
+            if (action->isSeparator() || action->objectName().isEmpty()
+                || action->objectName().startsWith(QLatin1String("_q_")))
                 continue;
             QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
         }
         for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
-            const bool control = (qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget)
-                                  || qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QAbstractItemView *>(widget))
-                                 && !widget->objectName().startsWith(QLatin1String("qt_")) && widget->focusPolicy() != Qt::NoFocus;
-            const bool part = qobject_cast<QComboBox *>(widget->parentWidget()) || qobject_cast<QAbstractItemView *>(widget->parentWidget())
-                              || isInsideCombo(widget)
+            const bool control
+                = (qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget)
+                   || qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QAbstractItemView *>(widget))
+                  && !widget->objectName().startsWith(QLatin1String("qt_")) && widget->focusPolicy() != Qt::NoFocus;
+            const bool part = qobject_cast<QComboBox *>(widget->parentWidget())
+                              || qobject_cast<QAbstractItemView *>(widget->parentWidget()) || isInsideCombo(widget)
                               || qobject_cast<const QDockWidget *>(widget->parentWidget());
             if (control && !part)
-                QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()));
+                QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(QLatin1String(widget->metaObject()->className())
+                                                                         + QLatin1Char(' ') + widget->objectName()));
         }
         QVERIFY(m_window->menuBar()->actions().size() == 7);
     }

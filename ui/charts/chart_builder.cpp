@@ -23,7 +23,8 @@ std::vector<QPointF> thinned(const std::vector<QPointF> &points, std::size_t mos
     for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
         const auto first = points.begin() + static_cast<std::ptrdiff_t>(bucket * points.size() / buckets);
         const auto last = points.begin() + static_cast<std::ptrdiff_t>((bucket + 1) * points.size() / buckets);
-        const auto [low, high] = std::minmax_element(first, last, [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
+        const auto [low, high]
+            = std::minmax_element(first, last, [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
         out.push_back(low < high ? *low : *high);
         if (low != high)
             out.push_back(low < high ? *high : *low);
@@ -66,7 +67,8 @@ void appendRuns(ChartContent &content, const SampleHistory &history, const Chart
 
 } // namespace
 
-ChartContent buildChart(const SampleHistory &history, const std::vector<ChartLine> &lines, double span, std::size_t mostPoints)
+ChartContent buildChart(const SampleHistory &history, const std::vector<ChartLine> &lines, double span,
+                        std::size_t mostPoints)
 {
     ChartContent content;
     content.span = span;

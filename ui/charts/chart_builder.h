@@ -16,9 +16,10 @@ struct ChartLine
     bool dashed = false;
 };
 
-/// The newest sample stands at x = 0. Values that are not finite break the line, and so does a gap of more than two seconds. Runs are
-/// thinned to at most `mostPoints` in all, keeping highest and lowest of what each point stands for.
-ChartContent buildChart(const SampleHistory &history, const std::vector<ChartLine> &lines, double span, std::size_t mostPoints);
+/// The newest sample stands at x = 0. Values that are not finite break the line, and so does a gap of more than two seconds.
+/// Runs are thinned to at most `mostPoints` in all, keeping highest and lowest of what each point stands for.
+ChartContent buildChart(const SampleHistory &history, const std::vector<ChartLine> &lines, double span,
+                        std::size_t mostPoints);
 
 /// The greatest value of all runs; 0 when there is none.
 double highestOf(const ChartContent &content);

@@ -47,7 +47,8 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent) : DockPanel(parent), m_timer
     const auto up = [](double MetricsSample::*member) -> SampleValue {
         return [member](const MetricsSample &s) { return s.linkUp ? s.*member : vehicle::kUnknown; };
     };
-    addPlot(QStringLiteral("chartRate"), tr("Decryption rate"), tr("frames/s"), 10, {{up(&MetricsSample::openedFramesPerSecond)}});
+    addPlot(QStringLiteral("chartRate"), tr("Decryption rate"), tr("frames/s"), 10,
+            {{up(&MetricsSample::openedFramesPerSecond)}});
     addPlot(QStringLiteral("chartLoss"), tr("Packet loss"), tr("% (to it dotted)"), 1,
             {{up(&MetricsSample::lossPercent)}, {up(&MetricsSample::peerLossPercent), true}});
     addPlot(QStringLiteral("chartCpu"), tr("CPU load"), tr("% of a core (suite dotted)"), 5,
@@ -63,7 +64,8 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent) : DockPanel(parent), m_timer
     connect(m_span, &QComboBox::currentIndexChanged, this, &DiagnosticsPanel::refresh);
 }
 
-void DiagnosticsPanel::addPlot(const QString &name, const QString &title, const QString &unit, double least, std::vector<ChartLine> lines)
+void DiagnosticsPanel::addPlot(const QString &name, const QString &title, const QString &unit, double least,
+                               std::vector<ChartLine> lines)
 {
     TimeSeriesChart *chart = makeTimeSeriesChart(title, unit, this);
     chart->setObjectName(name);
@@ -81,7 +83,8 @@ void DiagnosticsPanel::refresh()
     m_fresh = false;
     const double span = m_span->currentData().toDouble();
     for (Plot &plot : m_charts) {
-        ChartContent content = buildChart(m_history, plot.lines, span, static_cast<std::size_t>(qMax(64, plot.widget->width())));
+        ChartContent content
+            = buildChart(m_history, plot.lines, span, static_cast<std::size_t>(qMax(64, plot.widget->width())));
         content.top = plot.scale.update(highestOf(content), m_history.empty() ? 0 : m_history.samples().back().time);
         plot.widget->showContent(content);
     }

@@ -42,7 +42,8 @@ void MarkedChartView::resizeEvent(QResizeEvent *event)
     QChartView::resizeEvent(event);
     const QFontMetrics metrics(labelFont());
     const int left = metrics.horizontalAdvance(QStringLiteral("88888")) + kGrid;
-    chart()->setPlotArea(QRectF(left, metrics.height() / 2.0, width() - left - 2 * kGrid, height() - 2.0 * metrics.height() - 2));
+    chart()->setPlotArea(
+        QRectF(left, metrics.height() / 2.0, width() - left - 2 * kGrid, height() - 2.0 * metrics.height() - 2));
 }
 
 QFont MarkedChartView::labelFont() const
@@ -62,13 +63,18 @@ void MarkedChartView::drawLabels(QPainter &painter, const QRectF &area) const
         const double part = static_cast<double>(i) / (kValueTicks - 1);
         const QString text = number(part * m_top, decimals);
         const double y = area.bottom() - part * area.height();
-        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2), text);
+        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2),
+                    text);
     }
     for (int i = 0; i < kTimeTicks; ++i) {
         const double part = static_cast<double>(i) / (kTimeTicks - 1);
         const QString text = i == kTimeTicks - 1 ? tr("now") : tr("%1 s").arg(number((part - 1) * m_span, 0));
         const double x = area.left() + part * area.width();
-        drawFigures(painter, QPointF(x - figuresWidth(metrics, text) / 2, area.bottom() + metrics.height() + 2), text);
+        const double width = figuresWidth(metrics, text);
+        const double left = i == 0                ? x
+                            : i == kTimeTicks - 1 ? x - width
+                                                  : x - width / 2; // the outer ones stay under the plot
+        drawFigures(painter, QPointF(left, area.bottom() + metrics.height() + 2), text);
     }
 }
 
@@ -164,7 +170,8 @@ ChartContent QtTimeSeriesChart::plotted() const
     out.marks = m_view->marks();
     for (std::size_t i = 0; i < m_used; ++i) {
         const auto points = m_series[i]->points();
-        out.runs.push_back({m_series[i]->pen().color(), m_series[i]->pen().style() != Qt::SolidLine, {points.begin(), points.end()}});
+        out.runs.push_back(
+            {m_series[i]->pen().color(), m_series[i]->pen().style() != Qt::SolidLine, {points.begin(), points.end()}});
     }
     return out;
 }

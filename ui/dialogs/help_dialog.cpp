@@ -18,7 +18,8 @@ HelpDialog::HelpDialog(const QString &page, QWidget *parent) : QDialog(parent)
     text->setFrameShape(QFrame::NoFrame);
     text->document()->setDocumentMargin(2 * kGrid);
     QFile file(QStringLiteral(":/skyseal/help/%1.md").arg(page));
-    text->setMarkdown(file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : tr("There is no help page \"%1\".").arg(page));
+    text->setMarkdown(file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll())
+                                                     : tr("There is no help page \"%1\".").arg(page));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *column = new QVBoxLayout(this);

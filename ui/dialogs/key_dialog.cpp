@@ -35,7 +35,8 @@ QImage qrImage(const QString &text)
     return image;
 }
 
-KeyDialog::KeyDialog(const std::optional<channel::PublicKey> &key, const QString &identityFile, const QString &peersFile, QWidget *parent)
+KeyDialog::KeyDialog(const std::optional<channel::PublicKey> &key, const QString &identityFile, const QString &peersFile,
+                     QWidget *parent)
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("keyDialog"));
@@ -43,9 +44,11 @@ KeyDialog::KeyDialog(const std::optional<channel::PublicKey> &key, const QString
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    auto *intro = new QLabel(key ? tr("Give this public key to the agent beside the vehicle. It is no secret, but make sure that it is this one "
-                                      "that arrives there.")
-                                 : tr("This station has no identity: it can only speak plain MAVLink."), this);
+    auto *intro = new QLabel(
+        key ? tr("Give this public key to the agent beside the vehicle. It is no secret, but make sure that it is this one "
+                 "that arrives there.")
+            : tr("This station has no identity: it can only speak plain MAVLink."),
+        this);
     intro->setWordWrap(true);
     column->addWidget(intro);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -66,7 +69,8 @@ KeyDialog::KeyDialog(const std::optional<channel::PublicKey> &key, const QString
         if (!code.isNull()) {
             auto *picture = new QLabel(this);
             picture->setAccessibleName(tr("The key as a QR code"));
-            picture->setPixmap(QPixmap::fromImage(code.scaled(code.size() * 5, Qt::KeepAspectRatio, Qt::FastTransformation)));
+            picture->setPixmap(
+                QPixmap::fromImage(code.scaled(code.size() * 5, Qt::KeepAspectRatio, Qt::FastTransformation)));
             column->addWidget(picture, 0, Qt::AlignHCenter);
         }
         QPushButton *copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);

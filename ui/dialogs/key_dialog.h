@@ -15,7 +15,8 @@ class KeyDialog : public QDialog
     Q_OBJECT
 
 public:
-    KeyDialog(const std::optional<channel::PublicKey> &key, const QString &identityFile, const QString &peersFile, QWidget *parent = nullptr);
+    KeyDialog(const std::optional<channel::PublicKey> &key, const QString &identityFile, const QString &peersFile,
+              QWidget *parent = nullptr);
 };
 
 /// A QR code of `text`, one pixel a module with the quiet zone; null when it does not fit.

@@ -116,16 +116,21 @@ QWidget *SettingsDialog::makeSecurity()
 {
     auto *box = new QGroupBox(tr("Security"), this);
     auto *column = new QVBoxLayout(box);
-    m_required = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired", tr("Show sealed vehicles only"));
+    m_required
+        = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired", tr("Show sealed vehicles only"));
     m_required->setChecked(m_start.requireSealed);
-    m_research = named(new QCheckBox(tr("Allow &insecure research suites (RC4)"), box), "settingResearch", tr("Allow insecure research suites"));
+    m_research = named(new QCheckBox(tr("Allow &insecure research suites (RC4)"), box), "settingResearch",
+                       tr("Allow insecure research suites"));
     m_research->setChecked(m_start.allowResearch);
     column->addWidget(m_required);
-    column->addWidget(smallPrint(tr("Plain MAVLink is then never shown and never answered. Takes effect at the next start."), box));
+    column->addWidget(
+        smallPrint(tr("Plain MAVLink is then never shown and never answered. Takes effect at the next start."), box));
     column->addWidget(m_research);
-    column->addWidget(smallPrint(tr("RC4 is broken: who records the link may read it. It is here to be measured against the others, is never "
-                                    "chosen by itself, and works only when the vehicle's agent allows it as well. I understand that while it is "
-                                    "in use the link is not confidential."), box));
+    column->addWidget(smallPrint(
+        tr("RC4 is broken: who records the link may read it. It is here to be measured against the others, is never "
+           "chosen by itself, and works only when the vehicle's agent allows it as well. I understand that while it is "
+           "in use the link is not confidential."),
+        box));
     return box;
 }
 

@@ -22,7 +22,8 @@ double degrees(double radians)
 } // namespace
 
 FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
-    : QWidget(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)), m_actions(new VehicleActions(commands, this))
+    : QWidget(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)),
+      m_actions(new VehicleActions(commands, this))
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

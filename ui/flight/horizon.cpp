@@ -39,9 +39,9 @@ Horizon::Horizon(QWidget *parent) : QWidget(parent)
 void Horizon::setAttitude(const Attitude &attitude)
 {
     const Attitude &old = m_attitude;
-    const bool seen = attitude.stale != old.stale || differs(attitude.roll, old.roll, 0.15) || differs(attitude.pitch, old.pitch, 0.15)
-                      || differs(attitude.heading, old.heading, 0.3) || differs(attitude.speed, old.speed, 0.05)
-                      || differs(attitude.altitude, old.altitude, 0.05);
+    const bool seen = attitude.stale != old.stale || differs(attitude.roll, old.roll, 0.15)
+                      || differs(attitude.pitch, old.pitch, 0.15) || differs(attitude.heading, old.heading, 0.3)
+                      || differs(attitude.speed, old.speed, 0.05) || differs(attitude.altitude, old.altitude, 0.05);
     if (!seen)
         return;
     m_attitude = attitude;
@@ -74,8 +74,8 @@ void Horizon::paintEvent(QPaintEvent *)
     const QRectF right(width() - kTape, 0, kTape, height() - kCompass);
     const double altitudeStep = m_units == UnitSystem::Metric ? 5 : 20;
     paintVerticalTape(painter, left, m_attitude.speed, 2, 11, 1, true, style);
-    paintVerticalTape(painter, right, m_attitude.altitude, altitudeStep, 22.0 / altitudeStep, m_units == UnitSystem::Metric ? 1 : 0, false,
-                      style);
+    paintVerticalTape(painter, right, m_attitude.altitude, altitudeStep, 22.0 / altitudeStep,
+                      m_units == UnitSystem::Metric ? 1 : 0, false, style);
     painter.fillRect(QRectF(0, height() - kCompass, width(), kCompass), colors.panel);
     paintCompassTape(painter, QRectF(kTape, height() - kCompass, width() - 2 * kTape, kCompass), m_attitude.heading, style);
 

@@ -24,8 +24,8 @@ public:
     void setUnits(UnitSystem units) { m_units = units; }
 
 private:
-    FigureLabel *addRow(QGridLayout *grid, int row, int column, const QString &name, const QString &objectName, const QString &sample,
-                        const QString &sampleUnit);
+    FigureLabel *addRow(QGridLayout *grid, int row, int column, const QString &name, const QString &objectName,
+                        const QString &sample, const QString &sampleUnit);
 
     FigureLabel *m_altitude, *m_speed, *m_climb, *m_current, *m_ekf;
     FigureLabel *m_heading, *m_home, *m_time, *m_hdop, *m_throttle;

@@ -64,7 +64,8 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     connect(m_takeOff, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::TakeOff{m_altitude->value()}); });
     connect(m_land, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::Land{}); });
     connect(m_return, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::ReturnToLaunch{}); });
-    connect(m_setMode, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
+    connect(m_setMode, &HoldButton::confirmed, this,
+            [this] { m_commands.send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
         connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
     connect(&commands, &VehicleCommands::said, this, &VehicleActions::say);

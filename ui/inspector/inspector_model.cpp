@@ -30,7 +30,8 @@ void InspectorModel::setRows(const std::vector<InspectorRow> &rows)
         const auto at = std::ranges::lower_bound(m_rows, keyOf(row), {}, keyOf);
         const int index = static_cast<int>(at - m_rows.begin());
         if (at != m_rows.end() && keyOf(*at) == keyOf(row)) {
-            const bool changed = at->count != row.count || at->rate != row.rate || (at->age > kOldAfter) != (row.age > kOldAfter);
+            const bool changed
+                = at->count != row.count || at->rate != row.rate || (at->age > kOldAfter) != (row.age > kOldAfter);
             *at = row;
             if (changed)
                 Q_EMIT dataChanged(this->index(index, 0), this->index(index, Columns - 1));
@@ -81,7 +82,8 @@ QVariant InspectorModel::data(const QModelIndex &index, int role) const
         default: return {};
         }
     case Qt::TextAlignmentRole:
-        return index.column() == Name || index.column() == Version ? QVariant() : QVariant(int(Qt::AlignRight | Qt::AlignVCenter));
+        return index.column() == Name || index.column() == Version ? QVariant()
+                                                                   : QVariant(int(Qt::AlignRight | Qt::AlignVCenter));
     case Qt::ForegroundRole:
         return row->age > kOldAfter ? QVariant(stateColors(QGuiApplication::palette()).dim) : QVariant();
     default: return {};
@@ -93,7 +95,8 @@ QVariant InspectorModel::headerData(int section, Qt::Orientation orientation, in
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return section == Name || section == Version ? int(Qt::AlignLeft | Qt::AlignVCenter) : int(Qt::AlignRight | Qt::AlignVCenter);
+        return section == Name || section == Version ? int(Qt::AlignLeft | Qt::AlignVCenter)
+                                                     : int(Qt::AlignRight | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

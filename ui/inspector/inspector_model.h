@@ -1,5 +1,5 @@
-// The kinds of messages that come in, one row for each sender and kind. Rows keep their place: new kinds are inserted, numbers
-// change in place, nothing jumps.
+// The kinds of messages that come in, one row for each sender and kind. Rows keep their place: new kinds are inserted,
+// numbers change in place, nothing jumps.
 #pragma once
 
 #include "core/engine/snapshot.h"

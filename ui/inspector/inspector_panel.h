@@ -1,5 +1,5 @@
-// The inspector: every kind of message that comes in, and the fields of the chosen one, live. The station collects for it only
-// while it can be seen.
+// The inspector: every kind of message that comes in, and the fields of the chosen one, live. The station collects for it
+// only while it can be seen.
 #pragma once
 
 #include "ui/dock_panel.h"

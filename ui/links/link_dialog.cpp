@@ -49,7 +49,8 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_baud = new QComboBox(this);
     m_baud->setObjectName(QStringLiteral("linkBaud"));
     m_baud->setEditable(true);
-    m_baud->addItems({QStringLiteral("57600"), QStringLiteral("115200"), QStringLiteral("230400"), QStringLiteral("460800"), QStringLiteral("921600")});
+    m_baud->addItems({QStringLiteral("57600"), QStringLiteral("115200"), QStringLiteral("230400"), QStringLiteral("460800"),
+                      QStringLiteral("921600")});
     m_result = new QLabel(this);
     m_result->setObjectName(QStringLiteral("linkResult"));
     m_result->setAccessibleName(tr("The link that this makes"));
@@ -135,7 +136,9 @@ QString LinkDialog::url() const
     if (kind == LinkScheme::Tlog)
         return QStringLiteral("%1:%2").arg(scheme, m_path->text());
     const bool literal = m_host->text().contains(QLatin1Char(':')) && !m_host->text().startsWith(QLatin1Char('['));
-    return QStringLiteral("%1:%2:%3").arg(scheme, literal ? QStringLiteral("[%1]").arg(m_host->text()) : m_host->text()).arg(m_port->value());
+    return QStringLiteral("%1:%2:%3")
+        .arg(scheme, literal ? QStringLiteral("[%1]").arg(m_host->text()) : m_host->text())
+        .arg(m_port->value());
 }
 
 QString LinkDialog::problem() const
@@ -157,7 +160,8 @@ void LinkDialog::check()
 
 void LinkDialog::browse()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), {}, tr("Telemetry logs (*.tlog);;All files (*)"));
+    const QString file
+        = QFileDialog::getOpenFileName(this, tr("Replay a log"), {}, tr("Telemetry logs (*.tlog);;All files (*)"));
     if (!file.isEmpty())
         m_path->setText(file);
 }

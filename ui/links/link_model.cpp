@@ -49,7 +49,8 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
         switch (index.column()) {
         case Url: return fromStd(link->url);
         case State:
-            return link->problem.empty() ? linkPhaseWord(link->phase) : tr("%1: %2").arg(linkPhaseWord(link->phase), fromStd(link->problem));
+            return link->problem.empty() ? linkPhaseWord(link->phase)
+                                         : tr("%1: %2").arg(linkPhaseWord(link->phase), fromStd(link->problem));
         case Local: return link->localAddress.empty() ? dash() : fromStd(link->localAddress);
         case Remote: return link->remoteAddress.empty() ? dash() : fromStd(link->remoteAddress);
         case Received: return tr("%1 · %2").arg(rateText(link->rxBytesPerSecond), sizeText(link->rxBytes));
@@ -57,9 +58,11 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
         case BadFrames: return grouped(link->badCrc);
         default: return {};
         }
-    case Qt::TextAlignmentRole: return index.column() >= Received ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+    case Qt::TextAlignmentRole:
+        return index.column() >= Received ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
     case Qt::ForegroundRole:
-        return index.column() == State && !link->problem.empty() ? QVariant(stateColors(QGuiApplication::palette()).alarm) : QVariant();
+        return index.column() == State && !link->problem.empty() ? QVariant(stateColors(QGuiApplication::palette()).alarm)
+                                                                 : QVariant();
     default: return {};
     }
 }

@@ -16,7 +16,8 @@
 
 namespace skyseal::ui {
 
-LogsPanel::LogsPanel(StationPort &station, const QString &folder, QWidget *parent) : QWidget(parent), m_station(station), m_folder(folder)
+LogsPanel::LogsPanel(StationPort &station, const QString &folder, QWidget *parent)
+    : QWidget(parent), m_station(station), m_folder(folder)
 {
     m_record = new QCheckBox(tr("Record what is received and sent"), this);
     m_record->setObjectName(QStringLiteral("logRecord"));
@@ -71,7 +72,8 @@ LogsPanel::LogsPanel(StationPort &station, const QString &folder, QWidget *paren
     connect(m_record, &QCheckBox::clicked, this, [this](bool on) { m_station.setRecording(on); });
     connect(open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
     connect(replay, &QPushButton::clicked, this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), m_folder, tr("Telemetry logs (*.tlog);;All files (*)"));
+        const QString file
+            = QFileDialog::getOpenFileName(this, tr("Replay a log"), m_folder, tr("Telemetry logs (*.tlog);;All files (*)"));
         if (!file.isEmpty())
             Q_EMIT replayWanted(file);
     });

@@ -62,7 +62,8 @@ void MapView::paintGround()
     m_ground.fill(palette().color(QPalette::Base));
     QPainter painter(&m_ground);
     const double step = niceStep(64 * m_metresPerPixel);
-    const double left = m_centre.x() - width() / 2.0 * m_metresPerPixel, bottom = m_centre.y() - height() / 2.0 * m_metresPerPixel;
+    const double left = m_centre.x() - width() / 2.0 * m_metresPerPixel,
+                 bottom = m_centre.y() - height() / 2.0 * m_metresPerPixel;
     const QColor major = colors.line;
     for (double x = std::floor(left / step) * step; toPixels({x, 0}).x() < width(); x += step) {
         painter.setPen(std::lround(x / step) % 5 == 0 ? major : colors.grid);
@@ -106,7 +107,8 @@ void MapView::paintMission(QPainter &painter) const
     const StateColors &colors = stateColors(palette());
     QPolygonF route;
     for (const vehicle::MissionItem &item : *m_mission) {
-        const bool hasPlace = item.command == kMavCmdWaypoint || item.command == kMavCmdLand || item.command == kMavCmdTakeoff;
+        const bool hasPlace
+            = item.command == kMavCmdWaypoint || item.command == kMavCmdLand || item.command == kMavCmdTakeoff;
         if (!hasPlace || item.sequence == 0 || (item.latitude == 0 && item.longitude == 0))
             continue; // item 0 is home
         route << toPixels(m_frame->toMetres(item.latitude, item.longitude));
@@ -176,7 +178,8 @@ void MapView::paintFurniture(QPainter &painter) const
     const double length = bar / m_metresPerPixel;
     const double right = width() - 2.0 * kGrid, y = height() - 2.0 * kGrid;
     painter.setPen(QPen(ink, 1.5));
-    painter.drawPolyline(QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
+    painter.drawPolyline(
+        QPolygonF{QPointF(right - length, y - 5), QPointF(right - length, y), QPointF(right, y), QPointF(right, y - 5)});
     const QString text = lengthText(bar);
     painter.drawText(QPointF(right - length / 2 - metrics.horizontalAdvance(text) / 2, y - 8), text);
 

@@ -31,7 +31,10 @@ public:
                                       : tr("Found a %1, not sealed").arg(vehicleTypeWord(e.type)),
                              e.sealed ? kInfo : kWarning, e.systemId};
     }
-    Line operator()(const engine::VehicleLost &e) const { return HappeningLine{tr("Link to the vehicle lost"), kError, e.systemId}; }
+    Line operator()(const engine::VehicleLost &e) const
+    {
+        return HappeningLine{tr("Link to the vehicle lost"), kError, e.systemId};
+    }
     Line operator()(const engine::VehicleBack &e) const { return HappeningLine{tr("Vehicle is back"), kNotice, e.systemId}; }
     Line operator()(const engine::TextReceived &e) const
     {
@@ -73,9 +76,11 @@ public:
     {
         const auto ms = qRound(seconds(e.took) * 1000);
         if (e.failure != channel::SwitchFailure::None)
-            return HappeningLine{tr("Switch to %1 rolled back: %2").arg(suiteName(e.to), switchFailureWords(e.failure)), kWarning};
+            return HappeningLine{tr("Switch to %1 rolled back: %2").arg(suiteName(e.to), switchFailureWords(e.failure)),
+                                 kWarning};
         if (e.rekey)
-            return HappeningLine{tr("Fresh keys for %1, epoch %2").arg(suiteName(e.to)).arg(static_cast<quint32>(e.epoch)), kInfo};
+            return HappeningLine{tr("Fresh keys for %1, epoch %2").arg(suiteName(e.to)).arg(static_cast<quint32>(e.epoch)),
+                                 kInfo};
         return HappeningLine{tr("Switched from %1 to %2 in %3 ms").arg(suiteName(e.from), suiteName(e.to)).arg(ms), kInfo};
     }
     Line operator()(const channel::HandshakeRefused &e) const
@@ -84,7 +89,8 @@ public:
     }
     Line operator()(const channel::ForgeryAlarm &e) const
     {
-        return HappeningLine{tr("Under attack: %1 forged and %2 replayed records refused").arg(e.forged).arg(e.replayed), kCritical};
+        return HappeningLine{tr("Under attack: %1 forged and %2 replayed records refused").arg(e.forged).arg(e.replayed),
+                             kCritical};
     }
 };
 

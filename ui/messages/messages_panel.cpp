@@ -56,7 +56,8 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
     grave->addItem(tr("notices and above"), 5);
     grave->addItem(tr("warnings and above"), 4);
     grave->addItem(tr("errors and above"), 3);
-    connect(grave, &QComboBox::currentIndexChanged, this, [this, grave] { m_filter.setLeastGrave(grave->currentData().toInt()); });
+    connect(grave, &QComboBox::currentIndexChanged, this,
+            [this, grave] { m_filter.setLeastGrave(grave->currentData().toInt()); });
     auto *copyButton = new QPushButton(tr("Copy"), this);
     copyButton->setAccessibleName(tr("Copy the messages"));
     connect(copyButton, &QPushButton::clicked, this, &MessagesPanel::copySelected);

@@ -42,10 +42,11 @@ Result<std::vector<vehicle::MissionItem>, InputError> parseMission(std::string_v
         const auto at = static_cast<std::size_t>(i + 1);
         const QStringList cells = line.split(QLatin1Char(' '));
         if (cells.size() != kColumns)
-            return tl::unexpected(InputError{"an item has 12 columns, this line has " + std::to_string(cells.size()), source, at});
+            return tl::unexpected(
+                InputError{"an item has 12 columns, this line has " + std::to_string(cells.size()), source, at});
         const Numbers n = numbersOf(cells);
-        const bool inRange = n.ok && n.at[0] == static_cast<double>(items.size()) && n.at[2] >= 0 && n.at[2] <= 255 && n.at[3] >= 0
-                             && n.at[3] <= 65535 && std::abs(n.at[8]) <= 90 && std::abs(n.at[9]) <= 180;
+        const bool inRange = n.ok && n.at[0] == static_cast<double>(items.size()) && n.at[2] >= 0 && n.at[2] <= 255
+                             && n.at[3] >= 0 && n.at[3] <= 65535 && std::abs(n.at[8]) <= 90 && std::abs(n.at[9]) <= 180;
         if (!inRange)
             return tl::unexpected(InputError{"a column is no number, out of range, or the numbering has a gap", source, at});
         vehicle::MissionItem item;

@@ -62,7 +62,8 @@ MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(pare
             sendFile(file);
     });
     connect(m_save, &QPushButton::clicked, this, [this, kinds] {
-        const QString file = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds);
+        const QString file
+            = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds);
         if (!file.isEmpty())
             saveFile(file);
     });
@@ -95,7 +96,8 @@ void MissionPanel::saveFile(const QString &file)
 {
     QSaveFile out(file);
     const std::string text = missionText(*m_mission);
-    const bool ok = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0 && out.commit();
+    const bool ok
+        = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0 && out.commit();
     say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
 }
 

@@ -51,9 +51,11 @@ ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidge
     view->setUniformRowHeights(true);
     view->setFrameShape(QFrame::NoFrame);
     view->setAlternatingRowColors(true);
-    view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+    view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                          | QAbstractItemView::AnyKeyPressed);
     view->header()->resizeSection(ParameterModel::Name, fontMetrics().horizontalAdvance(QLatin1Char('W')) * 17);
-    view->header()->resizeSection(ParameterModel::Value, fontMetrics().horizontalAdvance(QStringLiteral("-8888888.88")) + 3 * kGrid);
+    view->header()->resizeSection(ParameterModel::Value,
+                                  fontMetrics().horizontalAdvance(QStringLiteral("-8888888.88")) + 3 * kGrid);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);

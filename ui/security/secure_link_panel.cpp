@@ -126,7 +126,8 @@ void SecureLinkPanel::showHead(const Scene &scene)
         break;
     case Security::Plain:
         title = tr("Not sealed");
-        advice = tr("This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
+        advice = tr(
+            "This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
         color = colors.warning;
         break;
     case Security::Sealed:
@@ -138,9 +139,10 @@ void SecureLinkPanel::showHead(const Scene &scene)
         color = colors.good;
         break;
     case Security::UnderAttack:
-        title = scene.session ? tr("Under attack: %1 forged, %2 replayed in the last minute, all refused")
-                                    .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute))
-                              : tr("Under attack");
+        title = scene.session
+                    ? tr("Under attack: %1 forged, %2 replayed in the last minute, all refused")
+                          .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute))
+                    : tr("Under attack");
         color = colors.alarm;
         break;
     }

@@ -11,7 +11,8 @@ namespace skyseal::ui {
 
 using crypto::SuiteId;
 
-SuiteActions::SuiteActions(StationPort &station, QObject *parent) : QObject(parent), m_station(station), m_group(new QActionGroup(this))
+SuiteActions::SuiteActions(StationPort &station, QObject *parent)
+    : QObject(parent), m_station(station), m_group(new QActionGroup(this))
 {
     for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
         const SuiteId suite = kChoosableSuites[i];
@@ -128,7 +129,8 @@ void SuiteActions::refresh()
             text += QStringLiteral(" · ") + why;
         const QString tip = why.isEmpty() ? suiteName(suite) : tr("%1: %2").arg(suiteName(suite), why);
         const bool enabled = why.isEmpty() && (!underWay || inUse || underWay == suite);
-        if (action->text() == text && action->toolTip() == tip && action->isEnabled() == enabled && action->isChecked() == inUse)
+        if (action->text() == text && action->toolTip() == tip && action->isEnabled() == enabled
+            && action->isChecked() == inUse)
             continue;
         action->setText(text);
         action->setToolTip(tip);

@@ -54,7 +54,8 @@ LockFace lockFaceOf(const Scene &scene)
         }
         face.icon = QStringLiteral("lock-open");
         face.variants = {Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")};
-        face.toolTip = Words::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
+        face.toolTip = Words::tr(
+            "Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
         face.suite = crypto::SuiteId::None;
         return face;
     }
@@ -68,7 +69,8 @@ LockFace lockFaceOf(const Scene &scene)
     case Security::Switching: {
         const QString to = suiteName(session.info.pending.value_or(session.info.suite));
         face.icon = QStringLiteral("lock-switching");
-        face.variants = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"), suite + dot + Words::tr("switching…")};
+        face.variants
+            = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"), suite + dot + Words::tr("switching…")};
         face.toolTip += QLatin1Char('\n') + Words::tr("Switching to %1").arg(to);
         break;
     }

@@ -74,10 +74,13 @@ void StatusStrip::showVehicle(const Scene &scene)
     }
     const auto &state = scene.vehicle->state;
     const QColor aged = scene.stale() ? colors.dim : QColor();
-    m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)}, QStringLiteral("vehicle"));
-    m_vehicle->setToolTip(vehicleTypeWord(state.type) + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
+    m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)},
+                          QStringLiteral("vehicle"));
+    m_vehicle->setToolTip(vehicleTypeWord(state.type)
+                          + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
     m_vehicle->setTextColor(aged);
-    m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")}, state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));
+    m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")},
+                        state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));
     m_armed->setTextColor(scene.stale() ? colors.dim : state.armed ? colors.alarm : QColor());
     m_mode->setContent({state.mode.empty() ? dash() : fromStd(state.mode)});
     m_mode->setTextColor(aged);
@@ -91,7 +94,8 @@ void StatusStrip::showVehicle(const Scene &scene)
     const QString volts = number(state.batteryVoltage, 1) + QStringLiteral(" V");
     const QString percent = number(state.batteryPercent, 0) + QStringLiteral(" %");
     const bool low = state.batteryPercent <= kLowBatteryPercent;
-    m_battery->setContent({low ? volts + kDot + percent + kDot + tr("low") : volts + kDot + percent, percent}, QStringLiteral("battery"));
+    m_battery->setContent({low ? volts + kDot + percent + kDot + tr("low") : volts + kDot + percent, percent},
+                          QStringLiteral("battery"));
     m_battery->setTextColor(scene.stale() ? colors.dim : low ? colors.alarm : QColor());
     arrange();
 }
@@ -134,7 +138,8 @@ void StatusStrip::showLink(const Scene &scene)
         return;
     }
     const QString widest = tr("Link OK %1").arg(QStringLiteral("100.0 %"));
-    m_link->setSamples({widest + QStringLiteral(" · 888 ms · 8.8 s"), widest + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
+    m_link->setSamples(
+        {widest + QStringLiteral(" · 888 ms · 8.8 s"), widest + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
     const auto &state = scene.vehicle->state;
     const QString age = tr("%1 s").arg(number(state.messageAge, 1));
     if (state.lost || scene.stale()) {
@@ -150,11 +155,13 @@ void StatusStrip::showLink(const Scene &scene)
     const bool poor = arrived < 90;
     const QString percent = number(arrived, 1) + QStringLiteral(" %");
     const QString word = poor ? tr("Link poor %1") : tr("Link OK %1");
-    m_link->setContent({word.arg(percent) + kDot + latencyText(latency) + kDot + age, word.arg(percent) + kDot + latencyText(latency), percent},
+    m_link->setContent({word.arg(percent) + kDot + latencyText(latency) + kDot + age,
+                        word.arg(percent) + kDot + latencyText(latency), percent},
                        QStringLiteral("link"));
     m_link->setTextColor(poor ? colors.warning : QColor());
-    m_link->setToolTip(tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
-                           .arg(number(scene.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
+    m_link->setToolTip(
+        tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
+            .arg(number(scene.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
 }
 
 void StatusStrip::arrange()

@@ -135,8 +135,10 @@ QString commandOutcomeWords(const vehicle::CommandResult &result)
     const QString reason = fromStd(result.reason);
     switch (result.outcome) {
     case vehicle::CommandOutcome::Accepted: return Words::tr("accepted");
-    case vehicle::CommandOutcome::Refused: return reason.isEmpty() ? Words::tr("refused") : Words::tr("refused: %1").arg(reason);
-    case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Words::tr("no answer") : Words::tr("no answer: %1").arg(reason);
+    case vehicle::CommandOutcome::Refused:
+        return reason.isEmpty() ? Words::tr("refused") : Words::tr("refused: %1").arg(reason);
+    case vehicle::CommandOutcome::TimedOut:
+        return reason.isEmpty() ? Words::tr("no answer") : Words::tr("no answer: %1").arg(reason);
     }
     return {};
 }

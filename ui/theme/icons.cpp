@@ -21,7 +21,8 @@ public:
     {
         const QPixmap drawn = draw(qMin(rect.width(), rect.height()), mode, painter->device()->devicePixelRatioF());
         const QSizeF size = drawn.deviceIndependentSize();
-        painter->drawPixmap(QPointF(rect.center()) + QPointF(0.5, 0.5) - QPointF(size.width() / 2, size.height() / 2), drawn);
+        painter->drawPixmap(QPointF(rect.center()) + QPointF(0.5, 0.5) - QPointF(size.width() / 2, size.height() / 2),
+                            drawn);
     }
 
     QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State) override

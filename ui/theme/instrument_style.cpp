@@ -56,7 +56,8 @@ int InstrumentStyle::pixelMetric(PixelMetric metric, const QStyleOption *option,
     return QProxyStyle::pixelMetric(metric, option, widget);
 }
 
-void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter, const QWidget *widget) const
+void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
+                                    const QWidget *widget) const
 {
     if (element == PE_IndicatorRadioButton || element == PE_IndicatorCheckBox)
         drawMark(element == PE_IndicatorRadioButton, *option, *painter);
