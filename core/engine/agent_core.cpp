@@ -185,13 +185,11 @@ void AgentCore::takeClearFromGround(const mavlink::ScanItem &item)
 
 void AgentCore::deliver(const mavlink::ScanItem &item)
 {
-    const std::vector<Path> ways = m_ways.to(item.frame ? item.frame->targetSystem() : 0);
-    if (ways.empty())
-        ++m_counters.undelivered;
-    else
+    const std::uint8_t target = item.frame ? item.frame->targetSystem() : std::uint8_t(0);
+    if (m_ways.forEachWayTo(target, [&](const Path &way) { m_links.send(way, item.bytes); }))
         ++m_counters.toVehicle;
-    for (const Path &way : ways)
-        m_links.send(way, item.bytes);
+    else
+        ++m_counters.undelivered;
 }
 
 void AgentCore::handleEvents()

@@ -335,9 +335,9 @@ void StationCore::keepSealedSystems()
 
 void StationCore::publish(TimePoint now)
 {
-    const Duration since = m_lastSnapshot == TimePoint::min() ? kSlowestSnapshots : now - m_lastSnapshot;
     const Duration least = std::chrono::seconds(1) / std::clamp(m_config.snapshotsPerSecond, 1, 30);
-    if (since < least || (!m_changed && since < kSlowestSnapshots))
+    const bool first = m_lastSnapshot == TimePoint::min();
+    if (!first && (now - m_lastSnapshot < least || (!m_changed && now - m_lastSnapshot < kSlowestSnapshots)))
         return;
     m_lastSnapshot = now;
     m_changed = false;

@@ -6,9 +6,10 @@
 #include "core/base/path.h"
 #include "core/mavlink/frame_scanner.h"
 
+#include <algorithm>
 #include <bitset>
 #include <map>
-#include <vector>
+#include <optional>
 
 namespace skyseal::engine {
 
@@ -19,7 +20,7 @@ public:
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
 
     /// The one remote of a link that has no others.
-    void setFixed(const Path &path) { m_fixed = {path}; }
+    void setFixed(const Path &path) { m_fixed = path; }
 
     void heard(TimePoint now, const Path &from, const mavlink::Frame &frame);
     void streamChanged(LinkId link, const Path &path);
@@ -27,8 +28,25 @@ public:
 
     /// Whether a vehicle of ours speaks as this system.
     bool isVehicle(std::uint8_t systemId) const { return m_systems.test(systemId); }
-    /// Where a frame for a system goes; 0 or a system that is not known: to every vehicle.
-    std::vector<Path> to(std::uint8_t targetSystem) const;
+    /// Calls `visit(const Path &)` for each way that a frame for a system goes; 0 or a system that is not known: to every
+    /// vehicle. False when there is none.
+    template<typename Visit> bool forEachWayTo(std::uint8_t targetSystem, Visit &&visit) const
+    {
+        if (m_fixed) {
+            visit(*m_fixed);
+            return true;
+        }
+        if (const auto found = m_ways.find(targetSystem); found != m_ways.end()) {
+            visit(found->second.path);
+            return true;
+        }
+        for (auto way = m_ways.begin(); way != m_ways.end(); ++way) {
+            // Several systems may be behind one path, which wants the frame once.
+            if (std::none_of(m_ways.begin(), way, [&](const auto &other) { return other.second.path == way->second.path; }))
+                visit(way->second.path);
+        }
+        return !m_ways.empty();
+    }
 
 private:
     struct Way
@@ -37,7 +55,7 @@ private:
         TimePoint heard{};
     };
 
-    std::vector<Path> m_fixed;
+    std::optional<Path> m_fixed;
     std::map<std::uint8_t, Way> m_ways;
     std::bitset<256> m_systems;
 };

@@ -3,92 +3,28 @@
 // their number. The limit that the project sets itself is 1.2 times recvmmsg for the link with batches.
 #include "core/link/make_link.h"
 #include "core/metrics/process_usage.h"
+#include "tests/support/bare_socket.h"
 
 #include <QtCore/QCoreApplication>
 
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
-
-#include <netinet/in.h>
-#include <sys/socket.h>
-#include <unistd.h>
+#include <vector>
 
 using namespace skyseal;
+using test::BareSocket;
 
 namespace {
 
-constexpr std::size_t kBatch = 64;
-constexpr std::size_t kBurst = 8 * kBatch;
-constexpr int kReceiveBuffer = 4 << 20;
+constexpr std::size_t kBurst = 8 * BareSocket::kBatch;
 
-/// A plain socket with buffers for a batch of calls, as small as it can be.
-class BareSocket
+/// A burst of datagrams of one size.
+struct Burst
 {
-public:
-    BareSocket() : m_fd(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0))
-    {
-        sockaddr_in any{};
-        any.sin_family = AF_INET;
-        any.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-        if (m_fd < 0 || ::bind(m_fd, reinterpret_cast<const sockaddr *>(&any), sizeof any) != 0)
-            std::abort();
-        ::setsockopt(m_fd, SOL_SOCKET, SO_RCVBUF, &kReceiveBuffer, sizeof kReceiveBuffer);
-        for (std::size_t i = 0; i < kBatch; ++i) {
-            m_vectors[i] = {m_bytes[i].data(), m_bytes[i].size()};
-            m_headers[i] = {};
-            m_headers[i].msg_hdr.msg_iov = &m_vectors[i];
-            m_headers[i].msg_hdr.msg_iovlen = 1;
-            m_headers[i].msg_hdr.msg_name = &m_addresses[i];
-            m_headers[i].msg_hdr.msg_namelen = sizeof m_addresses[i];
-        }
-    }
-    ~BareSocket() { ::close(m_fd); }
-    BareSocket(const BareSocket &) = delete;
-    BareSocket &operator=(const BareSocket &) = delete;
-
-    std::uint16_t port() const
-    {
-        sockaddr_in address{};
-        socklen_t length = sizeof address;
-        ::getsockname(m_fd, reinterpret_cast<sockaddr *>(&address), &length);
-        return ntohs(address.sin_port);
-    }
-
-    void send(std::uint16_t port, std::size_t count, std::size_t size)
-    {
-        for (std::size_t i = 0; i < kBatch; ++i) {
-            m_vectors[i].iov_len = size;
-            m_addresses[i] = {};
-            m_addresses[i].sin_family = AF_INET;
-            m_addresses[i].sin_port = htons(port);
-            m_addresses[i].sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-            m_headers[i].msg_hdr.msg_namelen = sizeof m_addresses[i];
-        }
-        while (count > 0) {
-            const int sent = ::sendmmsg(m_fd, m_headers.data(), unsigned(std::min(count, kBatch)), 0);
-            if (sent <= 0)
-                std::abort();
-            count -= std::size_t(sent);
-        }
-    }
-
-    std::size_t receive()
-    {
-        for (std::size_t i = 0; i < kBatch; ++i) {
-            m_vectors[i].iov_len = m_bytes[i].size();
-            m_headers[i].msg_hdr.msg_namelen = sizeof m_addresses[i];
-        }
-        const int count = ::recvmmsg(m_fd, m_headers.data(), kBatch, MSG_DONTWAIT, nullptr);
-        return count > 0 ? std::size_t(count) : 0;
-    }
-
-private:
-    int m_fd;
-    std::array<mmsghdr, kBatch> m_headers;
-    std::array<iovec, kBatch> m_vectors;
-    std::array<sockaddr_in, kBatch> m_addresses;
-    std::array<std::array<std::uint8_t, 2048>, kBatch> m_bytes{};
+    explicit Burst(std::size_t size) : bytes(size), views(kBurst, ByteView(bytes)) {}
+    Bytes bytes;
+    std::vector<ByteView> views;
 };
 
 struct Counter : link::LinkListener
@@ -106,7 +42,7 @@ std::unique_ptr<link::Link> open(const std::string &url, Counter &counter, bool 
 {
     link::LinkOptions options;
     options.portableUdp = portable;
-    options.receiveBufferBytes = kReceiveBuffer;
+    options.receiveBufferBytes = BareSocket::kReceiveBuffer;
     auto out = link::makeLink(*link::LinkUrl::parse(url), LinkId{1}, counter, options);
     out->open();
     if (!out->localEndpoint())
@@ -126,10 +62,11 @@ template<typename F> void timeBurst(benchmark::State &state, F &&work)
 
 void receiveBare(benchmark::State &state)
 {
+    const Burst burst(std::size_t(state.range(0)));
     BareSocket sender;
     BareSocket receiver;
     for (auto _ : state) {
-        sender.send(receiver.port(), kBurst, std::size_t(state.range(0)));
+        sender.send(receiver.port(), burst.views);
         timeBurst(state, [&] {
             for (std::size_t count = 0; count < kBurst;)
                 count += receiver.receive();
@@ -139,13 +76,14 @@ void receiveBare(benchmark::State &state)
 
 void receiveLink(benchmark::State &state, bool portable)
 {
+    const Burst burst(std::size_t(state.range(0)));
     BareSocket sender;
     Counter counter;
     const auto link = open("udpin:127.0.0.1:0", counter, portable);
     QCoreApplication::processEvents();
     for (auto _ : state) {
         counter.blocks = 0;
-        sender.send(link->localEndpoint()->port, kBurst, std::size_t(state.range(0)));
+        sender.send(link->localEndpoint()->port, burst.views);
         timeBurst(state, [&] {
             while (counter.blocks < kBurst)
                 QCoreApplication::processEvents();
@@ -157,10 +95,11 @@ void receiveLink(benchmark::State &state, bool portable)
 
 void sendBare(benchmark::State &state)
 {
+    const Burst burst(std::size_t(state.range(0)));
     BareSocket sender;
     BareSocket receiver;
     for (auto _ : state) {
-        timeBurst(state, [&] { sender.send(receiver.port(), kBurst, std::size_t(state.range(0))); });
+        timeBurst(state, [&] { sender.send(receiver.port(), burst.views); });
         while (receiver.receive() > 0) {
         }
     }

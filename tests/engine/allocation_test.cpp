@@ -1,0 +1,81 @@
+// The path of a packet through the engines allocates nothing: receive, open, parse, vehicle in the station, and both ways
+// through the agent. Counted against operator new in this program, over real sockets.
+#include "tests/engine/engine_rigs.h"
+
+#include "core/crypto/init_crypto.h"
+
+#include <QtTest/QTest>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+static std::atomic<std::uint64_t> s_allocations = 0;
+
+void *operator new(std::size_t size)
+{
+    ++s_allocations;
+    if (void *out = std::malloc(size ? size : 1))
+        return out;
+    throw std::bad_alloc();
+}
+void operator delete(void *pointer) noexcept { std::free(pointer); }
+void operator delete(void *pointer, std::size_t) noexcept { std::free(pointer); }
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+constexpr int kRounds = 40;
+/// Timers, samples and snapshots come a few times a second, whatever the traffic; a single allocation in each packet would
+/// be a hundred times as many.
+constexpr std::uint64_t kAllowed = kRounds * kFrames / 100;
+
+template<typename Round> std::uint64_t allocationsOf(Round &&round)
+{
+    round(); // whatever is made once
+    const std::uint64_t before = s_allocations;
+    for (int i = 0; i < kRounds; ++i)
+        round();
+    const std::uint64_t allocated = s_allocations - before;
+    qInfo("%llu allocations for %zu frames", static_cast<unsigned long long>(allocated), kRounds * kFrames);
+    return allocated;
+}
+
+} // namespace
+
+class EngineAllocationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void countsAtAll();
+    void agentBothWays();
+    void stationReceives();
+};
+
+void EngineAllocationTest::countsAtAll()
+{
+    std::vector<std::unique_ptr<int>> kept;
+    QVERIFY(allocationsOf([&] { kept.push_back(std::make_unique<int>(1)); }) >= kRounds);
+}
+
+void EngineAllocationTest::agentBothWays()
+{
+    AgentRig rig(crypto::SuiteId::ChaCha20Poly1305);
+    QVERIFY(allocationsOf([&] { rig.toGround(64); }) < kAllowed);
+    QVERIFY(allocationsOf([&] { rig.toVehicle(64); }) < kAllowed);
+}
+
+void EngineAllocationTest::stationReceives()
+{
+    StationRig rig(crypto::SuiteId::ChaCha20Poly1305);
+    const std::uint64_t before = rig.frames();
+    QVERIFY(allocationsOf([&] { rig.receive(); }) < kAllowed);
+    QCOMPARE(rig.frames() - before, std::uint64_t(kRounds + 1) * kFrames);
+}
+
+QTEST_GUILESS_MAIN(EngineAllocationTest)
+#include "allocation_test.moc"

@@ -1,0 +1,71 @@
+// The far end of a sealed link without an engine around it: one endpoint on one plain socket, driven by hand. What it costs
+// is the test's own, so that the engine on the other side can be measured alone.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "core/crypto/system_random.h"
+#include "core/engine/secret_files.h"
+#include "tests/support/bare_socket.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace skyseal::test {
+
+/// Lost at the end of the program, which is as long as anything here lives.
+class VolatileCounters final : public channel::CounterStore
+{
+public:
+    std::uint64_t next() override { return ++m_own; }
+    std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
+    bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
+    {
+        m_seen[peer] = counter;
+        return true;
+    }
+
+private:
+    std::uint64_t m_own = 0;
+    std::map<channel::PublicKey, std::uint64_t> m_seen;
+};
+
+/// Two ends that know each other's keys, which live in memory alone.
+struct Introduced
+{
+    Introduced();
+    std::unique_ptr<engine::SecretFiles> secrets(channel::Role role) const;
+    std::shared_ptr<const crypto::X25519KeyPair> ground, air;
+};
+
+class BareEnd
+{
+public:
+    /// An agent announces itself to `groundPort`.
+    BareEnd(const Introduced &keys, channel::Role role, channel::Policy policy, std::uint16_t groundPort = 0);
+
+    std::uint16_t port() const { return m_socket.port(); }
+    bool up() const { return m_session.has_value(); }
+    channel::SessionId session() const { return *m_session; } ///< the newest
+    channel::Endpoint &endpoint() { return *m_endpoint; }
+
+    /// Takes all that has arrived, says what is due, and gives how many MAVLink frames it got.
+    std::size_t pump();
+    /// Seals each of the frames into a record of its own and sends them.
+    void sendEach(std::span<const ByteView> frames);
+    /// Waits for at most so long for a datagram.
+    bool waitReadable(int milliseconds) { return m_socket.waitReadable(milliseconds); }
+
+private:
+    void say();
+
+    std::unique_ptr<engine::SecretFiles> m_secrets;
+    std::unique_ptr<channel::Endpoint> m_endpoint;
+    BareSocket m_socket;
+    std::uint16_t m_peerPort;
+    std::optional<channel::SessionId> m_session;
+    std::vector<Bytes> m_records;
+    std::vector<ByteView> m_views;
+};
+
+} // namespace skyseal::test

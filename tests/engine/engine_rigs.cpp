@@ -1,0 +1,220 @@
+#include "tests/engine/engine_rigs.h"
+
+#include "core/mavlink/dialect.h"
+
+namespace skyseal::test {
+
+namespace {
+
+link::LinkUrl urlOf(const std::string &text)
+{
+    return *link::LinkUrl::parse(text);
+}
+
+std::uint16_t portOf(const std::string &address)
+{
+    return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+}
+
+std::string loopback(std::uint16_t port)
+{
+    return "127.0.0.1:" + std::to_string(port);
+}
+
+/// Work that does not end is a fault of the rig, not a slow engine.
+class Patience
+{
+public:
+    void check() const
+    {
+        if (steadyNow() > m_until) {
+            std::fprintf(stderr, "the engine did not deliver what it was given\n");
+            std::abort();
+        }
+    }
+
+private:
+    TimePoint m_until = steadyNow() + std::chrono::seconds(20);
+};
+
+} // namespace
+
+void bringUp(BareEnd &end, crypto::SuiteId suite)
+{
+    const Patience patience;
+    const auto turn = [&] {
+        QCoreApplication::processEvents();
+        end.pump();
+        patience.check();
+    };
+    while (!end.up())
+        turn();
+    if (suite != crypto::SuiteId::ChaCha20Poly1305)
+        end.endpoint().switchSuite(steadyNow(), end.session(), suite);
+    while (end.endpoint().sessionInfo(end.session())->suite != suite)
+        turn();
+    // Until the keys of the epoch before are gone, as in the long time between two switches.
+    for (const TimePoint settled = steadyNow() + std::chrono::milliseconds(3500); steadyNow() < settled;)
+        turn();
+}
+
+AgentRig::AgentRig(crypto::SuiteId suite) : m_ground(m_keys, channel::Role::Station, everySuite())
+{
+    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:" + loopback(m_ground.port())), everySuite(), false};
+    m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),
+                                                  [](const engine::AgentEvent &) {});
+    m_agent->start();
+    m_port = portOf(m_agent->snapshot().vehicle.localAddress);
+    bringUp(m_ground, suite);
+    toGround(kFrames); // makes the vehicle known, and is the first time of everything
+}
+
+double AgentRig::toGround(std::size_t burst)
+{
+    const Patience patience;
+    CpuTimer cpu;
+    std::size_t arrived = 0;
+    for (std::size_t sent = 0; sent < kFrames;) {
+        m_vehicle.send(m_port, std::span(m_telemetry.frames()).subspan(sent, burst));
+        sent += burst;
+        while (arrived < sent) {
+            cpu.time([] { QCoreApplication::processEvents(); });
+            arrived += m_ground.pump();
+            patience.check();
+        }
+    }
+    return cpu.nanosecondsEach(kFrames);
+}
+
+double AgentRig::toVehicle(std::size_t burst)
+{
+    const Patience patience;
+    CpuTimer cpu;
+    std::size_t arrived = 0;
+    for (std::size_t sent = 0; sent < kFrames;) {
+        m_ground.sendEach(std::span(m_commands.frames()).subspan(sent, burst));
+        sent += burst;
+        while (arrived < sent) {
+            cpu.time([] { QCoreApplication::processEvents(); });
+            while (const std::size_t count = m_vehicle.receive())
+                arrived += count;
+            patience.check();
+        }
+    }
+    m_ground.pump();
+    return cpu.nanosecondsEach(kFrames);
+}
+
+double BareForwarder::forward(std::size_t burst)
+{
+    CpuTimer cpu;
+    for (std::size_t sent = 0; sent < kFrames; sent += burst) {
+        m_from.send(m_middle.port(), std::span(m_telemetry.frames()).subspan(sent, burst));
+        cpu.time([&] {
+            while (m_middle.waitReadable(0))
+                m_middle.forward(m_to.port(), m_middle.receive());
+        });
+        while (m_to.receive() > 0) {
+        }
+    }
+    return cpu.nanosecondsEach(kFrames);
+}
+
+Receiver::Receiver(crypto::SuiteId suite)
+    : m_secrets(m_keys.secrets(channel::Role::Station)), m_links(*this, [](link::Link &) {}),
+      m_intake(mavlink::Dialect::builtin())
+{
+    channel::Config config;
+    config.role = channel::Role::Station;
+    config.identity = m_secrets->identity;
+    config.peers = m_secrets->peers;
+    config.policy = everySuite();
+    channel::Endpoint endpoint(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
+    m_channel = std::make_unique<engine::ChannelDriver>(std::move(endpoint), m_links);
+    const link::Link &link = m_links.open(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    m_air = std::make_unique<BareEnd>(m_keys, channel::Role::Agent, everySuite(), link.localEndpoint()->port);
+    bringUp(*m_air, suite);
+}
+
+void Receiver::linkReceived(link::Link &, std::span<const link::ReceivedBlock> blocks)
+{
+    for (const link::ReceivedBlock &block : blocks) {
+        const auto delivery = m_channel->receive(block.time, block.path, block.bytes);
+        if (!delivery)
+            continue;
+        std::size_t frames = 0;
+        m_intake.takeDatagram(delivery->frames, [&](const mavlink::ScanItem &item) { frames += item.frame.has_value(); });
+        m_channel->countFrames(delivery->session, frames);
+        m_received += frames;
+    }
+    const TimePoint now = steadyNow();
+    if (now >= m_channel->endpoint().nextDeadline())
+        m_channel->endpoint().handleDeadline(now);
+    m_channel->flush(now);
+    while (m_channel->pollEvent()) {
+    }
+    m_links.flush();
+}
+
+double Receiver::receive()
+{
+    const Patience patience;
+    CpuTimer cpu;
+    m_air->pump();
+    m_received = 0;
+    m_air->sendEach(m_telemetry.frames());
+    while (m_received < kFrames) {
+        cpu.time([] { QCoreApplication::processEvents(); });
+        patience.check();
+    }
+    return cpu.nanosecondsEach(kFrames);
+}
+
+StationRig::StationRig(crypto::SuiteId suite)
+{
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Required;
+    config.policy = everySuite();
+    config.record = false;
+    config.snapshotsPerSecond = 1;
+    std::string address;
+    engine::StationSinks sinks;
+    sinks.snapshot = [this](std::shared_ptr<const engine::Snapshot> snapshot) { m_snapshot = std::move(snapshot); };
+    sinks.happening = [](engine::Happening) {};
+    m_station = std::make_unique<engine::StationCore>(std::move(config), m_keys.secrets(channel::Role::Station), std::move(sinks));
+    m_station->addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    const Patience patience;
+    while (m_snapshot->links.empty() || m_snapshot->links[0].phase != engine::LinkPhase::Listening) {
+        QCoreApplication::processEvents();
+        patience.check();
+    }
+    m_air = std::make_unique<BareEnd>(m_keys, channel::Role::Agent, everySuite(),
+                                            portOf(m_snapshot->links[0].localAddress));
+    bringUp(*m_air, suite);
+}
+
+StationRig::~StationRig() = default;
+
+double StationRig::receive()
+{
+    CpuTimer cpu;
+    m_air->pump();
+    m_air->sendEach(m_telemetry.frames());
+    // Once for the socket, and once more when a timer came first; frames() tells whether all were taken.
+    for (int i = 0; i < 2; ++i)
+        cpu.time([] { QCoreApplication::processEvents(); });
+    return cpu.nanosecondsEach(kFrames);
+}
+
+std::uint64_t StationRig::frames()
+{
+    const std::uint64_t number = m_snapshot->number;
+    const Patience patience;
+    while (m_snapshot->number < number + 2) {
+        QCoreApplication::processEvents();
+        patience.check();
+    }
+    return m_snapshot->mavlink.frames;
+}
+
+} // namespace skyseal::test
