@@ -48,17 +48,82 @@ private:
     bool m_valid = false;
 };
 
+void xorBlock(std::uint8_t *block, const std::uint8_t *other)
+{
+    std::array<std::uint64_t, 2> a, b;
+    std::memcpy(a.data(), block, kBlock);
+    std::memcpy(b.data(), other, kBlock);
+    a[0] ^= b[0];
+    a[1] ^= b[1];
+    std::memcpy(block, a.data(), kBlock);
+}
+
+/// One direction of the mode over many records. To set an IV in OpenSSL takes longer than a short record itself, so the
+/// chain simply goes on inside the library, and the first block of each record is corrected: the library adds the last
+/// ciphertext block of the record before, which is known, where the IV is wanted.
+class CbcChain
+{
+public:
+    CbcChain(const Key32 &key, EvpDirection direction)
+    {
+        static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-CBC", nullptr));
+        m_context = makeEvpContext(cipher.get(), key.view().data(), direction);
+        if (m_context && !restart())
+            m_context.reset();
+    }
+
+    bool ready() const { return m_context != nullptr; }
+
+    /// Whole blocks, at least one, in place.
+    bool encrypt(const std::uint8_t *iv, MutableByteView blocks)
+    {
+        xorBlock(blocks.data(), iv);
+        xorBlock(blocks.data(), m_last.data());
+        if (!update(blocks))
+            return false;
+        std::memcpy(m_last.data(), blocks.data() + blocks.size() - kBlock, kBlock);
+        return true;
+    }
+
+    bool decrypt(const std::uint8_t *iv, MutableByteView blocks)
+    {
+        const std::array<std::uint8_t, kBlock> before = m_last;
+        std::memcpy(m_last.data(), blocks.data() + blocks.size() - kBlock, kBlock);
+        if (!update(blocks))
+            return false;
+        xorBlock(blocks.data(), before.data());
+        xorBlock(blocks.data(), iv);
+        return true;
+    }
+
+private:
+    bool update(MutableByteView blocks)
+    {
+        int written = 0;
+        const int size = static_cast<int>(blocks.size());
+        return (EVP_CipherUpdate(m_context.get(), blocks.data(), &written, blocks.data(), size) == 1 && written == size)
+            || (restart(), false);
+    }
+
+    bool restart()
+    {
+        m_last.fill(0);
+        return EVP_CipherInit_ex2(m_context.get(), nullptr, nullptr, m_last.data(), -1, nullptr) == 1;
+    }
+
+    EvpContext m_context;
+    std::array<std::uint8_t, kBlock> m_last{}; ///< what the library adds to the next block
+};
+
 class Aes256CbcBody
 {
 public:
-    explicit Aes256CbcBody(const RecordKeys &keys) : m_ivs(keys.iv)
+    explicit Aes256CbcBody(const RecordKeys &keys)
+        : m_encrypt(keys.key, EvpDirection::Encrypt), m_decrypt(keys.key, EvpDirection::Decrypt), m_ivs(keys.iv)
     {
-        static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-CBC", nullptr));
-        m_encrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Encrypt);
-        m_decrypt = makeEvpContext(cipher.get(), keys.key.view().data(), EvpDirection::Decrypt);
     }
 
-    bool ready() const { return m_encrypt && m_decrypt && m_ivs.ready(); }
+    bool ready() const { return m_encrypt.ready() && m_decrypt.ready() && m_ivs.ready(); }
 
     static std::size_t bodySize(std::size_t n) { return (n / kBlock + 1) * kBlock; }
     static std::optional<std::size_t> capacity(std::size_t room)
@@ -73,9 +138,7 @@ public:
         const std::size_t padding = out.size() - plaintext.size();
         std::memset(out.data() + plaintext.size(), static_cast<int>(padding), padding);
         const std::uint8_t *iv = m_ivs.at(counter);
-        int written = 0;
-        return iv && EVP_EncryptInit_ex2(m_encrypt.get(), nullptr, nullptr, iv, nullptr) == 1
-            && EVP_EncryptUpdate(m_encrypt.get(), out.data(), &written, out.data(), static_cast<int>(out.size())) == 1;
+        return iv && m_encrypt.encrypt(iv, out);
     }
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)
@@ -83,9 +146,7 @@ public:
         if (body.empty() || body.size() % kBlock != 0)
             return std::nullopt;
         const std::uint8_t *iv = m_ivs.at(counter);
-        int written = 0;
-        if (!iv || EVP_DecryptInit_ex2(m_decrypt.get(), nullptr, nullptr, iv, nullptr) != 1
-            || EVP_DecryptUpdate(m_decrypt.get(), body.data(), &written, body.data(), static_cast<int>(body.size())) != 1)
+        if (!iv || !m_decrypt.decrypt(iv, body))
             return std::nullopt;
         // The tag was good, so only a faulty peer gets here with bad padding; it is no oracle, but it is no plaintext either.
         const std::size_t padding = body.back();
@@ -102,8 +163,8 @@ public:
     }
 
 private:
-    EvpContext m_encrypt;
-    EvpContext m_decrypt;
+    CbcChain m_encrypt;
+    CbcChain m_decrypt;
     CbcIvs m_ivs;
 };
 

@@ -17,7 +17,8 @@ using EvpCipher = std::unique_ptr<EVP_CIPHER, EvpDeleter>;
 
 enum class EvpDirection { Encrypt, Decrypt };
 
-/// A context keyed for one direction, with padding off; null when OpenSSL refuses.
+/// A context keyed for one direction, with padding off where the mode has any (set needlessly, it is set again with every
+/// IV, which costs); null when OpenSSL refuses.
 inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *key, EvpDirection direction)
 {
     EvpContext context(EVP_CIPHER_CTX_new());
@@ -25,7 +26,8 @@ inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *k
         return nullptr;
     if (EVP_CipherInit_ex2(context.get(), cipher, key, nullptr, direction == EvpDirection::Encrypt ? 1 : 0, nullptr) != 1)
         return nullptr;
-    EVP_CIPHER_CTX_set_padding(context.get(), 0);
+    if (EVP_CIPHER_get_block_size(cipher) > 1)
+        EVP_CIPHER_CTX_set_padding(context.get(), 0);
     return context;
 }
 

@@ -66,7 +66,8 @@ inline EVP_CIPHER_CTX *keyed(EVP_CIPHER *cipher, const Material &m, bool rc4 = f
     if (rc4)
         EVP_CIPHER_CTX_set_key_length(context, 32);
     EVP_CipherInit_ex2(context, nullptr, m.key.data(), m.nonce.data(), encrypt, nullptr);
-    EVP_CIPHER_CTX_set_padding(context, 0);
+    if (EVP_CIPHER_get_block_size(cipher) > 1)
+        EVP_CIPHER_CTX_set_padding(context, 0);
     return context;
 }
 
