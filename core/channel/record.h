@@ -11,6 +11,7 @@
 #include "core/crypto/suite.h"
 
 #include <array>
+#include <cstring>
 #include <optional>
 
 namespace skyseal::channel {
@@ -39,6 +40,7 @@ struct RecordHeader
 class AssociatedData
 {
 public:
+    /// `header`: of a record or of a single record.
     AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier);
     ByteView view() const { return ByteView(m_bytes).first(m_size); }
 
@@ -46,5 +48,55 @@ private:
     std::array<std::uint8_t, kRecordHeaderLength + 3> m_bytes;
     std::size_t m_size;
 };
+
+// Here rather than in a file of their own: called for every record, from one place each.
+
+inline void RecordHeader::write(MutableByteView out) const
+{
+    std::size_t at = 0;
+    out[at++] = firstByte(kind, epochBits);
+    if (kind == DatagramKind::Record) {
+        const auto id = static_cast<std::uint16_t>(connection);
+        out[at++] = static_cast<std::uint8_t>(id);
+        out[at++] = static_cast<std::uint8_t>(id >> 8);
+    }
+    out[at++] = static_cast<std::uint8_t>(counter);
+    out[at++] = static_cast<std::uint8_t>(counter >> 8);
+    out[at++] = static_cast<std::uint8_t>(counter >> 16);
+}
+
+inline std::optional<RecordHeader> RecordHeader::read(ByteView datagram)
+{
+    if (datagram.size() < kMinRecord || !isOurs(datagram[0]) || versionOf(datagram[0]) != kProtocolVersion)
+        return std::nullopt;
+    RecordHeader header;
+    header.kind = kindOf(datagram[0]);
+    header.epochBits = datagram[0] & 3;
+    std::size_t at = 1;
+    if (header.kind == DatagramKind::Record) {
+        if (datagram.size() < kRecordHeaderLength + kMacLength)
+            return std::nullopt;
+        header.connection = static_cast<ConnectionId>(datagram[1] | datagram[2] << 8);
+        at = 3;
+    } else if (header.kind != DatagramKind::SingleRecord) {
+        return std::nullopt;
+    }
+    header.counter = static_cast<std::uint32_t>(datagram[at] | datagram[at + 1] << 8 | datagram[at + 2] << 16);
+    return header;
+}
+
+inline AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier)
+    : m_size(header.size() + 3) // of either kind of header
+{
+    // Two lengths that the compiler knows become a few moves each.
+    std::uint8_t *const end = m_bytes.data() + header.size();
+    if (header.size() == kRecordHeaderLength)
+        std::memcpy(m_bytes.data(), header.data(), kRecordHeaderLength);
+    else
+        std::memcpy(m_bytes.data(), header.data(), kSingleHeaderLength);
+    end[0] = static_cast<std::uint8_t>(suite);
+    end[1] = static_cast<std::uint8_t>(direction);
+    end[2] = static_cast<std::uint8_t>(carrier);
+}
 
 } // namespace skyseal::channel
