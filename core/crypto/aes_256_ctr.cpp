@@ -47,7 +47,8 @@ private:
                 storeBigEndian32(m_stream.data() + at + nonce.size(), block++);
             }
             int written = 0;
-            if (EVP_EncryptUpdate(m_context.get(), m_stream.data(), &written, m_stream.data(), static_cast<int>(streamSize)) != 1)
+            std::uint8_t *const stream = m_stream.data();
+            if (EVP_EncryptUpdate(m_context.get(), stream, &written, stream, static_cast<int>(streamSize)) != 1)
                 return false;
             for (std::size_t i = 0; i < size; ++i)
                 out[done + i] = in[done + i] ^ m_stream[i];

@@ -1,6 +1,7 @@
 // The library calls that a record cannot do without, per suite: what sealing and opening are measured against. "bare" is:
 // AEAD, the library's one-shot call (libsodium) or nonce, associated data, text and tag (OpenSSL); others, the cipher's own
-// call and the HMAC over the record's bytes, from copied hash states.
+// call and the HMAC over the record's bytes, from copied hash states. The IV of AES-CBC is given to the bare call: that the
+// record has to make one, unpredictable, is not counted in its favour. RC4 takes a new key and drops 768 bytes each time.
 #pragma once
 
 #include "core/crypto/suite.h"

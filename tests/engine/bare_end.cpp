@@ -30,7 +30,8 @@ std::unique_ptr<engine::SecretFiles> Introduced::secrets(channel::Role role) con
     const bool station = role == channel::Role::Station;
     auto out = std::make_unique<engine::SecretFiles>();
     out->identity = station ? ground : air;
-    out->peers.push_back({(station ? air : ground)->publicKey, station ? "air" : "ground", channel::PeerRole::Pilot, {}, {}});
+    const channel::PublicKey &other = (station ? air : ground)->publicKey;
+    out->peers.push_back({other, station ? "air" : "ground", channel::PeerRole::Pilot, {}, {}});
     out->counters = std::make_unique<VolatileCounters>();
     return out;
 }
@@ -45,7 +46,8 @@ BareEnd::BareEnd(const Introduced &keys, channel::Role role, channel::Policy pol
     config.policy = std::move(policy);
     if (role == channel::Role::Agent)
         config.announceTo.push_back(loopback(groundPort));
-    m_endpoint = std::make_unique<channel::Endpoint>(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
+    m_endpoint =
+        std::make_unique<channel::Endpoint>(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
 }
 
 std::size_t BareEnd::pump()

@@ -60,7 +60,8 @@ void bringUp(BareEnd &end, crypto::SuiteId suite)
 
 AgentRig::AgentRig(crypto::SuiteId suite) : m_ground(m_keys, channel::Role::Station, everySuite())
 {
-    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:" + loopback(m_ground.port())), everySuite(), false};
+    const link::LinkUrl ground = urlOf("udpout:" + loopback(m_ground.port()));
+    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), ground, everySuite(), false};
     m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),
                                                   [](const engine::AgentEvent &) {});
     m_agent->start();
@@ -181,7 +182,8 @@ StationRig::StationRig(crypto::SuiteId suite)
     engine::StationSinks sinks;
     sinks.snapshot = [this](std::shared_ptr<const engine::Snapshot> snapshot) { m_snapshot = std::move(snapshot); };
     sinks.happening = [](engine::Happening) {};
-    m_station = std::make_unique<engine::StationCore>(std::move(config), m_keys.secrets(channel::Role::Station), std::move(sinks));
+    m_station =
+        std::make_unique<engine::StationCore>(std::move(config), m_keys.secrets(channel::Role::Station), std::move(sinks));
     m_station->addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
     const Patience patience;
     while (m_snapshot->links.empty() || m_snapshot->links[0].phase != engine::LinkPhase::Listening) {
