@@ -112,7 +112,7 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
         if (script)
             plan.script = std::move(*script);
         else
-            options.fail("--do: " + script.error().text());
+            options.fail("--do: " + script.error().message);
     }
     return plan;
 }

@@ -1,6 +1,7 @@
 #include "app/common/options.h"
 
 #include "app/common/exit_status.h"
+#include "app/common/output.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -60,7 +61,7 @@ std::string shortText(double number)
 
 void complain(const QString &program, const std::string &words)
 {
-    std::fprintf(stderr, "%s: %s\n", qPrintable(program), words.c_str());
+    remark(program.toStdString() + ": " + words);
 }
 
 Options::Options(QString name, const QString &description) : m_name(std::move(name))
@@ -206,7 +207,7 @@ std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const
 {
     auto parsedText = link::LinkUrl::parse(text);
     if (!parsedText) {
-        fail("--" + option + ": " + parsedText.error().text());
+        fail("--" + option + " " + quoted(text) + ": " + parsedText.error().message);
         return std::nullopt;
     }
     return std::move(*parsedText);

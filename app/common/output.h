@@ -16,10 +16,26 @@ inline bool printLine(const std::string &line)
     return std::fflush(stdout) == 0;
 }
 
+/// The line with every control character replaced by '?'. What vehicles say is in it, in plain links from anybody: it must
+/// neither steer the terminal nor pretend to be further lines.
+inline std::string printable(std::string line)
+{
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(line[i]);
+        // U+0080 to U+009F are control characters as well: C2 80 to C2 9F in UTF-8.
+        const bool second = i > 0 && static_cast<unsigned char>(line[i - 1]) == 0xC2 && byte >= 0x80 && byte < 0xA0;
+        if (byte < 0x20 || byte == 0x7F || second)
+            line[i] = '?';
+        if (second)
+            line[i - 1] = '?';
+    }
+    return line;
+}
+
 /// One line on stderr.
 inline void remark(const std::string &line)
 {
-    std::fprintf(stderr, "%s\n", line.c_str());
+    std::fprintf(stderr, "%s\n", printable(line).c_str());
 }
 
 } // namespace skyseal::app
