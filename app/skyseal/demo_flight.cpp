@@ -1,0 +1,70 @@
+#include "demo_flight.h"
+
+#include "core/link/steady_now.h"
+#include "core/vehicle/flight_script.h"
+
+#include <string>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr int kRounds = 20;
+
+/// A square of about 60 m north-east of where skyseal-sim starts.
+std::string script()
+{
+    std::string out = "wait ekf_ok==1 60; mode GUIDED; arm; takeoff 20; wait alt_rel>=18 60";
+    for (int round = 0; round < kRounds; ++round) {
+        out += "; goto -35.362721 149.165230 20; sleep 16; goto -35.362721 149.165890 20; sleep 16"
+               "; goto -35.363261 149.165890 20; sleep 16; goto -35.363261 149.165230 20; sleep 16";
+    }
+    return out;
+}
+
+} // namespace
+
+DemoFlight::DemoFlight(ui::StationPort &station) : m_station(station), m_script(vehicle::parseFlightScript(script()).value())
+{
+    connect(&m_station, &ui::StationPort::snapshotReady, this, [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
+    connect(&m_station, &ui::StationPort::happened, this, [this](const engine::Happening &happening) {
+        if (const auto *result = std::get_if<vehicle::CommandResult>(&happening))
+            hear(*result);
+    });
+}
+
+void DemoFlight::advance(const engine::Snapshot &snapshot)
+{
+    if (!m_script)
+        return;
+    std::vector<const vehicle::VehicleState *> vehicles;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
+        vehicles.push_back(&vehicle.state);
+    m_script->advance(steadyNow(), vehicles);
+    sendOrders();
+}
+
+void DemoFlight::hear(const vehicle::CommandResult &result)
+{
+    if (!m_script)
+        return;
+    if (result.id != m_ours) {
+        m_script.reset();
+        return;
+    }
+    m_script->handleResult(result);
+    sendOrders();
+}
+
+void DemoFlight::sendOrders()
+{
+    while (const auto order = m_script->pollOrder()) {
+        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&order->request)) {
+            m_ours = m_station.command(order->systemId, *command);
+            m_script->orderSent(*m_ours);
+        }
+    }
+    while (m_script->pollReport()) { } // the window shows what became of each command by itself
+}
+
+} // namespace skyseal::app
