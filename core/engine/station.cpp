@@ -1,11 +1,13 @@
 #include "core/engine/station.h"
 
+#include "core/engine/mailbox.h"
 #include "core/engine/station_core.h"
 
 #include <QtCore/QThread>
 #include <QtCore/QTimer>
 
-#include <atomic>
+#include <functional>
+#include <variant>
 
 namespace skyseal::engine {
 
@@ -17,12 +19,23 @@ constexpr auto kAskReaderEvery = std::chrono::milliseconds(500);
 
 } // namespace
 
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// The last snapshot of a station that was stopped.
+struct Stopped
+{
+    SnapshotPtr last;
+};
+
 /// Lives on the I/O thread; owns the core there.
 class StationWorker : public QObject
 {
     Q_OBJECT
 
 public:
+    using Order = std::function<void(StationWorker &)>;
+    using News = std::variant<SnapshotPtr, Happening, Stopped>;
+
     StationWorker(StationConfig config, std::unique_ptr<SecretFiles> secrets)
         : m_config(std::move(config)), m_secrets(std::move(secrets))
     {
@@ -30,10 +43,9 @@ public:
 
     void begin()
     {
-        m_core = std::make_unique<StationCore>(
-            m_config, std::move(m_secrets),
-            StationSinks{[this](std::shared_ptr<const Snapshot> snapshot) { Q_EMIT snapshotTaken(snapshot); },
-                         [this](Happening happening) { Q_EMIT happened(happening); }});
+        m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets),
+                                               StationSinks{[this](SnapshotPtr snapshot) { tell(std::move(snapshot)); },
+                                                            [this](Happening happening) { tell(std::move(happening)); }});
         m_answered = steadyNow();
         m_ask = std::make_unique<QTimer>();
         connect(m_ask.get(), &QTimer::timeout, this, [this] {
@@ -41,30 +53,49 @@ public:
             Q_EMIT readerAsked();
         });
         m_ask->start(kAskReaderEvery);
+        takeOrders();
     }
 
     void readerAnswered() { m_answered = steadyNow(); }
-    StationCore &core() { return *m_core; }
+
+    void takeOrders()
+    {
+        if (!m_core)
+            return; // kept until begin()
+        for (const Order &order : orders.takeAll())
+            order(*this);
+    }
 
     void stop()
     {
         m_ask.reset();
-        Q_EMIT stopped(m_core->stop());
+        tell(Stopped{m_core->stop()});
     }
 
     void end()
     {
         m_ask.reset();
         m_core.reset();
+        news.put(Stopped{}); // the last word: whoever takes it may delete this object
+        QThread::currentThread()->quit();
     }
 
+    StationCore &core() { return *m_core; }
+
+    Mailbox<Order> orders;
+    Mailbox<News> news;
+
 Q_SIGNALS:
-    void snapshotTaken(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
-    void happened(skyseal::engine::Happening happening);
+    void newsCame();
     void readerAsked();
-    void stopped(std::shared_ptr<const skyseal::engine::Snapshot> last);
 
 private:
+    void tell(News item)
+    {
+        if (news.put(std::move(item)))
+            Q_EMIT newsCame();
+    }
+
     StationConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
     std::unique_ptr<StationCore> m_core;
@@ -72,20 +103,35 @@ private:
     TimePoint m_answered{};
 };
 
+/// Tells the worker, across the threads, that something was put into its box.
+class Bell : public QObject
+{
+    Q_OBJECT
+
+Q_SIGNALS:
+    void ordersCame();
+    void readerAnswered();
+};
+
 struct Station::Private
 {
     QThread thread;
-    StationWorker *worker = nullptr; ///< deleted on its own thread when that ends
+    std::unique_ptr<StationWorker> worker; ///< used on its own thread until that has ended
+    Bell bell;
     KeyPaths paths;
     std::optional<channel::PublicKey> publicKey;
     std::uint32_t nextLink = 1;
     std::uint32_t nextCommand = 1;
 
     /// Runs on the I/O thread, in the order of the calls.
-    template<typename F> void post(F &&act)
+    void order(StationWorker::Order act)
     {
-        QMetaObject::invokeMethod(
-            worker, [target = worker, act = std::forward<F>(act)]() mutable { act(target->core()); }, Qt::QueuedConnection);
+        if (worker->orders.put(std::move(act)))
+            Q_EMIT bell.ordersCame();
+    }
+    template<typename F> void post(F act)
+    {
+        order([act = std::move(act)](StationWorker &target) mutable { act(target.core()); });
     }
 };
 
@@ -102,7 +148,7 @@ Result<std::unique_ptr<Station>, InputError> Station::create(StationConfig confi
     parts->paths = config.keys;
     if (secrets)
         parts->publicKey = secrets->identity->publicKey;
-    parts->worker = new StationWorker(std::move(config), std::move(secrets));
+    parts->worker = std::make_unique<StationWorker>(std::move(config), std::move(secrets));
     return std::unique_ptr<Station>(new Station(std::move(parts)));
 }
 
@@ -110,32 +156,32 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
 {
     qRegisterMetaType<std::shared_ptr<const Snapshot>>();
     qRegisterMetaType<Happening>();
-    StationWorker *worker = d->worker;
+    StationWorker *worker = d->worker.get();
     worker->moveToThread(&d->thread);
-    connect(worker, &StationWorker::snapshotTaken, this, &Station::snapshotReady);
-    connect(worker, &StationWorker::happened, this, &Station::happened);
-    connect(worker, &StationWorker::stopped, this, &Station::stopped);
-    // Goes through this thread's event loop and back: no answer comes while it hangs.
-    connect(worker, &StationWorker::readerAsked, this, [this, worker] {
-        QMetaObject::invokeMethod(worker, [worker] { worker->readerAnswered(); }, Qt::QueuedConnection);
+    connect(worker, &StationWorker::newsCame, this, [this, worker] {
+        for (const StationWorker::News &item : worker->news.takeAll()) {
+            if (const auto *snapshot = std::get_if<SnapshotPtr>(&item))
+                Q_EMIT snapshotReady(*snapshot);
+            else if (const auto *happening = std::get_if<Happening>(&item))
+                Q_EMIT happened(*happening);
+            else
+                Q_EMIT stopped(std::get<Stopped>(item).last);
+        }
     });
+    connect(&d->bell, &Bell::ordersCame, worker, &StationWorker::takeOrders);
+    // Goes through this thread's event loop and back: no answer comes while it hangs.
+    connect(worker, &StationWorker::readerAsked, &d->bell, &Bell::readerAnswered);
+    connect(&d->bell, &Bell::readerAnswered, worker, &StationWorker::readerAnswered);
     connect(&d->thread, &QThread::started, worker, &StationWorker::begin);
-    connect(&d->thread, &QThread::finished, worker, &QObject::deleteLater);
     d->thread.setObjectName(QStringLiteral("skyseal-io"));
     d->thread.start();
 }
 
 Station::~Station()
 {
-    StationWorker *worker = d->worker;
-    QMetaObject::invokeMethod(
-        worker,
-        [worker] {
-            worker->end();
-            QThread::currentThread()->quit();
-        },
-        Qt::QueuedConnection);
+    d->order([](StationWorker &worker) { worker.end(); });
     d->thread.wait();
+    d->worker->news.takeAll();
 }
 
 LinkId Station::addLink(const link::LinkUrl &url)
@@ -222,7 +268,7 @@ void Station::setRecording(bool recording)
 
 void Station::stop()
 {
-    QMetaObject::invokeMethod(d->worker, [worker = d->worker] { worker->stop(); }, Qt::QueuedConnection);
+    d->order([](StationWorker &worker) { worker.stop(); });
 }
 
 std::optional<channel::PublicKey> Station::publicKey() const

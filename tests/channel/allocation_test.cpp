@@ -2,6 +2,7 @@
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <new>
 
@@ -10,7 +11,7 @@ using namespace skyseal::test;
 
 namespace {
 
-std::size_t allocations = 0;
+std::atomic<std::size_t> allocations = 0; // QtTest has a thread of its own
 
 } // namespace
 

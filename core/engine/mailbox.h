@@ -1,0 +1,34 @@
+// Values on their way from one thread to another, in order. The receiver is told once, by a queued signal without arguments,
+// and takes all that has come: a burst costs one wake-up, and the hand-over is a lock of our own that ThreadSanitizer can
+// see, which the event queue of an uninstrumented Qt is not.
+#pragma once
+
+#include <mutex>
+#include <utility>
+#include <vector>
+
+namespace skyseal::engine {
+
+template<typename T> class Mailbox
+{
+public:
+    /// True when it was empty: the receiver has to be told.
+    bool put(T value)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_values.push_back(std::move(value));
+        return m_values.size() == 1;
+    }
+
+    std::vector<T> takeAll()
+    {
+        const std::lock_guard lock(m_mutex);
+        return std::exchange(m_values, {});
+    }
+
+private:
+    std::mutex m_mutex;
+    std::vector<T> m_values;
+};
+
+} // namespace skyseal::engine
