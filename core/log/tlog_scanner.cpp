@@ -41,17 +41,26 @@ std::optional<TlogItem> TlogScanner::next()
     }
 }
 
-/// An entry whose checksum cannot be checked: believed when the file ends behind it or another entry begins there.
+/// An entry whose checksum cannot be checked: believed when the file ends behind it or another entry begins there, and no
+/// valid frame begins inside it.
 std::optional<TlogItem> TlogScanner::unknown(std::size_t length)
 {
     const std::size_t end = m_position + length;
-    if (end == m_buffer.size() && m_end == BufferEnd::Final)
-        return take(std::nullopt, FrameFault::UnknownMessage, length);
-    if (end + kTimeLength >= m_buffer.size())
+    const bool isLast = end == m_buffer.size() && m_end == BufferEnd::Final;
+    if (!isLast && end + kTimeLength >= m_buffer.size())
         return m_end == BufferEnd::Open ? std::nullopt : damaged(FrameFault::Garbage);
-    if (isMagic(m_buffer[end + kTimeLength]) && readTime(m_buffer.subspan(end)))
-        return take(std::nullopt, FrameFault::UnknownMessage, length);
-    return damaged(FrameFault::Garbage);
+    if (!isLast && !(isMagic(m_buffer[end + kTimeLength]) && readTime(m_buffer.subspan(end))))
+        return damaged(FrameFault::Garbage);
+    for (std::size_t at = m_position; at < end; ++at) {
+        if (!isMagic(m_buffer[at]))
+            continue;
+        const auto frame = mavlink::readFrame(m_buffer.subspan(at), *m_dialect);
+        if (frame)
+            return damaged(FrameFault::Garbage);
+        if (frame.error().fault == FrameFault::Truncated && m_end == BufferEnd::Open)
+            return std::nullopt; // it may prove valid when more has come
+    }
+    return take(std::nullopt, FrameFault::UnknownMessage, length);
 }
 
 /// Looks for the next valid frame, wherever it is; its time stands right before it, if there is room for one.
