@@ -47,6 +47,15 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 0);
     }
 
+    void vehiclesWordsAreNoMarkup()
+    {
+        MessageModel model;
+        model.append({QDateTime::currentDateTime(), 1, 6, QStringLiteral("<img src='file:///x'>1 < 2")});
+        const QString tip = model.index(0, MessageModel::Text).data(Qt::ToolTipRole).toString();
+        QVERIFY(!tip.contains(QStringLiteral("<img")));
+        QVERIFY(tip.contains(QStringLiteral("&lt;img")));
+    }
+
     void messagesAreFiltered()
     {
         MessageModel model;

@@ -38,6 +38,7 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     m_altitude->setValue(10);
     m_altitude->setSuffix(QStringLiteral(" m"));
     m_result = new QLabel(this);
+    m_result->setTextFormat(Qt::PlainText); // the reason is in the vehicle's own words
     m_result->setObjectName(QStringLiteral("commandResult"));
     m_result->setAccessibleName(tr("Result of the last command"));
     m_result->setWordWrap(true);

@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "ui/inspector/field_text.h"
 #include "ui/text/words.h"
+#include "ui/text/plain_tip.h"
 
 namespace skyseal::ui {
 
@@ -47,7 +48,7 @@ QVariant FieldModel::data(const QModelIndex &index, int role) const
     if (!index.isValid() || index.row() >= rowCount())
         return {};
     if (role == Qt::ToolTipRole && index.column() == Value)
-        return m_values.at(index.row());
+        return plainTip(m_values.at(index.row()));
     if (role != Qt::DisplayRole)
         return {};
     if (index.column() == Value)

@@ -2,6 +2,7 @@
 
 #include "ui/text/words.h"
 #include "ui/theme/palettes.h"
+#include "ui/text/plain_tip.h"
 
 #include <QtGui/QFont>
 #include <QtGui/QGuiApplication>
@@ -56,7 +57,7 @@ QVariant MessageModel::data(const QModelIndex &index, int role) const
         case Text: return message.text;
         default: return {};
         }
-    case Qt::ToolTipRole: return index.column() == Text ? QVariant(message.text) : QVariant();
+    case Qt::ToolTipRole: return index.column() == Text ? QVariant(plainTip(message.text)) : QVariant();
     case Qt::ForegroundRole: {
         const StateColors &colors = stateColors(QGuiApplication::palette());
         if (message.severity <= kError)
