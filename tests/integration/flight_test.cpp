@@ -24,7 +24,7 @@ void FlightTest::takesOffAndLands()
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("2"),
                                              QStringLiteral("--do"),
-                                             QStringLiteral("wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; "
+                                             QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; "
                                                             "wait armed==0 90")}));
     QCOMPARE(monitor.waitForExit(150000), 0);
     const auto steps = monitor.events(QStringLiteral("command"));
