@@ -24,6 +24,7 @@ Application::~Application()
 {
     // The window first: it uses the station until it is gone.
     m_window.reset();
+    m_demoFlight.reset();
     m_demo.reset();
     m_station.reset();
 }
@@ -139,6 +140,7 @@ void Application::beginDemo()
     if (url && url->scheme() == link::LinkScheme::UdpIn && url->port() != 0)
         port = url->port();
     m_demo->start(port);
+    m_demoFlight = std::make_unique<DemoFlight>(*m_station);
 }
 
 void Application::followLink(const link::LinkUrl &url)

@@ -3,6 +3,7 @@
 
 #include "core/base/random_source.h"
 #include "app/skyseal/demo.h"
+#include "app/skyseal/demo_flight.h"
 #include "app/skyseal/station_adapter.h"
 #include "ui/main_window.h"
 #include "app/skyseal/window_options.h"
@@ -39,6 +40,7 @@ private:
     std::unique_ptr<StationAdapter> m_station;
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;
+    std::unique_ptr<DemoFlight> m_demoFlight;
 };
 
 } // namespace skyseal::app

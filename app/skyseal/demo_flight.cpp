@@ -1,4 +1,4 @@
-#include "demo_flight.h"
+#include "app/skyseal/demo_flight.h"
 
 #include "core/link/steady_now.h"
 #include "core/vehicle/flight_script.h"
