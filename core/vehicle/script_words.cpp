@@ -110,7 +110,7 @@ Result<Duration, InputError> ScriptWords::duration(const std::string &expected)
     const auto value = number(expected, 0, 86400);
     if (!value)
         return tl::make_unexpected(value.error());
-    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*value));
+    return std::chrono::round<Duration>(std::chrono::duration<double>(*value));
 }
 
 InputError ScriptWords::error(const std::string &expected) const
