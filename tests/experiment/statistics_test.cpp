@@ -1,0 +1,269 @@
+// Statistics against values that others published: tables of Student's t, NIST's certified univariate data, Welch tests
+// worked out with R, Holm's procedure; and what must hold for any samples.
+#include "core/experiment/statistics.h"
+
+#include <QtTest/QTest>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+using namespace skyseal::experiment;
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+bool near(double a, double b, double tolerance)
+{
+    if (std::abs(a - b) <= tolerance)
+        return true;
+    qWarning("%.15g and %.15g differ by more than %g", a, b, tolerance);
+    return false;
+}
+
+} // namespace
+
+class StatisticsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void studentTable_data();
+    void studentTable();
+    void closedForms();
+    void quantileInvertsProbability();
+    void certifiedMeansAndDeviations();
+    void intervalOfAPublishedSample();
+    void nothingAndOne();
+    void outliersAreMarkedAndKept();
+    void quartilesAsSpreadsheetsHaveThem();
+    void welchAgreesWithR_data();
+    void welchAgreesWithR();
+    void constantGroups();
+    void holmsExample();
+    void holmIsBetweenNothingAndBonferroni();
+    void pairsOfOneSourceDoNotDiffer();
+};
+
+void StatisticsTest::studentTable_data()
+{
+    // NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.2.
+    QTest::addColumn<double>("share");
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<double>("value");
+    const auto row = [](double share, double degrees, double value) {
+        QTest::addRow("%g at %g", degrees, share) << share << degrees << value;
+    };
+    row(0.90, 1, 3.078);
+    row(0.95, 1, 6.314);
+    row(0.975, 1, 12.706);
+    row(0.99, 1, 31.821);
+    row(0.975, 2, 4.303);
+    row(0.995, 2, 9.925);
+    row(0.975, 4, 2.776);
+    row(0.90, 5, 1.476);
+    row(0.975, 9, 2.262);
+    row(0.995, 10, 3.169);
+    row(0.999, 10, 4.144);
+    row(0.95, 20, 1.725);
+    row(0.975, 29, 2.045);
+    row(0.975, 30, 2.042);
+    row(0.975, 100, 1.984);
+    row(0.975, 1e7, 1.960);
+}
+
+void StatisticsTest::studentTable()
+{
+    QFETCH(double, share);
+    QFETCH(double, degrees);
+    QFETCH(double, value);
+    QVERIFY(near(studentQuantile(share, degrees), value, 0.0005001));
+    QVERIFY(near(studentQuantile(1 - share, degrees), -value, 0.0005001));
+}
+
+void StatisticsTest::closedForms()
+{
+    for (const double share : {0.51, 0.6, 0.9, 0.975, 0.9999}) {
+        // One degree of freedom is Cauchy's distribution; two have an algebraic quantile.
+        QVERIFY(near(studentQuantile(share, 1) / std::tan(M_PI * (share - 0.5)), 1, 1e-11));
+        const double a = 4 * share * (1 - share);
+        QVERIFY(near(studentQuantile(share, 2) / (2 * (share - 0.5) * std::sqrt(2 / a)), 1, 1e-11));
+    }
+    QCOMPARE(studentQuantile(0.5, 3), 0.0);
+}
+
+void StatisticsTest::quantileInvertsProbability()
+{
+    QVERIFY(rc::check("twoSided(quantile(p)) = 2(1-p)", [] {
+        const double degrees = *rc::gen::inRange(5, 5000) / 10.0;
+        const double share = 0.5 + *rc::gen::inRange(1, 4999) / 10000.0;
+        const double back = studentTwoSided(studentQuantile(share, degrees), degrees);
+        RC_ASSERT(std::abs(back / (2 * (1 - share)) - 1) < 1e-9);
+    }));
+}
+
+void StatisticsTest::certifiedMeansAndDeviations()
+{
+    // NIST Statistical Reference Datasets, NumAcc1 to NumAcc4: few digits of variation behind many of the mean.
+    const Summary small = summarise(std::vector<double>{10000001, 10000003, 10000002});
+    QCOMPARE(small.mean, 10000002.0);
+    QCOMPARE(small.deviation, 1.0);
+    for (const double base : {1.0, 1000000.0, 10000000.0}) {
+        std::vector<double> values{base + 0.2};
+        for (int i = 0; i < 500; ++i) {
+            values.push_back(base + 0.1);
+            values.push_back(base + 0.3);
+        }
+        const Summary summary = summarise(values);
+        QVERIFY(near(summary.mean, base + 0.2, base * 1e-13));
+        QVERIFY(near(summary.deviation, 0.1, 1e-8));
+        QCOMPARE(summary.count, std::size_t(1001));
+    }
+}
+
+void StatisticsTest::intervalOfAPublishedSample()
+{
+    // Student's own data (1908): additional hours of sleep under drug 2. R: mean 2.33, sd 2.002249,
+    // t.test's interval 0.8976775 to 3.7623225.
+    const Summary summary = summarise(std::vector<double>{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4});
+    QVERIFY(near(summary.mean, 2.33, 1e-12));
+    QVERIFY(near(summary.deviation, 2.002249, 5e-7));
+    QVERIFY(near(summary.low(), 0.8976775, 5e-8));
+    QVERIFY(near(summary.high(), 3.7623225, 5e-8));
+    QCOMPARE(summary.min, -0.1);
+    QCOMPARE(summary.max, 5.5);
+    QVERIFY(near(summary.median, 1.75, 1e-12));
+}
+
+void StatisticsTest::nothingAndOne()
+{
+    const Summary none = summarise(std::vector<double>{kNaN});
+    QCOMPARE(none.count, std::size_t(0));
+    QVERIFY(std::isnan(none.mean) && std::isnan(none.halfWidth) && std::isnan(none.max));
+    const Summary one = summarise(std::vector<double>{7});
+    QCOMPARE(one.mean, 7.0);
+    QVERIFY(std::isnan(one.deviation) && std::isnan(one.halfWidth));
+    QCOMPARE(one.max, 7.0);
+}
+
+void StatisticsTest::outliersAreMarkedAndKept()
+{
+    const std::vector<double> samples{10, 11, kNaN, 10, 40, 11, 10};
+    const Summary summary = summarise(samples);
+    QCOMPARE(summary.outliers, std::vector<std::size_t>{4});
+    QCOMPARE(summary.count, std::size_t(6));
+    QCOMPARE(summary.max, 40.0);
+    QVERIFY(near(summary.mean, 92.0 / 6, 1e-12));
+    QVERIFY(summarise(std::vector<double>{1, 1, 1, 100}).outliers.empty());
+}
+
+void StatisticsTest::quartilesAsSpreadsheetsHaveThem()
+{
+    // Python: statistics.quantiles([1, 2, 4, 7, 11, 16], n=4, method='inclusive') = [2.5, 5.5, 10.0]
+    const std::vector<double> samples{16, 1, 7, 2, 11, 4};
+    QCOMPARE(quantile(samples, 0.25), 2.5);
+    QCOMPARE(quantile(samples, 0.5), 5.5);
+    QCOMPARE(quantile(samples, 0.75), 10.0);
+    QCOMPARE(quantile(samples, 0), 1.0);
+    QCOMPARE(quantile(samples, 1), 16.0);
+}
+
+void StatisticsTest::welchAgreesWithR_data()
+{
+    // Samples and R's p values as collected at Rosetta Code, "Welch's t-test".
+    QTest::addColumn<std::vector<double>>("first");
+    QTest::addColumn<std::vector<double>>("second");
+    QTest::addColumn<double>("p");
+    using Samples = std::vector<double>;
+    QTest::newRow("equal sizes, equal variances")
+        << Samples{27.5, 21.0, 19.0, 23.6, 17.0, 17.9, 16.9, 20.1, 21.9, 22.6, 23.1, 19.6, 19.0, 21.7, 21.4}
+        << Samples{27.1, 22.0, 20.8, 23.4, 23.4, 23.5, 25.8, 22.0, 24.8, 20.2, 21.9, 22.1, 22.9, 20.5, 24.4}
+        << 0.021378001462867;
+    QTest::newRow("the smaller one varies more")
+        << Samples{17.2, 20.9, 22.6, 18.1, 21.7, 21.4, 23.5, 24.2, 14.7, 21.8}
+        << Samples{21.5, 22.8, 21.0, 23.0, 21.6, 23.6, 22.5, 20.7, 23.4, 21.8, 20.7, 21.7, 21.5, 22.5, 23.6, 21.5, 22.5,
+                   23.5, 21.5, 21.8}
+        << 0.148841696605327;
+    QTest::newRow("the larger one varies more")
+        << Samples{19.8, 20.4, 19.6, 17.8, 18.5, 18.9, 18.3, 18.9, 19.5, 22.0}
+        << Samples{28.2, 26.6, 20.1, 23.3, 25.2, 22.1, 17.7, 27.6, 20.6, 13.7, 23.2, 17.5, 20.6, 18.0, 23.9, 21.6, 24.3,
+                   20.4, 24.0, 13.2}
+        << 0.0359722710297968;
+    QTest::newRow("pairs") << Samples{30.02, 29.99, 30.11, 29.97, 30.01, 29.99}
+                           << Samples{29.89, 29.93, 29.72, 29.98, 30.02, 29.98} << 0.090773324285671;
+    QTest::newRow("far apart") << Samples{3.0, 4.0, 1.0, 2.1} << Samples{490.2, 340.0, 433.9} << 0.0107515611497845;
+}
+
+void StatisticsTest::welchAgreesWithR()
+{
+    QFETCH(std::vector<double>, first);
+    QFETCH(std::vector<double>, second);
+    QFETCH(double, p);
+    QVERIFY(near(welch(first, second).p, p, 1e-13));
+    QVERIFY(near(welch(second, first).p, p, 1e-13));
+    QCOMPARE(welch(second, first).t, -welch(first, second).t);
+}
+
+void StatisticsTest::constantGroups()
+{
+    const std::vector<double> zeros{0, 0, 0}, ones{1, 1, 1};
+    QCOMPARE(welch(zeros, zeros).p, 1.0);
+    QCOMPARE(welch(zeros, ones).p, 0.0);
+    QCOMPARE(welch(zeros, ones).difference, 1.0);
+    QCOMPARE(welch(zeros, std::vector<double>{1}).p, 1.0); // one sample says nothing
+}
+
+void StatisticsTest::holmsExample()
+{
+    // Wikipedia's worked example of the Holm–Bonferroni method.
+    const std::vector<double> adjusted = holm(std::vector<double>{0.01, 0.04, 0.03, 0.005});
+    const std::vector<double> expected{0.03, 0.06, 0.06, 0.02};
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        QVERIFY(near(adjusted[i], expected[i], 1e-15));
+}
+
+void StatisticsTest::holmIsBetweenNothingAndBonferroni()
+{
+    QVERIFY(rc::check("p <= holm <= n p, and order is kept", [] {
+        std::vector<double> p;
+        for (const int value : *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 1001)))
+            p.push_back(value / 1000.0);
+        const std::vector<double> adjusted = holm(p);
+        for (std::size_t i = 0; i < p.size(); ++i) {
+            RC_ASSERT(adjusted[i] >= p[i]);
+            RC_ASSERT(adjusted[i] <= std::min(1.0, p[i] * static_cast<double>(p.size())) + 1e-15);
+            for (std::size_t j = 0; j < p.size(); ++j)
+                RC_ASSERT(p[i] > p[j] || adjusted[i] <= adjusted[j]);
+        }
+    }));
+}
+
+void StatisticsTest::pairsOfOneSourceDoNotDiffer()
+{
+    // Four groups of one source: with the correction, one false alarm in twenty families at most.
+    int families = 0, alarms = 0;
+    std::uint64_t state = 20191;
+    const auto next = [&state] { // sum of twelve uniforms: normal enough
+        double sum = 0;
+        for (int i = 0; i < 12; ++i) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            sum += static_cast<double>(state >> 11) * 0x1p-53;
+        }
+        return sum;
+    };
+    for (; families < 2000; ++families) {
+        std::vector<std::vector<double>> groups(4, std::vector<double>(5));
+        for (auto &group : groups)
+            std::generate(group.begin(), group.end(), next);
+        const auto pairs = compareAll(groups);
+        QCOMPARE(pairs.size(), std::size_t(6));
+        alarms += std::any_of(pairs.begin(), pairs.end(), [](const Comparison &pair) { return pair.significant(); });
+    }
+    QVERIFY2(alarms <= 120 && alarms >= 30, qPrintable(QString::number(alarms))); // 100 expected at the most
+}
+
+QTEST_APPLESS_MAIN(StatisticsTest)
+#include "statistics_test.moc"
