@@ -1,5 +1,6 @@
 #include "core/engine/station.h"
 
+#include "core/crypto/thread_end.h"
 #include "core/engine/mailbox.h"
 #include "core/engine/station_core.h"
 
@@ -76,6 +77,7 @@ public:
     {
         m_ask.reset();
         m_core.reset();
+        crypto::endThread();
         news.put(Stopped{}); // the last word: whoever takes it may delete this object
         QThread::currentThread()->quit();
     }

@@ -34,10 +34,13 @@ Program::Program(const QString &name, const QStringList &arguments)
 
 Program::~Program()
 {
-    if (m_process.state() == QProcess::NotRunning)
-        return;
-    m_process.kill();
-    m_process.waitForFinished(5000);
+    if (m_process.state() != QProcess::NotRunning) {
+        m_process.kill();
+        m_process.waitForFinished(5000);
+    }
+    drain();
+    if (QTest::currentTestFailed() && !m_errors.isEmpty())
+        qWarning("%s said:\n%s", qPrintable(m_process.program()), m_errors.constData());
 }
 
 void Program::drain()
