@@ -2,101 +2,171 @@
 
 #include "core/keys/checked_base64.h"
 #include "core/keys/file_io.h"
+#include "core/keys/sealed_key.h"
+#include "core/keys/text_lines.h"
 
 namespace skyseal::keys {
 
+using crypto::X25519KeyPair;
+
 static constexpr std::string_view kAnyHeader = "skyseal-";
+static constexpr std::size_t kLongestHeader = 40;
 
 static std::string_view headerOf(SecretKind kind)
 {
     return kind == SecretKind::PrivateKey ? "skyseal-private-key-v1" : "skyseal-preshared-key-v1";
 }
 
-static std::string_view takeLine(std::string_view &text)
+static bool isSealed(std::string_view text)
 {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
-    if (line.ends_with('\r'))
-        line.remove_suffix(1);
-    return line;
+    return TextLines(text).next() == kSealedKeyHeader;
 }
 
 /// Errors never quote what the file holds below its first line: it may be a key.
 Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text, const std::string &source)
 {
-    const std::string_view header = takeLine(text);
+    TextLines lines(text);
+    const std::string_view header = lines.next();
     const std::string expected(headerOf(kind));
     if (header != expected) {
-        if (header.starts_with(kAnyHeader) && header.size() < 40)
+        if (header.starts_with(kAnyHeader) && header.size() < kLongestHeader)
             return tl::unexpected(fileError(source, "holds \"" + std::string(header) + "\", not \"" + expected + "\"", 1));
         return tl::unexpected(fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"", 1));
     }
     std::optional<Key32> secret;
-    for (std::size_t line = 2; !text.empty(); ++line) {
-        const std::string_view content = takeLine(text);
-        if (content.empty() || content.starts_with('#'))
-            continue;
+    while (const auto content = lines.nextContent()) {
         if (secret)
-            return tl::unexpected(fileError(source, "has more than one key", line));
-        if (content.size() < kCheckedBase64Length)
-            return tl::unexpected(fileError(source, "has a truncated key", line));
-        secret = fromCheckedBase64(content, expected);
+            return tl::unexpected(fileError(source, "has more than one key", lines.number()));
+        if (content->size() < kCheckedBase64Length)
+            return tl::unexpected(fileError(source, "has a truncated key", lines.number()));
+        secret = fromCheckedBase64(*content, expected);
         if (!secret)
-            return tl::unexpected(fileError(source, "has a damaged key: its check does not fit", line));
+            return tl::unexpected(fileError(source, "has a damaged key: its check does not fit", lines.number()));
     }
     if (!secret)
         return tl::unexpected(fileError(source, "is truncated: it has no key"));
     return std::move(*secret);
 }
 
-static Result<Key32, InputError> load(SecretKind kind, const std::string &path)
+/// The file's text for `read`, wiped afterwards.
+template<typename Read> static auto withPrivateFile(const std::string &path, Read read) -> decltype(read(std::string_view()))
 {
     auto content = readFile(path, FileAccess::Private);
     if (!content)
         return tl::unexpected(content.error());
-    auto secret = parseSecretFile(kind, asText(*content), path);
+    auto out = read(asText(*content));
     sodium_memzero(content->data(), content->size());
-    return secret;
+    return out;
 }
 
-static Result<Key32, InputError> writeNew(SecretKind kind, const std::string &path, RandomSource &random)
+static InputError noMemory(const std::string &path, const crypto::PassphraseCost &cost)
 {
-    Key32 secret;
-    random.fill(secret.mutableView());
+    return fileError(path, "needs " + std::to_string(cost.memoryKiB / 1024)
+                               + " MiB of memory for its passphrase, more than this machine gives");
+}
+
+static Result<X25519KeyPair, InputError> openSealed(const SealedKey &key, const std::string &source, const AskPassphrase &ask)
+{
+    if (!ask)
+        return tl::unexpected(fileError(source, "is sealed with a passphrase, and none is given"));
+    for (int attempt = 0;; ++attempt) {
+        const auto passphrase = ask(source, attempt);
+        if (!passphrase)
+            return tl::unexpected(passphrase.error());
+        auto pair = key.open(*passphrase);
+        if (pair)
+            return std::move(*pair);
+        if (pair.error() == crypto::PassphraseError::NoMemory)
+            return tl::unexpected(noMemory(source, key.cost));
+    }
+}
+
+Result<X25519KeyPair, InputError> parseIdentity(std::string_view text, const std::string &source, const AskPassphrase &ask)
+{
+    if (isSealed(text))
+        return SealedKey::parse(text, source).and_then([&](const SealedKey &key) { return openSealed(key, source, ask); });
+    return parseSecretFile(SecretKind::PrivateKey, text, source).map([](Key32 &&secret) {
+        return X25519KeyPair::fromSecret(std::move(secret));
+    });
+}
+
+Result<X25519KeyPair, InputError> loadIdentity(const std::string &path, const AskPassphrase &ask)
+{
+    return withPrivateFile(path, [&](std::string_view text) { return parseIdentity(text, path, ask); });
+}
+
+Result<IdentityFacts, InputError> readIdentityFacts(const std::string &path)
+{
+    return withPrivateFile(path, [&](std::string_view text) -> Result<IdentityFacts, InputError> {
+        if (isSealed(text))
+            return SealedKey::parse(text, path).map([](const SealedKey &key) { return IdentityFacts{key.publicKey, true}; });
+        return parseIdentity(text, path, {}).map([](const X25519KeyPair &pair) { return IdentityFacts{pair.publicKey, false}; });
+    });
+}
+
+static std::string plainText(SecretKind kind, const Key32 &secret)
+{
     const std::string_view header = headerOf(kind);
     std::string key = toCheckedBase64(secret.view(), header);
     std::string content;
-    content.reserve(512);
+    content.reserve(512); // no copy of the key is left behind by growing
     content.append(header).append("\n# Keep this file to yourself: who has it can speak in your name.\n").append(key).append("\n");
-    const auto created = createFile(path, asBytes(content));
     sodium_memzero(key.data(), key.size());
-    sodium_memzero(content.data(), content.size());
-    if (!created)
-        return tl::unexpected(created.error());
-    return secret;
+    return content;
 }
 
-Result<crypto::X25519KeyPair, InputError> loadIdentity(const std::string &path)
+using WriteFile = Result<void, InputError> (*)(const std::string &path, ByteView content);
+
+static Result<void, InputError> writeText(WriteFile write, const std::string &path, std::string &&text)
 {
-    return load(SecretKind::PrivateKey, path).map([](Key32 &&secret) { return crypto::X25519KeyPair::fromSecret(std::move(secret)); });
+    const auto written = write(path, asBytes(text));
+    sodium_memzero(text.data(), text.size());
+    return written;
 }
 
-Result<crypto::X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random)
+static Result<void, InputError> write(WriteFile write, const std::string &path, const X25519KeyPair &pair, RandomSource &random,
+                                      const Sealing &sealing)
 {
-    return writeNew(SecretKind::PrivateKey, path, random).map([](Key32 &&secret) {
-        return crypto::X25519KeyPair::fromSecret(std::move(secret));
-    });
+    if (!sealing.passphrase)
+        return writeText(write, path, plainText(SecretKind::PrivateKey, pair.secret));
+    const auto key = SealedKey::seal(pair, *sealing.passphrase, sealing.cost, random);
+    if (!key)
+        return tl::unexpected(noMemory(path, sealing.cost));
+    return writeText(write, path, key->text());
+}
+
+Result<void, InputError> writeIdentity(const std::string &path, const X25519KeyPair &pair, RandomSource &random,
+                                       const Sealing &sealing)
+{
+    return write(&createFile, path, pair, random, sealing);
+}
+
+Result<void, InputError> rewriteIdentity(const std::string &path, const X25519KeyPair &pair, RandomSource &random,
+                                         const Sealing &sealing)
+{
+    return write(&replaceFile, path, pair, random, sealing);
+}
+
+Result<X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random, const Sealing &sealing)
+{
+    X25519KeyPair pair = X25519KeyPair::generate(random);
+    if (const auto written = writeIdentity(path, pair, random, sealing); !written)
+        return tl::unexpected(written.error());
+    return pair;
 }
 
 Result<Key32, InputError> loadPresharedKey(const std::string &path)
 {
-    return load(SecretKind::PresharedKey, path);
+    return withPrivateFile(path, [&](std::string_view text) { return parseSecretFile(SecretKind::PresharedKey, text, path); });
 }
 
 Result<Key32, InputError> writeNewPresharedKey(const std::string &path, RandomSource &random)
 {
-    return writeNew(SecretKind::PresharedKey, path, random);
+    Key32 secret;
+    random.fill(secret.mutableView());
+    if (const auto written = writeText(&createFile, path, plainText(SecretKind::PresharedKey, secret)); !written)
+        return tl::unexpected(written.error());
+    return secret;
 }
 
 } // namespace skyseal::keys

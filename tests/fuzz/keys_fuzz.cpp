@@ -3,6 +3,7 @@
 #include "core/keys/counter_file.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
+#include "core/keys/sealed_key.h"
 #include "core/keys/secret_file.h"
 
 #include <cstdlib>
@@ -32,6 +33,18 @@ static void readPeers(std::string_view text)
     must(PeersFile::parse(file->text(), "fuzz")->entries().size() == again->entries().size());
 }
 
+static void readSealed(std::string_view text)
+{
+    const auto key = SealedKey::parse(text, "fuzz");
+    if (!key) {
+        must(!key.error().message.empty());
+        return;
+    }
+    must(isAcceptable(key->cost)); // whatever the file says, opening it is affordable
+    const auto again = SealedKey::parse(key->text(), "fuzz");
+    must(again && again->text() == key->text() && again->sealed == key->sealed && again->salt == key->salt);
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     static const bool ready = crypto::initCrypto();
@@ -42,6 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         must(publicKeyFromText(publicKeyText(*key)).value() == *key);
     static_cast<void>(parseSecretFile(SecretKind::PrivateKey, text, "fuzz"));
     static_cast<void>(parseSecretFile(SecretKind::PresharedKey, text, "fuzz"));
+    static_cast<void>(parseIdentity(text, "fuzz", {}));
+    readSealed(text);
     if (const auto counters = Counters::parse(text, "fuzz"))
         must(Counters::parse(counters->text(), "fuzz")->text() == counters->text());
     return 0;

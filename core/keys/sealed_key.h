@@ -1,0 +1,47 @@
+// A private key sealed with a passphrase, as text:
+//
+//   skyseal-sealed-key-v1
+//   # a remark
+//   argon2id 3 262144 32 hex digits        passes, memory in KiB, salt
+//   skyseal:…                              the public key, in clear: it is needed to show whose file this is
+//   64 characters                          URL-safe base64 of the sealed secret, 48 bytes
+//
+// The lines stand in this order; remarks (#) and empty lines may stand between them. The header, the argon2id line and the
+// public key line, each with its newline, are authenticated, so that nothing that is shown before the passphrase is known can
+// be changed without notice once it is; and the opened secret must give this public key.
+#pragma once
+
+#include "core/base/random_source.h"
+#include "core/base/result.h"
+#include "core/crypto/passphrase_box.h"
+#include "core/crypto/x25519.h"
+
+#include <string>
+#include <string_view>
+
+namespace skyseal::keys {
+
+inline constexpr std::string_view kSealedKeyHeader = "skyseal-sealed-key-v1";
+
+/// A well-formed file; whether a passphrase opens it is not known yet.
+struct SealedKey
+{
+    crypto::PassphraseCost cost;
+    crypto::PassphraseSalt salt{};
+    crypto::PublicKey publicKey{};
+    crypto::SealedSecret sealed{};
+
+    /// `source` names the text in errors. Safe for any bytes; costs beyond the limits are refused before anything is computed.
+    static Result<SealedKey, InputError> parse(std::string_view text, const std::string &source);
+    std::string text() const;
+
+    static Result<SealedKey, crypto::PassphraseError> seal(const crypto::X25519KeyPair &pair, const crypto::Passphrase &passphrase,
+                                                           const crypto::PassphraseCost &cost, RandomSource &random);
+    Result<crypto::X25519KeyPair, crypto::PassphraseError> open(const crypto::Passphrase &passphrase) const;
+
+private:
+    /// What is authenticated.
+    std::string clearLines() const;
+};
+
+} // namespace skyseal::keys
