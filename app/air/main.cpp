@@ -2,6 +2,7 @@
 #include "app/air/agent_report.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
+#include "app/common/passphrase_input.h"
 #include "app/common/process.h"
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
@@ -24,6 +25,7 @@ void declare(Options &options)
     options.addValue("vehicle", "URL", "Plain MAVLink to the autopilot, e.g. udpin:127.0.0.1:14551 or tcp:127.0.0.1:5760.");
     options.addValue("ground", "URL", "Sealed link to the ground station: udpout:HOST:PORT.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
+    PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
@@ -52,7 +54,8 @@ int main(int argc, char **argv)
     options.arguments(0, 0);
     const auto vehicle = options.url("vehicle");
     const auto ground = options.url("ground");
-    const engine::KeyPaths paths{options.required("identity"), options.required("peers")};
+    const engine::KeyPaths paths{options.required("identity"), options.required("peers"),
+                                 PassphraseInput::read(options).ask()};
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
     if (ground && ground->scheme() != link::LinkScheme::UdpOut)
         options.fail("--ground " + ground->toText()

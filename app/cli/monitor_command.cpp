@@ -5,6 +5,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "app/common/passphrase_input.h"
 #include "app/common/process.h"
 
 #include <QtCore/QCoreApplication>
@@ -25,6 +26,7 @@ void declare(Options &options)
     options.addValue("secure", "required|off",
                      "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
     options.addValue("identity", "FILE", "Private key of this station.");
+    PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Vehicles' agents whose keys are confirmed.");
     options.addValue("suite", "NAME", "Suite that every session begins with.");
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
@@ -67,7 +69,7 @@ void readSecurity(Options &options, engine::StationConfig &config)
         options.fail("--secure '" + secure + "': required or off is expected");
     config.secure = secure == "required" ? engine::SecureMode::Required : engine::SecureMode::Off;
     if (config.secure == engine::SecureMode::Required) {
-        config.keys = {options.required("identity"), options.required("peers")};
+        config.keys = {options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
         config.policy.suites = channel::defaultSuites();
         config.policy.allowResearch = options.has("allow-research");
     }

@@ -8,7 +8,7 @@ namespace skyseal::engine {
 
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths)
 {
-    auto identity = keys::loadIdentity(paths.identity);
+    auto identity = keys::loadIdentity(paths.identity, paths.askPassphrase);
     if (!identity)
         return tl::unexpected(identity.error());
     auto peers = readPeers(paths);

@@ -3,6 +3,7 @@
 
 #include "core/channel/policy.h"
 #include "core/engine/secure_mode.h"
+#include "core/keys/secret_file.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,6 +16,7 @@ struct KeyPaths
 {
     std::string identity; ///< private key file
     std::string peers;    ///< known peers
+    keys::AskPassphrase askPassphrase = {}; ///< when the private key is sealed; empty = such a file is refused
 };
 
 struct StationConfig

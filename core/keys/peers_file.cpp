@@ -91,6 +91,23 @@ const PeerEntry *PeersFile::find(std::string_view name) const
     return found == m_lines.end() ? nullptr : &found->entry;
 }
 
+const PeerEntry *PeersFile::findKey(const channel::PublicKey &key) const
+{
+    const auto found =
+        std::find_if(m_lines.begin(), m_lines.end(), [&](const Line &line) { return line.isPeer && line.entry.peer.key == key; });
+    return found == m_lines.end() ? nullptr : &found->entry;
+}
+
+Acquaintance PeersFile::acquaintance(std::string_view name, const channel::PublicKey &key) const
+{
+    const PeerEntry *byName = find(name);
+    if (byName && byName->peer.key == key)
+        return Acquaintance::Known;
+    if (byName)
+        return Acquaintance::KeyChanged;
+    return findKey(key) ? Acquaintance::OtherName : Acquaintance::Stranger;
+}
+
 /// Names and keys occur once: with two lines for a key nobody could say which role it has.
 Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *except) const
 {
@@ -118,9 +135,23 @@ Result<void, InputError> PeersFile::add(PeerEntry entry)
 
 Result<void, InputError> PeersFile::replace(PeerEntry entry)
 {
-    Line *line = lineOf(entry.peer.name);
+    const std::string name = entry.peer.name;
+    return exchange(name, std::move(entry));
+}
+
+Result<void, InputError> PeersFile::rename(std::string_view name, const std::string &newName)
+{
+    const PeerEntry *known = find(name);
+    PeerEntry entry = known ? *known : PeerEntry();
+    entry.peer.name = newName;
+    return exchange(name, std::move(entry));
+}
+
+Result<void, InputError> PeersFile::exchange(std::string_view name, PeerEntry entry)
+{
+    Line *line = lineOf(name);
     if (!line)
-        return tl::unexpected(InputError{"there is no peer named \"" + entry.peer.name + "\"", {}});
+        return tl::unexpected(InputError{"there is no peer named \"" + std::string(name) + "\"", {}});
     if (const auto fits = check(entry, line); !fits)
         return fits;
     line->raw = formatPeerLine(entry);
@@ -131,6 +162,22 @@ Result<void, InputError> PeersFile::replace(PeerEntry entry)
 bool PeersFile::remove(std::string_view name)
 {
     return std::erase_if(m_lines, [name](const Line &line) { return line.isPeer && line.entry.peer.name == name; }) > 0;
+}
+
+Result<void, InputError> editPeers(const std::string &path, const std::function<Result<void, InputError>(PeersFile &)> &change)
+{
+    const auto lock = FileLock::take(path);
+    if (!lock)
+        return tl::unexpected(lock.error());
+    auto file = PeersFile::loadOrEmpty(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    if (const auto changed = change(*file); !changed) {
+        InputError error = changed.error();
+        error.source = path;
+        return tl::unexpected(error);
+    }
+    return file->save(path);
 }
 
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path)

@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/channel/policy.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,14 @@ struct PeerEntry
 {
     channel::Peer peer;
     std::string presharedKeyFile;
+};
+
+/// What is known of a name and a key that somebody brings.
+enum class Acquaintance {
+    Stranger,   ///< neither the name nor the key
+    Known,      ///< this key, by this name
+    OtherName,  ///< this key, by another name
+    KeyChanged, ///< the name, with another key: its owner made a new one, or somebody else pretends to be it
 };
 
 class PeersFile
@@ -44,11 +53,15 @@ public:
     std::vector<channel::Peer> peers() const;
     /// By name; null when there is none.
     const PeerEntry *find(std::string_view name) const;
+    const PeerEntry *findKey(const channel::PublicKey &key) const;
+    Acquaintance acquaintance(std::string_view name, const channel::PublicKey &key) const;
 
     /// Appends a peer. Refused when the name is unfit, or name or key are there already.
     Result<void, InputError> add(PeerEntry entry);
     /// Replaces the peer of that name, knowingly: a new key, role or system ids.
     Result<void, InputError> replace(PeerEntry entry);
+    /// The new name must be fit and free.
+    Result<void, InputError> rename(std::string_view name, const std::string &newName);
     /// False when there is no peer of that name.
     bool remove(std::string_view name);
 
@@ -62,10 +75,15 @@ private:
     };
 
     Result<void, InputError> check(const PeerEntry &entry, const Line *except) const;
+    Result<void, InputError> exchange(std::string_view name, PeerEntry entry);
     Line *lineOf(std::string_view name);
 
     std::vector<Line> m_lines;
 };
+
+/// Changes a file of peers, or begins one, under a lock: two programs that change it at once do not undo each other. When
+/// `change` gives an error nothing is written and that is the result.
+Result<void, InputError> editPeers(const std::string &path, const std::function<Result<void, InputError>(PeersFile &)> &change);
 
 /// The peers of a file, as the channel wants them.
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);

@@ -20,6 +20,13 @@ private Q_SLOTS:
     void keyThatOthersCanReadIsRefused();
     void peersAreAddedListedRemoved();
     void changedKeyNeedsAnExplicitReplace();
+    void changedKeyIsToldWithBothFingerprints();
+    void replacedKeyKeepsWhatWasNoted();
+    void peersAreRenamedAndGivenAnotherRole();
+    void publicKeyTravelsInAFile();
+    void privateKeyIsImported();
+    void presharedKeyIsMadeAndNamed();
+    void damagedPeersFileIsLeftAlone();
     void noKeyByteInTheOutput();
 
 private:
@@ -33,6 +40,8 @@ private:
     {
         return QJsonDocument::fromJson(keys({QStringLiteral("show"), path(name), QStringLiteral("--json")}).out).object();
     }
+    QString publicKeyOf(const char *name) const { return shown(name)[QLatin1String("public")].toString(); }
+    QJsonObject listed() const { return QJsonDocument::fromJson(peers("list", {QStringLiteral("--json")}).out).object(); }
     RunResult addPeer(const QString &publicKey, const QStringList &more = {}) const
     {
         return keys(QStringList{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"),
@@ -107,6 +116,108 @@ void KeysCommandTest::changedKeyNeedsAnExplicitReplace()
     QVERIFY(peers("list", {QStringLiteral("--json")}).out.contains(first.toUtf8()));
     QCOMPARE(addPeer(second, {QStringLiteral("--replace")}).status, 0);
     QVERIFY(peers("list", {QStringLiteral("--json")}).out.contains(second.toUtf8()));
+}
+
+void KeysCommandTest::changedKeyIsToldWithBothFingerprints()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(newKey("b.key").status, 0);
+    QCOMPARE(addPeer(publicKeyOf("a.key")).status, 0);
+    const RunResult refused = addPeer(publicKeyOf("b.key"));
+    QCOMPARE(refused.status, 1);
+    QVERIFY2(refused.err.contains("HAS CHANGED") && refused.err.contains("--replace"), refused.err.constData());
+    for (const char *key : {"a.key", "b.key"})
+        QVERIFY(refused.err.contains(shown(key)[QLatin1String("fingerprint")].toString().toUtf8()));
+    QVERIFY(!refused.err.contains('?'));
+}
+
+void KeysCommandTest::replacedKeyKeepsWhatWasNoted()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(newKey("b.key").status, 0);
+    QCOMPARE(addPeer(publicKeyOf("a.key"), {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"), QStringLiteral("7")}).status, 0);
+    QCOMPARE(addPeer(publicKeyOf("b.key"), {QStringLiteral("--replace")}).status, 0);
+    const QJsonObject peer = listed();
+    QCOMPARE(peer[QLatin1String("public")].toString(), publicKeyOf("b.key"));
+    QCOMPARE(peer[QLatin1String("role")].toString(), QStringLiteral("observer"));
+    QCOMPARE(peer[QLatin1String("sysids")].toString(), QStringLiteral("7"));
+    // There is nothing to replace where nobody is known.
+    QCOMPARE(peers("remove", {QStringLiteral("scout-1")}).status, 0);
+    QCOMPARE(addPeer(publicKeyOf("b.key"), {QStringLiteral("--replace")}).status, 1);
+}
+
+void KeysCommandTest::peersAreRenamedAndGivenAnotherRole()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(addPeer(publicKeyOf("a.key")).status, 0);
+    QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("two words")}).status, 1);
+    QCOMPARE(peers("rename", {QStringLiteral("nobody"), QStringLiteral("scout-2")}).status, 1);
+    QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("scout-2")}).status, 0);
+    QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("captain")}).status, 2);
+    QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("observer")}).status, 0);
+    QCOMPARE(peers("sysids", {QStringLiteral("scout-2"), QStringLiteral("1,300")}).status, 2);
+    QCOMPARE(peers("sysids", {QStringLiteral("scout-2"), QStringLiteral("1,3")}).status, 0);
+    const QJsonObject peer = listed();
+    QCOMPARE(peer[QLatin1String("name")].toString(), QStringLiteral("scout-2"));
+    QCOMPARE(peer[QLatin1String("role")].toString(), QStringLiteral("observer"));
+    QCOMPARE(peer[QLatin1String("sysids")].toString(), QStringLiteral("1,3"));
+    QCOMPARE(peers("revoke", {QStringLiteral("scout-2")}).status, 0);
+    QVERIFY(listed().isEmpty());
+}
+
+void KeysCommandTest::publicKeyTravelsInAFile()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(keys({QStringLiteral("export"), path("a.key"), QStringLiteral("--out"), path("a.pub")}).status, 0);
+    QCOMPARE(keys({QStringLiteral("export"), path("a.key"), QStringLiteral("--out"), path("a.pub")}).status, 3);
+    QCOMPARE(keys({QStringLiteral("export"), path("a.key")}).out.trimmed(), publicKeyOf("a.key").toUtf8());
+    const QStringList add{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"), QStringLiteral("--name"),
+                          QStringLiteral("scout-1"), QStringLiteral("--from")};
+    QCOMPARE(keys(add + QStringList{path("nowhere")}).status, 2);
+    QCOMPARE(keys(add + QStringList{path("a.key")}).status, 2); // the private one is no public key
+    QCOMPARE(keys(add + QStringList{path("a.pub")}).status, 0);
+    QCOMPARE(listed()[QLatin1String("public")].toString(), publicKeyOf("a.key"));
+}
+
+void KeysCommandTest::privateKeyIsImported()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QVERIFY(QFile::setPermissions(path("a.key"), QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther)); // as on a USB stick
+    QCOMPARE(keys({QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")}).status, 0);
+    QVERIFY(QFile::setPermissions(path("a.key"), QFile::ReadOwner));
+    QCOMPARE(shown("b.key"), shown("a.key"));
+    QFile file(path("a.key"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const RunResult piped = runProgram(
+        "skyseal-cli", {QStringLiteral("keys"), QStringLiteral("import"), QStringLiteral("-"), QStringLiteral("--out"), path("c.key")}, file.readAll());
+    QVERIFY2(piped.status == 0, piped.err.constData());
+    QCOMPARE(shown("c.key"), shown("a.key"));
+    QCOMPARE(keys({QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("c.key")}).status, 3);
+    QCOMPARE(keys({QStringLiteral("import"), path("peers"), QStringLiteral("--out"), path("d.key")}).status, 3);
+    QVERIFY(!QFile::exists(path("d.key")));
+}
+
+void KeysCommandTest::presharedKeyIsMadeAndNamed()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QCOMPARE(keys({QStringLiteral("psk"), QStringLiteral("--out"), path("pair.psk")}).status, 0);
+    QCOMPARE(keys({QStringLiteral("psk"), QStringLiteral("--out"), path("pair.psk")}).status, 3);
+    QCOMPARE(addPeer(publicKeyOf("a.key"), {QStringLiteral("--psk"), path("pair.psk")}).status, 0);
+    QVERIFY(listed()[QLatin1String("psk")].toBool());
+}
+
+void KeysCommandTest::damagedPeersFileIsLeftAlone()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    QFile file(path("peers"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("nonsense\n");
+    file.close();
+    const RunResult refused = addPeer(publicKeyOf("a.key"));
+    QCOMPARE(refused.status, 3);
+    QVERIFY2(refused.err.contains("peers:1:"), refused.err.constData());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), QByteArray("nonsense\n"));
 }
 
 void KeysCommandTest::noKeyByteInTheOutput()

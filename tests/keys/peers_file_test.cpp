@@ -8,6 +8,8 @@
 
 #include <QtTest/QTest>
 
+#include <thread>
+
 using namespace skyseal;
 using namespace skyseal::keys;
 using channel::PeerRole;
@@ -27,6 +29,9 @@ private Q_SLOTS:
     void removes();
     void savesAsAWhole();
     void refusesAFileThatOthersCanChange();
+    void renames();
+    void tellsAChangedKeyFromAStranger();
+    void editsUnderALock();
 
 private:
     PeerEntry entry(const char *name, std::size_t key) const { return {{m_keys[key], name, PeerRole::Pilot, {}}, {}}; }
@@ -169,6 +174,54 @@ void PeersFileTest::refusesAFileThatOthersCanChange()
     QVERIFY(loadPeers(path).error().text().find("other users") != std::string::npos);
     ::chmod(path.c_str(), 0644);
     QCOMPARE(loadPeers(path)->size(), std::size_t(1));
+}
+
+void PeersFileTest::renames()
+{
+    PeersFile file;
+    PeerEntry known = entry("a", 0);
+    known.peer.role = PeerRole::Observer;
+    known.peer.systemIds = {3, 4};
+    known.presharedKeyFile = "/etc/a.psk";
+    QVERIFY(file.add(known) && file.add(entry("b", 1)));
+    QVERIFY(!file.rename("c", "d"));
+    QVERIFY(!file.rename("a", "b"));
+    QVERIFY(!file.rename("a", "no blanks"));
+    QVERIFY(file.rename("a", "c"));
+    QVERIFY(file.rename("c", "c")); // to itself
+    QCOMPARE(file.text(), line("c observer 3,4", 0) + " psk=/etc/a.psk\n" + line("b pilot any", 1) + "\n");
+}
+
+void PeersFileTest::tellsAChangedKeyFromAStranger()
+{
+    PeersFile file;
+    QVERIFY(file.add(entry("a", 0)));
+    QVERIFY(file.acquaintance("a", m_keys[0]) == Acquaintance::Known);
+    QVERIFY(file.acquaintance("a", m_keys[1]) == Acquaintance::KeyChanged);
+    QVERIFY(file.acquaintance("b", m_keys[0]) == Acquaintance::OtherName);
+    QVERIFY(file.acquaintance("b", m_keys[1]) == Acquaintance::Stranger);
+    QCOMPARE(file.findKey(m_keys[0])->peer.name, std::string("a"));
+    QVERIFY(!file.findKey(m_keys[1]));
+}
+
+void PeersFileTest::editsUnderALock()
+{
+    const std::string path = m_folder.path("edited");
+    // Each of two writers adds its own peers, again and again: none is lost.
+    const auto writer = [&](std::size_t first) {
+        for (std::size_t i = first; i < 4; i += 2)
+            QVERIFY(editPeers(path, [&](PeersFile &file) { return file.add(entry(("p" + std::to_string(i)).c_str(), i)); }));
+    };
+    std::thread one(writer, 0), two(writer, 1);
+    one.join();
+    two.join();
+    QCOMPARE(loadPeers(path)->size(), std::size_t(4));
+    const auto refused = editPeers(path, [&](PeersFile &file) {
+        file.remove("p0");
+        return file.add(entry("p1", 0));
+    });
+    QVERIFY(refused.error().text().starts_with(path));
+    QCOMPARE(loadPeers(path)->size(), std::size_t(4)); // an edit that fails changes nothing
 }
 
 QTEST_APPLESS_MAIN(PeersFileTest)

@@ -1,0 +1,91 @@
+// skyseal-cli keys: makes and shows private keys, and keeps the files of known peers. This file picks the subcommand.
+#include "app/cli/commands.h"
+#include "app/cli/keys/keys_subcommands.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+
+namespace skyseal::app {
+
+namespace {
+
+struct Subcommand
+{
+    const char *name;
+    int (*run)(const QStringList &arguments);
+    const char *synopsis;
+};
+
+constexpr Subcommand kOwn[] = {
+    {"new", newKey, "new --out FILE [--passphrase] [--json]"},
+    {"show", showKey, "show FILE [--qr] [--json]"},
+    {"export", exportKey, "export FILE [--out PUBLIC-FILE]"},
+    {"import", importKey, "import FROM --out FILE [--passphrase]"},
+    {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
+    {"psk", newPresharedKey, "psk --out FILE"},
+};
+constexpr Subcommand kPeers[] = {
+    {"add", addPeer,
+     "peers add --peers FILE --name NAME [--role pilot|observer] [--sysids LIST] [--psk FILE] [--replace] PUBLIC|--from FILE"},
+    {"list", listPeers, "peers list --peers FILE [--json]"},
+    {"rename", renamePeer, "peers rename --peers FILE NAME NEW-NAME"},
+    {"role", setPeerRole, "peers role --peers FILE NAME pilot|observer"},
+    {"sysids", setPeerSystems, "peers sysids --peers FILE NAME LIST"},
+    {"remove", removePeer, "peers remove --peers FILE NAME"},
+    {"revoke", removePeer, "peers revoke --peers FILE NAME      the same: running programs end the session at once"},
+};
+
+int usage(const std::string &words)
+{
+    complain(QStringLiteral("skyseal-cli keys"), words);
+    return kUsage;
+}
+
+template<std::size_t N> std::string namesOf(const Subcommand (&commands)[N])
+{
+    std::string out;
+    for (const Subcommand &command : commands)
+        out.append(out.empty() ? "" : ", ").append(command.name);
+    return out;
+}
+
+template<std::size_t N> const Subcommand *named(const Subcommand (&commands)[N], const QString &name)
+{
+    for (const Subcommand &command : commands) {
+        if (name == QLatin1String(command.name))
+            return &command;
+    }
+    return nullptr;
+}
+
+void printHelp()
+{
+    std::string text;
+    const auto list = [&text](const auto &commands) {
+        for (const Subcommand &command : commands)
+            text.append(text.empty() ? "Usage: " : "\n       ").append("skyseal-cli keys ").append(command.synopsis);
+    };
+    list(kOwn);
+    list(kPeers);
+    printLine(text + "\nEach explains itself with --help.");
+}
+
+} // namespace
+
+int runKeys(const QStringList &arguments)
+{
+    const QString action = arguments.value(0);
+    if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
+        printHelp();
+        return kDone;
+    }
+    if (action == QLatin1String("peers")) {
+        const Subcommand *command = named(kPeers, arguments.value(1));
+        return command ? command->run(arguments.mid(2)) : usage("peers is followed by one of " + namesOf(kPeers));
+    }
+    const Subcommand *command = named(kOwn, action);
+    return command ? command->run(arguments.mid(1))
+                   : usage("one of " + namesOf(kOwn) + " or peers is expected; --help explains them");
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,69 @@
+// What every subcommand of skyseal-cli keys begins and ends with.
+#pragma once
+
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::app {
+
+/// Declare, read(), and at the end say what came of it.
+class KeysSubcommand
+{
+public:
+    /// `words` is what stands behind "skyseal-cli keys".
+    KeysSubcommand(const char *words, const char *help)
+        : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QLatin1String(help))
+    {
+    }
+
+    /// Declares one positional argument more, all of which must be given.
+    void addArgument(const char *name, const char *help)
+    {
+        options.addArgument(name, help);
+        ++m_arguments;
+    }
+    void addPeersOption() { options.addValue("peers", "FILE", "File of known peers; made when it is missing."); }
+    void addJsonOption() { options.addFlag("json", "One JSON object a line on stdout."); }
+
+    /// An exit status when there is nothing more to do. What is read of the options is checked by finish() of theirs.
+    std::optional<int> parse(const QStringList &given)
+    {
+        if (const auto status = options.parse(given))
+            return status;
+        m_given = options.arguments(m_arguments, m_arguments);
+        return std::nullopt;
+    }
+    std::string argument(int index) const { return m_given.value(index).toStdString(); }
+
+    /// A file could not be opened, read or written.
+    int cannotOpen(const InputError &error) const
+    {
+        complain(m_name, error.text());
+        return kCannotOpen;
+    }
+    /// The files are good, and what was asked for is refused. The words may have several lines.
+    int refuse(const std::string &words) const
+    {
+        const std::size_t end = words.find('\n');
+        complain(m_name, words.substr(0, end));
+        for (std::size_t begin = end; begin != std::string::npos;) {
+            const std::size_t next = words.find('\n', begin + 1);
+            remark(words.substr(begin + 1, next == std::string::npos ? next : next - begin - 1));
+            begin = next;
+        }
+        return kNotReached;
+    }
+
+private:
+    QString m_name;
+    int m_arguments = 0;
+    QStringList m_given;
+
+public:
+    Options options;
+};
+
+} // namespace skyseal::app

@@ -1,0 +1,244 @@
+// The subcommands about known peers. A program that runs with the same file takes each change over at once.
+#include "app/cli/keys/keys_subcommand.h"
+#include "app/cli/keys/keys_subcommands.h"
+#include "app/cli/keys/named_input.h"
+#include "core/base/json_writer.h"
+#include "core/keys/file_io.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QFileInfo>
+
+namespace skyseal::app {
+
+using keys::PeerEntry;
+using keys::PeersFile;
+
+namespace {
+
+InputError noSuchPeer(const std::string &name)
+{
+    return {"no peer is named '" + name + "'", {}};
+}
+
+/// Changes the peers file. A file that is damaged or cannot be written is another status than a change that is refused.
+int edit(const KeysSubcommand &command, const std::string &file,
+         const std::function<Result<void, InputError>(PeersFile &)> &change)
+{
+    bool refused = false;
+    const auto edited = keys::editPeers(file, [&](PeersFile &peers) {
+        auto changed = change(peers);
+        refused = !changed;
+        return changed;
+    });
+    if (edited)
+        return kDone;
+    return refused ? command.refuse(edited.error().text()) : command.cannotOpen(edited.error());
+}
+
+/// Changes the entry of one peer, but for its name.
+int editEntry(const KeysSubcommand &command, const std::string &file, const std::string &name,
+              const std::function<void(PeerEntry &)> &change)
+{
+    return edit(command, file, [&](PeersFile &peers) -> Result<void, InputError> {
+        const PeerEntry *known = peers.find(name);
+        if (!known)
+            return tl::unexpected(noSuchPeer(name));
+        PeerEntry entry = *known;
+        change(entry);
+        return peers.replace(std::move(entry));
+    });
+}
+
+std::optional<channel::PeerRole> readRole(Options &options, const std::string &text)
+{
+    const auto role = keys::peerRoleFromText(text);
+    if (!role)
+        options.fail("'" + text + "' is not a role: pilot or observer is expected");
+    return role;
+}
+
+std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std::string &text)
+{
+    auto ids = keys::systemIdsFromText(text);
+    if (ids)
+        return std::move(*ids);
+    options.fail(ids.error().message);
+    return std::nullopt;
+}
+
+keys::PublicKey readPublicKey(Options &options)
+{
+    const QStringList given = options.arguments(0, 1);
+    if (given.isEmpty() == !options.has("from")) {
+        options.fail("a public key is expected, or --from FILE");
+        return {};
+    }
+    std::string text = given.value(0).toStdString();
+    if (given.isEmpty()) {
+        const auto content = readNamed(options.text("from"));
+        if (!content)
+            options.fail(content.error().text());
+        text = content ? asText(*content) : std::string_view();
+    }
+    const auto key = keys::publicKeyFromText(text);
+    if (!key)
+        options.fail(key.error().message);
+    return key.value_or(keys::PublicKey{});
+}
+
+/// As ssh says it: the owner may have made a new key, or somebody stands between.
+InputError changedKey(const PeerEntry &known, const keys::PublicKey &offered)
+{
+    return {"THE KEY OF '" + known.peer.name + "' HAS CHANGED, refused. Either it was made anew there, or somebody pretends to be it.\n"
+                "  known until now " + keys::fingerprint(known.peer.key) + "\n"
+                "  offered         " + keys::fingerprint(offered) + "\n"
+                "Compare the second one at the device itself. If it is right, say --replace",
+            {}};
+}
+
+} // namespace
+
+int addPeer(const QStringList &arguments)
+{
+    KeysSubcommand command("peers add", "Adds a peer whose fingerprint you have compared.");
+    Options &options = command.options;
+    options.addArgument("PUBLIC", "Its public key, as keys show or keys export prints it there.");
+    options.addValue("from", "FILE", "File of its public key instead; - for standard input.");
+    command.addPeersOption();
+    options.addValue("name", "NAME", "How it is to be called here.");
+    options.addValue("role", "pilot|observer", "What it may do: command, or only look.", "pilot");
+    options.addValue("sysids", "LIST", "MAVLink system ids that it may speak as, e.g. 1,2.", "any");
+    options.addValue("psk", "FILE", "Pre-shared key of this pair (keys psk), the same file on both ends.");
+    options.addFlag("replace", "Replaces the key of the peer of that name: it has changed, and you know why. What else was noted "
+                               "stays, unless it is given.");
+    if (const auto status = options.parse(arguments))
+        return *status;
+    const std::string file = options.required("peers");
+    PeerEntry entry;
+    entry.peer.name = options.required("name");
+    entry.peer.role = readRole(options, options.text("role")).value_or(channel::PeerRole::Observer);
+    entry.peer.systemIds = readSystems(options, options.text("sysids")).value_or(std::vector<std::uint8_t>{});
+    if (options.has("psk")) // whoever reads the file may stand in another folder
+        entry.presharedKeyFile = QFileInfo(QString::fromStdString(options.text("psk"))).absoluteFilePath().toStdString();
+    entry.peer.key = readPublicKey(options);
+    if (const auto status = options.finish())
+        return *status;
+
+    const keys::PublicKey key = entry.peer.key;
+    const int status = edit(command, file, [&](PeersFile &peers) -> Result<void, InputError> {
+        const PeerEntry *known = peers.find(entry.peer.name);
+        if (known && peers.acquaintance(entry.peer.name, key) == keys::Acquaintance::KeyChanged && !options.has("replace"))
+            return tl::unexpected(changedKey(*known, key));
+        if (!options.has("replace"))
+            return peers.add(entry);
+        if (!known)
+            return tl::unexpected(noSuchPeer(entry.peer.name));
+        if (!options.has("role"))
+            entry.peer.role = known->peer.role;
+        if (!options.has("sysids"))
+            entry.peer.systemIds = known->peer.systemIds;
+        if (!options.has("psk"))
+            entry.presharedKeyFile = known->presharedKeyFile;
+        return peers.replace(entry);
+    });
+    if (status == kDone)
+        printLine("fingerprint " + keys::fingerprint(key));
+    return status;
+}
+
+int listPeers(const QStringList &arguments)
+{
+    KeysSubcommand command("peers list", "Lists the known peers.");
+    command.options.addValue("peers", "FILE", "File of known peers.");
+    command.addJsonOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    if (const auto status = command.options.finish())
+        return *status;
+    const auto peers = PeersFile::load(file);
+    if (!peers)
+        return command.cannotOpen(peers.error());
+    for (const PeerEntry &entry : peers->entries()) {
+        const channel::Peer &peer = entry.peer;
+        const std::string role(keys::peerRoleText(peer.role));
+        const std::string systems = keys::systemIdsText(peer.systemIds);
+        if (!command.options.has("json")) {
+            printLine(peer.name + "  " + role + "  " + systems + "  " + keys::fingerprint(peer.key)
+                      + (entry.presharedKeyFile.empty() ? "" : "  psk"));
+            continue;
+        }
+        JsonWriter line;
+        line.beginObject().field("event", "peer").field("name", peer.name).field("role", role).field("sysids", systems);
+        line.field("public", keys::publicKeyText(peer.key)).field("fingerprint", keys::fingerprint(peer.key));
+        line.field("psk", !entry.presharedKeyFile.empty()).endObject();
+        printLine(line.text());
+    }
+    return kDone;
+}
+
+int removePeer(const QStringList &arguments)
+{
+    KeysSubcommand command("peers revoke", "Removes a peer: its session ends at once, and it cannot connect any more.");
+    command.addArgument("NAME", "The peer's name.");
+    command.addPeersOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    if (const auto status = command.options.finish())
+        return *status;
+    if (!keys::fileExists(file))
+        return command.cannotOpen({"does not exist", file});
+    return edit(command, file, [&](PeersFile &peers) -> Result<void, InputError> {
+        if (!peers.remove(command.argument(0)))
+            return tl::unexpected(noSuchPeer(command.argument(0)));
+        return {};
+    });
+}
+
+int renamePeer(const QStringList &arguments)
+{
+    KeysSubcommand command("peers rename", "Gives a peer another name.");
+    command.addArgument("NAME", "The peer's name.");
+    command.addArgument("NEW-NAME", "1 to 32 letters, digits, \"-\", \"_\" or \".\".");
+    command.addPeersOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    if (const auto status = command.options.finish())
+        return *status;
+    return edit(command, file, [&](PeersFile &peers) { return peers.rename(command.argument(0), command.argument(1)); });
+}
+
+int setPeerRole(const QStringList &arguments)
+{
+    KeysSubcommand command("peers role", "Changes what a peer may do; a session that is up obeys at once.");
+    command.addArgument("NAME", "The peer's name.");
+    command.addArgument("ROLE", "pilot: it may command; observer: it may only look.");
+    command.addPeersOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    const auto role = readRole(command.options, command.argument(1));
+    if (const auto status = command.options.finish())
+        return *status;
+    return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { entry.peer.role = *role; });
+}
+
+int setPeerSystems(const QStringList &arguments)
+{
+    KeysSubcommand command("peers sysids", "Changes the MAVLink system ids that a peer may speak as.");
+    command.addArgument("NAME", "The peer's name.");
+    command.addArgument("LIST", "System ids from 1 to 255 with commas between them, or any.");
+    command.addPeersOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    const auto systems = readSystems(command.options, command.argument(1));
+    if (const auto status = command.options.finish())
+        return *status;
+    return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { entry.peer.systemIds = *systems; });
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,35 @@
+// How the passphrase of a key file comes into a program: typed at the terminal without an echo, or from a file or an open
+// descriptor. Never from the command line, which every user of the machine can read.
+#pragma once
+
+#include "app/common/options.h"
+#include "core/keys/secret_file.h"
+
+#include <string>
+
+namespace skyseal::app {
+
+class PassphraseInput
+{
+public:
+    /// Declares --passphrase-file and --passphrase-fd; with `which`, e.g. "new-", --new-passphrase-file and so on.
+    static void declare(Options &options, const char *which = "");
+    /// A problem when both are given.
+    static PassphraseInput read(Options &options, const char *which = "");
+
+    /// True when a file or a descriptor was named.
+    bool isGiven() const { return !m_file.empty() || m_descriptor >= 0; }
+
+    /// For opening a sealed file. Asks at the terminal three times, a file or descriptor once.
+    keys::AskPassphrase ask() const;
+    /// A new passphrase for `file`, typed twice at the terminal. An error in words when it was cancelled, empty or mistyped.
+    Result<crypto::Passphrase, InputError> choose(const std::string &file) const;
+
+private:
+    Result<crypto::Passphrase, InputError> readGiven() const;
+
+    std::string m_file;
+    int m_descriptor = -1;
+};
+
+} // namespace skyseal::app
