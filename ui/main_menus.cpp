@@ -5,6 +5,7 @@
 #include "ui/map/map_view.h"
 #include "ui/security/suite_actions.h"
 #include "ui/text/words.h"
+#include "ui/window_docks.h"
 
 #include <QtGui/QAction>
 #include <QtWidgets/QDockWidget>
@@ -88,7 +89,7 @@ void MainMenus::fillVehicle(QMenu &menu)
     all << ask(tr("&Arm …"), QStringLiteral("actionArm"), tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
     all << ask(tr("&Disarm …"), QStringLiteral("actionDisarm"), tr("Disarm the motors?"), vehicle::Disarm{});
     menu.addSeparator();
-    all << ask(tr("&Take off …"), QStringLiteral("actionTakeOff"), tr("Take off to 10 m?"), vehicle::TakeOff{});
+    all << add(menu, tr("&Take off …"), QStringLiteral("actionTakeOff"), {}, [this] { m_window.openTakeOff(); });
     all << ask(tr("&Land …"), QStringLiteral("actionLand"), tr("Land here?"), vehicle::Land{});
     all << ask(tr("&Return to launch …"), QStringLiteral("actionReturn"), tr("Return to launch and land there?"),
                vehicle::ReturnToLaunch{});
@@ -147,7 +148,7 @@ void MainMenus::fillView(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuView"));
     int key = 0;
-    for (QDockWidget *dock : m_window.m_docks) {
+    for (QDockWidget *dock : m_window.m_docks->all()) {
         auto *action = new QAction(dock->windowTitle(), &m_window);
         action->setObjectName(QStringLiteral("view_") + dock->objectName());
         action->setCheckable(true);
@@ -160,7 +161,7 @@ void MainMenus::fillView(QMenu &menu)
             if (inFront)
                 dock->hide();
             else
-                m_window.revealDock(dock);
+                m_window.m_docks->reveal(dock);
         });
         connect(dock->toggleViewAction(), &QAction::toggled, action, &QAction::setChecked);
         menu.addAction(action);
@@ -173,7 +174,7 @@ void MainMenus::fillView(QMenu &menu)
         [this] { m_window.m_map->zoomBy(1 / 1.5); });
     add(menu, tr("&Clear the track"), QStringLiteral("actionClearTrack"), {}, [this] { m_window.m_map->clearTrack(); });
     menu.addSeparator();
-    add(menu, tr("&Reset the arrangement"), QStringLiteral("actionResetView"), {}, [this] { m_window.resetArrangement(); });
+    add(menu, tr("&Reset the arrangement"), QStringLiteral("actionResetView"), {}, [this] { m_window.m_docks->reset(); });
     auto *full = add(menu, tr("F&ull screen"), QStringLiteral("actionFullScreen"), Qt::Key_F11,
                      [this] { m_window.setWindowState(m_window.windowState() ^ Qt::WindowFullScreen); });
     full->setCheckable(true);

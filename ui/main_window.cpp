@@ -1,12 +1,11 @@
 #include "ui/main_window.h"
 
-#include "ui/charts/diagnostics_panel.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/key_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/flight_panel.h"
+#include "ui/flight/take_off_dialog.h"
 #include "ui/flight/vehicle_commands.h"
-#include "ui/inspector/inspector_panel.h"
 #include "ui/links/link_dialog.h"
 #include "ui/links/links_panel.h"
 #include "ui/links/problem_banner.h"
@@ -15,8 +14,6 @@
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
 #include "ui/messages/messages_panel.h"
-#include "ui/mission/mission_panel.h"
-#include "ui/parameters/parameters_panel.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
@@ -24,12 +21,11 @@
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
+#include "ui/window_docks.h"
 
 #include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
-#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMenu>
-#include <QtWidgets/QScrollArea>
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QVBoxLayout>
 
@@ -38,7 +34,6 @@
 namespace skyseal::ui {
 
 namespace {
-constexpr int kArrangementVersion = 1;
 constexpr double kNumbersEvery = 0.2; ///< seconds: nobody reads numbers quicker, and every repaint costs
 }
 
@@ -52,12 +47,13 @@ MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts fact
     setDockOptions(QMainWindow::AnimatedDocks | QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     makeCentre();
-    makeDocks();
+    m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
+    m_docks = new WindowDocks(*this, {m_station, *m_commands, *m_suites, m_facts.recordFolder});
     new MainMenus(*this);
     connectPanels();
     resize(1280, 800);
-    m_defaultArrangement = saveState(kArrangementVersion);
-    restoreArrangement();
+    m_docks->rememberDefault();
+    m_docks->restore(m_store);
     applySettings(m_settings);
     setFocus(); // no control is the first one: the map takes the keys once it is clicked or reached by Tab
 }
@@ -95,84 +91,32 @@ void MainWindow::makeCentre()
     setStatusBar(m_traffic);
 }
 
-QDockWidget *MainWindow::addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area,
-                                 bool scrolls)
-{
-    auto *dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setAccessibleName(title);
-    if (scrolls) {
-        auto *scroll = new QScrollArea(dock);
-        scroll->setWidget(panel);
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        scroll->setMinimumWidth(panel->minimumSizeHint().width() + 2 * kGrid);
-        dock->setWidget(scroll);
-    } else {
-        dock->setWidget(panel);
-    }
-    addDockWidget(area, dock);
-    m_docks.push_back(dock);
-    return dock;
-}
-
-void MainWindow::makeDocks()
-{
-    m_flight = new FlightPanel(*m_commands, this);
-    m_secure = new SecureLinkPanel(*m_suites, this);
-    m_messages = new MessagesPanel(this);
-    QDockWidget *flight = addDock(tr("Flight"), QStringLiteral("dockFlight"), m_flight, Qt::LeftDockWidgetArea, true);
-    QDockWidget *secure = addDock(tr("Secure link"), QStringLiteral("dockSecure"), m_secure, Qt::RightDockWidgetArea, true);
-    m_diagnostics = new DiagnosticsPanel(this);
-    m_inspector = new InspectorPanel(m_station, this);
-    m_parameters = new ParametersPanel(m_station, this);
-    m_mission = new MissionPanel(m_station, this);
-    m_logs = new LogsPanel(m_station, m_facts.recordFolder, this);
-    m_links = new LinksPanel(m_station, this);
-    const auto below = [this](const QString &title, const char *name, QWidget *panel) {
-        return addDock(title, QLatin1String(name), panel, Qt::BottomDockWidgetArea);
-    };
-    QDockWidget *diagnostics = below(tr("Diagnostics"), "dockDiagnostics", m_diagnostics);
-    for (QDockWidget *dock :
-         {below(tr("Messages"), "dockMessages", m_messages), below(tr("Inspector"), "dockInspector", m_inspector),
-          below(tr("Parameters"), "dockParameters", m_parameters), below(tr("Mission"), "dockMission", m_mission),
-          below(tr("Logs"), "dockLogs", m_logs), below(tr("Links"), "dockLinks", m_links)})
-        tabifyDockWidget(diagnostics, dock);
-    diagnostics->raise();
-    const auto watch = [this](const char *dock, DockPanel *panel) {
-        connect(findChild<QDockWidget *>(QLatin1String(dock)), &QDockWidget::visibilityChanged, panel,
-                &DockPanel::setInFront);
-    };
-    m_inspector->setInFront(false);
-    watch("dockDiagnostics", m_diagnostics);
-    watch("dockInspector", m_inspector);
-    resizeDocks({flight, secure}, {280, 272}, Qt::Horizontal);
-    resizeDocks({diagnostics}, {216}, Qt::Vertical);
-}
-
 void MainWindow::connectPanels()
 {
     connect(&m_station, &StationPort::snapshotReady, this, &MainWindow::showSnapshot);
     connect(&m_station, &StationPort::happened, this, &MainWindow::take);
     connect(m_strip, &StatusStrip::lockClicked, this,
-            [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockSecure"))); });
+            [this] { m_docks->reveal("dockSecure"); });
     connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
     connect(m_strip, &StatusStrip::linkClicked, this,
-            [this] { revealDock(findChild<QDockWidget *>(QStringLiteral("dockLinks"))); });
+            [this] { m_docks->reveal("dockLinks"); });
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
-    connect(m_secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
-    connect(m_secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
+    connect(m_docks->secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
+    connect(m_docks->secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
         for (const auto &vehicle : m_scene.snapshot->vehicles)
             if (vehicle.session && static_cast<quint32>(*vehicle.session) == session)
                 chooseVehicle(vehicle.state.systemId);
     });
-    connect(m_links, &LinksPanel::addWanted, this, &MainWindow::openLinkDialog);
-    connect(m_logs, &LogsPanel::replayWanted, this, &MainWindow::replay);
+    connect(m_docks->links, &LinksPanel::addWanted, this, &MainWindow::openLinkDialog);
+    connect(m_docks->logs, &LogsPanel::replayWanted, this, &MainWindow::replay);
+    connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {
+        m_settings.takeOffAltitude = metres;
+        storeSettings(m_store, m_settings);
+    });
     connect(m_commands, &VehicleCommands::said, this, [this](const QString &line, bool ok) {
         constexpr std::uint8_t kWarning = 4, kInfo = 6;
-        m_messages->say(line, ok ? kInfo : kWarning);
+        m_docks->messages->say(line, ok ? kInfo : kWarning);
     });
 }
 
@@ -180,9 +124,8 @@ void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 {
     m_scene = sceneOf(snapshot, m_chosenVehicle);
     m_commands->setVehicle(m_scene.vehicle ? m_scene.vehicle->state.systemId : 0);
-    m_flight->showAttitude(m_scene);
     m_map->showScene(m_scene);
-    m_diagnostics->showScene(m_scene);
+    m_docks->showMoving(m_scene);
     SceneState state = stateOf(m_scene);
     const bool changed = state != m_shownState;
     if (!changed && snapshot && std::abs(snapshot->time - m_numbersAt) < kNumbersEvery)
@@ -198,18 +141,12 @@ void MainWindow::showNumbers()
     m_strip->showScene(m_scene);
     m_traffic->showScene(m_scene);
     m_empty->showScene(m_scene);
-    m_flight->showScene(m_scene);
-    m_secure->showScene(m_scene);
-    m_inspector->showScene(m_scene);
-    m_parameters->showScene(m_scene);
-    m_mission->showScene(m_scene);
-    m_logs->showScene(m_scene);
-    m_links->showScene(m_scene);
+    m_docks->showNumbers(m_scene);
 }
 
 void MainWindow::take(const engine::Happening &happening)
 {
-    m_messages->take(happening);
+    m_docks->messages->take(happening);
     if (const auto *changed = std::get_if<engine::LinkChanged>(&happening); changed && changed->link.addressInUse)
         tellPortInUse(changed->link);
 }
@@ -270,16 +207,6 @@ void MainWindow::popUpVehicles()
     menu.exec(m_strip->mapToGlobal(QPoint(kGrid, m_strip->height())));
 }
 
-void MainWindow::revealDock(QDockWidget *dock)
-{
-    if (!dock)
-        return;
-    dock->show();
-    dock->raise();
-    if (QWidget *inside = dock->widget())
-        inside->setFocus(Qt::ShortcutFocusReason);
-}
-
 void MainWindow::openLinkDialog()
 {
     auto *dialog = new LinkDialog(m_settings.defaultLink, this);
@@ -293,6 +220,13 @@ void MainWindow::openSettings()
     auto *dialog = new SettingsDialog(m_settings, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { applySettings(dialog->settings()); });
+    dialog->open();
+}
+
+void MainWindow::openTakeOff()
+{
+    auto *dialog = new TakeOffDialog(*m_commands, m_settings.units, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
 }
 
@@ -320,7 +254,7 @@ void MainWindow::applySettings(const Settings &settings)
     const bool changed = !(settings == m_settings);
     m_settings = settings;
     applyTheme(settings.theme);
-    m_flight->setUnits(settings.units);
+    m_docks->flight->setUnits(settings.units);
     m_suites->setResearchAllowed(settings.allowResearch);
     showNumbers();
     if (!changed)
@@ -331,21 +265,9 @@ void MainWindow::applySettings(const Settings &settings)
     Q_EMIT settingsChanged(settings);
 }
 
-void MainWindow::restoreArrangement()
-{
-    restoreGeometry(m_store.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(m_store.value(QStringLiteral("window/docks")).toByteArray(), kArrangementVersion);
-}
-
-void MainWindow::resetArrangement()
-{
-    restoreState(m_defaultArrangement, kArrangementVersion);
-}
-
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    m_store.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    m_store.setValue(QStringLiteral("window/docks"), saveState(kArrangementVersion));
+    m_docks->save(m_store);
     event->accept();
 }
 

@@ -7,30 +7,21 @@
 
 #include <QtWidgets/QMainWindow>
 
-#include <vector>
+#include <functional>
 
-class QDockWidget;
 class QMenu;
 class QSettings;
 
 namespace skyseal::ui {
 
 class EmptyState;
-class FlightPanel;
 class MapView;
-class MessagesPanel;
 class ProblemBanner;
-class SecureLinkPanel;
 class StatusStrip;
 class SuiteActions;
 class TrafficBar;
 class VehicleCommands;
-class DiagnosticsPanel;
-class InspectorPanel;
-class LinksPanel;
-class LogsPanel;
-class MissionPanel;
-class ParametersPanel;
+class WindowDocks;
 
 /// Facts about this program that some dialogs show.
 struct ProgramFacts
@@ -71,24 +62,19 @@ private:
     friend class MainMenus;
 
     void makeCentre();
-    void makeDocks();
-    QDockWidget *addDock(const QString &title, const QString &name, QWidget *panel, Qt::DockWidgetArea area,
-                         bool scrolls = false);
     void connectPanels();
     void showNumbers();
     void take(const engine::Happening &happening);
     void tellPortInUse(const engine::LinkSnapshot &link);
     void chooseVehicle(std::uint8_t systemId);
     void popUpVehicles();
-    void revealDock(QDockWidget *dock);
     void openLinkDialog();
     void openSettings();
+    void openTakeOff();
     void openHelp(const QString &page);
     void openKeys();
     void replay(const QString &file);
     void applySettings(const Settings &settings);
-    void restoreArrangement();
-    void resetArrangement();
 
     StationPort &m_station;
     QSettings &m_store;
@@ -106,17 +92,7 @@ private:
     MapView *m_map;
     EmptyState *m_empty;
     ProblemBanner *m_banner;
-    FlightPanel *m_flight;
-    SecureLinkPanel *m_secure;
-    MessagesPanel *m_messages;
-    DiagnosticsPanel *m_diagnostics;
-    InspectorPanel *m_inspector;
-    ParametersPanel *m_parameters;
-    MissionPanel *m_mission;
-    LogsPanel *m_logs;
-    LinksPanel *m_links;
-    std::vector<QDockWidget *> m_docks; ///< in the order of Ctrl+1 … n
-    QByteArray m_defaultArrangement;
+    WindowDocks *m_docks;
 };
 
 } // namespace skyseal::ui

@@ -1,5 +1,7 @@
 #include "ui/settings.h"
 
+#include "ui/flight/vehicle_commands.h"
+
 #include <QtCore/QSettings>
 
 namespace skyseal::ui {
@@ -10,6 +12,13 @@ int inRange(const QSettings &store, const char *key, int low, int high, int othe
 {
     bool ok = false;
     const int value = store.value(QLatin1String(key), otherwise).toInt(&ok);
+    return ok && value >= low && value <= high ? value : otherwise;
+}
+
+double inRange(const QSettings &store, const char *key, double low, double high, double otherwise)
+{
+    bool ok = false;
+    const double value = store.value(QLatin1String(key), otherwise).toDouble(&ok);
     return ok && value >= low && value <= high ? value : otherwise;
 }
 
@@ -26,6 +35,7 @@ Settings loadSettings(const QSettings &store)
     s.recordFolder = store.value(QStringLiteral("log/folder")).toString();
     s.allowResearch = store.value(QStringLiteral("security/allowResearch"), s.allowResearch).toBool();
     s.requireSealed = store.value(QStringLiteral("security/requireSealed"), s.requireSealed).toBool();
+    s.takeOffAltitude = inRange(store, "flight/takeOffAltitude", kLowestTakeOff, kHighestTakeOff, s.takeOffAltitude);
     const QString link = store.value(QStringLiteral("link/default")).toString();
     if (!link.isEmpty())
         s.defaultLink = link;
@@ -42,6 +52,7 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("log/folder"), settings.recordFolder);
     store.setValue(QStringLiteral("security/allowResearch"), settings.allowResearch);
     store.setValue(QStringLiteral("security/requireSealed"), settings.requireSealed);
+    store.setValue(QStringLiteral("flight/takeOffAltitude"), settings.takeOffAltitude);
     store.setValue(QStringLiteral("link/default"), settings.defaultLink);
 }
 

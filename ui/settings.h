@@ -21,6 +21,7 @@ struct Settings
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;
     bool requireSealed = false; ///< clear MAVLink is never shown
+    double takeOffAltitude = 10; ///< metres above home, the last one that was chosen
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
 
     bool operator==(const Settings &) const = default;

@@ -1,17 +1,22 @@
 // At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "ui/fitting_scroll.h"
+#include "ui/flight/tape.h"
 #include "ui/main_window.h"
+#include "ui/security/counters_table.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/strip_item.h"
 #include "ui/text/figures.h"
 
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>
+#include <QtGui/QPainter>
 #include <QtTest/QTest>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QRadioButton>
+#include <QtWidgets/QScrollBar>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -51,6 +56,62 @@ private Q_SLOTS:
             QVERIFY2(widget->width() + 1 >= wanted.width(), what.constData());
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
+        }
+    }
+
+    void sidesFitWithoutScrolling_data()
+    {
+        QTest::addColumn<QString>("state");
+        for (const char *state : {"waiting", "plain", "sealed", "attack"})
+            QTest::newRow(state) << QString::fromLatin1(state);
+    }
+
+    void sidesFitWithoutScrolling()
+    {
+        QFETCH(QString, state);
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)}) {
+            open(size);
+            show(state);
+            for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
+                QTRY_VERIFY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+        }
+    }
+
+    void whatGivesWayIsStillTold()
+    {
+        open({1024, 700});
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.sessions.front().stats.rx.forged = 7;
+        snapshot.sessions.front().stats.rx.malformed = 5;
+        m_station->show(snapshot);
+        const auto *counters = m_window->findChild<CountersTable *>();
+        QTRY_VERIFY(counters->isBrief());
+        const auto *refused = m_window->findChild<FigureLabel *>(QStringLiteral("counter_8_1"));
+        QVERIFY(refused->isVisible());
+        QCOMPARE(refused->value(), QStringLiteral("12"));
+        QVERIFY(refused->toolTip().contains(QStringLiteral("7 forged")));
+        QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
+        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("securePeer"))->toolTip().contains(QStringLiteral("41c0 9be7")));
+        m_window->resize(1280, 1000);
+        QTRY_VERIFY(m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
+        QVERIFY(!counters->isBrief());
+        QVERIFY(!refused->isVisible());
+    }
+
+    void tapesCutNoNumber()
+    {
+        const TapeStyle style{Qt::black, Qt::red, Qt::blue, Qt::black};
+        for (int height = 90; height < 140; height += 7) {
+            for (double value = 0; value < 6; value += 0.1) {
+                QImage image(52, height, QImage::Format_RGB32);
+                QPainter painter(&image);
+                paintVerticalTape(painter, image.rect(), value, 2, 11, 1, true, style);
+                painter.end();
+                for (const int y : {0, height - 1})
+                    for (int x = 0; x < 40; ++x)
+                        QVERIFY2(qRed(image.pixel(x, y)) < 40,
+                                 qPrintable(QStringLiteral("value %1, height %2").arg(value).arg(height)));
+            }
         }
     }
 

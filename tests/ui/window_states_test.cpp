@@ -3,7 +3,10 @@
 #include "fake_station.h"
 #include "scripted_snapshots.h"
 #include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/altitude_box.h"
 #include "ui/flight/hold_button.h"
+#include "ui/flight/take_off_dialog.h"
+#include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
@@ -162,6 +165,64 @@ private Q_SLOTS:
         QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
         QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
         QVERIFY(std::holds_alternative<vehicle::Land>(m_station->commands[0].second));
+    }
+
+    void menuTakeOffAsksHowHighAndRemembers()
+    {
+        m_station->show(sealedSnapshot(1));
+        auto *action = m_window->findChild<QAction *>(QStringLiteral("actionTakeOff"));
+        action->trigger();
+        auto *dialog = m_window->findChild<TakeOffDialog *>();
+        QTRY_VERIFY(dialog && dialog->isVisible());
+        auto *altitude = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("takeOffDialogAltitude"));
+        QCOMPARE(altitude->value(), 10.0);
+        QVERIFY(altitude->suffix().contains(QLatin1Char('m')));
+        altitude->selectAll();
+        QTest::keyClicks(altitude, QStringLiteral("9999"));
+        QVERIFY(altitude->value() <= kHighestTakeOff);
+        altitude->selectAll();
+        QTest::keyClicks(altitude, QStringLiteral("35"));
+        QTest::keyClick(altitude, Qt::Key_Return); // in the number it means: done with typing
+        QVERIFY(dialog->isVisible());
+        QVERIFY(m_station->commands.empty());
+        auto *go = dialog->findChild<HoldButton *>(QStringLiteral("takeOffDialogGo"));
+        go->setFocus();
+        QTest::keyPress(go, Qt::Key_Space);
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        QTest::keyRelease(m_window.get(), Qt::Key_Space);
+        QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 35.0);
+        QCOMPARE(find<QDoubleSpinBox>("takeOffAltitude")->value(), 35.0); // one number for both
+        m_window.reset();
+        open();
+        QCOMPARE(find<QDoubleSpinBox>("takeOffAltitude")->value(), 35.0);
+    }
+
+    void takeOffAltitudeFollowsTheUnits()
+    {
+        AltitudeBox box;
+        box.setMetres(10);
+        box.setUnits(UnitSystem::Imperial);
+        QCOMPARE(box.value(), 33.0);
+        QVERIFY(box.suffix().contains(QStringLiteral("ft")));
+        QCOMPARE(box.metres(), 10.0); // showing it does not change it
+        box.setValue(100);
+        QCOMPARE(box.metres(), 30.48);
+        box.setMetres(1e9);
+        QCOMPARE(box.metres(), kHighestTakeOff);
+        box.setMetres(-3);
+        QCOMPARE(box.metres(), kLowestTakeOff);
+    }
+
+    void aSilentSessionSaysSo()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        m_station->show(snapshot);
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Sealed"));
+        snapshot.time = 9;
+        snapshot.sessions.front().info.silent = true;
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("secureTitle")->text().contains(QStringLiteral("nothing is heard")));
+        QVERIFY(find<QLabel>("secureAdvice")->isVisible());
     }
 
     void portInUseOffersTheNextOne()

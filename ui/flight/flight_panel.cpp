@@ -63,6 +63,7 @@ void FlightPanel::setUnits(UnitSystem units)
     m_units = units;
     m_horizon->setUnits(units);
     m_values->setUnits(units);
+    m_actions->setUnits(units);
 }
 
 } // namespace skyseal::ui

@@ -38,6 +38,12 @@ void paintVerticalTape(QPainter &painter, const QRectF &area, double value, doub
     painter.fillRect(area, style.back);
     const QFontMetricsF metrics(painter.font());
     const qreal middle = area.center().y();
+    const qreal half = std::ceil(metrics.height() / 2) + 1; // of the box with the value
+    // A number that is cut, by an end of the tape or by the box, can be read as another one: it is left away.
+    const auto fits = [&](qreal y) {
+        const qreal reach = metrics.capHeight() / 2 + 2;
+        return y - reach >= area.top() && y + reach <= area.bottom() && std::abs(y - middle) >= half + reach - 1;
+    };
     const qreal inner = pointsRight ? area.right() : area.left();
     const qreal inward = pointsRight ? -1 : 1;
     if (std::isfinite(value)) {
@@ -50,7 +56,7 @@ void paintVerticalTape(QPainter &painter, const QRectF &area, double value, doub
             const bool major = i % 2 == 0;
             painter.setPen(QPen(style.dim, 1));
             painter.drawLine(QPointF(inner, y), QPointF(inner + inward * (major ? 7 : 4), y));
-            if (!major)
+            if (!major || !fits(y))
                 continue;
             painter.setPen(style.ink);
             const QString text = number(at, 0);
@@ -59,7 +65,6 @@ void paintVerticalTape(QPainter &painter, const QRectF &area, double value, doub
             drawFigures(painter, QPointF(x, y + metrics.capHeight() / 2), text);
         }
     }
-    const qreal half = std::ceil(metrics.height() / 2) + 1;
     QPainterPath box;
     const qreal tip = pointsRight ? area.right() : area.left();
     const qreal shoulder = tip + inward * 6;
@@ -104,6 +109,9 @@ void paintCompassTape(QPainter &painter, const QRectF &area, double heading, con
             if (!major)
                 continue;
             const QString text = compassWord(degrees);
+            const qreal half = metrics.horizontalAdvance(text) / 2;
+            if (x - half < area.left() || x + half > area.right())
+                continue;
             painter.setPen(degrees % 90 == 0 ? style.ink : style.dim);
             painter.drawText(QPointF(x - metrics.horizontalAdvance(text) / 2, area.bottom() - 4), text);
         }

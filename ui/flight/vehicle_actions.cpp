@@ -1,11 +1,11 @@
 #include "ui/flight/vehicle_actions.h"
 
+#include "ui/flight/altitude_box.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
 #include <QtWidgets/QComboBox>
-#include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 
@@ -30,13 +30,11 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     m_modes->setAccessibleName(tr("Flight mode to set"));
     m_modes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_modes->setMinimumContentsLength(8);
-    m_altitude = new QDoubleSpinBox(this);
+    m_altitude = new AltitudeBox(this);
     m_altitude->setObjectName(QStringLiteral("takeOffAltitude"));
-    m_altitude->setAccessibleName(tr("Take-off altitude"));
-    m_altitude->setRange(1, 1000);
-    m_altitude->setDecimals(0);
-    m_altitude->setValue(10);
-    m_altitude->setSuffix(QStringLiteral(" m"));
+    m_altitude->setMetres(commands.takeOffAltitude());
+    connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
+    connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
     m_result = new QLabel(this);
     m_result->setTextFormat(Qt::PlainText); // the reason is in the vehicle's own words
     m_result->setObjectName(QStringLiteral("commandResult"));
@@ -62,7 +60,7 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     connect(m_arm, &HoldButton::confirmed, this, [this] {
         m_commands.send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
     });
-    connect(m_takeOff, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::TakeOff{m_altitude->value()}); });
+    connect(m_takeOff, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::TakeOff{m_altitude->metres()}); });
     connect(m_land, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::Land{}); });
     connect(m_return, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::ReturnToLaunch{}); });
     connect(m_setMode, &HoldButton::confirmed, this,
@@ -103,6 +101,11 @@ void VehicleActions::showModes(const std::vector<std::string> &modes, const std:
     m_modes->setCurrentIndex(m_modes->findText(fromStd(current)));
     if (m_modes->currentIndex() < 0)
         m_modes->setCurrentIndex(0);
+}
+
+void VehicleActions::setUnits(UnitSystem units)
+{
+    m_altitude->setUnits(units);
 }
 
 void VehicleActions::say(const QString &line, bool ok)

@@ -4,14 +4,16 @@
 #include "ui/flight/hold_button.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/scene.h"
+#include "ui/text/units.h"
 
 #include <QtWidgets/QWidget>
 
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 
 namespace skyseal::ui {
+
+class AltitudeBox;
 
 class VehicleActions : public QWidget
 {
@@ -21,6 +23,7 @@ public:
     explicit VehicleActions(VehicleCommands &commands, QWidget *parent = nullptr);
 
     void showScene(const Scene &scene);
+    void setUnits(UnitSystem units);
     void say(const QString &line, bool ok);
 
 private:
@@ -29,7 +32,7 @@ private:
     VehicleCommands &m_commands;
     HoldButton *m_arm, *m_takeOff, *m_land, *m_return, *m_setMode;
     QComboBox *m_modes;
-    QDoubleSpinBox *m_altitude;
+    AltitudeBox *m_altitude;
     QLabel *m_result;
     std::vector<std::string> m_knownModes;
     bool m_armed = false;

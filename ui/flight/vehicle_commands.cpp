@@ -2,6 +2,8 @@
 
 #include "ui/text/words.h"
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 VehicleCommands::VehicleCommands(StationPort &station, QObject *parent) : QObject(parent), m_station(station)
@@ -17,6 +19,15 @@ void VehicleCommands::send(const vehicle::VehicleCommand &command)
     const vehicle::CommandId id = m_station.command(m_systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
     Q_EMIT said(tr("%1: asked …").arg(words), true);
+}
+
+void VehicleCommands::setTakeOffAltitude(double metres)
+{
+    metres = std::clamp(metres, kLowestTakeOff, kHighestTakeOff);
+    if (metres == m_takeOffAltitude)
+        return;
+    m_takeOffAltitude = metres;
+    Q_EMIT takeOffAltitudeChanged(metres);
 }
 
 void VehicleCommands::take(const engine::Happening &happening)

@@ -10,6 +10,9 @@
 
 namespace skyseal::ui {
 
+/// What a take-off may be asked for, in metres above home.
+inline constexpr double kLowestTakeOff = 1, kHighestTakeOff = 500;
+
 class VehicleCommands : public QObject
 {
     Q_OBJECT
@@ -21,13 +24,19 @@ public:
     void send(const vehicle::VehicleCommand &command);
     void take(const engine::Happening &happening);
 
+    /// How high the next take-off goes, in metres: one number for the panel and the menu.
+    double takeOffAltitude() const { return m_takeOffAltitude; }
+    void setTakeOffAltitude(double metres);
+
 Q_SIGNALS:
+    void takeOffAltitudeChanged(double metres);
     /// One line for the operator; `ok` is false when the vehicle refused or did not answer.
     void said(const QString &line, bool ok);
 
 private:
     StationPort &m_station;
     std::uint8_t m_systemId = 0;
+    double m_takeOffAltitude = 10;
     QHash<quint32, QString> m_asked;
 };
 

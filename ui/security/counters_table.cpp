@@ -26,6 +26,7 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         {tr("forged"), tr("Seal did not verify, refused"), &ReceiveCounters::forged, true},
         {tr("malformed"), tr("No record at all, refused"), &ReceiveCounters::malformed, true},
         {tr("plain"), tr("Clear MAVLink of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
+        {tr("refused"), {}, nullptr, true},
     };
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -43,7 +44,7 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         name->setForegroundRole(QPalette::PlaceholderText);
         name->setToolTip(entry.tip);
         grid->addWidget(name, row, 0);
-        Row cells{entry.counter, entry.alarming, new FigureLabel(this), new FigureLabel(this)};
+        Row cells{entry.counter, entry.alarming, name, new FigureLabel(this), new FigureLabel(this)};
         int at = 1;
         for (FigureLabel *cell : {cells.toUs, cells.toIt}) {
             cell->setSample(QStringLiteral("8 888 888"), {});
@@ -57,20 +58,50 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
     }
     grid->setColumnStretch(0, 1);
     showStats(nullptr);
+    m_brief = true;
+    setBrief(false);
+}
+
+void CountersTable::setBrief(bool brief)
+{
+    if (brief == m_brief)
+        return;
+    m_brief = brief;
+    for (const Row &row : m_rows) {
+        const bool sum = row.counter == nullptr;
+        for (QWidget *part : std::initializer_list<QWidget *>{row.name, row.toUs, row.toIt})
+            part->setVisible(sum ? brief : !(brief && row.alarming));
+    }
+}
+
+int CountersTable::rowHeight() const
+{
+    return m_rows.front().name->sizeHint().height() + static_cast<QGridLayout *>(layout())->verticalSpacing();
 }
 
 void CountersTable::showStats(const channel::SessionStats *stats)
 {
+    for (const Row &row : m_rows)
+        showRow(row, stats);
+}
+
+void CountersTable::showRow(const Row &row, const channel::SessionStats *stats)
+{
     const QColor alarm = stateColors(palette()).alarm;
-    const auto put = [&](FigureLabel *label, bool known, std::uint64_t value, bool alarming) {
+    const auto put = [&](FigureLabel *label, bool known, const channel::ReceiveCounters &counters) {
+        const std::uint64_t value = row.counter ? counters.*row.counter
+                                                : counters.replayed + counters.forged + counters.malformed
+                                                      + counters.plaintextDropped;
         label->setFigure(known ? grouped(value) : dash());
-        label->setColor(known && alarming && value > 0 ? alarm : QColor());
+        label->setColor(known && row.alarming && value > 0 ? alarm : QColor());
+        if (!row.counter)
+            label->setToolTip(tr("%1 replayed, %2 forged, %3 malformed, %4 plain")
+                                  .arg(grouped(counters.replayed), grouped(counters.forged), grouped(counters.malformed),
+                                       grouped(counters.plaintextDropped)));
     };
-    for (const Row &row : m_rows) {
-        put(row.toUs, stats != nullptr, stats ? stats->rx.*row.counter : 0, row.alarming);
-        const bool reported = stats && stats->peerReported;
-        put(row.toIt, reported, reported ? stats->peerRx.*row.counter : 0, row.alarming);
-    }
+    static const channel::SessionStats kNone;
+    put(row.toUs, stats != nullptr, stats ? stats->rx : kNone.rx);
+    put(row.toIt, stats && stats->peerReported, stats ? stats->peerRx : kNone.peerRx);
 }
 
 } // namespace skyseal::ui

@@ -29,6 +29,8 @@ void put(QLabel *label, const QString &text)
     label->setVisible(!text.isEmpty());
 }
 
+constexpr int kLeastFit = 4;
+
 } // namespace
 
 SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidget(parent), m_suites(suites)
@@ -90,11 +92,11 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     m_note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_note->setMinimumHeight(2 * fontMetrics().lineSpacing());
     column->addWidget(m_note);
-    auto *line = new QFrame(this);
-    line->setFrameShape(QFrame::HLine);
-    line->setForegroundRole(QPalette::Mid);
-    line->setFrameShadow(QFrame::Plain);
-    column->addWidget(line);
+    m_line = new QFrame(this);
+    m_line->setFrameShape(QFrame::HLine);
+    m_line->setForegroundRole(QPalette::Mid);
+    m_line->setFrameShadow(QFrame::Plain);
+    column->addWidget(m_line);
     m_counters = new CountersTable(this);
     column->addWidget(m_counters);
     column->addSpacing(kHalfGrid);
@@ -104,13 +106,54 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
 
     connect(&suites, &SuiteActions::noteChanged, this, &SecureLinkPanel::showNote);
     showScene({});
+    applyFit(0);
 }
 
 void SecureLinkPanel::showScene(const Scene &scene)
 {
+    m_sealed = scene.session != nullptr;
     showHead(scene);
     showSessions(scene);
     m_counters->showStats(scene.session ? &scene.session->stats : nullptr);
+    arrange();
+}
+
+void SecureLinkPanel::fitHeight(int height)
+{
+    if (height != m_room) {
+        m_room = height;
+        arrange();
+    }
+}
+
+void SecureLinkPanel::applyFit(int level)
+{
+    m_level = level;
+    m_fingerprint->setVisible(m_sealed && level < 1);
+    m_counters->setBrief(level >= 2);
+    m_since->setVisible(m_sealed && level < 4);
+    m_note->setMinimumHeight((level >= 3 ? 1 : 2) * fontMetrics().lineSpacing());
+    // Without a session there is nothing to count, and the room is better used by the advice.
+    m_counters->setVisible(m_sealed);
+    m_line->setVisible(m_sealed);
+}
+
+void SecureLinkPanel::arrange()
+{
+    if (m_sealed != m_counters->isVisibleTo(this))
+        applyFit(m_level);
+    // The fullest level that fits, reckoned from the one that stands, so that no widget changes only to be measured.
+    const int savings[kLeastFit] = {m_sealed ? m_fingerprint->heightForWidth(width() - 2 * kGrid) + layout()->spacing() : 0,
+                                    m_sealed ? 3 * m_counters->rowHeight() : 0, fontMetrics().lineSpacing(),
+                                    m_sealed ? m_since->sizeHint().height() + layout()->spacing() : 0};
+    int needed = layout()->totalHeightForWidth(width());
+    for (int i = 0; i < m_level; ++i)
+        needed += savings[i];
+    int level = 0;
+    while (m_room > 0 && level < kLeastFit && needed > m_room)
+        needed -= savings[level++];
+    if (level != m_level)
+        applyFit(level);
 }
 
 void SecureLinkPanel::showHead(const Scene &scene)
@@ -133,16 +176,21 @@ void SecureLinkPanel::showHead(const Scene &scene)
     case Security::Sealed:
         title = tr("Sealed");
         color = colors.good;
+        if (scene.session && scene.session->info.silent) {
+            title = tr("Sealed, but nothing is heard");
+            advice = tr("It goes on by itself as soon as the agent is heard again.");
+            color = colors.warning;
+        }
         break;
     case Security::Switching:
         title = tr("Sealed, switching…");
         color = colors.good;
         break;
     case Security::UnderAttack:
-        title = scene.session
-                    ? tr("Under attack: %1 forged, %2 replayed in the last minute, all refused")
-                          .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute))
-                    : tr("Under attack");
+        title = tr("Under attack, all refused");
+        if (scene.session)
+            advice = tr("%1 forged, %2 replayed in a minute")
+                         .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute));
         color = colors.alarm;
         break;
     }
@@ -159,15 +207,17 @@ void SecureLinkPanel::showHead(const Scene &scene)
         m_title->setPalette(titleColors);
 
     if (!scene.session) {
-        for (QLabel *label : {m_peer, m_since, m_fingerprint})
-            put(label, {});
+        put(m_peer, {});
         return;
     }
     const auto &info = scene.session->info;
     const QString name = info.peerName.empty() ? tr("unnamed peer") : fromStd(info.peerName);
     put(m_peer, tr("%1 ✓ · %2").arg(name, fromStd(scene.session->remoteAddress)));
-    put(m_since, tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(scene.session->age)));
-    put(m_fingerprint, tr("Fingerprint of %1\n%2").arg(name, fromStd(scene.session->fingerprint)));
+    m_since->setText(tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(scene.session->age)));
+    const QString fingerprint = tr("Fingerprint of %1\n%2").arg(name, fromStd(scene.session->fingerprint));
+    if (m_fingerprint->text() != fingerprint)
+        m_fingerprint->setText(fingerprint);
+    m_peer->setToolTip(m_since->text() + QLatin1Char('\n') + fingerprint);
 }
 
 void SecureLinkPanel::showSessions(const Scene &scene)

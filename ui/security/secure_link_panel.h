@@ -7,9 +7,9 @@
 #include <QtWidgets/QWidget>
 
 class QComboBox;
+class QFrame;
 class QLabel;
 class QPushButton;
-class QStackedWidget;
 
 namespace skyseal::ui {
 
@@ -24,6 +24,9 @@ public:
     explicit SecureLinkPanel(SuiteActions &suites, QWidget *parent = nullptr);
 
     void showScene(const Scene &scene);
+    /// So much height is there: what matters least gives way, first the fingerprint (it stays in the tool tip), then the
+    /// kinds of what was refused, then the second line of the note and since when it is sealed.
+    void fitHeight(int height);
 
 Q_SIGNALS:
     /// The operator picked another session of several: show its vehicle.
@@ -34,13 +37,18 @@ private:
     void showHead(const Scene &scene);
     void showSessions(const Scene &scene);
     void showNote();
+    void arrange();
+    void applyFit(int level);
 
     SuiteActions &m_suites;
     QLabel *m_icon, *m_title, *m_peer, *m_since, *m_fingerprint, *m_note, *m_advice;
     QPushButton *m_help;
     QComboBox *m_sessions;
-    QWidget *m_facts;
     CountersTable *m_counters;
+    QFrame *m_line;
+    int m_room = 0; ///< 0: as much as it wants
+    int m_level = 0; ///< what gave way, see fitHeight()
+    bool m_sealed = false;
 };
 
 } // namespace skyseal::ui

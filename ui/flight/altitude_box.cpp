@@ -1,0 +1,55 @@
+#include "ui/flight/altitude_box.h"
+
+#include "ui/flight/vehicle_commands.h"
+
+#include <QtCore/QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace skyseal::ui {
+
+namespace {
+
+double metresPerUnit(UnitSystem units)
+{
+    return units == UnitSystem::Metric ? 1 : 0.3048;
+}
+
+} // namespace
+
+AltitudeBox::AltitudeBox(QWidget *parent) : QDoubleSpinBox(parent)
+{
+    setAccessibleName(tr("Take-off altitude"));
+    setDecimals(0);
+    show();
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        m_metres = std::clamp(value * metresPerUnit(m_units), kLowestTakeOff, kHighestTakeOff);
+        Q_EMIT metresChanged(m_metres);
+    });
+}
+
+void AltitudeBox::setUnits(UnitSystem units)
+{
+    m_units = units;
+    show();
+}
+
+void AltitudeBox::setMetres(double metres)
+{
+    m_metres = std::clamp(metres, kLowestTakeOff, kHighestTakeOff);
+    show();
+}
+
+void AltitudeBox::show()
+{
+    const QSignalBlocker quiet(this);
+    const double unit = metresPerUnit(m_units);
+    setSuffix(m_units == UnitSystem::Metric ? tr(" m") : tr(" ft"));
+    setRange(std::ceil(kLowestTakeOff / unit), std::floor(kHighestTakeOff / unit));
+    setSingleStep(m_units == UnitSystem::Metric ? 1 : 5);
+    setValue(m_metres / unit);
+    setToolTip(tr("Above home, %1 to %2%3").arg(minimum()).arg(maximum()).arg(suffix()));
+}
+
+} // namespace skyseal::ui
