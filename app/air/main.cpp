@@ -3,6 +3,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/passphrase_input.h"
+#include "app/common/peers_watch.h"
 #include "app/common/process.h"
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
@@ -91,6 +92,15 @@ int main(int argc, char **argv)
                                 }
                                 report.tell(event);
                             });
+    const PeersWatch watch(paths.peers, [&]() -> Result<std::size_t, InputError> {
+        auto peers = engine::readPeers(paths);
+        if (!peers)
+            return tl::unexpected(peers.error());
+        const std::size_t count = peers->size();
+        agent.setPeers(std::move(*peers));
+        return count;
+    });
+    tellPeers(watch, options.has("json"));
     QElapsedTimer clock;
     clock.start();
     const auto elapsed = [&clock] { return static_cast<double>(clock.elapsed()) / 1000; };

@@ -6,6 +6,7 @@
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "app/common/passphrase_input.h"
+#include "app/common/peers_watch.h"
 #include "app/common/process.h"
 
 #include <QtCore/QCoreApplication>
@@ -156,6 +157,11 @@ int runMonitor(const QStringList &arguments)
     else
         report = std::make_unique<PeopleReport>(config.record ? config.recordFolder : std::string());
     engine::HeadlessRun run(**station, *report, std::move(plan), links);
+    std::optional<PeersWatch> watch;
+    if (config.secure == engine::SecureMode::Required) {
+        watch.emplace(config.keys.peers, [&] { return (*station)->reloadPeers(); });
+        tellPeers(*watch, options.has("json"));
+    }
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &run, &engine::HeadlessRun::stop);
     QObject::connect(&run, &engine::HeadlessRun::finished, qApp,

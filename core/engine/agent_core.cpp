@@ -56,6 +56,13 @@ void AgentCore::start()
     finishWake();
 }
 
+void AgentCore::setPeers(std::vector<channel::Peer> peers)
+{
+    m_policy.setPeers(peers);
+    m_channel.endpoint().setPeers(steadyNow(), std::move(peers));
+    finishWake();
+}
+
 void AgentCore::stop()
 {
     for (const channel::SessionId session : m_channel.endpoint().sessions())

@@ -66,6 +66,8 @@ public:
     ~AgentCore() override;
 
     void start();
+    /// A new list of those who may connect; sessions of keys that are no longer in it end at once.
+    void setPeers(std::vector<channel::Peer> peers);
     /// Says goodbye to every station.
     void stop();
     /// Call about once a second: rates and load are over the time since the last call.

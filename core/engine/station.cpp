@@ -213,13 +213,14 @@ void Station::setAllowResearch(bool allow)
     d->post([allow](StationCore &core) { core.setAllowResearch(allow); });
 }
 
-Result<void, InputError> Station::reloadPeers()
+Result<std::size_t, InputError> Station::reloadPeers()
 {
     auto peers = readPeers(d->paths);
     if (!peers)
         return tl::unexpected(peers.error());
+    const std::size_t count = peers->size();
     d->post([list = std::move(*peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
-    return {};
+    return count;
 }
 
 vehicle::CommandId Station::command(std::uint8_t systemId, vehicle::VehicleCommand command)

@@ -40,8 +40,8 @@ public:
     void setPreferredSuite(crypto::SuiteId);
     void setAllowResearch(bool);
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
-    /// force.
-    Result<void, InputError> reloadPeers();
+    /// force; otherwise the number of peers.
+    Result<std::size_t, InputError> reloadPeers();
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command);
     void requestParameters(std::uint8_t systemId);
     void writeParameter(std::uint8_t systemId, std::string name, double value);
