@@ -12,9 +12,13 @@ std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Pat
 {
     const std::uint64_t begin = metrics::CycleClock::now();
     std::optional<channel::Delivery> delivery = m_endpoint.handleDatagram(now, from, datagram);
-    if (delivery)
-        m_meters[delivery->session].opened(delivery->suite, m_clock.between(begin, metrics::CycleClock::now()),
-                                           delivery->frames.size());
+    const std::uint64_t end = metrics::CycleClock::now();
+    m_wire.received += datagram.size();
+    if (delivery) {
+        m_wire.receivedFrames += delivery->frames.size();
+        m_meters[delivery->session].opened(delivery->suite, m_clock.between(begin, end), delivery->frames.size(), m_slept);
+    }
+    m_slept = false;
     return delivery;
 }
 
@@ -42,13 +46,17 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         return;
     const std::uint64_t end = metrics::CycleClock::now();
     m_meters[session].sealed(m_sendSuites[session], m_clock.between(begin, end));
+    m_wire.sent += *size;
+    m_wire.sentFrames += frames.size();
     m_links.send(m_endpoint.recordPath(session), ByteView(m_record).first(*size));
 }
 
 void ChannelDriver::transmit()
 {
-    while (const auto out = m_endpoint.pollTransmit())
+    while (const auto out = m_endpoint.pollTransmit()) {
+        m_wire.sent += out->bytes.size();
         m_links.send(out->to, out->bytes);
+    }
 }
 
 void ChannelDriver::flush(TimePoint now)
@@ -56,6 +64,7 @@ void ChannelDriver::flush(TimePoint now)
     for (auto &[session, batch] : m_batches)
         sealBatch(now, session, batch);
     transmit();
+    m_slept = true; // the thread goes to sleep after this
 }
 
 std::optional<channel::Event> ChannelDriver::pollEvent()
@@ -97,12 +106,14 @@ ChannelTotals ChannelDriver::totals() const
     out.tx = m_endedTx;
     out.peerRx = m_endedPeerRx;
     out.rx += m_endpoint.strays();
+    out.wire = m_wire;
     TimePoint heard = TimePoint::min();
     for (const channel::SessionId session : m_endpoint.sessions()) {
         if (const auto stats = m_endpoint.stats(session)) {
             out.rx += stats->rx;
             out.tx += stats->tx;
             out.peerRx += stats->peerRx;
+            ++out.sessions;
         }
         const auto info = m_endpoint.sessionInfo(session);
         if (info && info->lastReceived >= heard) {
@@ -111,6 +122,8 @@ ChannelTotals ChannelDriver::totals() const
             out.suite = info->suite;
             out.epoch = static_cast<std::uint32_t>(info->epoch);
             out.cost = cost(session);
+            if (const auto stats = m_endpoint.stats(session))
+                out.roundTrip = stats->roundTrip;
         }
     }
     return out;

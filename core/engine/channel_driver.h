@@ -56,6 +56,8 @@ private:
     std::map<channel::SessionId, SuiteMeter> m_meters;
     std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< as the events told
     std::array<std::uint8_t, channel::kMaxRecordPayload + channel::kMaxRecordOverhead> m_record;
+    bool m_slept = true; ///< nothing was opened in this wake-up yet
+    WireTotals m_wire;
     channel::ReceiveCounters m_endedRx, m_endedPeerRx;
     channel::SendCounters m_endedTx;
 };

@@ -23,6 +23,8 @@ public:
         ChannelTotals channel;
         MavlinkTotals mavlink;
         bool linkUp = false;
+        double latency = vehicle::kUnknown; ///< seconds
+        std::uint64_t rxBytes = 0, txBytes = 0; ///< of all links so far
     };
 
     void sample(TimePoint now, double time, const Reading &reading);
@@ -31,11 +33,12 @@ public:
     std::uint64_t residentBytes() const { return m_memory.bytes(); }
 
 private:
-    metrics::CpuSampler m_cpu;
+    metrics::CpuSampler m_cpu, m_ioCpu;
     metrics::MemorySampler m_memory;
     std::uint64_t m_number = 0;
     LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss;
-    Growth<4> m_frames, m_bytes;
+    Growth<4> m_frames, m_bytes, m_rxBytes, m_txBytes;
+    Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
     std::deque<MetricsSample> m_samples;
 };
 

@@ -97,10 +97,19 @@ struct MetricsSample
     double lossPercent = 0;     ///< channel, to us; MAVLink's where plain
     double peerLossPercent = 0; ///< channel, to the peer
     double mavlinkLossPercent = 0;
-    double processCpuPercent = 0;
-    double suiteCpuPercent = 0;
-    double openNsP50 = 0, openNsP99 = 0;
+    double processCpuPercent = 0; ///< of one core, all threads; over the last second
+    double ioCpuPercent = 0;      ///< of the thread that receives, opens, parses and sends
+    double suiteCpuPercent = 0;   ///< of one core, in seal and open
+    double openNsP50 = 0, openNsP99 = 0; ///< see SuiteCost
+    double openNextNsP50 = 0, openNextNsP99 = 0;
+    double sealNsP50 = 0, sealNsP99 = 0;
+    double latency = vehicle::kUnknown;   ///< seconds there and back by TIMESYNC, of the vehicle heard last
+    double roundTrip = vehicle::kUnknown; ///< seconds, of the channel's own reports
+    double rxOverheadPercent = vehicle::kUnknown; ///< datagram bytes beyond the frames in them, over the last second
+    double txOverheadPercent = vehicle::kUnknown;
+    double rxBytesPerSecond = 0, txBytesPerSecond = 0; ///< all links, datagrams as they are
     std::uint64_t residentBytes = 0;
+    std::uint64_t refused = 0; ///< forged, replayed and clear records so far, that is: signs of an attack
 };
 
 struct RecordingSnapshot

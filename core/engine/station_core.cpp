@@ -300,7 +300,20 @@ void StationCore::everyQuarterSecond(TimePoint now)
             watch.peerLoss.note(stats->peerRx.good, stats->peerRx.lost);
         }
     }
-    m_sampler.sample(now, seconds(now - m_start), {channelTotals(), mavlinkTotals(), anyUp});
+    MetricsSampler::Reading reading{channelTotals(), mavlinkTotals(), anyUp};
+    TimePoint heard = TimePoint::min();
+    for (const auto &[systemId, vehicle] : m_vehicles.all()) {
+        const vehicle::VehicleState &state = vehicle.current();
+        if (state.lastMessage >= heard && !vehicle.isLost(now)) {
+            heard = state.lastMessage;
+            reading.latency = state.latency;
+        }
+    }
+    m_links.forEach([&](const link::Link &link) {
+        reading.rxBytes += link.counters().rxBytes;
+        reading.txBytes += link.counters().txBytes;
+    });
+    m_sampler.sample(now, seconds(now - m_start), reading);
     m_changed = true;
 }
 

@@ -9,13 +9,16 @@ void SuiteMeter::follow(crypto::SuiteId suite)
         return;
     m_suite = suite;
     m_open.reset();
+    m_openNext.reset();
     m_seal.reset();
 }
 
-void SuiteMeter::opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::size_t bytes)
+void SuiteMeter::opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::size_t bytes, bool afterSleep)
 {
     follow(suite);
     m_open.record(nanoseconds);
+    if (!afterSleep)
+        m_openNext.record(nanoseconds);
     m_nanoseconds += nanoseconds;
     ++m_records;
     m_bytes += bytes;
@@ -45,6 +48,8 @@ void SuiteMeter::roll(TimePoint now)
     SuiteCost cost;
     cost.openNsP50 = static_cast<double>(m_open.percentile(0.5));
     cost.openNsP99 = static_cast<double>(m_open.percentile(0.99));
+    cost.openNextNsP50 = static_cast<double>(m_openNext.percentile(0.5));
+    cost.openNextNsP99 = static_cast<double>(m_openNext.percentile(0.99));
     cost.sealNsP50 = static_cast<double>(m_seal.percentile(0.5));
     cost.sealNsP99 = static_cast<double>(m_seal.percentile(0.99));
     cost.openedRecordsPerSecond = static_cast<double>(m_records) / period;
@@ -53,6 +58,7 @@ void SuiteMeter::roll(TimePoint now)
     cost.cpuPercent = static_cast<double>(m_nanoseconds) / 1e9 / period * 100;
     m_cost = cost;
     m_open.reset();
+    m_openNext.reset();
     m_seal.reset();
     m_nanoseconds = m_records = m_frames = m_bytes = 0;
 }

@@ -10,8 +10,8 @@ namespace skyseal::engine {
 class SuiteMeter
 {
 public:
-    /// `bytes`: opened plaintext.
-    void opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::size_t bytes);
+    /// `bytes`: opened plaintext. `afterSleep`: the first record of a wake-up.
+    void opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::size_t bytes, bool afterSleep = true);
     void openedFrames(std::uint64_t count) { m_frames += count; }
     void sealed(crypto::SuiteId suite, std::uint64_t nanoseconds);
 
@@ -24,7 +24,7 @@ private:
     void follow(crypto::SuiteId suite);
 
     crypto::SuiteId m_suite{};
-    metrics::Histogram m_open, m_seal;
+    metrics::Histogram m_open, m_openNext, m_seal;
     std::uint64_t m_nanoseconds = 0; ///< of all suites in the period
     std::uint64_t m_records = 0, m_frames = 0, m_bytes = 0;
     TimePoint m_since{};

@@ -1,0 +1,95 @@
+// The diagnostics' readings: that each figure of a sample is what the counters grew by, and that the cost of a record tells
+// the first of a wake-up from those behind it.
+#include "core/engine/metrics_sampler.h"
+#include "core/engine/suite_meter.h"
+
+#include <QtTest/QTest>
+
+#include <cmath>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+
+class MetricsSamplerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ratesAndOverheadAreWhatTheCountersGrewBy()
+    {
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        reading.linkUp = true;
+        reading.channel.up = true;
+        reading.channel.suite = SuiteId::Aes256Gcm;
+        reading.channel.roundTrip = 12ms;
+        reading.latency = 0.02;
+        TimePoint now{};
+        for (int i = 0; i <= 8; ++i, now += MetricsSampler::kEvery) {
+            const auto n = static_cast<std::uint64_t>(i);
+            reading.mavlink.frames = 20 * n;
+            reading.mavlink.lost = 5 * n;
+            reading.channel.rx.good = 9 * n;
+            reading.channel.rx.lost = n;
+            reading.channel.rx.openedBytes = 800 * n;
+            reading.channel.wire = {1000 * n, 800 * n, 300 * n, 200 * n};
+            reading.channel.rx.forged = n;
+            reading.rxBytes = 1100 * n;
+            reading.txBytes = 310 * n;
+            sampler.sample(now, seconds(now.time_since_epoch()), reading);
+        }
+        const MetricsSample &last = sampler.samples().back();
+        QCOMPARE(last.number, std::uint64_t(9));
+        QCOMPARE(last.openedFramesPerSecond, 80.0);
+        QCOMPARE(last.openedBytesPerSecond, 3200.0);
+        QCOMPARE(last.rxBytesPerSecond, 4400.0);
+        QCOMPARE(last.txBytesPerSecond, 1240.0);
+        QCOMPARE(last.lossPercent, 10.0);
+        QCOMPARE(last.mavlinkLossPercent, 20.0);
+        QCOMPARE(last.rxOverheadPercent, 25.0);
+        QCOMPARE(last.txOverheadPercent, 50.0);
+        QCOMPARE(last.latency, 0.02);
+        QCOMPARE(last.roundTrip, 0.012);
+        QCOMPARE(last.refused, std::uint64_t(8));
+        QVERIFY(last.residentBytes > 1'000'000);
+    }
+
+    void aPlainLinkHasNoOverheadAndASilentOneNone()
+    {
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        for (int i = 0; i < 5; ++i) {
+            reading.rxBytes += 100;
+            sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, i * 0.25, reading);
+        }
+        QCOMPARE(sampler.samples().back().rxOverheadPercent, 0.0);
+        QCOMPARE(sampler.samples().back().openedBytesPerSecond, 400.0);
+        QVERIFY(std::isnan(sampler.samples().back().roundTrip));
+        reading.channel.up = true; // a session that carries nothing: no share can be told
+        for (int i = 5; i < 10; ++i)
+            sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, i * 0.25, reading);
+        QVERIFY(std::isnan(sampler.samples().back().rxOverheadPercent));
+    }
+
+    void recordsBehindTheFirstAreToldApart()
+    {
+        SuiteMeter meter;
+        meter.roll(TimePoint{});
+        for (int i = 0; i < 50; ++i) {
+            meter.opened(SuiteId::ChaCha20Poly1305, 8000, 40, true);
+            meter.opened(SuiteId::ChaCha20Poly1305, 700, 40, false);
+        }
+        meter.roll(TimePoint{} + 1s);
+        QVERIFY(meter.cost().openNsP99 >= 8000);
+        QVERIFY(meter.cost().openNextNsP50 >= 700 && meter.cost().openNextNsP99 < 730);
+        QCOMPARE(meter.cost().cpuPercent, 50 * 8.7e-6 * 100);
+        meter.opened(SuiteId::ChaCha20Poly1305, 8000, 40, true);
+        meter.roll(TimePoint{} + 2s);
+        QCOMPARE(meter.cost().openNextNsP50, 0.0); // none came: nothing is claimed
+    }
+};
+
+QTEST_GUILESS_MAIN(MetricsSamplerTest)
+#include "metrics_sampler_test.moc"
