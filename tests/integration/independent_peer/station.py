@@ -1,0 +1,158 @@
+"""The station: hears announcements, starts handshakes, holds sessions (PROTOCOL.md 3, 4 and 9). No socket, no clock."""
+
+import random
+
+import wire
+from dataclasses import dataclass, field
+from keys import STATION
+from noise import NoiseError
+from session import Ids, Session
+
+QUIET, SILENT = 1.25, 2.5
+RETRIES = (0.25, 0.5, 1.0, 2.0)
+COPIES = 4
+ATTEMPT_LIFE = 10.0
+ADDRESSES = 4
+FORWARD = 0.1  # an announcement brings the next copy forward, but not closer to the last one than this
+
+
+@dataclass
+class Attempt:
+    """One try to reach one agent: the first message as it stands, and when its next copy is due."""
+    handshake: object = None
+    offer: object = None
+    message: bytes = b""
+    copies: int = 0
+    next_copy: float = 0.0
+    last_copy: float = float("-inf")
+    wanted_until: float = 0.0
+    addresses: list = field(default_factory=list)
+
+
+class Agent:
+    """What the station holds about one agent that it knows."""
+
+    def __init__(self, public, psk):
+        self.public, self.psk = public, psk
+        self.attempt = None
+        self.session = None
+        self.address = None
+
+
+class Station:
+    """`out` collects (datagram, address), `events` dicts for the owner, `plaintexts` what the sessions delivered."""
+
+    def __init__(self, static, agents, suites, flags, counter):
+        self.out, self.events, self.plaintexts = [], [], []
+        self.agents = [Agent(public, psk) for public, psk in agents]
+        self._static, self._suites, self._flags = static, suites, flags
+        self._counter = counter  # called for each first message: a number greater than any before
+        self._last_connection = random.randrange(0x10000)
+
+    def receive(self, datagram, address, now):
+        kind = wire.kind(datagram[0]) if datagram else None
+        if kind == 0:
+            self._take_record(datagram, address, now)
+        elif kind == 2 and datagram[0] == wire.ANNOUNCEMENT:
+            self._take_announcement(datagram, address, now)
+        elif kind == 2 and datagram[0] == wire.ANSWER and len(datagram) == wire.ANSWER_LENGTH:
+            self._take_answer(datagram, address, now)
+
+    def tick(self, now):
+        for agent in self.agents:
+            session, attempt = agent.session, agent.attempt
+            if session:
+                session.tick(now)
+                self._collect(agent)
+                if session.ended:
+                    self.events.append({"event": "ended", "why": session.ended})
+                    agent.session = None
+                elif now - session.last_heard > SILENT:
+                    agent.attempt = attempt = attempt or Attempt(addresses=[agent.address])
+                    attempt.wanted_until = now + ATTEMPT_LIFE
+            if attempt and now > attempt.wanted_until:
+                agent.attempt = None
+            elif attempt and now >= attempt.next_copy:
+                self._send_first(agent, now)
+
+    def send(self, agent, plaintext):
+        agent.session.send(plaintext)
+        self._collect(agent)
+
+    def close(self, agent):
+        agent.session.close()
+        self._collect(agent)
+
+    def _take_announcement(self, datagram, address, now):
+        agent = next((agent for agent in self.agents if wire.announces(datagram, agent.public)), None)
+        if agent is None or (agent.session and now - agent.session.last_heard < QUIET):
+            return
+        attempt = agent.attempt = agent.attempt or Attempt()
+        if address not in attempt.addresses:
+            attempt.addresses = [address, *attempt.addresses][:ADDRESSES]
+        attempt.wanted_until = now + ATTEMPT_LIFE
+        attempt.next_copy = min(attempt.next_copy, max(now, attempt.last_copy + FORWARD))
+
+    def _send_first(self, agent, now):
+        attempt = agent.attempt
+        if attempt.copies % COPIES == 0:
+            attempt.handshake = wire.station_handshake(self._static, agent.public, agent.psk)
+            attempt.offer = wire.Offer(self._flags, self._new_connection(), self._suites)
+            attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter())
+        self.out += [(attempt.message, address) for address in attempt.addresses]
+        pause = RETRIES[min(attempt.copies, len(RETRIES) - 1)] * random.uniform(0.75, 1.25)
+        attempt.copies += 1
+        attempt.last_copy, attempt.next_copy = now, now + pause
+
+    def _take_answer(self, datagram, address, now):
+        connection = int.from_bytes(datagram[1:3], "little")
+        for agent in self.agents:
+            attempt = agent.attempt
+            if not attempt or not attempt.offer or attempt.offer.connection != connection:
+                continue
+            if not wire.mac1_is_right(self._static.public, datagram):
+                continue
+            handshake = attempt.handshake.copy()
+            try:
+                offer, chosen = wire.read_answer(handshake, datagram)
+            except NoiseError:
+                continue
+            if chosen != wire.choose(attempt.offer, offer):
+                self.events.append({"event": "wrong-choice", "suite": chosen})
+                agent.attempt = None
+                continue
+            self._begin(agent, handshake, attempt.offer, offer, chosen, address, now)
+
+    def _begin(self, agent, handshake, own, offer, chosen, address, now):
+        if agent.session:
+            self.events.append({"event": "ended", "why": "peer restarted"})
+        agent.session = Session(STATION, handshake, Ids(own.connection, offer.connection), chosen,
+                                wire.permitted(own, offer), now)
+        agent.address, agent.attempt = address, None
+        self.events.append({"event": "session", "suite": chosen, "permitted": agent.session.permitted})
+        agent.session.tick(now)
+        self._collect(agent)
+
+    def _take_record(self, datagram, address, now):
+        connection = int.from_bytes(datagram[1:3], "little")
+        agent = next((agent for agent in self.agents if agent.session and agent.session.ids.own == connection), None)
+        if agent is None:
+            return
+        authentic, moves = agent.session.receive(datagram, now)
+        if authentic:
+            agent.attempt = None
+        if moves and address != agent.address:
+            agent.address = address
+            self.events.append({"event": "moved"})
+        self._collect(agent)
+
+    def _collect(self, agent):
+        session = agent.session
+        self.out += [(datagram, agent.address) for datagram in session.out]
+        self.events += session.events
+        self.plaintexts += session.plaintexts
+        session.out.clear(), session.events.clear(), session.plaintexts.clear()
+
+    def _new_connection(self):
+        self._last_connection = (self._last_connection + 1) & 0xFFFF
+        return self._last_connection

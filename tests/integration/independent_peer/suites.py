@@ -1,0 +1,100 @@
+"""The six suites: how one record is sealed and opened under the keys of one direction of one epoch (PROTOCOL.md 5)."""
+
+import hashlib
+import hmac
+
+from cryptography.exceptions import InvalidTag
+from cryptography.hazmat.primitives import padding
+from cryptography.hazmat.primitives.ciphers import Cipher, algorithms, modes
+from cryptography.hazmat.primitives.ciphers.aead import AESGCM, ChaCha20Poly1305
+
+NAMES = {
+    1: "chacha20-poly1305",
+    2: "aes-256-gcm",
+    3: "aes-256-ctr",
+    4: "aes-256-cbc",
+    5: "chacha20",
+    6: "rc4",
+}
+RESEARCH = {6}
+TAG_LENGTH = 16
+
+
+class WrongTag(Exception):
+    """A record that is not authentic."""
+
+
+def hkdf_extract(salt, material):
+    return hmac.new(salt, material, hashlib.sha256).digest()
+
+
+def hkdf_expand(secret, info, length):
+    output, last, number = b"", b"", 1
+    while len(output) < length:
+        last = hmac.new(secret, last + info + bytes([number]), hashlib.sha256).digest()
+        output += last
+        number += 1
+    return output[:length]
+
+
+class DirectionKeys:
+    """What seals, and opens, the records of one direction of one epoch."""
+
+    def __init__(self, suite, secret):
+        def key(use, length):
+            return hkdf_expand(secret, ("skyseal v1 record " + NAMES[suite] + " " + use).encode(), length)
+
+        self._suite = suite
+        self.key = key("key", 32)
+        self.iv = b"" if suite == 6 else key("iv", 32 if suite == 4 else 12)
+        self.mac = b"" if suite in (1, 2) else key("mac", 32)
+
+    def seal(self, counter, associated, plaintext):
+        if self._suite in (1, 2):
+            return self._aead().encrypt(self._nonce(counter), plaintext, associated)
+        if self._suite == 4:
+            padder = padding.PKCS7(128).padder()
+            plaintext = padder.update(plaintext) + padder.finalize()
+        encryptor = self._cipher(counter).encryptor()
+        ciphertext = encryptor.update(self._lead() + plaintext)[len(self._lead()):] + encryptor.finalize()
+        return ciphertext + self._tag(counter, associated, ciphertext)
+
+    def open(self, counter, associated, sealed):
+        if self._suite in (1, 2):
+            try:
+                return self._aead().decrypt(self._nonce(counter), sealed, associated)
+            except InvalidTag as error:
+                raise WrongTag from error
+        ciphertext, tag = sealed[:-TAG_LENGTH], sealed[-TAG_LENGTH:]
+        if not hmac.compare_digest(tag, self._tag(counter, associated, ciphertext)):
+            raise WrongTag
+        decryptor = self._cipher(counter).decryptor()
+        plaintext = decryptor.update(self._lead() + ciphertext)[len(self._lead()):] + decryptor.finalize()
+        if self._suite == 4:
+            unpadder = padding.PKCS7(128).unpadder()
+            plaintext = unpadder.update(plaintext) + unpadder.finalize()
+        return plaintext
+
+    def _aead(self):
+        return ChaCha20Poly1305(self.key) if self._suite == 1 else AESGCM(self.key)
+
+    def _nonce(self, counter):
+        return bytes(a ^ b for a, b in zip(self.iv, bytes(4) + counter.to_bytes(8, "big")))
+
+    def _cipher(self, counter):
+        if self._suite == 3:
+            return Cipher(algorithms.AES(self.key), modes.CTR(self._nonce(counter) + bytes(4)))
+        if self._suite == 4:
+            block = Cipher(algorithms.AES(self.iv), modes.ECB()).encryptor()
+            return Cipher(algorithms.AES(self.key), modes.CBC(block.update(bytes(8) + counter.to_bytes(8, "big"))))
+        if self._suite == 5:  # this library takes the block number, 4 bytes, before the nonce of RFC 8439
+            return Cipher(algorithms.ChaCha20(self.key, bytes(4) + self._nonce(counter)), mode=None)
+        record_key = hmac.new(self.key, counter.to_bytes(8, "little"), hashlib.sha256).digest()
+        return Cipher(algorithms.ARC4(record_key), mode=None)
+
+    def _lead(self):
+        return bytes(768) if self._suite == 6 else b""
+
+    def _tag(self, counter, associated, ciphertext):
+        data = counter.to_bytes(8, "little") + len(associated).to_bytes(4, "little") + associated + ciphertext
+        return hmac.new(self.mac, data, hashlib.sha256).digest()[:TAG_LENGTH]
