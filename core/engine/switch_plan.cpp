@@ -13,11 +13,13 @@ void SwitchPlan::sessionUp(TimePoint now, channel::SessionId session)
 
 void SwitchPlan::switchDone(const channel::SwitchDone &done)
 {
-    if (done.rekey)
+    const auto walk = m_walks.find(done.session);
+    // The session rekeys by itself as well; a switch to the suite in use, ordered here, is told as a rekey too.
+    if (done.rekey && (walk == m_walks.end() || walk->second.pending != done.to))
         return;
     (done.failure == channel::SwitchFailure::None ? m_committed : m_failed).insert(done.to);
-    if (const auto walk = m_walks.find(done.session); walk != m_walks.end())
-        walk->second.pending = false;
+    if (walk != m_walks.end())
+        walk->second.pending.reset();
 }
 
 std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
@@ -28,12 +30,12 @@ std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
     for (auto &[session, walk] : m_walks) {
         if (walk.pending || now < walk.due)
             continue;
-        out.push_back({session, m_suites[walk.next % m_suites.size()]});
-        ++walk.next;
+        const crypto::SuiteId suite = m_suites[walk.next++ % m_suites.size()];
+        out.push_back({session, suite});
         walk.due += m_every;
         if (walk.due <= now)
             walk.due = now + m_every; // a late one does not hurry the next one
-        walk.pending = true;
+        walk.pending = suite;
     }
     return out;
 }

@@ -6,6 +6,7 @@
 #include "core/crypto/suite.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -36,7 +37,7 @@ private:
     {
         std::size_t next = 0;
         TimePoint due{};
-        bool pending = false;
+        std::optional<crypto::SuiteId> pending; ///< ordered, and not done yet
     };
 
     std::vector<crypto::SuiteId> m_suites;

@@ -30,6 +30,7 @@ class SwitchPlanTest : public QObject
 private Q_SLOTS:
     void walksRoundAndRound();
     void neverTwoAtOnce();
+    void goesOnFromTheSuiteInUse();
     void endsWithItsSession();
     void remembersWhatWasNeverReached();
 };
@@ -60,6 +61,22 @@ void SwitchPlanTest::neverTwoAtOnce()
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(7)).size(), std::size_t(1));
     plan.switchDone(done(SuiteId::ChaCha20));
     QVERIFY(plan.poll(kStart + std::chrono::milliseconds(7100)).empty()); // no burst to catch up
+}
+
+void SwitchPlanTest::goesOnFromTheSuiteInUse()
+{
+    SwitchPlan plan({SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}, std::chrono::seconds(1));
+    plan.sessionUp(kStart, kSession);
+    QCOMPARE(plan.poll(kStart + std::chrono::seconds(1)).size(), std::size_t(1));
+    auto rekey = done(SuiteId::Aes256Ctr); // not the one that was ordered
+    rekey.rekey = true;
+    plan.switchDone(rekey);
+    QVERIFY(plan.poll(kStart + std::chrono::seconds(2)).empty());
+    rekey.to = SuiteId::ChaCha20Poly1305; // ordered while in use: told as a rekey
+    plan.switchDone(rekey);
+    const auto orders = plan.poll(kStart + std::chrono::seconds(3));
+    QCOMPARE(orders.size(), std::size_t(1));
+    QCOMPARE(orders[0].suite, SuiteId::Aes256Gcm);
 }
 
 void SwitchPlanTest::endsWithItsSession()
