@@ -93,6 +93,11 @@ int Program::waitForExit(int milliseconds)
     return ended ? m_process.exitCode() : -1;
 }
 
+void Program::tell(const QString &line)
+{
+    m_process.write(line.toUtf8() + '\n');
+}
+
 int Program::terminate(int milliseconds)
 {
     m_process.terminate();

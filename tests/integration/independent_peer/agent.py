@@ -30,7 +30,7 @@ class Peer:
 
     def __init__(self, public, psk):
         self.public, self.psk = public, psk
-        self.counter = -1  # of the newest confirmed first message
+        self.counter = 0  # of the newest confirmed first message
         self.unconfirmed = None
         self.session = None
         self.address = None
@@ -62,7 +62,8 @@ class Agent:
                 peer.session.tick(now)
                 self._collect(peer)
                 if peer.session.ended:
-                    self.events.append({"event": "ended", "why": peer.session.ended})
+                    self.events.append({"event": "ended", "why": peer.session.ended,
+                                        "counts": peer.session.totals()})
                     peer.session = None
         if now >= self._next_announcement:
             self._next_announcement = now + ANNOUNCE_EVERY
@@ -99,7 +100,7 @@ class Agent:
         peer = next((peer for peer in self.peers if peer.public == handshake.remote_static), None)
         if peer is None:
             return self._refuse("UnknownPeer")
-        if counter <= max(peer.counter, peer.unconfirmed.counter if peer.unconfirmed else -1):
+        if counter <= max(peer.counter, peer.unconfirmed.counter if peer.unconfirmed else 0):
             return self._refuse("ReplayedHandshake")
         if peer.session:
             peer.session.ask()
@@ -145,7 +146,7 @@ class Agent:
         if not authentic:
             return
         if peer.session:
-            self.events.append({"event": "ended", "why": "peer restarted"})
+            self.events.append({"event": "ended", "why": "peer restarted", "counts": peer.session.totals()})
         peer.counter, peer.session, peer.address, peer.unconfirmed = waiting.counter, waiting.session, address, None
         self.events.append({"event": "session", "suite": peer.session.switch.current.suite,
                             "permitted": peer.session.permitted})

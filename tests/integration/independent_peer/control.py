@@ -124,8 +124,8 @@ def unpack(data):
 
 
 def _unpack_report(data):
-    if len(data) < 14:
-        raise Malformed("short report")
+    if len(data) < 14 or data[1] > 1:
+        raise Malformed("short report, or unknown flags")
     report, at = Report(data[1], _read_u32(data, 2), _read_u32(data, 6), _read_u32(data, 10)), 14
     for name in REPORT_NUMBERS:
         report.numbers[name], at = _read_leb128(data, at)

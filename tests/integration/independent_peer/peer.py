@@ -2,7 +2,6 @@
 """An independent peer of the sealed channel, written from core/channel/PROTOCOL.md and public specifications alone.
 
     peer.py --new-key FILE                             make a key, print the public one
-    peer.py --check PROTOCOL.md                        recompute the document's known-answer examples
     peer.py --station|--agent --key FILE --peer KEY    one end of the channel on a UDP socket of the loopback
 
 An end speaks JSON on its standard output, one event a line, and takes commands on its standard input:
@@ -129,11 +128,11 @@ class End:
         self._end.tick(now)
 
     def _say_status(self, session):
-        say(event="status", session=session is not None, frames=self._frames, gaps=self._gaps, strange=self._strange,
-            counts=dict(session.counts, lost=session.lost()) if session else {},
-            peer=session.peer_report if session else {}, epoch=session.switch.current.number if session else 0,
-            suite=session.switch.current.suite if session else 0,
-            round_trip=session.round_trip.smoothed if session else 0)
+        status = {"event": "status", "frames": self._frames, "gaps": self._gaps, "strange": self._strange}
+        if session:
+            status |= {"counts": session.totals(), "peer": session.peer_report, "epoch": session.switch.current.number,
+                       "suite": session.switch.current.suite, "round_trip": session.round_trip.smoothed}
+        say(**status)
 
 
 def _durable_counter(path):
@@ -165,7 +164,6 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--new-key", metavar="FILE")
-    what.add_argument("--check", metavar="PROTOCOL.md")
     what.add_argument("--station", action="store_true")
     what.add_argument("--agent", action="store_true")
     parser.add_argument("--key", metavar="FILE")
@@ -178,9 +176,6 @@ def main():
     arguments = parser.parse_args()
     if arguments.new_key:
         make_key(arguments.new_key)
-    elif arguments.check:
-        from examples import check
-        sys.exit(check(arguments.check))
     else:
         End(arguments).run()
 

@@ -18,5 +18,9 @@ class RoundTrip:
         self.samples += 1
         self._late.append(sample)
 
+    def known(self):
+        """Enough samples to rely on generous()."""
+        return self.samples >= 3
+
     def generous(self):
         return max([3 * self.smoothed, self.smoothed + 4 * self._deviation, *self._late])

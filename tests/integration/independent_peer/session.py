@@ -12,7 +12,7 @@ from switch import Switch
 
 DATAGRAMS = 0x01
 LONGEST, SHORTEST = 1200, 22
-REPORT_EVERY, REPORT_EARLY, EARLY_SAMPLES = 1.0, 0.25, 3
+REPORT_EVERY, REPORT_EARLY = 1.0, 0.25
 CLOSE_LINGER = 3.0
 FORGET = 600.0
 ANSWER_NOW = 1
@@ -75,7 +75,7 @@ class Session:
             self._wished = None
         self.switch.tick(now)
         if now >= self._next_report:
-            self._send_report(now, ask=self.round_trip.samples < EARLY_SAMPLES)
+            self._send_report(now, ask=not self.round_trip.known())
 
     def receive(self, datagram, now):
         """(authentic, whether it moves the address). The caller found the session by the connection id."""
@@ -94,7 +94,8 @@ class Session:
             self.counts["forged"] += 1
             return False, False
         newest = epoch.window.take(counter)
-        self.counts["good" if newest else "late"] += 1
+        self.counts["good"] += 1
+        self.counts["late"] += not newest
         self.last_heard, self.heard_any = now, True
         self.switch.opened_under(epoch, now)
         moves = newest and epoch is self.switch.current
@@ -104,6 +105,10 @@ class Session:
             self.counts["opened_bytes"] += len(plaintext)
             self.plaintexts.append(plaintext)
         return True, moves
+
+    def totals(self):
+        """What this end received and sent, by the names of a report."""
+        return {name: self.counts[name] for name in control.REPORT_NUMBERS} | {"lost": self.lost()}
 
     def lost(self):
         return self.switch.lost_under_dead_epochs + sum(epoch.lost() for epoch in self.switch.epochs())
@@ -135,14 +140,14 @@ class Session:
             self._send_report(now, ask=False)
 
     def _send_report(self, now, ask):
-        self._next_report = now + (REPORT_EARLY if self.round_trip.samples < EARLY_SAMPLES else REPORT_EVERY)
+        self._next_report = now + (REPORT_EARLY if not self.round_trip.known() else REPORT_EVERY)
         held = 0 if self._newest_stamp is None else round((now - self._newest_stamp_at) * 1e6)
-        numbers = dict(self.counts, lost=self.lost())
-        self._send_control(control.Report(ANSWER_NOW if ask else 0, self._stamp(now), self._newest_stamp or 0, held, numbers))
+        flags = ANSWER_NOW if ask else 0
+        self._send_control(control.Report(flags, self._stamp(now), self._newest_stamp or 0, held, self.totals()))
 
     @staticmethod
     def _stamp(now):
-        return int(now * 1e6) & 0xFFFFFFFF or 1
+        return int(now * 1e6) & 0xFFFFFFFF | 1  # never 0
 
     def _send_control(self, message):
         self.send(message.pack())

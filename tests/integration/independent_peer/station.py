@@ -65,7 +65,7 @@ class Station:
                 session.tick(now)
                 self._collect(agent)
                 if session.ended:
-                    self.events.append({"event": "ended", "why": session.ended})
+                    self.events.append({"event": "ended", "why": session.ended, "counts": session.totals()})
                     agent.session = None
                 elif now - session.last_heard > SILENT:
                     agent.attempt = attempt = attempt or Attempt(addresses=[agent.address])
@@ -125,7 +125,7 @@ class Station:
 
     def _begin(self, agent, handshake, own, offer, chosen, address, now):
         if agent.session:
-            self.events.append({"event": "ended", "why": "peer restarted"})
+            self.events.append({"event": "ended", "why": "peer restarted", "counts": agent.session.totals()})
         agent.session = Session(STATION, handshake, Ids(own.connection, offer.connection), chosen,
                                 wire.permitted(own, offer), now)
         agent.address, agent.attempt = address, None

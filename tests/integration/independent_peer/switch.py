@@ -55,7 +55,7 @@ class Switch:
         if self.previous is None or self.previous.complete():
             return True
         follows = self._peer_follows_since
-        return follows is not None and now - follows > self._round_trip.generous()
+        return self._round_trip.known() and follows is not None and now - follows > self._round_trip.generous()
 
     def propose(self, suite, now):
         if not self.idle(now):

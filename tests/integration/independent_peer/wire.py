@@ -54,7 +54,7 @@ def pack_suites(suites):
 
 def unpack_suites(data):
     numbers = [half for byte in data for half in (byte & 15, byte >> 4)]
-    return [number for number in numbers if number in NAMES]
+    return list(dict.fromkeys(number for number in numbers if number in NAMES))
 
 
 @dataclass

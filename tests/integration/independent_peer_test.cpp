@@ -1,0 +1,237 @@
+// An independent peer: a station and an agent in Python, written from PROTOCOL.md and public specifications alone, shake
+// hands with the real programs, open each other's records under every suite, and switch between them live.
+//
+// Needs /usr/bin/python3 with python3-cryptography (Debian); SKYSEAL_PYTHON names another interpreter.
+#include "tests/support/flight.h"
+
+#include <QtCore/QDeadlineTimer>
+#include <QtCore/QFile>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+namespace {
+
+constexpr int kSuites = 6;
+constexpr int kFramesUnderEach = 20;
+
+qint64 number(const QJsonObject &object, const char *key)
+{
+    return object[QLatin1String(key)].toInteger();
+}
+
+QJsonObject within(const QJsonObject &object, const char *key)
+{
+    return object[QLatin1String(key)].toObject();
+}
+
+qint64 framesUnder(const QJsonObject &status, int suite)
+{
+    return within(status, "frames")[QString::number(suite)].toInteger();
+}
+
+Program::Predicate has(const char *key, const char *text)
+{
+    return [key, text](const QJsonObject &event) { return event[QLatin1String(key)].toString() == QLatin1String(text); };
+}
+
+/// Asks the peer for its status until `predicate` holds; the last answer, or an empty object when it never did.
+QJsonObject statusWhere(Program &peer, const Program::Predicate &predicate, int milliseconds = 15000)
+{
+    const QDeadlineTimer deadline(milliseconds);
+    while (!deadline.hasExpired()) {
+        peer.skipWhatCame();
+        peer.tell(QStringLiteral("status"));
+        const QJsonObject status = peer.waitFor(QStringLiteral("status"), 5000);
+        if (!status.isEmpty() && predicate(status))
+            return status;
+    }
+    return {};
+}
+
+} // namespace
+
+class IndependentPeerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void stationOpensTelemetryUnderEverySuite();
+    void stationRoamsClosesAndComesBack();
+    void agentServesTheMonitor();
+
+private:
+    QStringList script(const QStringList &arguments) const;
+    /// A key for the Python peer that the programs of this flight know; false when something failed.
+    bool introduce(const Flight &flight) const;
+    /// The arguments of the Python station or agent of this flight.
+    QStringList arguments(const Flight &flight, const char *role, const char *otherKey, const QStringList &more) const;
+
+    QString m_python;
+};
+
+void IndependentPeerTest::initTestCase()
+{
+    m_python = qEnvironmentVariable("SKYSEAL_PYTHON", QStringLiteral("/usr/bin/python3"));
+    if (!QFile::exists(m_python))
+        QSKIP("python3 is not installed: the check against the independent peer is skipped");
+    Program probe(m_python, {QStringLiteral("-c"), QStringLiteral("import cryptography")});
+    if (probe.waitForExit(20000) != 0)
+        QSKIP("python3-cryptography is not installed: the check against the independent peer is skipped");
+}
+
+QStringList IndependentPeerTest::script(const QStringList &arguments) const
+{
+    return QStringList{QStringLiteral("-B"), QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/independent_peer/peer.py")} + arguments;
+}
+
+bool IndependentPeerTest::introduce(const Flight &flight) const
+{
+    Program newKey(m_python, script({QStringLiteral("--new-key"), flight.path(QStringLiteral("python.key"))}));
+    if (newKey.waitForExit(20000) != 0 || newKey.otherLines().isEmpty())
+        return false;
+    const QString key = QString::fromLatin1(newKey.otherLines().front());
+    for (const char *peers : {"air.peers", "ground.peers"}) {
+        Program add(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("keys"), QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"),
+                     flight.path(QLatin1String(peers)), QStringLiteral("--name"), QStringLiteral("python"), key});
+        if (add.waitForExit(10000) != 0)
+            return false;
+    }
+    return true;
+}
+
+QStringList IndependentPeerTest::arguments(const Flight &flight, const char *role, const char *otherKey, const QStringList &more) const
+{
+    Program show(QStringLiteral("skyseal-cli"),
+                 {QStringLiteral("keys"), QStringLiteral("show"), flight.path(QLatin1String(otherKey)), QStringLiteral("--json")});
+    const QString other = show.waitFor(QStringLiteral("key"), 10000)[QLatin1String("public")].toString();
+    return script({QLatin1String(role), QStringLiteral("--research"), QStringLiteral("--key"), flight.path(QStringLiteral("python.key")),
+                   QStringLiteral("--peer"), other})
+        + more;
+}
+
+void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    Program station(m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+    const QJsonObject session = station.waitFor(QStringLiteral("session"), 20000);
+    QVERIFY2(!session.isEmpty(), station.errors().constData());
+    QCOMPARE(session[QLatin1String("suite")].toInt(), 1);
+    QCOMPARE(air.waitFor(QStringLiteral("session"), 5000)[QLatin1String("peer")].toString(), QStringLiteral("python"));
+
+    for (int suite = kSuites; suite >= 1; --suite) {
+        station.tell(QStringLiteral("propose %1").arg(suite));
+        const QJsonObject settled = station.waitFor(QStringLiteral("settled"), 10000);
+        QCOMPARE(settled[QLatin1String("epoch")].toInt(), kSuites + 1 - suite);
+        const auto seen = [suite](const QJsonObject &status) { return framesUnder(status, suite) >= kFramesUnderEach; };
+        QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
+    }
+    station.tell(QStringLiteral("beat 5"));
+    const auto fiveOpened = [](const QJsonObject &status) { return number(within(status, "peer"), "opened_bytes") == 5 * 21; };
+    const QJsonObject status = statusWhere(station, fiveOpened);
+    QVERIFY2(!status.isEmpty(), station.errors().constData());
+    for (const char *counter : {"lost", "replayed", "forged", "malformed", "plaintext_dropped"}) {
+        QVERIFY2(number(within(status, "counts"), counter) == 0, counter);
+        QVERIFY2(number(within(status, "peer"), counter) == 0, counter);
+    }
+    QCOMPARE(number(status, "gaps"), 0);
+    QCOMPARE(number(status, "strange"), 0);
+
+    station.skipWhatCame();
+    QCOMPARE(air.terminate(), 0);
+    const QJsonObject ended = station.waitFor(QStringLiteral("ended"), 10000);
+    QCOMPARE(ended[QLatin1String("why")].toString(), QStringLiteral("peer closed"));
+    const QJsonObject sent = within(within(air.last(QStringLiteral("summary")), "channel"), "tx");
+    QCOMPARE(number(within(ended, "counts"), "good"), number(sent, "records"));
+    QCOMPARE(number(within(ended, "counts"), "lost"), 0);
+}
+
+void IndependentPeerTest::stationRoamsClosesAndComesBack()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"),
+                flight.airArguments(0, {QStringLiteral("--suites"), QStringLiteral("chacha20-poly1305,aes-256-cbc")}));
+    Program station(m_python, arguments(flight, "--station", "air.key",
+                                        {QStringLiteral("--suites"), QStringLiteral("2,4,1"), QStringLiteral("--port"),
+                                         QString::number(flight.groundPort)}));
+    QCOMPARE(station.waitFor(QStringLiteral("session"), 20000)[QLatin1String("suite")].toInt(), 4);
+    const auto enough = [](qint64 frames) {
+        return [frames](const QJsonObject &status) { return framesUnder(status, 4) >= frames; };
+    };
+    const qint64 before = framesUnder(statusWhere(station, enough(kFramesUnderEach)), 4);
+    QVERIFY(before > 0);
+    station.tell(QStringLiteral("roam"));
+    QVERIFY(!air.waitFor(QStringLiteral("moved"), 5000).isEmpty());
+    const QJsonObject after = statusWhere(station, enough(before + 100));
+    QVERIFY2(!after.isEmpty(), station.errors().constData());
+    QCOMPARE(number(after, "gaps"), 0);
+    QCOMPARE(number(within(after, "counts"), "lost"), 0);
+
+    station.tell(QStringLiteral("propose 2")); // not in the agent's offer
+    QCOMPARE(station.waitFor(QStringLiteral("switch-failed"), 10000)[QLatin1String("why")].toString(), QStringLiteral("refused"));
+
+    station.tell(QStringLiteral("close"));
+    const auto down = has("state", "down");
+    QCOMPARE(air.waitFor(QStringLiteral("session"), 5000, down)[QLatin1String("reason")].toString(), QStringLiteral("peer-closed"));
+    QVERIFY(!air.waitFor(QStringLiteral("session"), 10000, has("state", "up")).isEmpty());
+    QCOMPARE(station.waitFor(QStringLiteral("session"), 10000)[QLatin1String("suite")].toInt(), 4);
+}
+
+void IndependentPeerTest::agentServesTheMonitor()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("0.4"),
+                                             QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    Program agent(m_python, arguments(flight, "--agent", "ground.key", {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
+    const QJsonObject up = monitor.waitFor(QStringLiteral("session"), 20000);
+    QCOMPARE(up[QLatin1String("peer")].toString(), QStringLiteral("python"));
+
+    // The station proposes each suite, the agent answers.
+    for (int i = 0; i < kSuites; ++i) {
+        agent.tell(QStringLiteral("beat 10"));
+        const QJsonObject switched = monitor.waitFor(QStringLiteral("switch"), 10000);
+        QCOMPARE(switched[QLatin1String("to")].toString(), allSuites().split(QLatin1Char(','))[i]);
+        QCOMPARE(switched[QLatin1String("result")].toString(), QStringLiteral("committed"));
+    }
+    // And the agent proposes one itself.
+    agent.tell(QStringLiteral("propose 5"));
+    const auto own = has("proposal", "own");
+    QCOMPARE(agent.waitFor(QStringLiteral("switched"), 10000, own)[QLatin1String("suite")].toInt(), 5);
+    const auto byPeer = [](const QJsonObject &event) { return event[QLatin1String("by_peer")].toBool(); };
+    QCOMPARE(monitor.waitFor(QStringLiteral("switch"), 10000, byPeer)[QLatin1String("to")].toString(), QStringLiteral("chacha20"));
+
+    const auto allArrived = [](const QJsonObject &status) {
+        return number(within(status, "peer"), "opened_bytes") == kSuites * 10 * 21;
+    };
+    const QJsonObject status = statusWhere(agent, allArrived);
+    QVERIFY2(!status.isEmpty(), agent.errors().constData());
+    for (const char *counter : {"lost", "replayed", "forged", "malformed", "plaintext_dropped"}) {
+        QVERIFY2(number(within(status, "counts"), counter) == 0, counter);
+        QVERIFY2(number(within(status, "peer"), counter) == 0, counter);
+    }
+    agent.skipWhatCame();
+    agent.tell(QStringLiteral("close"));
+    const auto ended = has("why", "closed here");
+    QVERIFY(!agent.waitFor(QStringLiteral("ended"), 5000, ended).isEmpty());
+    const QJsonObject down = monitor.waitFor(QStringLiteral("session"), 10000, has("state", "down"));
+    QCOMPARE(down[QLatin1String("reason")].toString(), QStringLiteral("peer-closed"));
+    agent.tell(QStringLiteral("quit"));
+    QCOMPARE(agent.waitForExit(5000), 0);
+    QCOMPARE(monitor.terminate(), 0);
+    const QJsonObject summary = monitor.last(QStringLiteral("summary"));
+    QCOMPARE(number(within(summary, "mavlink"), "lost"), 0);
+    QCOMPARE(number(within(summary, "mavlink"), "duplicate"), 0);
+}
+
+QTEST_GUILESS_MAIN(IndependentPeerTest)
+#include "independent_peer_test.moc"
