@@ -1,6 +1,7 @@
 // AES-256 in counter mode (NIST SP 800-38A 6.5), then HMAC.
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/evp.h"
+#include "core/crypto/inline_then_mac.h"
 #include "core/crypto/suite_factories.h"
 
 namespace skyseal::crypto {
@@ -66,6 +67,11 @@ private:
 std::unique_ptr<RecordCipher> makeAes256Ctr(const RecordKeys &keys)
 {
     return EncryptThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, keys);
+}
+
+std::unique_ptr<InlineCipher> makeInlineAes256Ctr(const RecordKeys &keys)
+{
+    return InlineThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, keys);
 }
 
 } // namespace skyseal::crypto

@@ -1,5 +1,6 @@
 // ChaCha20 (RFC 8439 2.4) through libsodium, then HMAC.
 #include "core/crypto/encrypt_then_mac.h"
+#include "core/crypto/inline_then_mac.h"
 #include "core/crypto/suite_factories.h"
 
 namespace skyseal::crypto {
@@ -36,6 +37,11 @@ private:
 std::unique_ptr<RecordCipher> makeChaCha20(const RecordKeys &keys)
 {
     return EncryptThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, keys);
+}
+
+std::unique_ptr<InlineCipher> makeInlineChaCha20(const RecordKeys &keys)
+{
+    return InlineThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, keys);
 }
 
 } // namespace skyseal::crypto

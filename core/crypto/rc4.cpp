@@ -1,5 +1,6 @@
 // RC4 with a key of its own for each record, then HMAC. Broken as a cipher all the same (RFC 7465): it is here to be measured.
 #include "core/crypto/encrypt_then_mac.h"
+#include "core/crypto/inline_then_mac.h"
 #include "core/crypto/rc4_stream.h"
 #include "core/crypto/suite_factories.h"
 
@@ -38,6 +39,11 @@ private:
 std::unique_ptr<RecordCipher> makeRc4(const RecordKeys &keys)
 {
     return EncryptThenMac<Rc4Body>::make(SuiteId::Rc4, keys);
+}
+
+std::unique_ptr<InlineCipher> makeInlineRc4(const RecordKeys &keys)
+{
+    return InlineThenMac<Rc4Body>::make(SuiteId::Rc4, keys);
 }
 
 } // namespace skyseal::crypto

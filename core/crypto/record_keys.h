@@ -20,11 +20,12 @@ struct RecordKeys
     Key32 iv;
     Key32 mac;
 
-    static RecordKeys derive(const DirectionSecret &secret, SuiteId suite)
+    /// `framing`: "record", or "inline" (inline_cipher.h).
+    static RecordKeys derive(const DirectionSecret &secret, SuiteId suite, std::string_view framing = "record")
     {
         const auto derived = [&](std::string_view use) {
-            std::string info("skyseal v1 record ");
-            info.append(suiteInfo(suite).name).append(" ").append(use);
+            std::string info("skyseal v1 ");
+            info.append(framing).append(" ").append(suiteInfo(suite).name).append(" ").append(use);
             return hkdfExpandKey(secret, asBytes(info));
         };
         return {derived("key"), derived("iv"), derived("mac")};

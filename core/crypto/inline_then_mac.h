@@ -1,0 +1,51 @@
+// Encrypt a body in place, then HMAC with a short tag, and on the way back the tag before anything else: encrypt_then_mac.h for
+// ciphers that keep the length. See inline_cipher.h for the bytes.
+#pragma once
+
+#include "core/crypto/encrypt_then_mac.h"
+#include "core/crypto/inline_cipher.h"
+
+namespace skyseal::crypto {
+
+template<typename Body> class InlineThenMac final : public InlineCipher
+{
+public:
+    InlineThenMac(SuiteId suite, const RecordKeys &keys) : m_suite(suite), m_body(keys), m_mac(keys.mac) {}
+
+    /// Null when the library refused the cipher.
+    static std::unique_ptr<InlineCipher> make(SuiteId suite, const RecordKeys &keys)
+    {
+        auto cipher = std::make_unique<InlineThenMac>(suite, keys);
+        return cipher->m_body.ready() ? std::move(cipher) : nullptr;
+    }
+
+    SuiteId suite() const override { return m_suite; }
+
+    std::optional<Tag> seal(std::uint64_t counter, ByteView associatedData, MutableByteView body) override
+    {
+        if (!m_body.encrypt(counter, body, body))
+            return std::nullopt;
+        return shortTag(counter, associatedData, body);
+    }
+
+    bool open(std::uint64_t counter, ByteView associatedData, MutableByteView body, const Tag &tag) override
+    {
+        const Tag right = shortTag(counter, associatedData, body);
+        return sodium_memcmp(right.data(), tag.data(), tag.size()) == 0 && m_body.decrypt(counter, body).has_value();
+    }
+
+private:
+    Tag shortTag(std::uint64_t counter, ByteView associatedData, ByteView body) const
+    {
+        const RecordMac::Tag whole = m_mac.tag(counter, associatedData, body);
+        Tag out;
+        std::memcpy(out.data(), whole.data(), out.size());
+        return out;
+    }
+
+    SuiteId m_suite;
+    Body m_body;
+    RecordMac m_mac;
+};
+
+} // namespace skyseal::crypto
