@@ -2,6 +2,7 @@
 
 #include "core/channel/agent.h"
 #include "core/channel/endpoint_core.h"
+#include "core/channel/inline_frame.h"
 #include "core/channel/station.h"
 
 #include <algorithm>
@@ -24,6 +25,7 @@ struct Endpoint::State
     void refresh(TimePoint at);
     void handleDeadline(TimePoint at);
     std::optional<Delivery> handleRecord(TimePoint at, const Path &from, MutableByteView datagram);
+    std::optional<Delivery> handleInlineFrame(TimePoint at, const Path &from, MutableByteView bytes);
     void handleHandshake(TimePoint at, const Path &from, ByteView datagram);
 
     EndpointCore core;
@@ -71,6 +73,28 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
     auto opened = entry->session->open(now, from, *header, datagram);
     if (opened.authentic && !entry->up && !agent->confirm(now, *entry))
         return std::nullopt;
+    if (opened.authentic && station && !station->idle())
+        station->sessionLives(entry->session->peer().key);
+    if (!opened.routine)
+        handleDeadline(now);
+    return opened.delivery;
+}
+
+std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const Path &from, MutableByteView bytes)
+{
+    now = at;
+    const FrameFacts *facts = core.around.facts;
+    const auto frame = facts ? InlineFrame::read(bytes, *facts) : std::nullopt;
+    SessionTable::Entry *entry = core.table.upAt(from);
+    if (!entry) {
+        ++core.strays.malformed;
+        return std::nullopt;
+    }
+    if (!frame) {
+        entry->session->countMalformed();
+        return std::nullopt;
+    }
+    auto opened = entry->session->openInline(now, *frame);
     if (opened.authentic && station && !station->idle())
         station->sessionLives(entry->session->peer().key);
     if (!opened.routine)
@@ -148,6 +172,11 @@ bool Endpoint::owns(std::uint8_t firstByte)
     return isOurs(firstByte);
 }
 
+bool Endpoint::ownsFrame(ByteView frame)
+{
+    return looksInline(frame);
+}
+
 // ---- input
 
 std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from, MutableByteView datagram)
@@ -175,6 +204,11 @@ void Endpoint::handleDeadline(TimePoint now)
     m_state->handleDeadline(now);
 }
 
+std::optional<Delivery> Endpoint::handleInlineFrame(TimePoint now, const Path &from, MutableByteView frame)
+{
+    return m_state->handleInlineFrame(now, from, frame);
+}
+
 void Endpoint::countPlaintextDropped(SessionId session, std::uint64_t count)
 {
     if (auto *entry = m_state->core.table.find(session))
@@ -194,6 +228,23 @@ Result<std::size_t, SealError> Endpoint::seal(TimePoint now, SessionId session, 
     if (!sealed && sealed.error() == SealError::Exhausted)
         m_state->handleDeadline(now);
     return sealed;
+}
+
+Result<std::size_t, SealError> Endpoint::sealInline(TimePoint now, SessionId session, ByteView frame, MutableByteView out)
+{
+    auto *entry = m_state->core.table.find(session);
+    if (!entry || !entry->up)
+        return tl::unexpected(SealError::NoSession);
+    const auto sealed = entry->session->sealInline(now, frame, out);
+    if (!sealed && sealed.error() == SealError::Exhausted)
+        m_state->handleDeadline(now);
+    return sealed;
+}
+
+Framing Endpoint::framing(SessionId session) const
+{
+    const auto *entry = m_state->core.table.find(session);
+    return entry ? entry->session->framing() : Framing::Sealed;
 }
 
 Path Endpoint::recordPath(SessionId session) const
@@ -244,7 +295,7 @@ void Endpoint::setPolicy(TimePoint now, Policy policy)
 {
     State &state = *m_state;
     state.core.config.policy = std::move(policy);
-    state.core.around.offer = offerOf(state.core.config.policy);
+    state.core.offerPolicy();
     state.core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up)
             entry.session->policyChanged(now);

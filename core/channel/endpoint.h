@@ -3,8 +3,8 @@
 //
 // Use, from one thread, in four groups:
 //   query     sessionInfo(), stats(), nextDeadline()
-//   input     handleDatagram(), handleDeadline()
-//   command   seal(), switchSuite(), rekey(), close()
+//   input     handleDatagram(), handleInlineFrame(), handleDeadline()
+//   command   seal(), sealInline(), switchSuite(), rekey(), close()
 //   output    pollTransmit() until it gives nothing, then pollEvent() until it gives nothing. Poll after every input
 //             and command; then arm a timer for nextDeadline().
 #pragma once
@@ -15,6 +15,7 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/channel/events.h"
+#include "core/channel/frame_facts.h"
 #include "core/channel/policy.h"
 #include "core/channel/stats.h"
 #include "core/crypto/x25519.h"
@@ -70,6 +71,8 @@ struct Config
     /// The agent's side: where to announce; more are learned from authenticated records. An all-zero address stands for the
     /// one peer of a link that has one.
     std::vector<Path> announceTo;
+    /// What frames look like; without it, frames are never sealed in place, whatever the policy says.
+    std::shared_ptr<const FrameFacts> frameFacts = nullptr;
 };
 
 /// A datagram to send as it is. The bytes live until the next call of a non-const member.
@@ -90,8 +93,9 @@ struct Delivery
 };
 
 /// NotFrames: empty, or begins with a byte below 0x10, which marks the channel's own messages (MAVLink begins with 0xFD or
-/// 0xFE). Exhausted: the hard limit of an epoch whose rekey never succeeded; the session ends.
-enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom, NotFrames };
+/// 0xFE). Exhausted: the hard limit of an epoch whose rekey never succeeded; the session ends. NotInline: the session or this
+/// frame is not one to be sealed in place; seal it in a record.
+enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom, NotFrames, NotInline };
 
 /// How much a record adds to the frames it carries at the most, and the most that one may carry so that the datagram
 /// stays within 1200 bytes.
@@ -107,6 +111,7 @@ struct SessionInfo
     Path path;
     crypto::SuiteId suite{};
     Epoch epoch{};
+    Framing framing{}; ///< how frames are sent now
     std::optional<crypto::SuiteId> pending;   ///< a switch that is under way
     std::vector<crypto::SuiteId> permitted;   ///< by both ends
     std::vector<crypto::SuiteId> peerOffered; ///< what the other end would accept, as it said in the handshake
@@ -135,10 +140,15 @@ public:
     TimePoint nextDeadline() const;
     /// True for a first byte that belongs to this protocol; MAVLink's 0xFD and 0xFE never do.
     static bool owns(std::uint8_t firstByte);
+    /// True for a frame that claims to be sealed in place: hand it to handleInlineFrame(). It is no frame for anybody else.
+    static bool ownsFrame(ByteView frame);
 
     // input
     /// Takes one datagram whose first byte it owns and opens it in place. Gives frames only after their tag verified.
     std::optional<Delivery> handleDatagram(TimePoint now, const Path &from, MutableByteView datagram);
+    /// Takes one frame that was sealed in place, alone and whole (a datagram may hold several), and makes it plain where it
+    /// is. The session is found by where it came from, since the frame names none.
+    std::optional<Delivery> handleInlineFrame(TimePoint now, const Path &from, MutableByteView frame);
     void handleDeadline(TimePoint now);
     /// Tells that clear MAVLink of `count` frames came from the path of a session, or claimed a pinned vehicle.
     void countPlaintextDropped(SessionId, std::uint64_t count);
@@ -147,6 +157,11 @@ public:
     /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead): the record's size. It goes to
     /// sessionInfo(session)->path; see recordPath().
     Result<std::size_t, SealError> seal(TimePoint now, SessionId, ByteView frames, MutableByteView out);
+    /// Seals one whole frame in place into `out` (13 bytes more than the frame, apart from it): the size. NotInline for frames
+    /// that cannot travel so (MAVLink 1, signed ones, unknown messages) and sessions that do not (see SessionInfo::framing).
+    Result<std::size_t, SealError> sealInline(TimePoint now, SessionId, ByteView frame, MutableByteView out);
+    /// How frames of the session go now; Sealed when there is no such session.
+    Framing framing(SessionId) const;
     /// Where records of the session go now.
     Path recordPath(SessionId) const;
     /// Begins a live switch; the result comes as SwitchDone, a refusal at once as well.

@@ -17,8 +17,16 @@ bool sayGoodbyeFor(DownReason reason)
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)), counters(store),
-      around{random, {}, {}, offerOf(config.policy), config.timing}, ownMac(config.identity->publicKey)
+      around{random, {}, {}, {}, config.timing, config.frameFacts.get()}, ownMac(config.identity->publicKey)
 {
+    offerPolicy();
+}
+
+void EndpointCore::offerPolicy()
+{
+    around.offer = offerOf(config.policy);
+    around.offer.allowInline = around.offer.allowInline && around.facts;
+    around.offer.preferInline = around.offer.preferInline && around.offer.allowInline;
 }
 
 const Peer *EndpointCore::peer(const PublicKey &key) const

@@ -15,6 +15,8 @@ struct EndpointCore
     const Peer *peer(const PublicKey &key) const;
     /// Counts nothing; tells the owner, at most once a second and path.
     void tellRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key = {});
+    /// What our policy offers, and this build can do.
+    void offerPolicy();
     /// The session becomes the one with its peer: an earlier one ends as PeerRestarted.
     void bringUp(TimePoint now, SessionTable::Entry &entry);
     void end(TimePoint now, Session &session, DownReason reason);

@@ -45,12 +45,18 @@ LiveEpoch *Epochs::byBits(std::uint8_t bits)
     return matches(m_next) ? m_next.get() : nullptr;
 }
 
+LiveEpoch *Epochs::byLowByte(std::uint8_t lowByte)
+{
+    LiveEpoch *const epoch = byBits(lowByte & 3);
+    return epoch && static_cast<std::uint8_t>(epoch->number) == lowByte ? epoch : nullptr;
+}
+
 void Epochs::advance()
 {
     retirePrevious();
     m_previous = std::move(m_current);
     if (m_previous)
-        m_previous->writer.reset();
+        m_previous->writer.reset(), m_previous->inlineWriter.reset();
     m_current = std::move(m_next);
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/clock.h"
 #include "core/channel/replay_window.h"
 #include "core/channel/stats.h"
+#include "core/crypto/inline_cipher.h"
 #include "core/crypto/record_cipher.h"
 
 #include <deque>
@@ -19,8 +20,12 @@ struct LiveEpoch
     crypto::SuiteId suite{};
     std::unique_ptr<crypto::RecordCipher> reader;
     std::unique_ptr<crypto::RecordCipher> writer;
+    /// For frames sealed in place; null unless both ends allow it and the suite can do it. Keys of their own, but counter and
+    /// window are those of the records: one account of what is missing.
+    std::unique_ptr<crypto::InlineCipher> inlineReader;
+    std::unique_ptr<crypto::InlineCipher> inlineWriter;
     ReplayWindow window;
-    std::uint32_t sent = 0; ///< records sealed under it = the counter of the next one
+    std::uint32_t sent = 0; ///< records and frames sealed under it = the counter of the next one
     ReceiveCounters rx;     ///< `lost` is not kept here, the window knows it
     SendCounters tx;
 
@@ -38,6 +43,8 @@ public:
     bool hasNext() const { return m_next != nullptr; }
     /// The live epoch with these low bits; nullptr when its keys are gone or were never there.
     LiveEpoch *byBits(std::uint8_t bits);
+    /// The same by the low byte of its number, as frames sealed in place carry it.
+    LiveEpoch *byLowByte(std::uint8_t lowByte);
     bool isNext(const LiveEpoch &epoch) const { return &epoch == m_next.get(); }
 
     void prepareNext(LiveEpoch next) { m_next = std::make_unique<LiveEpoch>(std::move(next)); }

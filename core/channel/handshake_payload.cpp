@@ -9,11 +9,12 @@ namespace skyseal::channel {
 
 namespace {
 
-enum Flag : std::uint8_t { ResearchAllowed = 1, PlainAllowed = 2 };
+enum Flag : std::uint8_t { ResearchAllowed = 1, PlainAllowed = 2, InlineAllowed = 4, InlinePreferred = 8 };
 
 void writeHead(ByteWriter &out, ConnectionId connection, const SuiteOffer &offer)
 {
-    out.u8(static_cast<std::uint8_t>((offer.allowResearch ? ResearchAllowed : 0) | (offer.allowPlain ? PlainAllowed : 0)));
+    out.u8(static_cast<std::uint8_t>((offer.allowResearch ? ResearchAllowed : 0) | (offer.allowPlain ? PlainAllowed : 0)
+                                     | (offer.allowInline ? InlineAllowed : 0) | (offer.preferInline ? InlinePreferred : 0)));
     out.u16(static_cast<std::uint16_t>(connection));
     const auto number = [&](std::size_t i) { return i < offer.suites.size() ? static_cast<unsigned>(offer.suites[i]) : 0u; };
     for (std::size_t i = 0; i < kMaxOfferedSuites; i += 2)
@@ -25,6 +26,8 @@ void readHead(ByteReader &in, ConnectionId &connection, SuiteOffer &offer)
     const std::uint8_t flags = in.u8();
     offer.allowResearch = flags & ResearchAllowed;
     offer.allowPlain = flags & PlainAllowed;
+    offer.allowInline = flags & InlineAllowed;
+    offer.preferInline = offer.allowInline && (flags & InlinePreferred);
     connection = ConnectionId{in.u16()};
     for (std::size_t i = 0; i < kMaxOfferedSuites / 2; ++i) {
         const std::uint8_t pair = in.u8();

@@ -25,13 +25,18 @@ std::vector<SuiteId> defaultSuites()
 
 SuiteOffer offerOf(const Policy &policy)
 {
-    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain};
+    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain, policy.allowInline, policy.allowInline && policy.preferInline};
     for (const SuiteId suite : policy.suites) {
         const bool wanted = suite != SuiteId::None && (policy.allowResearch || !isResearch(suite));
         if (wanted && !holds(offer.suites, suite) && offer.suites.size() < kMaxOfferedSuites)
             offer.suites.push_back(suite);
     }
     return offer;
+}
+
+bool inlineWanted(const SuiteOffer &one, const SuiteOffer &other)
+{
+    return one.allowInline && other.allowInline && (one.preferInline || other.preferInline);
 }
 
 std::vector<SuiteId> permittedSuites(const SuiteOffer &initiator, const SuiteOffer &responder)

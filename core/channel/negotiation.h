@@ -16,6 +16,8 @@ struct SuiteOffer
     std::vector<crypto::SuiteId> suites; ///< never None; no suite twice
     bool allowResearch = false;
     bool allowPlain = false;
+    bool allowInline = false;
+    bool preferInline = false; ///< means nothing without `allowInline`
 
     bool operator==(const SuiteOffer &) const = default;
 };
@@ -24,6 +26,9 @@ inline constexpr std::size_t kMaxOfferedSuites = 6;
 
 /// The offer that a policy gives: research suites only with `allowResearch`, None only as `allowPlain`.
 SuiteOffer offerOf(const Policy &policy);
+
+/// Whether frames are to be sealed in place: both ends allow it and at least one prefers it.
+bool inlineWanted(const SuiteOffer &one, const SuiteOffer &other);
 
 /// Every suite that both ends allow, in the initiator's order; research suites only when both allow them, None last
 /// and only when both allow plain.

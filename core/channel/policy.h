@@ -36,7 +36,14 @@ struct Policy
     bool allowResearch = false;
     /// Consent to plain MAVLink as the baseline of a measurement; the other end must consent as well.
     bool allowPlain = false;
+    /// Consent to frames that are sealed in place (inline framing), with an 8-byte tag; used when both ends consent and at
+    /// least one of them prefers it, under the suites that can do it.
+    bool allowInline = false;
+    bool preferInline = false;
 };
+
+/// How frames travel: in records, whole and hidden, or sealed in place with their header clear.
+enum class Framing : std::uint8_t { Sealed, Inline };
 
 /// All authenticated suites, the default first, research suites last (they need `allowResearch` besides).
 std::vector<crypto::SuiteId> defaultSuites();

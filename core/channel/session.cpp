@@ -18,7 +18,8 @@ bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 
 Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
     : m_setup(std::move(setup)), m_around(around), m_origin(m_setup.path), m_chain(std::move(m_setup.chain)),
-      m_switch(m_setup.id, m_setup.initiator, around.timing), m_since(now), m_lastReceived(now), m_lastSent(now),
+      m_switch(m_setup.id, m_setup.initiator, around.timing),
+      m_inlineAgreed(around.facts && around.offer.allowInline && m_setup.peerOffer.allowInline), m_since(now), m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
 {
@@ -284,6 +285,10 @@ void Session::prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &pro
     LiveEpoch epoch;
     epoch.number = number;
     epoch.suite = suite;
+    if (m_inlineAgreed) {
+        epoch.inlineWriter = crypto::makeInlineCipher(suite, ours);
+        epoch.inlineReader = crypto::makeInlineCipher(suite, theirs);
+    }
     epoch.writer = crypto::makeRecordCipher(suite, std::move(ours));
     epoch.reader = crypto::makeRecordCipher(suite, std::move(theirs));
     m_chainAfterNext = std::move(secrets.next);

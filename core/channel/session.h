@@ -4,6 +4,7 @@
 
 #include "core/channel/endpoint.h"
 #include "core/channel/epochs.h"
+#include "core/channel/inline_frame.h"
 #include "core/channel/key_chain.h"
 #include "core/channel/live_switch.h"
 #include "core/channel/negotiation.h"
@@ -23,6 +24,7 @@ struct Surroundings
     std::deque<Event> events;
     SuiteOffer offer; ///< what our policy allows now
     Timing timing;
+    const FrameFacts *facts = nullptr; ///< null: nothing is sealed in place here
 };
 
 /// What a finished handshake gives.
@@ -74,6 +76,8 @@ public:
         std::optional<Delivery> delivery;
     };
     Opened open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram);
+    /// A frame sealed in place; it never moves the address.
+    Opened openInline(TimePoint now, const InlineFrame &frame);
     void handleDeadline(TimePoint now);
     void addRoundTrip(Duration sample) { m_roundTrip.add(sample); }
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
@@ -81,6 +85,9 @@ public:
 
     // command
     Result<std::size_t, SealError> seal(TimePoint now, ByteView plaintext, MutableByteView out);
+    Result<std::size_t, SealError> sealInline(TimePoint now, ByteView frame, MutableByteView out);
+    /// How frames are to be sent now.
+    Framing framing() const;
     void switchSuite(TimePoint now, crypto::SuiteId suite);
     void rekey(TimePoint now);
     /// A report with the wish for an answer: a sign of life, sent at once.
@@ -112,6 +119,7 @@ private:
     Direction ourDirection() const { return m_setup.initiator ? Direction::FromInitiator : Direction::FromResponder; }
     std::vector<crypto::SuiteId> permitted() const;
 
+    bool inlineAllowed() const { return m_inlineAgreed && m_around.offer.allowInline; }
     bool nothingMissing() const;
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
@@ -137,6 +145,7 @@ private:
     std::optional<DownReason> m_finished;
     std::optional<TimePoint> m_closingUntil; ///< the peer said goodbye; what it overtook is still taken
     bool m_confirmed = false;
+    bool m_inlineAgreed; ///< both ends said in the handshake that they allow it
 
     TimePoint m_since;
     TimePoint m_lastReceived;

@@ -58,4 +58,15 @@ Session *SessionTable::upWith(const PublicKey &peer)
     return found;
 }
 
+SessionTable::Entry *SessionTable::upAt(const Path &path)
+{
+    Entry *found = nullptr;
+    forEach([&](Entry &entry) {
+        const bool here = entry.up && entry.session->path() == path;
+        if (here && (!found || entry.session->lastReceived() > found->session->lastReceived()))
+            found = &entry;
+    });
+    return found;
+}
+
 } // namespace skyseal::channel

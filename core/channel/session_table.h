@@ -42,6 +42,9 @@ public:
     /// A session with that key that is up; nullptr when there is none.
     Session *upWith(const PublicKey &peer);
 
+    /// The session that is up and whose records come from there, the one heard last of several; nullptr when there is none.
+    Entry *upAt(const Path &path);
+
     /// Calls `visit(Entry &)` for each session; it may erase the one it is called with.
     template<typename Visit> void forEach(Visit visit)
     {

@@ -93,6 +93,7 @@ SessionInfo Session::info(TimePoint now) const
     info.path = m_setup.path;
     info.suite = currentSuite();
     info.epoch = currentEpoch();
+    info.framing = framing();
     info.pending = m_switch.pending();
     info.permitted = permitted();
     info.peerOffered = m_setup.peerOffer.suites;

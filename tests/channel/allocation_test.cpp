@@ -1,6 +1,7 @@
 // The packet path allocates nothing: sealing, opening and refusing are counted against operator new.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "inline_pair.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -35,6 +36,8 @@ private Q_SLOTS:
     void countsAtAll();
     void sealAndOpen_data() { everySuite(); }
     void sealAndOpen();
+    void sealAndOpenInline_data() { everyInlineSuite(); }
+    void sealAndOpenInline();
 };
 
 void AllocationTest::countsAtAll()
@@ -69,6 +72,33 @@ void AllocationTest::sealAndOpen()
     QCOMPARE(opened, std::size_t(1000));
     QCOMPARE(refused, std::size_t(2000));
     QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before))); // The one alarm may need a place to wait.
+}
+
+void AllocationTest::sealAndOpenInline()
+{
+    QFETCH(int, suite);
+    auto pair = inlinePair(static_cast<SuiteId>(suite));
+    Endpoint &air = *pair->air().endpoint;
+    Endpoint &ground = *pair->ground().endpoint;
+    const SessionId session = pair->air().session();
+    const Path from = pair->pathOf(Air);
+    const Bytes frame = numberedFrame(1, 64);
+    Bytes sealed(frame.size() + kMaxRecordOverhead), forged = sealed;
+    std::size_t opened = 0, refused = 0;
+
+    const std::size_t before = allocations;
+    for (int i = 0; i < 1000; ++i) {
+        const auto size = air.sealInline(pair->now, session, frame, sealed);
+        std::copy(sealed.begin(), sealed.end(), forged.begin());
+        forged[*size - 1] ^= 0x55;
+        refused += !ground.handleInlineFrame(pair->now, from, MutableByteView(forged).first(*size));
+        const auto delivery = ground.handleInlineFrame(pair->now, from, MutableByteView(sealed).first(*size));
+        opened += delivery && std::equal(delivery->frames.begin(), delivery->frames.end(), frame.begin(), frame.end());
+    }
+    const std::size_t after = allocations;
+    QCOMPARE(opened, std::size_t(1000));
+    QCOMPARE(refused, std::size_t(1000));
+    QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before)));
 }
 
 QTEST_GUILESS_MAIN(AllocationTest)

@@ -37,6 +37,7 @@ Config Pair::configOf(Side side) const
     config.peers.push_back({ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}, {}});
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
+    config.frameFacts = m_options.frameFacts;
     if (side == Air)
         config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}});
     return config;
@@ -111,13 +112,26 @@ void Pair::arrive(Flight flight)
     }
     Path path = pathOf(flight.from);
     path.remote.port = flight.sourcePort;
-    const auto delivery = end.endpoint->handleDatagram(now, path, flight.bytes);
+    const bool inPlace = Endpoint::ownsFrame(flight.bytes);
+    const auto delivery = inPlace ? end.endpoint->handleInlineFrame(now, path, flight.bytes)
+                                  : end.endpoint->handleDatagram(now, path, flight.bytes);
     if (!delivery)
         return;
     ByteReader reader(delivery->frames);
-    reader.u8();
+    reader.bytes(m_options.makeFrame ? 10 : 1);
     ++end.delivered[reader.u64()];
     end.epochs.push_back(static_cast<std::uint32_t>(delivery->epoch));
+}
+
+Bytes Pair::frameWith(std::uint64_t number, std::size_t size) const
+{
+    if (m_options.makeFrame)
+        return m_options.makeFrame(number, size);
+    Bytes frame(std::max<std::size_t>(size, 9));
+    ByteWriter writer(frame);
+    writer.u8(0xfd);
+    writer.u64(number);
+    return frame;
 }
 
 std::uint64_t Pair::sendFrame(Side from, std::size_t size)
@@ -126,13 +140,12 @@ std::uint64_t Pair::sendFrame(Side from, std::size_t size)
     if (!end.up())
         return 0;
     const std::uint64_t number = ++m_frames;
-    Bytes frame(std::max<std::size_t>(size, 9));
-    ByteWriter writer(frame);
-    writer.u8(0xfd);
-    writer.u64(number);
+    const Bytes frame = frameWith(number, size);
     Bytes record(frame.size() + kMaxRecordOverhead);
     const SessionId session = end.session();
-    const auto sealed = end.endpoint->seal(now, session, frame, record);
+    auto sealed = end.endpoint->sealInline(now, session, frame, record);
+    if (!sealed && sealed.error() == SealError::NotInline)
+        sealed = end.endpoint->seal(now, session, frame, record);
     if (!sealed)
         return 0;
     record.resize(*sealed);

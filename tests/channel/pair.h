@@ -56,6 +56,10 @@ struct PairOptions
     bool announceToAddress = true; ///< otherwise to the one peer of the link, by an all-zero address
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};
+    /// For frames sealed in place: what they look like, and a real one whose payload begins with a number. Without these,
+    /// frames are anything that begins like one.
+    std::shared_ptr<const FrameFacts> frameFacts;
+    std::function<Bytes(std::uint64_t number, std::size_t size)> makeFrame;
 };
 
 class Pair
@@ -103,6 +107,7 @@ public:
     void stopTraffic() { m_tasks.clear(); }
 
     /// Seals one frame of `size` bytes (at least 9) and sends it; its number, 0 when there was no session.
+    /// With PairOptions::makeFrame in place, where the session does so.
     std::uint64_t sendFrame(Side from, std::size_t size = 28);
     /// Sends whatever the endpoints want to send, and collects their events. run() does so by itself.
     void pump();
@@ -127,6 +132,7 @@ private:
         std::function<void()> act;
     };
     void arrive(Flight flight);
+    Bytes frameWith(std::uint64_t number, std::size_t size) const;
 
     PairOptions m_options;
     SeededRandom m_random;

@@ -1,0 +1,31 @@
+// What the channel asks of MAVLink when it seals frames in place, answered from a dialect.
+#pragma once
+
+#include "core/channel/frame_facts.h"
+#include "core/mavlink/crc.h"
+#include "core/mavlink/dialect.h"
+
+namespace skyseal::engine {
+
+class DialectFacts final : public channel::FrameFacts
+{
+public:
+    /// `dialect` outlives this.
+    explicit DialectFacts(const mavlink::Dialect &dialect) : m_dialect(&dialect) {}
+
+    std::optional<Message> message(std::uint32_t id) const override
+    {
+        const mavlink::MessageInfo *info = m_dialect->find(id);
+        return info ? std::optional(Message{info->crcExtra, info->targetSystemOffset, info->targetComponentOffset}) : std::nullopt;
+    }
+
+    std::uint16_t checksum(ByteView bytes, std::uint8_t crcExtra) const override
+    {
+        return mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, bytes), {&crcExtra, 1});
+    }
+
+private:
+    const mavlink::Dialect *m_dialect;
+};
+
+} // namespace skyseal::engine
