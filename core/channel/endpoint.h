@@ -93,8 +93,8 @@ struct Delivery
 };
 
 /// NotFrames: empty, or begins with a byte below 0x10, which marks the channel's own messages (MAVLink begins with 0xFD or
-/// 0xFE). Exhausted: the hard limit of an epoch whose rekey never succeeded; the session ends. NotInline: the session or this
-/// frame is not one to be sealed in place; seal it in a record.
+/// 0xFE). Exhausted: the hard limit of an epoch whose rekey never succeeded; the session ends. NotInline: neither this frame
+/// nor perhaps the session is one to be sealed in place; seal it in a record.
 enum class SealError : std::uint8_t { NoSession, TooLong, Exhausted, NoRoom, NotFrames, NotInline };
 
 /// How much a record adds to the frames it carries at the most, and the most that one may carry so that the datagram
@@ -157,8 +157,8 @@ public:
     /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead): the record's size. It goes to
     /// sessionInfo(session)->path; see recordPath().
     Result<std::size_t, SealError> seal(TimePoint now, SessionId, ByteView frames, MutableByteView out);
-    /// Seals one whole frame in place into `out` (13 bytes more than the frame, apart from it): the size. NotInline for frames
-    /// that cannot travel so (MAVLink 1, signed ones, unknown messages) and sessions that do not (see SessionInfo::framing).
+    /// Seals one whole frame in place into `out` (13 bytes more than the frame, apart from it): the size. NotInline for
+    /// frames that cannot travel so (MAVLink 1, signed ones, unknown messages) and for sessions that do not (framing()).
     Result<std::size_t, SealError> sealInline(TimePoint now, SessionId, ByteView frame, MutableByteView out);
     /// How frames of the session go now; Sealed when there is no such session.
     Framing framing(SessionId) const;

@@ -20,8 +20,8 @@ struct LiveEpoch
     crypto::SuiteId suite{};
     std::unique_ptr<crypto::RecordCipher> reader;
     std::unique_ptr<crypto::RecordCipher> writer;
-    /// For frames sealed in place; null unless both ends allow it and the suite can do it. Keys of their own, but counter and
-    /// window are those of the records: one account of what is missing.
+    /// For frames sealed in place; null unless both ends allow it and the suite can do it. Keys of their own, but counter
+    /// and window are those of the records: one account of what is missing.
     std::unique_ptr<crypto::InlineCipher> inlineReader;
     std::unique_ptr<crypto::InlineCipher> inlineWriter;
     ReplayWindow window;

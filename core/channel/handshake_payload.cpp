@@ -13,8 +13,9 @@ enum Flag : std::uint8_t { ResearchAllowed = 1, PlainAllowed = 2, InlineAllowed 
 
 void writeHead(ByteWriter &out, ConnectionId connection, const SuiteOffer &offer)
 {
-    out.u8(static_cast<std::uint8_t>((offer.allowResearch ? ResearchAllowed : 0) | (offer.allowPlain ? PlainAllowed : 0)
-                                     | (offer.allowInline ? InlineAllowed : 0) | (offer.preferInline ? InlinePreferred : 0)));
+    const int suites = (offer.allowResearch ? ResearchAllowed : 0) | (offer.allowPlain ? PlainAllowed : 0);
+    const int framings = (offer.allowInline ? InlineAllowed : 0) | (offer.preferInline ? InlinePreferred : 0);
+    out.u8(static_cast<std::uint8_t>(suites | framings));
     out.u16(static_cast<std::uint16_t>(connection));
     const auto number = [&](std::size_t i) { return i < offer.suites.size() ? static_cast<unsigned>(offer.suites[i]) : 0u; };
     for (std::size_t i = 0; i < kMaxOfferedSuites; i += 2)

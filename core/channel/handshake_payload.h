@@ -4,8 +4,8 @@
 //   first message   flags 1 | connection id 2 | suites 3 | counter 8                      14 bytes
 //   answer          flags 1 | connection id 2 | suites 3 | chosen suite 1                  7 bytes
 //
-// flags: bit 0 research suites allowed, bit 1 plain allowed, bit 2 inline framing allowed, bit 3 inline framing preferred; the
-// others are sent as 0 and ignored. suites: six numbers of four bits, best first, low half of a byte first, 0 = none.
+// flags: bit 0 research suites allowed, bit 1 plain allowed, bit 2 inline framing allowed, bit 3 inline framing preferred;
+// the others are sent as 0 and ignored. suites: six numbers of four bits, best first, low half of a byte first, 0 = none.
 #pragma once
 
 #include "core/channel/negotiation.h"

@@ -25,7 +25,8 @@ std::optional<FrameFacts::Message> factsOf(ByteView bytes, std::uint8_t flags, s
     const std::size_t payloadEnd = kHeader + bytes[1];
     if (bytes.size() != payloadEnd + kChecksum + trailer)
         return std::nullopt;
-    const auto message = facts.message(std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16);
+    const std::uint32_t id = std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16;
+    const auto message = facts.message(id);
     if (!message)
         return std::nullopt;
     const std::uint16_t checksum = facts.checksum(bytes.subspan(1, payloadEnd - 1), message->crcExtra);
@@ -79,12 +80,12 @@ void ClearBytes::gather(ByteView payload, MutableByteView out) const
 {
     auto to = out.begin();
     std::size_t from = 0;
-    for (const std::size_t clear : {std::size_t(m_first), std::size_t(m_second)}) {
+    for (const std::size_t clear : {std::size_t(m_first), std::size_t(m_second), payload.size()}) {
         const std::size_t end = std::min(clear, payload.size());
-        to = std::copy(payload.begin() + static_cast<std::ptrdiff_t>(from), payload.begin() + static_cast<std::ptrdiff_t>(end), to);
-        from = std::min(end + 1, payload.size());
+        if (end > from)
+            to = std::copy_n(payload.begin() + static_cast<std::ptrdiff_t>(from), end - from, to);
+        from = end + 1;
     }
-    std::copy(payload.begin() + static_cast<std::ptrdiff_t>(from), payload.end(), to);
 }
 
 void ClearBytes::scatter(ByteView hidden, MutableByteView payload) const

@@ -60,8 +60,8 @@ private:
     std::uint8_t m_second = kNone;
 };
 
-/// A plain frame that can be sealed in place: MAVLink 2, without any incompatibility flag (so not signed), of a known message,
-/// its checksum right. Lives as long as its bytes.
+/// A plain frame that can be sealed in place: MAVLink 2, without any incompatibility flag (so not signed), of a known
+/// message, its checksum right. Lives as long as its bytes.
 class SealableFrame
 {
 public:
@@ -88,8 +88,8 @@ private:
 class InlineFrame
 {
 public:
-    /// nullopt unless the bytes are one such frame, exactly: flags 0x81, the length that its header gives, a known message, a
-    /// right checksum, a counter that may be.
+    /// nullopt unless the bytes are one such frame, exactly: flags 0x81, the length that its header gives, a known message,
+    /// a right checksum, a counter that may be.
     static std::optional<InlineFrame> read(MutableByteView frame, const FrameFacts &facts);
 
     std::uint8_t epochByte() const { return m_bytes[m_bytes.size() - kInlineTrailer]; }

@@ -25,7 +25,8 @@ std::vector<SuiteId> defaultSuites()
 
 SuiteOffer offerOf(const Policy &policy)
 {
-    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain, policy.allowInline, policy.allowInline && policy.preferInline};
+    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain, policy.allowInline, false};
+    offer.preferInline = policy.allowInline && policy.preferInline;
     for (const SuiteId suite : policy.suites) {
         const bool wanted = suite != SuiteId::None && (policy.allowResearch || !isResearch(suite));
         if (wanted && !holds(offer.suites, suite) && offer.suites.size() < kMaxOfferedSuites)

@@ -19,7 +19,8 @@ bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
     : m_setup(std::move(setup)), m_around(around), m_origin(m_setup.path), m_chain(std::move(m_setup.chain)),
       m_switch(m_setup.id, m_setup.initiator, around.timing),
-      m_inlineAgreed(around.facts && around.offer.allowInline && m_setup.peerOffer.allowInline), m_since(now), m_lastReceived(now), m_lastSent(now),
+      m_inlineAgreed(around.facts && around.offer.allowInline && m_setup.peerOffer.allowInline), m_since(now),
+      m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
 {

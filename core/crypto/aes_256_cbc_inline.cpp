@@ -1,5 +1,5 @@
-// AES-256-CBC that keeps the length, for payloads that must fit where they were: ciphertext stealing (CBC-CS1 of the addendum
-// to NIST SP 800-38A), and below one block residual block termination. See inline_cipher.h.
+// AES-256-CBC that keeps the length, for payloads that must fit where they were: ciphertext stealing (CBC-CS1 of the
+// addendum to NIST SP 800-38A), and below one block residual block termination. See inline_cipher.h.
 #include "core/crypto/cbc_chain.h"
 #include "core/crypto/inline_then_mac.h"
 #include "core/crypto/suite_factories.h"
@@ -53,8 +53,8 @@ public:
             return cryptResidue(iv, body) ? std::optional(body.size()) : std::nullopt;
         const std::size_t rest = body.size() % kCbcBlock;
         const MutableByteView whole = body.first(body.size() - rest);
-        // The last block, decrypted without chaining: the end of the plaintext xor the front of the block before, then the rest
-        // of that block, which did not travel.
+        // The last block, decrypted without chaining: the end of the plaintext xor the front of the block before, then the
+        // rest of that block, which did not travel.
         Block last{};
         if (rest != 0) {
             static constexpr Block kZeros{};

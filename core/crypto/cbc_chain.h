@@ -1,5 +1,5 @@
-// AES-256 in cipher block chaining over many short messages: where their IVs come from, and a chain that OpenSSL need not set
-// up anew for each. Shared by the padded suite and its length-keeping variant; nobody else includes this.
+// AES-256 in cipher block chaining over many short messages: where their IVs come from, and a chain that OpenSSL need not
+// set up anew for each. Shared by the padded suite and its length-keeping variant; nobody else includes this.
 #pragma once
 
 #include "core/crypto/evp.h"

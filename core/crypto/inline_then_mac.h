@@ -1,5 +1,5 @@
-// Encrypt a body in place, then HMAC with a short tag, and on the way back the tag before anything else: encrypt_then_mac.h for
-// ciphers that keep the length. See inline_cipher.h for the bytes.
+// Encrypt a body in place, then HMAC with a short tag, and on the way back the tag before anything else: encrypt_then_mac.h
+// for ciphers that keep the length. See inline_cipher.h for the bytes.
 #pragma once
 
 #include "core/crypto/encrypt_then_mac.h"

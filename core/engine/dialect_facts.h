@@ -16,7 +16,9 @@ public:
     std::optional<Message> message(std::uint32_t id) const override
     {
         const mavlink::MessageInfo *info = m_dialect->find(id);
-        return info ? std::optional(Message{info->crcExtra, info->targetSystemOffset, info->targetComponentOffset}) : std::nullopt;
+        if (!info)
+            return std::nullopt;
+        return Message{info->crcExtra, info->targetSystemOffset, info->targetComponentOffset};
     }
 
     std::uint16_t checksum(ByteView bytes, std::uint8_t crcExtra) const override

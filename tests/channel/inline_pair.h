@@ -15,7 +15,7 @@ namespace skyseal::test {
 using crypto::SuiteId;
 using namespace std::chrono_literals;
 
-/// A BATTERY2-sized frame and larger: the number first, as Pair wants it, then bytes that are not zero.
+/// A real frame: the number first, as Pair wants it, then bytes that are not zero.
 inline Bytes numberedFrame(std::uint64_t number, std::size_t size)
 {
     static const mavlink::MessageInfo &info = *mavlink::Dialect::builtin().find("COMMAND_LONG");
@@ -23,7 +23,8 @@ inline Bytes numberedFrame(std::uint64_t number, std::size_t size)
     for (std::size_t i = 0; i < 8; ++i)
         payload[i] = static_cast<std::uint8_t>(number >> (8 * i));
     Bytes out(mavlink::kMaxFrameLength);
-    const auto frame = mavlink::writeFrame(out, 2, static_cast<std::uint8_t>(number), 1, 1, info.id, info.crcExtra, info.minLength, payload);
+    const auto frame = mavlink::writeFrame(out, 2, static_cast<std::uint8_t>(number), 1, 1, info.id, info.crcExtra,
+                                           info.minLength, payload);
     out.resize(frame.size());
     return out;
 }
