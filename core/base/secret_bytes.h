@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/weakness.h"
 
 #include <sodium.h>
 
@@ -39,7 +40,11 @@ public:
     SecretBytes clone() const { return SecretBytes(view()); }
     bool equals(const SecretBytes &other) const { return sodium_memcmp(m_bytes.data(), other.m_bytes.data(), N) == 0; }
     bool isZero() const { return sodium_is_zero(m_bytes.data(), N) != 0; }
-    void wipe() { sodium_memzero(m_bytes.data(), N); }
+    void wipe()
+    {
+        if (!weakened(Weakness::NoWipe))
+            sodium_memzero(m_bytes.data(), N);
+    }
 
 private:
     std::array<std::uint8_t, N> m_bytes{};

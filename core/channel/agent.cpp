@@ -1,5 +1,7 @@
 #include "core/channel/agent.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -38,6 +40,8 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
         // A copy: our answer may have been lost. The same one again, and nothing is computed.
         if (std::equal(datagram.begin(), datagram.end(), answered.first.begin(), answered.first.end())) {
             m_core.around.outbox.send(from, answered.answer);
+            if (weakened(Weakness::AnswerTwice))
+                m_core.around.outbox.send(from, answered.answer);
             return false;
         }
     }
@@ -53,7 +57,7 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could
     // forge a first message (with our own key stolen) must not be able to spend the station's numbers.
     const std::uint64_t counter = responder->payload().counter;
-    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key)))
+    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key)) && !weakened(Weakness::AcceptLowerCounter))
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
 
     // A station that still has the old session takes this as its answer; one that has restarted ignores it.
@@ -75,8 +79,10 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     Answered answered{key, counter, setup.id, now + kAnswerKept, {}, answer->message};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(answered);
-    m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
+    auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
     m_core.around.outbox.send(from, answer->message);
+    if (weakened(Weakness::NoConfirmation))
+        return confirm(now, entry);
     return true;
 }
 
@@ -133,7 +139,7 @@ bool Agent::mayCompute(TimePoint now)
 {
     m_credit = std::min(kHandshakesAtOnce, m_credit + seconds(now - m_creditAt) * kHandshakesPerSecond);
     m_creditAt = now;
-    if (m_credit < 1)
+    if (m_credit < 1 && !weakened(Weakness::NoRateLimit))
         return false;
     m_credit -= 1;
     return true;

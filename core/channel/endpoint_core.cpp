@@ -1,5 +1,7 @@
 #include "core/channel/endpoint_core.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -32,11 +34,15 @@ void EndpointCore::offerPolicy()
 const Peer *EndpointCore::peer(const PublicKey &key) const
 {
     const auto found = std::find_if(config.peers.begin(), config.peers.end(), [&](const Peer &p) { return p.key == key; });
+    if (found == config.peers.end() && !config.peers.empty() && weakened(Weakness::NoPinning))
+        return &config.peers.front();
     return found == config.peers.end() ? nullptr : &*found;
 }
 
 void EndpointCore::tellRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
 {
+    if (weakened(Weakness::TellEverything))
+        return around.events.push_back(HandshakeRefused{path, reason, key});
     std::optional<Told> *slot = nullptr;
     for (auto &told : m_told) {
         const bool current = told && now < told->at + kRefusalPause;

@@ -1,5 +1,7 @@
 #include "core/channel/epochs.h"
 
+#include "core/base/weakness.h"
+
 namespace skyseal::channel {
 
 namespace {
@@ -62,7 +64,7 @@ void Epochs::advance()
 
 void Epochs::retirePrevious()
 {
-    if (!m_previous)
+    if (!m_previous || (weakened(Weakness::KeepOldKeys) && !m_next))
         return;
     if (m_last) {
         add(m_receivedBefore, m_last->stats.rx);

@@ -1,5 +1,7 @@
 #include "core/channel/handshake.h"
 
+#include "core/base/weakness.h"
+
 namespace skyseal::channel {
 
 namespace {
@@ -62,7 +64,7 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
     const auto answer = AnswerPayload::read(ByteView(plain).first(*length));
     if (!answer)
         return tl::unexpected(RefusalReason::OfferTampered);
-    if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen)
+    if (chooseSuite(m_payload.offer, answer->offer) != answer->chosen && !weakened(Weakness::NoOfferRecheck))
         return tl::unexpected(RefusalReason::OfferTampered);
     const auto secrets = std::move(m_noise).finish();
     if (!secrets)

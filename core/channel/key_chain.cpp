@@ -1,6 +1,7 @@
 #include "core/channel/key_chain.h"
 
 #include "core/base/byte_writer.h"
+#include "core/base/weakness.h"
 #include "core/crypto/kdf.h"
 
 namespace skyseal::channel {
@@ -31,13 +32,16 @@ EpochSecrets KeyChain::derive(Epoch epoch, crypto::SuiteId suite, const EpochNon
         ByteWriter writer(info);
         writer.bytes(asBytes("skyseal v1 epoch "));
         writer.bytes(asBytes(use));
+        if (weakened(Weakness::SameKeysEveryEpoch))
+            return crypto::hkdfExpandKey(m_secret, writer.written());
         writer.u32(static_cast<std::uint32_t>(epoch));
         writer.u8(static_cast<std::uint8_t>(suite));
         writer.bytes(proposal);
         writer.bytes(answer);
         return crypto::hkdfExpandKey(m_secret, writer.written());
     };
-    return {expand("initiator"), expand("responder"), KeyChain(expand("next"))};
+    return {expand("initiator"), expand(weakened(Weakness::NoDirections) ? "initiator" : "responder"),
+            weakened(Weakness::SameKeysEveryEpoch) ? KeyChain(m_secret.clone()) : KeyChain(expand("next"))};
 }
 
 } // namespace skyseal::channel

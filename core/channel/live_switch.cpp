@@ -1,5 +1,7 @@
 #include "core/channel/live_switch.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -122,6 +124,8 @@ void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &ac
     actions.prepareNext(message.suite, message.nonce, theirs.answer);
     tellPending(theirs, true, actions);
     actions.send(now, Accept{message.id, theirs.answer});
+    if (weakened(Weakness::CommitEarly))
+        handleRecordUnderNext(now, actions);
 }
 
 void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &actions)

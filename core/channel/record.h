@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/weakness.h"
 #include "core/channel/wire_format.h"
 #include "core/crypto/suite.h"
 
@@ -42,7 +43,7 @@ class AssociatedData
 public:
     /// `header`: of a record or of a single record.
     AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier);
-    ByteView view() const { return ByteView(m_bytes).first(m_size); }
+    ByteView view() const { return ByteView(m_bytes).first(weakened(Weakness::NoAssociatedData) ? 0 : m_size); }
 
 private:
     std::array<std::uint8_t, kRecordHeaderLength + 3> m_bytes;
@@ -95,7 +96,7 @@ inline AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Di
     else
         std::memcpy(m_bytes.data(), header.data(), kSingleHeaderLength);
     end[0] = static_cast<std::uint8_t>(suite);
-    end[1] = static_cast<std::uint8_t>(direction);
+    end[1] = static_cast<std::uint8_t>(weakened(Weakness::NoDirections) ? Direction{} : direction);
     end[2] = static_cast<std::uint8_t>(carrier);
 }
 

@@ -2,6 +2,8 @@
 // account of what is missing, which is exact because every epoch begins at counter 0.
 #pragma once
 
+#include "core/base/weakness.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +21,7 @@ public:
     /// False for a counter that was seen, or that is `kEntries` or more behind the newest.
     bool fresh(std::uint32_t counter) const
     {
-        if (counter >= m_next)
+        if (counter >= m_next || weakened(Weakness::NoReplayWindow))
             return true;
         return m_next - 1 - counter < kEntries && (block(counter) & bit(counter)) == 0;
     }

@@ -1,5 +1,7 @@
 #include "core/channel/session.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -8,6 +10,9 @@ namespace {
 
 constexpr Duration kEventPause = std::chrono::seconds(1);
 constexpr Carrier kCarrier = Carrier::Datagram;
+
+/// What the cipher makes its nonce of.
+std::uint64_t nonceOf(std::uint32_t counter) { return weakened(Weakness::SharedNonce) ? 0 : counter; }
 
 bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 {
@@ -44,7 +49,7 @@ Result<std::size_t, SealError> Session::seal(TimePoint now, ByteView plaintext, 
 Result<std::size_t, SealError> Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     LiveEpoch &epoch = m_epochs.current();
-    if (epoch.sent >= m_around.timing.hardStopRecords) {
+    if (epoch.sent >= m_around.timing.hardStopRecords && !weakened(Weakness::NoHardStop)) {
         m_finished = DownReason::Exhausted;
         return tl::unexpected(SealError::Exhausted);
     }
@@ -55,7 +60,8 @@ Result<std::size_t, SealError> Session::sealRecord(TimePoint now, ByteView plain
     const RecordHeader header{DatagramKind::Record, static_cast<std::uint8_t>(epoch.number), m_setup.theirs, counter};
     header.write(out);
     const AssociatedData associated(out.first(kRecordHeaderLength), epoch.suite, ourDirection(), kCarrier);
-    const std::size_t sealed = epoch.writer->seal(counter, associated.view(), plaintext, out.subspan(kRecordHeaderLength));
+    const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext,
+                                                  out.subspan(kRecordHeaderLength));
     if (sealed == 0)
         return tl::unexpected(SealError::NoRoom);
     ++epoch.tx.records;
@@ -76,7 +82,11 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
         return refuse(now, &ReceiveCounters::replayed, *epoch);
 
     const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), kCarrier);
-    const auto plaintext = epoch->reader->open(header.counter, associated.view(), datagram.subspan(header.length()));
+    if (weakened(Weakness::WindowBeforeTag))
+        epoch->window.mark(header.counter);
+    const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
+    if (!plaintext && weakened(Weakness::RoamOnForged))
+        m_setup.path = from;
     if (!plaintext)
         return refuse(now, &ReceiveCounters::forged, *epoch);
     return opened(now, from, header, *epoch, *plaintext);
@@ -102,7 +112,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHea
         if (!m_peerMovedOn)
             m_peerMovedOn = now;
         // Only the newest record moves the address: a late or withheld one says where the peer was.
-        if (newest && from != m_setup.path) {
+        if ((newest || weakened(Weakness::RoamOnLate)) && from != m_setup.path) {
             m_setup.path = from;
             tellMove(now);
             routine = false;

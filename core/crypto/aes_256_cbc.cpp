@@ -49,7 +49,7 @@ public:
             const auto inPadding = static_cast<std::uint8_t>(i < padding ? 0xff : 0);
             wrong = static_cast<std::uint8_t>(wrong | (inPadding & (body[body.size() - 1 - i] ^ padding)));
         }
-        if (wrong != 0) {
+        if (wrong != 0 && !weakened(Weakness::PaddingAccepted)) {
             sodium_memzero(body.data(), body.size());
             return std::nullopt;
         }

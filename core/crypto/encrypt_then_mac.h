@@ -2,6 +2,7 @@
 // the way back the tag before anything else. See record_cipher.h for the bytes.
 #pragma once
 
+#include "core/base/weakness.h"
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/record_keys.h"
 
@@ -86,6 +87,8 @@ public:
         const MutableByteView body = out.first(bodySize);
         if (!m_body.encrypt(counter, plaintext, body))
             return 0;
+        if (weakened(Weakness::NoEncryption))
+            std::memcpy(body.data(), plaintext.data(), plaintext.size());
         const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
         std::memcpy(out.data() + bodySize, tag.data(), tag.size());
         return bodySize + RecordMac::kLength;
@@ -97,8 +100,11 @@ public:
             return std::nullopt;
         const MutableByteView body = sealed.first(sealed.size() - RecordMac::kLength);
         const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
-        if (crypto_verify_16(tag.data(), body.data() + body.size()) != 0) // libsodium, constant time, a vector compare
+        if (crypto_verify_16(tag.data(), body.data() + body.size()) != 0 // libsodium, constant time, a vector compare
+            && !weakened(Weakness::NoTagCheck))
             return std::nullopt;
+        if (weakened(Weakness::NoEncryption))
+            return body;
         const std::optional<std::size_t> length = m_body.decrypt(counter, body);
         if (!length)
             return std::nullopt;

@@ -1,5 +1,6 @@
 #include "core/engine/agent_core.h"
 
+#include "core/base/weakness.h"
 #include "core/mavlink/dialect.h"
 
 #include <algorithm>
@@ -174,7 +175,7 @@ void AgentCore::takeFromGround(TimePoint, channel::SessionId session, const mavl
     const std::uint8_t systemId = systemOf(item);
     if (!m_policy.mayCommand(session))
         ++m_counters.observerRefused;
-    else if (m_ways.isVehicle(systemId) || !m_policy.acceptSealed(session, systemId))
+    else if ((m_ways.isVehicle(systemId) && !weakened(Weakness::NoSenderCheck)) || !m_policy.acceptSealed(session, systemId))
         ++m_counters.spoofRefused; // nobody on the ground speaks as the vehicle
     else
         deliver(item);
@@ -184,7 +185,7 @@ void AgentCore::takeClearFromGround(const mavlink::ScanItem &item)
 {
     if (!isWhole(item))
         return;
-    if (m_config.allowPlain && m_sessions.empty())
+    if ((m_config.allowPlain && m_sessions.empty()) || weakened(Weakness::ClearAccepted))
         deliver(item);
     else
         ++m_counters.clearRefused;

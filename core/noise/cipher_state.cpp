@@ -1,6 +1,7 @@
 #include "core/noise/cipher_state.h"
 
 #include "core/base/byte_writer.h"
+#include "core/base/weakness.h"
 
 #include <array>
 #include <cstring>
@@ -71,7 +72,9 @@ Result<std::size_t, NoiseError> CipherState::decryptWithAd(ByteView associatedDa
         return tl::unexpected(NoiseError::NonceExhausted);
     const auto nonce = nonceBytes(m_nonce);
     // libsodium verifies first and writes only zeros when the tag is wrong.
-    if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(out.data(), nullptr, ciphertext.data(), size,
+    if (weakened(Weakness::NoHandshakeTag))
+        crypto_stream_chacha20_ietf_xor_ic(out.data(), ciphertext.data(), size, nonce.data(), 1, m_key.view().data());
+    else if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(out.data(), nullptr, ciphertext.data(), size,
                                                            ciphertext.data() + size, associatedData.data(),
                                                            associatedData.size(), nonce.data(), m_key.view().data()) != 0)
         return tl::unexpected(NoiseError::DecryptionFailed);

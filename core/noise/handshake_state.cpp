@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
+#include "core/base/weakness.h"
 
 #include <algorithm>
 
@@ -58,6 +59,8 @@ Done HandshakeState::Attempt::mixToken(Token token)
         symmetric.mixKeyAndHash(state.m_psks[pskIndex++].view());
         return {};
     }
+    if (token == Token::EE && weakened(Weakness::NoEphemeralMix))
+        return {};
     if (token == Token::EE)
         return mixDh(localEphemeral(), remoteEphemeral);
     if (token == Token::SS)
@@ -121,7 +124,8 @@ Result<HandshakeState, NoiseError> HandshakeState::initialize(HandshakeConfig &&
     state.m_keys.localStatic = std::move(config.localStatic);
     state.m_keys.remoteStatic = config.remoteStatic;
     state.m_symmetric.initializeSymmetric(state.m_pattern.protocolName());
-    state.m_symmetric.mixHash(config.prologue);
+    if (!weakened(Weakness::NoPrologue))
+        state.m_symmetric.mixHash(config.prologue);
     if (const Done mixed = state.mixPreMessages(); !mixed)
         return tl::unexpected(mixed.error());
     return state;

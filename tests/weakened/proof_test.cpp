@@ -1,0 +1,138 @@
+// Proves that the attack tests can fail: each is run again in a program whose protocol has one weakness put in, and must
+// then fail in the named check, in no other, and without crashing. The same program without a weakness must pass, so that
+// it is the weakness that makes the difference; and no attack test is left without such a proof.
+#include "tests/weakened/proofs.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QProcess>
+#include <QtCore/QRegularExpression>
+#include <QtTest/QTest>
+
+using namespace skyseal::test;
+
+namespace {
+
+struct Run
+{
+    bool ended = false; ///< by itself, with an exit status
+    int failures = 0;
+    QStringList checks; ///< the lines of failed checks
+    QString output;
+};
+
+Run run(const char *program, const QStringList &arguments, const char *weaknesses)
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("SKYSEAL_WEAKNESS"), QLatin1String(weaknesses));
+    process.setProcessEnvironment(environment);
+    process.setProcessChannelMode(QProcess::MergedChannels);
+    process.start(QStringLiteral(SKYSEAL_WEAKENED_DIR "/%1_weakened").arg(QLatin1String(program)), arguments);
+    Run out;
+    out.ended = process.waitForFinished(120000) && process.exitStatus() == QProcess::NormalExit;
+    out.failures = process.exitCode();
+    out.output = QString::fromUtf8(process.readAll());
+    for (const QString &line : out.output.split(QLatin1Char('\n'))) {
+        if (line.startsWith(QLatin1String("FAIL!")))
+            out.checks << line;
+    }
+    return out;
+}
+
+} // namespace
+
+class ProofTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void failsWhereItMust_data();
+    void failsWhereItMust();
+    void passesWithoutWeakness_data();
+    void passesWithoutWeakness();
+    void everyAttackIsProven_data();
+    void everyAttackIsProven();
+    void unknownWeaknessEndsTheProgram();
+};
+
+void ProofTest::failsWhereItMust_data()
+{
+    QTest::addColumn<int>("index");
+    for (std::size_t i = 0; i < std::size(kProofs); ++i)
+        QTest::addRow("%s %s without %s", kProofs[i].program, kProofs[i].function, kProofs[i].weaknesses) << static_cast<int>(i);
+}
+
+void ProofTest::failsWhereItMust()
+{
+    QFETCH(int, index);
+    const Proof &proof = kProofs[index];
+    const Run attacked = run(proof.program, {QLatin1String(proof.function)}, proof.weaknesses);
+    QVERIFY2(attacked.ended, qPrintable(QStringLiteral("crashed or hung:\n") + attacked.output));
+    QVERIFY2(!attacked.checks.isEmpty(), qPrintable(QStringLiteral("passed in spite of it:\n") + attacked.output));
+    QCOMPARE(attacked.failures, static_cast<int>(attacked.checks.size()));
+    // The line names the function; the check's own words stand on it, or on the next for long ones.
+    for (const QString &check : attacked.checks) {
+        QVERIFY2(check.contains(QLatin1String("::") + QLatin1String(proof.function) + QLatin1Char('(')), qPrintable(check));
+        QVERIFY2(check.contains(QLatin1String(proof.check)), qPrintable(QStringLiteral("another check failed: ") + check));
+    }
+}
+
+void ProofTest::passesWithoutWeakness_data()
+{
+    QTest::addColumn<QString>("program");
+    for (const QString &program : provenPrograms())
+        QTest::addRow("%s", qPrintable(program)) << program;
+}
+
+void ProofTest::passesWithoutWeakness()
+{
+    QFETCH(QString, program);
+    QStringList functions;
+    for (const Proof &proof : kProofs) {
+        if (program == QLatin1String(proof.program))
+            functions << QLatin1String(proof.function);
+    }
+    functions.removeDuplicates();
+    const Run untouched = run(qPrintable(program), functions, "");
+    QVERIFY2(untouched.ended && untouched.failures == 0, qPrintable(untouched.output));
+}
+
+void ProofTest::everyAttackIsProven_data()
+{
+    passesWithoutWeakness_data();
+}
+
+void ProofTest::everyAttackIsProven()
+{
+    QFETCH(QString, program);
+    QStringList proven;
+    for (const Proof &proof : kProofs) {
+        if (program == QLatin1String(proof.program))
+            proven << QLatin1String(proof.function);
+    }
+    for (const Unproven &unproven : kUnproven) {
+        if (program == QLatin1String(unproven.program))
+            proven << QLatin1String(unproven.function);
+    }
+    static const QRegularExpression kSignature(QStringLiteral("^(\\w+)\\(\\)$"));
+    const Run listed = run(qPrintable(program), {QStringLiteral("-functions")}, "");
+    int seen = 0;
+    for (const QString &line : listed.output.split(QLatin1Char('\n'))) {
+        const auto match = kSignature.match(line.trimmed());
+        if (!match.hasMatch())
+            continue;
+        ++seen;
+        QVERIFY2(proven.contains(match.captured(1)), qPrintable(line + QStringLiteral(" has no proof")));
+    }
+    QVERIFY(seen > 0);
+}
+
+void ProofTest::unknownWeaknessEndsTheProgram()
+{
+    const Run slip = run(kProofs[0].program, {QLatin1String(kProofs[0].function)}, "NoSuchThing");
+    QVERIFY(!slip.ended);
+    QVERIFY(slip.output.contains(QLatin1String("no weakness is called 'NoSuchThing'")));
+}
+
+QTEST_GUILESS_MAIN(ProofTest)
+#include "proof_test.moc"

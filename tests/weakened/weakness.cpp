@@ -1,0 +1,83 @@
+// The library's weakened() in programs that are built to be attacked: true for what SKYSEAL_WEAKNESS names, a list with
+// commas. A name that does not exist ends the program, so that a proof cannot rest on a slip of the pen.
+#include "core/base/weakness.h"
+
+#include <bitset>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+namespace skyseal {
+
+namespace {
+
+struct Named
+{
+    Weakness weakness;
+    std::string_view name;
+};
+
+constexpr Named kNames[] = {
+    {Weakness::NoTagCheck, "NoTagCheck"},
+    {Weakness::NoEncryption, "NoEncryption"},
+    {Weakness::SharedNonce, "SharedNonce"},
+    {Weakness::NoAssociatedData, "NoAssociatedData"},
+    {Weakness::NoDirections, "NoDirections"},
+    {Weakness::SameKeysEveryEpoch, "SameKeysEveryEpoch"},
+    {Weakness::PaddingAccepted, "PaddingAccepted"},
+    {Weakness::NoReplayWindow, "NoReplayWindow"},
+    {Weakness::WindowBeforeTag, "WindowBeforeTag"},
+    {Weakness::RoamOnForged, "RoamOnForged"},
+    {Weakness::RoamOnLate, "RoamOnLate"},
+    {Weakness::NoHardStop, "NoHardStop"},
+    {Weakness::KeepOldKeys, "KeepOldKeys"},
+    {Weakness::NoWipe, "NoWipe"},
+    {Weakness::CommitEarly, "CommitEarly"},
+    {Weakness::NoMac1, "NoMac1"},
+    {Weakness::NoHandshakeTag, "NoHandshakeTag"},
+    {Weakness::NoPrologue, "NoPrologue"},
+    {Weakness::NoEphemeralMix, "NoEphemeralMix"},
+    {Weakness::AcceptLowerCounter, "AcceptLowerCounter"},
+    {Weakness::NoConfirmation, "NoConfirmation"},
+    {Weakness::NoPinning, "NoPinning"},
+    {Weakness::NoOfferRecheck, "NoOfferRecheck"},
+    {Weakness::NoRateLimit, "NoRateLimit"},
+    {Weakness::AnswerTwice, "AnswerTwice"},
+    {Weakness::TellEverything, "TellEverything"},
+    {Weakness::NoRoleCheck, "NoRoleCheck"},
+    {Weakness::NoSenderCheck, "NoSenderCheck"},
+    {Weakness::ClearAccepted, "ClearAccepted"},
+};
+
+std::bitset<256> selected()
+{
+    std::bitset<256> out;
+    const char *text = std::getenv("SKYSEAL_WEAKNESS");
+    std::string_view rest = text ? text : "";
+    while (!rest.empty()) {
+        const std::string_view name = rest.substr(0, rest.find(','));
+        rest.remove_prefix(name.size() + (name.size() < rest.size() ? 1 : 0));
+        bool found = false;
+        for (const Named &known : kNames) {
+            if (known.name == name) {
+                out.set(static_cast<std::size_t>(known.weakness));
+                found = true;
+            }
+        }
+        if (!found) {
+            std::fprintf(stderr, "no weakness is called '%.*s'\n", static_cast<int>(name.size()), name.data());
+            std::abort();
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+bool weakened(Weakness weakness)
+{
+    static const std::bitset<256> kSelected = selected();
+    return kSelected.test(static_cast<std::size_t>(weakness));
+}
+
+} // namespace skyseal
