@@ -38,10 +38,14 @@ enum class Weakness : std::uint8_t {
     NoRateLimit,        ///< any number of Diffie-Hellman computations for strangers
     AnswerTwice,        ///< more goes out than came in
     TellEverything,     ///< each refused handshake is an event
+    TrustAnnouncements, ///< an announcement starts a handshake even while a session lives
     // the owners of the channel
     NoRoleCheck,        ///< observers may command
     NoSenderCheck,      ///< a sealed peer may speak as any system
     ClearAccepted,      ///< clear frames are taken as if nothing had ever been sealed
+    // what only the tests' own parts look at
+    Impatient,          ///< a session ends after ten seconds of silence
+    CountersFromClock,  ///< the numbers in first messages are the time of day
 };
 
 #ifdef SKYSEAL_WEAKEN

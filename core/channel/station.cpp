@@ -1,5 +1,7 @@
 #include "core/channel/station.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -69,7 +71,8 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
     // While a session lives, an announcement is a replay or the word of an agent that has just restarted: it counts once the
     // session has been quiet for longer than a living one ever is.
     TimePoint due = now;
-    if (const Session *session = m_core.table.upWith(known->key); session && !session->closing())
+    if (const Session *session = m_core.table.upWith(known->key);
+        session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, due);
     if (std::find(attempt.paths.begin(), attempt.paths.end(), from) == attempt.paths.end()) {

@@ -2,10 +2,13 @@
 // is as it was before the attack.
 #pragma once
 
+#include "core/base/weakness.h"
 #include "pair.h"
 
 #include <QtTest/QTest>
 
+#include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -16,10 +19,16 @@ using crypto::SuiteId;
 
 inline constexpr std::uint64_t kAttackSeed = 20240607;
 
-inline std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link = {})
+inline PairOptions attackOptions()
 {
     PairOptions options;
     options.seed = kAttackSeed;
+    return options;
+}
+
+inline std::unique_ptr<Pair> pairUnder(SuiteId suite, LinkModel link = {})
+{
+    PairOptions options = attackOptions();
     options.link = link;
     auto pair = std::make_unique<Pair>(options);
     pair->run(5s, [&] { return pair->bothUp(); });
@@ -40,6 +49,26 @@ inline void everySuite()
             QTest::newRow(info.name.data()) << static_cast<int>(info.id);
     }
 }
+
+/// Keeps a copy of every datagram that is sent from now on.
+struct Tap
+{
+    explicit Tap(Pair &pair)
+    {
+        pair.link.attacker = [this](TimePoint, Flight &flight) {
+            flights.push_back(flight);
+            return true;
+        };
+    }
+    std::vector<Flight> ofKind(std::uint8_t first) const
+    {
+        std::vector<Flight> out;
+        std::copy_if(flights.begin(), flights.end(), std::back_inserter(out),
+                     [first](const Flight &flight) { return flight.bytes[0] == first; });
+        return out;
+    }
+    std::vector<Flight> flights;
+};
 
 struct Caught
 {
@@ -68,6 +97,22 @@ inline bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from = {
     return pair.ends[to].endpoint->handleDatagram(pair.now, path, bytes).has_value();
 }
 
+/// Hands all of them to whom they were sent, at once: how many were taken.
+inline std::size_t offerAll(Pair &pair, const std::vector<Flight> &flights)
+{
+    std::size_t taken = 0;
+    for (const Flight &flight : flights)
+        taken += offer(pair, flight.from == Air ? Ground : Air, flight.bytes);
+    return taken;
+}
+
+inline std::uint32_t counterOf(ByteView record) { return record[3] | record[4] << 8u | record[5] << 16u; }
+inline void setCounter(Bytes &record, std::uint32_t counter)
+{
+    for (unsigned k = 0; k < 3; ++k)
+        record[3 + k] = static_cast<std::uint8_t>(counter >> 8 * k);
+}
+
 inline ReceiveCounters received(const Pair::End &end) { return end.endpoint->stats(end.session())->rx; }
 inline std::uint64_t refused(const ReceiveCounters &c) { return c.forged + c.replayed + c.malformed; }
 inline std::uint64_t refusedInAll(const Pair::End &end) { return refused(received(end)) + refused(end.endpoint->strays()); }
@@ -88,6 +133,9 @@ inline bool aliveAndExact(Pair &pair)
 }
 
 } // namespace skyseal::test
+
+/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
+#define HOLDS(condition, words) QVERIFY2(condition, words)
 
 #define PAIR_UNDER_SUITE \
     QFETCH(int, suite); \

@@ -1,8 +1,9 @@
-// Attacks on sessions as a whole: floods, reflection, replay of everything, hijacked addresses, killed processes, a wire
-// that drops every control record.
+// Attacks on sessions as a whole: reflection, replay of everything, hijacked addresses, cut and jammed links, killed
+// processes, clocks that jump, a wire that drops every control record.
 #include "attack.h"
-#include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
+
+#include <unordered_set>
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -17,16 +18,17 @@ private Q_SLOTS:
         QVERIFY(crypto::initCrypto());
         qInfo("seed %llu", static_cast<unsigned long long>(kAttackSeed));
     }
-    void injectedGarbage();
-    void oversizedDatagrams();
     void replayOfAnEarlierSession();
     void reflection();
     void windowPoisoning();
     void hijackOfAnAddress();
+    void newPortResumesAtOnce();
     void storm();
-    void forgeriesInAFlood();
-    void handshakeFlood();
-    void noMoreOutThanIn();
+    void deletion_data();
+    void deletion();
+    void outageOfFiveMinutes();
+    void jammedThenBad();
+    void clocksJump();
     void replayedAnnouncementsEndNothing();
     void killedTwoHundredTimes();
     void everyControlRecordDropped();
@@ -35,57 +37,28 @@ private:
     std::mt19937_64 m_random{kAttackSeed};
 };
 
-void AttackSessionTest::injectedGarbage()
-{
-    auto owner = pairUnder(SuiteId::Aes256Gcm);
-    Pair &pair = *owner;
-    const int asked = qEnvironmentVariableIntValue("SKYSEAL_FORGERIES");
-    const int count = asked > 0 ? asked : 50000;
-    Bytes datagram;
-    for (int i = 0; i < count; ++i) {
-        datagram.resize(m_random() % 1501);
-        for (auto &byte : datagram)
-            byte = static_cast<std::uint8_t>(m_random());
-        if (!datagram.empty())
-            datagram[0] = static_cast<std::uint8_t>(i);
-        QVERIFY(!offer(pair, i & 1 ? Ground : Air, datagram));
-    }
-    QCOMPARE(refusedInAll(pair.ground()) + refusedInAll(pair.air()), static_cast<std::uint64_t>(count));
-    QVERIFY(aliveAndExact(pair));
-}
+namespace {
 
-void AttackSessionTest::oversizedDatagrams()
+void traffic(Pair &pair, Duration period = 20ms)
 {
-    auto owner = pairUnder(SuiteId::Aes256Cbc);
-    Pair &pair = *owner;
-    Caught caught = catchOne(pair);
-    for (const std::size_t size : {1201u, 9000u, 65507u}) {
-        for (int first = 0x40; first < 0x80; ++first) {
-            Bytes datagram = caught.flight.bytes;
-            datagram.resize(size);
-            datagram[0] = static_cast<std::uint8_t>(first);
-            QVERIFY(!offer(pair, Ground, datagram));
-            QVERIFY(!offer(pair, Air, datagram));
-        }
-    }
-    pair.link.inject(pair.now, caught.flight);
-    QVERIFY(aliveAndExact(pair));
-}
-
-void AttackSessionTest::replayOfAnEarlierSession()
-{
-    PairOptions options;
-    options.seed = kAttackSeed;
-    Pair pair(options);
-    std::vector<Flight> recorded;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        recorded.push_back(flight);
-        return true;
-    };
-    pair.every(20ms, [&] {
+    pair.every(period, [&pair] {
         pair.sendFrame(Air);
         pair.sendFrame(Ground);
     });
+}
+
+void swallowEverything(Pair &pair)
+{
+    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+}
+
+} // namespace
+
+void AttackSessionTest::replayOfAnEarlierSession()
+{
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    traffic(pair);
     pair.run(5s);
     pair.link.attacker = nullptr;
     pair.kill(Ground);
@@ -97,44 +70,50 @@ void AttackSessionTest::replayOfAnEarlierSession()
     pair.stopTraffic();
     pair.run(1s);
     const auto ground = pair.ground().delivered.size(), air = pair.air().delivered.size();
-    for (const Flight &flight : recorded) {
+    for (const Flight &flight : tap.flights) {
         QVERIFY(!offer(pair, flight.from == Air ? Ground : Air, flight.bytes));
         pair.run(1ms);
     }
+    HOLDS(pair.ground().all<SessionUp>().size() == 2 && pair.air().all<SessionUp>().size() == 2,
+          "no old handshake makes a session");
     QCOMPARE(pair.ground().delivered.size(), ground);
     QCOMPARE(pair.air().delivered.size(), air);
     QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
-    QCOMPARE(pair.ground().all<SessionUp>().size(), 2u);
-    QCOMPARE(pair.air().all<SessionUp>().size(), 2u);
     QCOMPARE(pair.ground().all<SessionDown>().size(), 0u); // The endpoints that had the first session are gone.
 }
 
 void AttackSessionTest::reflection()
 {
-    PairOptions options;
-    options.seed = kAttackSeed;
-    Pair pair(options);
-    // Each datagram, handshake included, also goes back to where it came from.
-    std::vector<Flight> back;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        back.push_back(flight);
-        return true;
+    // Each datagram, handshake included, also goes back to where it came from. The connection ids of both ends are made
+    // equal, as one session in 256 has them, so that a record is well addressed on its way back.
+    PairOptions options = attackOptions();
+    std::unique_ptr<Pair> owner;
+    std::unique_ptr<Tap> tap;
+    const auto idFrom = [&](Side side) -> int {
+        for (const Flight &flight : tap->flights) {
+            if (flight.from == side && (flight.bytes[0] & 0xfc) == 0x50)
+                return flight.bytes[1] | flight.bytes[2] << 8;
+        }
+        return side == Ground ? -1 : -2;
     };
-    pair.every(20ms, [&] {
-        pair.sendFrame(Air);
-        pair.sendFrame(Ground);
-    });
+    do {
+        ++options.seed;
+        owner = std::make_unique<Pair>(options);
+        tap = std::make_unique<Tap>(*owner);
+        owner->run(2s, [&] { return idFrom(Ground) >= 0 && idFrom(Air) >= 0; });
+    } while (idFrom(Ground) != idFrom(Air));
+    Pair &pair = *owner;
+    pair.every(10ms, [&] { pair.sendFrame(Air); });
+    pair.every(50ms, [&] { pair.sendFrame(Ground); }); // Fewer, so that the agent's counters are new to itself.
     for (int i = 0; i < 100; ++i) {
         pair.run(30ms);
-        const auto reflected = std::exchange(back, {});
-        for (const Flight &flight : reflected)
-            QVERIFY(!offer(pair, flight.from, flight.bytes));
+        for (const Flight &flight : std::exchange(tap->flights, {}))
+            HOLDS(!offer(pair, flight.from, flight.bytes), "nothing is accepted by its own sender");
     }
     pair.link.attacker = nullptr;
     pair.stopTraffic();
     pair.run(1s);
-    QCOMPARE(received(pair.ground()).replayed, std::uint64_t(0));
-    QVERIFY(refusedInAll(pair.ground()) > 100 && refusedInAll(pair.air()) > 100);
+    QVERIFY(refusedInAll(pair.ground()) > 50 && refusedInAll(pair.air()) > 100);
     QVERIFY(aliveAndExact(pair));
 }
 
@@ -145,12 +124,11 @@ void AttackSessionTest::windowPoisoning()
     const Caught caught = catchOne(pair);
     for (std::uint32_t ahead = 1; ahead < 1u << 24; ahead = ahead * 2 + 1) {
         Bytes changed = caught.flight.bytes;
-        for (unsigned k = 0; k < 3; ++k)
-            changed[3 + k] = static_cast<std::uint8_t>((ahead | 0x800000) >> 8 * k);
+        setCounter(changed, ahead | 0x800000);
         QVERIFY(!offer(pair, Ground, changed));
     }
     pair.link.inject(pair.now, caught.flight);
-    QVERIFY(aliveAndExact(pair));
+    HOLDS(aliveAndExact(pair), "the stream goes on");
     QCOMPARE(received(pair.ground()).lost, std::uint64_t(0));
 }
 
@@ -158,14 +136,11 @@ void AttackSessionTest::hijackOfAnAddress()
 {
     auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
     Pair &pair = *owner;
-    const Path home = pair.ground().endpoint->recordPath(pair.ground().session());
+    const auto where = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()); };
+    const Path home = where();
     Path thief = home;
     thief.remote.port = 6666;
-    std::vector<Flight> recorded;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        recorded.push_back(flight);
-        return true;
-    };
+    Tap tap(pair);
     for (int i = 0; i < 50; ++i) {
         pair.sendFrame(Air);
         pair.run(5ms);
@@ -173,7 +148,7 @@ void AttackSessionTest::hijackOfAnAddress()
     const Caught late = catchOne(pair);
     pair.sendFrame(Air);
     pair.run(10ms);
-    for (const Flight &flight : recorded) {
+    for (const Flight &flight : tap.flights) {
         if (flight.from != Air)
             continue;
         offer(pair, Ground, flight.bytes, thief);
@@ -182,12 +157,40 @@ void AttackSessionTest::hijackOfAnAddress()
         damaged[4] ^= 0x10;
         offer(pair, Ground, damaged, thief);
     }
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
-    // Even a genuine record that was held back and is not the newest any more does not move the session.
+    HOLDS(where() == home, "no refused record moves the session");
+    // Even a genuine record that was held back and is not the newest any more does not move it.
     QVERIFY(offer(pair, Ground, late.flight.bytes, thief));
     ++pair.ground().delivered[late.number];
-    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
+    HOLDS(where() == home, "no late record moves the session");
     QCOMPARE(pair.ground().all<PeerMoved>().size(), 0u);
+    QVERIFY(aliveAndExact(pair));
+}
+
+void AttackSessionTest::newPortResumesAtOnce()
+{
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    traffic(pair);
+    pair.run(1s);
+    // What a router's new mapping does. A forger who follows the session to its new port gains nothing either.
+    const Caught sample = catchOne(pair);
+    pair.link.inject(pair.now, sample.flight);
+    Path thief = pair.pathOf(Air);
+    pair.air().port = 40001;
+    thief.remote.port = 40002;
+    pair.every(1ms, [&] {
+        Bytes forged = sample.flight.bytes;
+        setCounter(forged, 1u << 20);
+        forged.back() ^= 1;
+        offer(pair, Ground, forged, thief);
+    });
+    const auto moved = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()).remote.port == 40001; };
+    HOLDS(pair.run(1s, moved), "the session follows its peer");
+    pair.run(2s);
+    HOLDS(moved(), "the session stays with its peer");
+    pair.stopTraffic();
+    pair.run(1s);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     QVERIFY(aliveAndExact(pair));
 }
 
@@ -201,127 +204,135 @@ void AttackSessionTest::storm()
     link.duplicate = 0.5;
     auto owner = pairUnder(SuiteId::Aes256Gcm, link);
     Pair &pair = *owner;
-    pair.every(5ms, [&] {
-        pair.sendFrame(Air);
-        pair.sendFrame(Ground);
-    });
+    traffic(pair, 5ms);
     pair.run(20s);
     pair.stopTraffic();
     pair.run(3s);
-    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
-    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString());
+    HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "each frame arrives once");
     QCOMPARE(pair.dropped[Air].size() + pair.dropped[Ground].size(), 0u);
     QVERIFY(received(pair.ground()).late > 1000 && received(pair.ground()).replayed > 1000);
     QCOMPARE(pair.ground().all<ForgeryAlarm>().size(), 0u);
 }
 
-void AttackSessionTest::forgeriesInAFlood()
+void AttackSessionTest::deletion_data()
 {
-    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    QTest::addColumn<double>("loss");
+    for (const int percent : {1, 10, 30, 50, 70, 90})
+        QTest::addRow("%d percent", percent) << percent / 100.0;
+}
+
+void AttackSessionTest::deletion()
+{
+    QFETCH(double, loss);
+    auto owner = pairUnder(SuiteId::Aes256Ctr);
     Pair &pair = *owner;
     const Caught sample = catchOne(pair);
     pair.link.inject(pair.now, sample.flight);
-    const auto before = received(pair.ground()).forged;
-    std::uint64_t forged = 0;
-    pair.every(1ms, [&] {
-        for (int i = 0; i < 50; ++i, ++forged) {
-            Bytes bytes = sample.flight.bytes;
-            bytes[5] = 0x40;
-            bytes[20] = static_cast<std::uint8_t>(i);
-            offer(pair, Ground, bytes);
-        }
+    pair.run(10ms);
+    pair.link.model.loss = loss;
+    // While the link loses, a forger names counters that have not come yet: neither loss may hide in the other.
+    std::uint64_t sealedByAir = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        sealedByAir = flight.from == Air ? counterOf(flight.bytes) + 1 : sealedByAir;
+        return true;
+    };
+    traffic(pair);
+    pair.every(1s, [&] {
+        Bytes forged = sample.flight.bytes;
+        setCounter(forged, static_cast<std::uint32_t>(sealedByAir) + 500);
+        offer(pair, Ground, forged);
     });
-    pair.every(20ms, [&] { pair.sendFrame(Air); });
-    pair.run(3s);
+    pair.run(30s);
     pair.stopTraffic();
-    QCOMPARE(received(pair.ground()).forged - before, forged);
-    QVERIFY(pair.ground().all<ForgeryAlarm>().size() <= 5);
+    pair.link.model.loss = 0;
+    pair.sendFrame(Air);
+    pair.run(100ms);
+    HOLDS(received(pair.ground()).good + received(pair.ground()).lost == pair.air().endpoint->stats(pair.air().session())->tx.records,
+          "lost is exactly what was dropped");
+    HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "each frame arrives once");
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+}
+
+void AttackSessionTest::outageOfFiveMinutes()
+{
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    traffic(pair, 10ms);
+    pair.run(5s);
+    swallowEverything(pair);
+    pair.run(300s + 100ms); // An agent that had forgotten the session would announce itself only 400 ms later.
+    pair.link.attacker = nullptr;
+    const auto before = pair.ground().delivered.size();
+    HOLDS(pair.run(20ms, [&] { return pair.ground().delivered.size() > before; }), "the first record after it is accepted");
+    pair.stopTraffic();
+    pair.run(2s);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QVERIFY(received(pair.ground()).lost >= 30000);
+    QCOMPARE(received(pair.ground()).good + received(pair.ground()).lost,
+             pair.air().endpoint->stats(pair.air().session())->tx.records);
     QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::handshakeFlood()
+void AttackSessionTest::jammedThenBad()
 {
-    // First messages without the right mac1: no answer, no state, and a station that calls meanwhile gets its session.
-    PairOptions options;
-    options.seed = kAttackSeed;
-    Pair pair(options);
-    pair.kill(Ground);
-    std::uint64_t answered = 0;
-    Bytes flood(127);
-    pair.every(1ms, [&] {
-        for (int i = 0; i < 20; ++i) {
-            for (auto &byte : flood)
-                byte = static_cast<std::uint8_t>(m_random());
-            flood[0] = 0x59;
-            offer(pair, Air, flood);
-        }
-    });
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        answered += flight.bytes[0] == 0x5a;
-        return true;
-    };
+    auto owner = pairUnder(SuiteId::Aes256Cbc);
+    Pair &pair = *owner;
+    traffic(pair);
+    pair.run(5s);
+    const auto silent = [&] { return pair.ground().up() && pair.ground().endpoint->sessionInfo(pair.ground().session())->silent; };
+    swallowEverything(pair);
+    QVERIFY(pair.run(3500ms, silent)); // Long enough for a display that says "link lost" after 3.5 s.
+    pair.run(30s);
+    pair.link.attacker = nullptr;
+    pair.link.model.loss = 0.5;
+    const auto before = pair.ground().delivered.size();
+    HOLDS(pair.run(1s, [&] { return pair.ground().delivered.size() > before; }), "the first record after it is accepted");
+    pair.run(30s);
+    pair.link.model.loss = 0;
+    pair.stopTraffic();
     pair.run(2s);
-    QCOMPARE(answered, std::uint64_t(0));
-    pair.start(Ground);
-    QVERIFY(pair.run(3s, [&] { return pair.bothUp(); }));
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::noMoreOutThanIn()
+void AttackSessionTest::clocksJump()
 {
-    // Nobody authenticated: whatever is repeated at either end, no more comes out than goes in.
-    PairOptions options;
-    options.seed = kAttackSeed;
+    constexpr std::uint64_t kTenYears = 10ull * 365 * 24 * 3600;
+    PairOptions options = attackOptions();
     Pair pair(options);
-    std::vector<Flight> recorded;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        recorded.push_back(flight);
-        return true;
-    };
-    pair.run(2s);
-    QVERIFY(pair.bothUp());
-    for (const Side victim : {Ground, Air}) {
-        Pair fresh(options); // The same keys, so what was recorded is meant for these.
-        fresh.kill(victim == Ground ? Air : Ground);
-        fresh.run(10ms);
-        std::uint64_t in = 0, out = 0;
-        fresh.link.attacker = [&](TimePoint, Flight &flight) {
-            out += flight.bytes[0] != 0x58 ? flight.bytes.size() : 0; // Announcements are no answer to anything.
-            return false;
-        };
-        for (int round = 0; round < 100; ++round) {
-            for (const Flight &flight : recorded) {
-                if (flight.from == victim)
-                    continue;
-                offer(fresh, victim, flight.bytes);
-                in += flight.bytes.size();
-                fresh.run(20ms);
-            }
-        }
-        QVERIFY2(out <= in, qPrintable(QStringLiteral("%1 out, %2 in").arg(out).arg(in)));
+    pair.ground().counters.timeOfDay = pair.air().counters.timeOfDay = 2 * kTenYears;
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    // During a session, and back before the next handshake.
+    for (const std::uint64_t time : {3 * kTenYears, kTenYears}) {
+        pair.ground().counters.timeOfDay = pair.air().counters.timeOfDay = time;
+        pair.run(5s);
+        QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     }
+    pair.kill(Ground);
+    pair.start(Ground);
+    HOLDS(pair.run(3s, [&] { return pair.ground().up() && pair.air().all<SessionUp>().size() == 2; }),
+          "a handshake needs no clock");
 }
 
 void AttackSessionTest::replayedAnnouncementsEndNothing()
 {
-    PairOptions options;
-    options.seed = kAttackSeed;
-    Pair pair(options);
-    std::optional<Flight> announcement;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        if (flight.bytes[0] == 0x58)
-            announcement = flight;
-        return true;
-    };
+    Pair pair(attackOptions());
+    Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    QVERIFY(announcement);
+    const auto announcements = tap.ofKind(0x58);
+    QVERIFY(!announcements.empty());
     pair.link.attacker = nullptr;
     pair.run(1s);
     Path thief = pair.pathOf(Air);
     thief.remote.port = 6666;
+    const std::uint64_t before = pair.ground().counters.next();
     for (int i = 0; i < 200; ++i) {
-        offer(pair, Ground, announcement->bytes, thief);
+        offer(pair, Ground, announcements[0].bytes, thief);
         pair.run(100ms);
     }
+    HOLDS(pair.ground().counters.next() == before + 1, "no handshake is begun while the session lives");
     QVERIFY(aliveAndExact(pair));
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
 }
@@ -329,10 +340,8 @@ void AttackSessionTest::replayedAnnouncementsEndNothing()
 void AttackSessionTest::killedTwoHundredTimes()
 {
     // Equal plaintexts through 200 lives of either end: no two records are equal, so no pair of key and nonce came twice.
-    PairOptions options;
-    options.seed = kAttackSeed;
-    Pair pair(options);
-    std::set<std::string> bodies;
+    Pair pair(attackOptions());
+    std::unordered_set<std::string> bodies;
     std::uint64_t records = 0;
     const Bytes frame(40, 0xfd);
     Bytes record(40 + kMaxRecordOverhead);
@@ -340,9 +349,8 @@ void AttackSessionTest::killedTwoHundredTimes()
         QVERIFY(pair.run(6s, [&] { return pair.bothUp(); }));
         for (auto &end : pair.ends) {
             for (int i = 0; i < 10; ++i, ++records) {
-                const auto size = end.endpoint->seal(pair.now, end.session(), frame, record);
-                QVERIFY(size);
-                bodies.insert(toHex(ByteView(record).subspan(6, 20)));
+                QVERIFY(end.endpoint->seal(pair.now, end.session(), frame, record));
+                bodies.emplace(reinterpret_cast<const char *>(record.data()) + 6, 20);
             }
         }
         const Side victim = life % 2 ? Ground : Air;
@@ -350,13 +358,12 @@ void AttackSessionTest::killedTwoHundredTimes()
         pair.run(std::chrono::milliseconds(m_random() % 50));
         pair.start(victim);
     }
-    QCOMPARE(bodies.size(), records);
+    HOLDS(bodies.size() == records, "no pair of key and nonce comes twice");
 }
 
 void AttackSessionTest::everyControlRecordDropped()
 {
-    PairOptions options;
-    options.seed = kAttackSeed;
+    PairOptions options = attackOptions();
     options.timing.rekeyAfterRecords = 500;
     options.timing.hardStopRecords = 3000;
     Pair pair(options);
@@ -366,7 +373,7 @@ void AttackSessionTest::everyControlRecordDropped()
     const auto before = pair.air().endpoint->stats(pair.air().session())->tx.records;
     pair.every(10ms, [&] { pair.sendFrame(Air); });
     pair.every(20ms, [&] { pair.sendFrame(Ground); });
-    QVERIFY(pair.run(60s, [&] { return !pair.air().all<SessionDown>().empty(); }));
+    HOLDS(pair.run(60s, [&] { return !pair.air().all<SessionDown>().empty(); }), "an epoch ends at its limit");
     const SessionDown down = pair.air().all<SessionDown>()[0];
     QCOMPARE(down.reason, DownReason::Exhausted);
     QCOMPARE(down.stats.tx.records, std::uint64_t(3000));

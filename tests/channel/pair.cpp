@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
+#include "core/base/weakness.h"
 
 #include <algorithm>
 
@@ -11,6 +12,8 @@ Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)
 {
+    if (weakened(Weakness::Impatient))
+        m_options.timing.forgetAfter = std::chrono::seconds(10);
     for (const Side side : {Ground, Air}) {
         ends[side].identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
         ends[side].policy = side == Ground ? m_options.ground : m_options.air;

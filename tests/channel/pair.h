@@ -2,6 +2,7 @@
 // frame that was sealed: whether the link let it through, and how often it was delivered.
 #pragma once
 
+#include "core/base/weakness.h"
 #include "core/channel/endpoint.h"
 #include "simulated_link.h"
 
@@ -32,7 +33,7 @@ private:
 class MemoryCounterStore final : public CounterStore
 {
 public:
-    std::uint64_t next() override { return ++m_own; }
+    std::uint64_t next() override { return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own; }
     std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
     {
@@ -42,6 +43,7 @@ public:
         return true;
     }
     bool fails = false;
+    std::uint64_t timeOfDay = 1; ///< which nothing may depend on
 
 private:
     std::uint64_t m_own = 0;

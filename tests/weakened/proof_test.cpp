@@ -3,7 +3,8 @@
 // it is the weakness that makes the difference; and no attack test is left without such a proof.
 #include "tests/weakened/proofs.h"
 
-#include <QtCore/QDir>
+#include <QtCore/QDirIterator>
+#include <QtCore/QFile>
 #include <QtCore/QProcess>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
@@ -53,6 +54,7 @@ private Q_SLOTS:
     void everyAttackIsProven_data();
     void everyAttackIsProven();
     void unknownWeaknessEndsTheProgram();
+    void nothingShippedIsWeakened();
 };
 
 void ProofTest::failsWhereItMust_data()
@@ -110,10 +112,6 @@ void ProofTest::everyAttackIsProven()
         if (program == QLatin1String(proof.program))
             proven << QLatin1String(proof.function);
     }
-    for (const Unproven &unproven : kUnproven) {
-        if (program == QLatin1String(unproven.program))
-            proven << QLatin1String(unproven.function);
-    }
     static const QRegularExpression kSignature(QStringLiteral("^(\\w+)\\(\\)$"));
     const Run listed = run(qPrintable(program), {QStringLiteral("-functions")}, "");
     int seen = 0;
@@ -132,6 +130,27 @@ void ProofTest::unknownWeaknessEndsTheProgram()
     const Run slip = run(kProofs[0].program, {QLatin1String(kProofs[0].function)}, "NoSuchThing");
     QVERIFY(!slip.ended);
     QVERIFY(slip.output.contains(QLatin1String("no weakness is called 'NoSuchThing'")));
+}
+
+void ProofTest::nothingShippedIsWeakened()
+{
+    // The name of the variable that selects weaknesses stands in every file that could be weakened, and in no other.
+    const auto mentions = [](const QString &path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) && file.readAll().contains("SKYSEAL_" "WEAKNESS");
+    };
+    QVERIFY(mentions(QStringLiteral(SKYSEAL_WEAKENED_DIR "/%1_weakened").arg(QLatin1String(kProofs[0].program))));
+    int looked = 0;
+    for (const char *folder : {"bin", "core", "ui", "app"}) {
+        QDirIterator walk(QStringLiteral(SKYSEAL_BUILD_DIR "/") + QLatin1String(folder), {QStringLiteral("*.a"), QStringLiteral("skyseal*")},
+                          QDir::Files, QDirIterator::Subdirectories);
+        while (walk.hasNext()) {
+            const QString path = walk.next();
+            QVERIFY2(!mentions(path), qPrintable(path));
+            ++looked;
+        }
+    }
+    QVERIFY2(looked >= 4, qPrintable(QString::number(looked)));
 }
 
 QTEST_GUILESS_MAIN(ProofTest)

@@ -13,20 +13,60 @@ struct Proof
     const char *check; ///< words of the check that must fail
 };
 
-/// An attack that no weakness of the channel's own makes succeed, and why.
-struct Unproven
-{
-    const char *program;
-    const char *function;
-    const char *why;
-};
-
 inline constexpr Proof kProofs[] = {
+    {"NoEncryption", "channel_attack_record_test", "eavesdropping", "the wire looks uniform"},
+    {"SharedNonce", "channel_attack_record_test", "keystreamReuse", "no keystream comes twice"},
+    {"NoTagCheck", "channel_attack_record_test", "everyBitFlipped", "no changed bit is accepted"},
+    {"NoTagCheck", "channel_attack_record_test", "everyLength", "no other length is accepted"},
+    {"NoTagCheck", "channel_attack_record_test", "splicedRecords", "no piece is accepted"},
     {"NoTagCheck", "channel_attack_record_test", "fabricatedRecords", "nothing made up is accepted"},
-};
+    {"NoReplayWindow", "channel_attack_record_test", "replayOfEverything", "nothing is accepted twice"},
+    {"NoReplayWindow", "channel_attack_record_test", "replayAtTheEdgeOfTheWindow", "nothing is accepted twice"},
+    {"NoTagCheck", "channel_attack_record_test", "acrossSuitesAndEpochs", "no record opens under another suite"},
+    {"SameKeysEveryEpoch", "channel_attack_record_test", "replayFourEpochsLater", "no record opens in a later epoch"},
+    {"NoTagCheck", "channel_attack_record_test", "acrossSessions", "no record opens in another session"},
 
-inline constexpr Unproven kUnproven[] = {
-    {"", "", ""},
+    {"NoAssociatedData", "channel_attack_key_test", "contextIsSealedIn", "header, suite, direction and carrier are sealed in"},
+    {"NoDirections", "channel_attack_key_test", "directionsHaveTheirOwnKeys", "what one end seals does not open as the other's"},
+    {"PaddingAccepted", "channel_attack_key_test", "badPaddingLooksLikeABadTag", "bad padding is refused as a bad tag is"},
+
+    {"AcceptLowerCounter,NoConfirmation", "channel_attack_session_test", "replayOfAnEarlierSession",
+     "no old handshake makes a session"},
+    {"NoDirections", "channel_attack_session_test", "reflection", "nothing is accepted by its own sender"},
+    {"WindowBeforeTag", "channel_attack_session_test", "windowPoisoning", "the stream goes on"},
+    {"RoamOnForged", "channel_attack_session_test", "hijackOfAnAddress", "no refused record moves the session"},
+    {"RoamOnLate", "channel_attack_session_test", "hijackOfAnAddress", "no late record moves the session"},
+    {"RoamOnForged", "channel_attack_session_test", "newPortResumesAtOnce", "the session "},
+    {"NoReplayWindow", "channel_attack_session_test", "storm", "each frame arrives once"},
+    {"WindowBeforeTag", "channel_attack_session_test", "deletion", "lost is exactly what was dropped"},
+    {"Impatient", "channel_attack_session_test", "outageOfFiveMinutes", "the first record after it is accepted"},
+    {"Impatient", "channel_attack_session_test", "jammedThenBad", "the first record after it is accepted"},
+    {"CountersFromClock", "channel_attack_session_test", "clocksJump", "a handshake needs no clock"},
+    {"TrustAnnouncements", "channel_attack_session_test", "replayedAnnouncementsEndNothing",
+     "no handshake is begun while the session lives"},
+    {"SharedNonce", "channel_attack_session_test", "killedTwoHundredTimes", "no pair of key and nonce comes twice"},
+    {"NoHardStop", "channel_attack_session_test", "everyControlRecordDropped", "an epoch ends at its limit"},
+
+    {"NoTagCheck", "channel_attack_flood_test", "injectedGarbage", "no garbage is accepted"},
+    {"NoTagCheck", "channel_attack_flood_test", "oversizedDatagrams", "no oversized datagram is accepted"},
+    {"NoTagCheck", "channel_attack_flood_test", "forgeriesInAFlood", "each forgery is counted"},
+    {"NoMac1", "channel_attack_flood_test", "handshakeFlood", "a station that calls gets its session"},
+    {"NoRateLimit", "channel_attack_flood_test", "handshakeFloodWithTheRightMac", "at most fifty computations a second"},
+    {"TellEverything", "channel_attack_flood_test", "floodIsToldInFewWords", "a flood from everywhere is told in few words"},
+    {"AnswerTwice", "channel_attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
+
+    {"NoPinning", "channel_attack_handshake_test", "interception", "an unknown key gets no answer"},
+    {"NoHandshakeTag,NoPinning", "channel_attack_handshake_test", "unknownKeyShare", "a message for another agent gets no answer"},
+    {"NoConfirmation", "channel_attack_handshake_test", "keyCompromiseImpersonation", "no session comes of it, and none ends"},
+    {"NoEphemeralMix", "channel_attack_handshake_test", "revealedKeysOpenNothing", "the static keys open no record"},
+    {"AcceptLowerCounter", "channel_attack_handshake_test", "replayedFirstMessage", "an old first message gets no answer"},
+    {"NoHandshakeTag", "channel_attack_handshake_test", "everyBitOfTheFirst", "no changed first message is read"},
+    {"NoHandshakeTag", "channel_attack_handshake_test", "everyBitOfTheAnswer", "no changed answer is taken"},
+    {"NoOfferRecheck", "channel_attack_handshake_test", "weakerChoice", "no other choice is taken"},
+    {"NoPrologue", "channel_attack_handshake_test", "otherVersionOrCarrier", "no message of another version or carrier is read"},
+
+    {"CommitEarly", "channel_attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
+    {"CommitEarly", "channel_attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},
 };
 
 inline QStringList provenPrograms()

@@ -44,9 +44,12 @@ constexpr Named kNames[] = {
     {Weakness::NoRateLimit, "NoRateLimit"},
     {Weakness::AnswerTwice, "AnswerTwice"},
     {Weakness::TellEverything, "TellEverything"},
+    {Weakness::TrustAnnouncements, "TrustAnnouncements"},
     {Weakness::NoRoleCheck, "NoRoleCheck"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},
     {Weakness::ClearAccepted, "ClearAccepted"},
+    {Weakness::Impatient, "Impatient"},
+    {Weakness::CountersFromClock, "CountersFromClock"},
 };
 
 std::bitset<256> selected()

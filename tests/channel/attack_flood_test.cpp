@@ -1,0 +1,201 @@
+// Attacks by quantity: garbage, forgeries, first messages, oversized datagrams, and the question whether more comes out of
+// an end than went into it.
+#include "attack.h"
+#include "core/channel/mac1.h"
+#include "core/crypto/init_crypto.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class AttackFloodTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(crypto::initCrypto());
+        qInfo("seed %llu", static_cast<unsigned long long>(kAttackSeed));
+    }
+    void injectedGarbage();
+    void oversizedDatagrams();
+    void forgeriesInAFlood();
+    void handshakeFlood();
+    void handshakeFloodWithTheRightMac();
+    void floodIsToldInFewWords();
+    void noMoreOutThanIn();
+
+private:
+    void fill(Bytes &bytes)
+    {
+        for (auto &byte : bytes)
+            byte = static_cast<std::uint8_t>(m_random());
+    }
+    std::mt19937_64 m_random{kAttackSeed};
+};
+
+void AttackFloodTest::injectedGarbage()
+{
+    auto owner = pairUnder(SuiteId::Aes256Gcm);
+    Pair &pair = *owner;
+    const Caught toGround = catchOne(pair), toAir = catchOne(pair, 28, Ground);
+    const int asked = qEnvironmentVariableIntValue("SKYSEAL_FORGERIES");
+    const int count = asked > 0 ? asked : 50000;
+    const auto before = refusedInAll(pair.ground()) + refusedInAll(pair.air());
+    Bytes datagram;
+    for (int i = 0; i < count; ++i) {
+        datagram.resize(m_random() % 1501);
+        fill(datagram);
+        if (!datagram.empty())
+            datagram[0] = static_cast<std::uint8_t>(i);
+        // Every fourth is addressed to the session, so that only its tag is wrong.
+        const Bytes &head = (i & 1 ? toGround : toAir).flight.bytes;
+        if (i & 2 && datagram.size() >= 3)
+            std::copy_n(head.begin(), 3, datagram.begin());
+        HOLDS(!offer(pair, i & 1 ? Ground : Air, datagram), "no garbage is accepted");
+    }
+    QCOMPARE(refusedInAll(pair.ground()) + refusedInAll(pair.air()) - before, static_cast<std::uint64_t>(count));
+    pair.link.inject(pair.now, toGround.flight);
+    pair.link.inject(pair.now, toAir.flight);
+    QVERIFY(aliveAndExact(pair));
+}
+
+void AttackFloodTest::oversizedDatagrams()
+{
+    auto owner = pairUnder(SuiteId::Aes256Ctr);
+    Pair &pair = *owner;
+    const Caught caught = catchOne(pair);
+    for (const std::size_t size : {1201u, 9000u, 65507u}) {
+        for (int first = 0x40; first < 0x80; ++first) {
+            Bytes datagram = caught.flight.bytes;
+            datagram.resize(size);
+            datagram[0] = static_cast<std::uint8_t>(first);
+            HOLDS(!offer(pair, Ground, datagram), "no oversized datagram is accepted");
+            QVERIFY(!offer(pair, Air, datagram));
+        }
+    }
+    pair.link.inject(pair.now, caught.flight);
+    QVERIFY(aliveAndExact(pair));
+}
+
+void AttackFloodTest::forgeriesInAFlood()
+{
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    const Caught sample = catchOne(pair);
+    pair.link.inject(pair.now, sample.flight);
+    const auto before = received(pair.ground()).forged;
+    std::uint64_t forged = 0;
+    pair.every(1ms, [&] {
+        for (int i = 0; i < 50; ++i, ++forged) {
+            Bytes bytes = sample.flight.bytes;
+            bytes[5] = 0x40;
+            bytes[20] = static_cast<std::uint8_t>(i);
+            bytes.back() ^= 1;
+            offer(pair, Ground, bytes);
+        }
+    });
+    pair.every(20ms, [&] { pair.sendFrame(Air); });
+    pair.run(3s);
+    pair.stopTraffic();
+    HOLDS(received(pair.ground()).forged - before == forged, "each forgery is counted");
+    QVERIFY(pair.ground().all<ForgeryAlarm>().size() <= 5);
+    QVERIFY(aliveAndExact(pair));
+}
+
+void AttackFloodTest::handshakeFlood()
+{
+    // First messages without the right mac1: no answer, no state, and a station that calls meanwhile gets its session.
+    Pair pair(attackOptions());
+    pair.kill(Ground);
+    std::uint64_t answered = 0;
+    Bytes flood(127);
+    pair.every(1ms, [&] {
+        for (int i = 0; i < 20; ++i) {
+            fill(flood);
+            flood[0] = 0x59;
+            offer(pair, Air, flood);
+        }
+    });
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        answered += flight.bytes[0] == 0x5a;
+        return true;
+    };
+    pair.run(2s);
+    QCOMPARE(answered, std::uint64_t(0));
+    pair.start(Ground);
+    HOLDS(pair.run(3s, [&] { return pair.bothUp(); }), "a station that calls gets its session");
+}
+
+void AttackFloodTest::handshakeFloodWithTheRightMac()
+{
+    // Whoever knows the agent's public key can make mac1 right; what is then computed for him is little.
+    Pair pair(attackOptions());
+    pair.kill(Ground);
+    pair.run(1s);
+    const Mac1 mac(pair.air().identity->publicKey);
+    Bytes flood(127);
+    const auto before = pair.air().endpoint->strays().forged;
+    pair.every(1ms, [&] {
+        for (int i = 0; i < 20; ++i) {
+            fill(flood);
+            flood[0] = 0x59;
+            mac.sign(flood);
+            offer(pair, Air, flood);
+        }
+    });
+    pair.run(2s);
+    // Each that was computed was refused and counted; the others were not even looked at.
+    const auto computed = pair.air().endpoint->strays().forged - before;
+    HOLDS(computed <= 20 + 2 * 50, "at most fifty computations a second");
+    QVERIFY(!pair.air().up());
+}
+
+void AttackFloodTest::floodIsToldInFewWords()
+{
+    Pair pair(attackOptions());
+    pair.kill(Ground);
+    pair.air().events.clear();
+    Path source = pair.pathOf(Ground);
+    Bytes flood(127);
+    pair.every(1ms, [&] {
+        fill(flood);
+        flood[0] = 0x59;
+        source.remote.port = static_cast<std::uint16_t>(m_random());
+        offer(pair, Air, flood, source);
+    });
+    pair.run(5s);
+    HOLDS(pair.air().events.size() <= 8 * 6, "a flood from everywhere is told in few words");
+}
+
+void AttackFloodTest::noMoreOutThanIn()
+{
+    // Nobody authenticated: whatever is repeated at either end, no more comes out than goes in.
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    pair.run(2s);
+    QVERIFY(pair.bothUp());
+    for (const Side victim : {Ground, Air}) {
+        Pair fresh(attackOptions()); // The same keys, so what was recorded is meant for these.
+        fresh.kill(victim == Ground ? Air : Ground);
+        fresh.run(10ms);
+        std::uint64_t in = 0, out = 0;
+        fresh.link.attacker = [&](TimePoint, Flight &flight) {
+            out += flight.bytes[0] != 0x58 ? flight.bytes.size() : 0; // Announcements are no answer to anything.
+            return false;
+        };
+        for (int round = 0; round < 100; ++round) {
+            for (const Flight &flight : tap.flights) {
+                if (flight.from == victim || (flight.bytes[0] & 0xfc) != 0x58)
+                    continue; // What only looks like an answer to a handshake costs its sender nothing more.
+                offer(fresh, victim, flight.bytes);
+                in += flight.bytes.size();
+                fresh.run(20ms);
+            }
+        }
+        HOLDS(out <= in, "no more goes out than came in");
+    }
+}
+
+QTEST_GUILESS_MAIN(AttackFloodTest)
+#include "attack_flood_test.moc"

@@ -1,0 +1,107 @@
+// Attacks on the bare sealing of a record, with the keys in the test's own hand: what of a record is bound to its keys, and
+// whether wrong padding can be told from a wrong tag.
+#include "core/channel/key_chain.h"
+#include "core/channel/record.h"
+#include "core/crypto/encrypt_then_mac.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/record_cipher.h"
+#include "core/crypto/record_keys.h"
+#include "attack.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace skyseal::channel;
+using namespace skyseal::crypto;
+
+class AttackKeyTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(initCrypto()); }
+    void contextIsSealedIn_data() { everySuite(); }
+    void contextIsSealedIn();
+    void directionsHaveTheirOwnKeys_data() { everySuite(); }
+    void directionsHaveTheirOwnKeys();
+    void badPaddingLooksLikeABadTag();
+
+private:
+    Key32 m_secret = [] {
+        Key32 key;
+        SeededRandom(kAttackSeed).fill(key.mutableView());
+        return key;
+    }();
+    const Bytes m_frame = Bytes(28, 0xfd);
+};
+
+void AttackKeyTest::contextIsSealedIn()
+{
+    QFETCH(int, suite);
+    const auto id = static_cast<SuiteId>(suite);
+    const auto writer = makeRecordCipher(id, m_secret.clone()), reader = makeRecordCipher(id, m_secret.clone());
+    std::array<std::uint8_t, kRecordHeaderLength> header{};
+    RecordHeader{DatagramKind::Record, 1, ConnectionId{0x1234}, 7}.write(header);
+    const auto sealed = [&] {
+        Bytes out(m_frame.size() + kMaxRecordOverhead);
+        const AssociatedData said(header, id, Direction::FromResponder, Carrier::Datagram);
+        out.resize(writer->seal(7, said.view(), m_frame, out));
+        return out;
+    }();
+    const auto opens = [&](ByteView head, SuiteId named, Direction direction, Carrier carrier) {
+        Bytes copy = sealed;
+        return reader->open(7, AssociatedData(head, named, direction, carrier).view(), copy).has_value();
+    };
+    QVERIFY(opens(header, id, Direction::FromResponder, Carrier::Datagram));
+    HOLDS(!opens(header, id, Direction::FromInitiator, Carrier::Datagram), "header, suite, direction and carrier are sealed in");
+    for (const Carrier carrier : {Carrier::Tunnel, Carrier::Serial})
+        HOLDS(!opens(header, id, Direction::FromResponder, carrier), "header, suite, direction and carrier are sealed in");
+    for (const SuiteInfo &other : suites())
+        QVERIFY(opens(header, other.id, Direction::FromResponder, Carrier::Datagram) == (other.id == id));
+    for (std::size_t bit = 0; bit < header.size() * 8; ++bit) {
+        auto changed = header;
+        changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
+        QVERIFY(!opens(changed, id, Direction::FromResponder, Carrier::Datagram));
+    }
+}
+
+void AttackKeyTest::directionsHaveTheirOwnKeys()
+{
+    QFETCH(int, suite);
+    const auto id = static_cast<SuiteId>(suite);
+    const KeyChain chain(m_secret, m_secret, asBytes("a handshake's hash"));
+    EpochSecrets secrets = chain.derive(Epoch{0}, id, {}, {});
+    const auto initiators = makeRecordCipher(id, std::move(secrets.fromInitiator));
+    const auto responders = makeRecordCipher(id, std::move(secrets.fromResponder));
+    Bytes record(m_frame.size() + kMaxRecordOverhead);
+    record.resize(initiators->seal(0, {}, m_frame, record));
+    HOLDS(!responders->open(0, {}, record), "what one end seals does not open as the other's");
+}
+
+void AttackKeyTest::badPaddingLooksLikeABadTag()
+{
+    // Two blocks whose last byte is no padding, under a tag that is right: only who has the keys can make it, and the
+    // answer is the same as to a wrong tag, plaintext wiped.
+    const RecordKeys keys = RecordKeys::derive(m_secret, SuiteId::Aes256Cbc);
+    const RecordMac mac(keys.mac);
+    const auto cipher = makeRecordCipher(SuiteId::Aes256Cbc, m_secret.clone());
+    for (const std::uint8_t last : {0x00, 0x11, 0x05, 0xff}) {
+        const Bytes plaintext(32, last);
+        Bytes record(plaintext.size() + kMaxRecordOverhead);
+        QCOMPARE(cipher->seal(9, {}, plaintext, record), std::size_t(48 + 16));
+        record.resize(32 + RecordMac::kLength); // without the block of padding
+        const RecordMac::Tag tag = mac.tag(9, {}, ByteView(record).first(32));
+        std::copy(tag.begin(), tag.end(), record.begin() + 32);
+        Bytes wrongTag = record;
+        wrongTag.back() ^= 1;
+        const bool badPadding = cipher->open(9, {}, record).has_value(), badTag = cipher->open(9, {}, wrongTag).has_value();
+        QVERIFY(!badTag);
+        HOLDS(badPadding == badTag || last == 0x05, "bad padding is refused as a bad tag is");
+        if (last != 0x05) // five fives at the end are good padding, or the test would not test padding at all
+            QVERIFY(std::all_of(record.begin(), record.begin() + 32, [](std::uint8_t byte) { return byte == 0; }));
+        else
+            QVERIFY(badPadding);
+    }
+}
+
+QTEST_GUILESS_MAIN(AttackKeyTest)
+#include "attack_key_test.moc"

@@ -1,0 +1,95 @@
+// Attacks on the live switch: the worst link, with both ends proposing, and an attacker who picks what is lost.
+#include "attack.h"
+#include "core/crypto/init_crypto.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class AttackSwitchTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(crypto::initCrypto());
+        qInfo("seed %llu", static_cast<unsigned long long>(kAttackSeed));
+    }
+    void raceOfBothEnds();
+    void acceptancesAreDropped();
+};
+
+namespace {
+
+std::size_t committed(const Pair::End &end)
+{
+    const auto done = end.all<SwitchDone>();
+    return static_cast<std::size_t>(
+        std::count_if(done.begin(), done.end(), [](const SwitchDone &d) { return d.failure == SwitchFailure::None; }));
+}
+
+void traffic(Pair &pair)
+{
+    pair.every(20ms, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground, 40);
+    });
+}
+
+} // namespace
+
+void AttackSwitchTest::raceOfBothEnds()
+{
+    const int asked = qEnvironmentVariableIntValue("SKYSEAL_SWITCHES");
+    const std::size_t wanted = asked > 0 ? static_cast<std::size_t>(asked) : 200;
+    PairOptions options = attackOptions();
+    options.link.loss = 0.2;
+    options.link.duplicate = 0.1;
+    options.link.reorder = 0.1;
+    options.link.delay = 5ms;
+    options.link.jitter = 300ms;
+    Pair pair(options);
+    traffic(pair);
+    QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+    pair.run(5s);
+    const std::size_t sessions = pair.ground().all<SessionUp>().size();
+    const std::vector<SuiteId> suites = defaultSuites();
+    std::size_t step = 0;
+    for (const Side side : {Ground, Air}) {
+        pair.every(side == Ground ? Duration(1100ms) : Duration(1300ms), [&, side] {
+            auto &end = pair.ends[side];
+            const SuiteId next = suites[++step % suites.size()];
+            if (end.up() && !end.endpoint->sessionInfo(end.session())->pending && crypto::suiteAvailable(next))
+                end.endpoint->switchSuite(pair.now, end.session(), next);
+        });
+    }
+    pair.run(std::chrono::seconds(5) * wanted, [&] { return committed(pair.ground()) >= wanted; });
+    pair.stopTraffic();
+    pair.run(20s);
+    HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "a switch loses nothing and repeats nothing");
+    QVERIFY2(committed(pair.ground()) >= wanted, qPrintable(QString::number(committed(pair.ground()))));
+    QCOMPARE(committed(pair.ground()), committed(pair.air()));
+    QCOMPARE(pair.ground().all<SessionUp>().size(), sessions); // Over this link two may have been made at the start.
+}
+
+void AttackSwitchTest::acceptancesAreDropped()
+{
+    // The agent accepts, and nothing that it says reaches the station for six seconds: both go on under the old epoch.
+    Pair pair(attackOptions());
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.link.attacker = [&](TimePoint, Flight &flight) { return flight.from == Ground || flight.tag != 0; };
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
+    pair.run(6s);
+    pair.link.attacker = nullptr;
+    pair.run(10s);
+    pair.stopTraffic();
+    pair.run(2s);
+    HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "a switch loses nothing and repeats nothing");
+    QCOMPARE(committed(pair.ground()), 0u);
+    QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
+}
+
+QTEST_GUILESS_MAIN(AttackSwitchTest)
+#include "attack_switch_test.moc"
