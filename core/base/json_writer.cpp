@@ -1,5 +1,7 @@
 #include "core/base/json_writer.h"
 
+#include "core/base/utf8.h"
+
 #include <charconv>
 #include <cmath>
 #include <type_traits>
@@ -19,25 +21,6 @@ template<typename T> void appendNumber(std::string &out, T number)
     }
 }
 
-/// Bytes of the UTF-8 sequence at the start of `text` (RFC 3629: shortest form, no surrogates, up to U+10FFFF); 0 = none.
-std::size_t sequenceLength(std::string_view text)
-{
-    const auto at = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-    const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xbf) {
-        return at(i) >= low && at(i) <= high;
-    };
-    const unsigned lead = at(0);
-    if (lead < 0x80)
-        return 1;
-    if (lead >= 0xc2 && lead <= 0xdf)
-        return follows(1) ? 2 : 0;
-    if (lead >= 0xe0 && lead <= 0xef)
-        return follows(1, lead == 0xe0 ? 0xa0 : 0x80, lead == 0xed ? 0x9f : 0xbf) && follows(2) ? 3 : 0;
-    if (lead >= 0xf0 && lead <= 0xf4)
-        return follows(1, lead == 0xf0 ? 0x90 : 0x80, lead == 0xf4 ? 0x8f : 0xbf) && follows(2) && follows(3) ? 4 : 0;
-    return 0;
-}
-
 void appendEscaped(std::string &out, std::string_view text)
 {
     static constexpr char kDigits[] = "0123456789abcdef";
@@ -46,15 +29,9 @@ void appendEscaped(std::string &out, std::string_view text)
         const char c = text[i];
         const auto byte = static_cast<unsigned char>(c);
         if (byte >= 0x80) {
-            const std::size_t length = sequenceLength(text.substr(i));
-            if (length > 0) {
-                out.append(text, i, length);
-                i += length - 1;
-            } else {
-                out += "\\udc";
-                out.push_back(kDigits[byte >> 4]);
-                out.push_back(kDigits[byte & 15]);
-            }
+            const Utf8Character character = firstCharacter(text.substr(i));
+            out += character.valid ? text.substr(i, character.length) : kReplacementCharacter;
+            i += character.length - 1;
             continue;
         }
         if (c == '"' || c == '\\') {

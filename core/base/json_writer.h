@@ -21,8 +21,8 @@ public:
     JsonWriter &endArray();
     JsonWriter &key(std::string_view name);
 
-    /// A text in UTF-8. A byte that is no part of valid UTF-8 becomes the lone surrogate U+DC00 + byte, so that the line
-    /// stays readable and says exactly which bytes it was (Python's "surrogateescape" reads it back).
+    /// A text in UTF-8. What is not becomes U+FFFD, one for each character that was begun or for each byte that begins none
+    /// (the practice that Unicode recommends), so that every reader takes the line, the strict ones as well.
     JsonWriter &value(std::string_view text);
     JsonWriter &value(const char *text) { return value(std::string_view(text)); }
     JsonWriter &value(bool flag);

@@ -1,5 +1,7 @@
 #include "core/mavlink/message_json.h"
 
+#include "core/base/hex.h"
+#include "core/base/utf8.h"
 #include "core/mavlink/field_value.h"
 
 #include <array>
@@ -65,6 +67,24 @@ void writeUnusualNans(JsonWriter &json, const Frame &frame)
         json.endObject();
 }
 
+void writeBytesThatAreNoText(JsonWriter &json, const Frame &frame)
+{
+    bool begun = false;
+    for (const FieldInfo &field : frame.info().fields) {
+        if (field.type != FieldType::Char || !carries(frame, field))
+            continue;
+        const std::string_view text = fieldText(frame.payload(), field);
+        if (isUtf8(text))
+            continue;
+        if (!begun)
+            json.key("text_bytes").beginObject();
+        begun = true;
+        json.field(field.name, std::string_view(toHex(asBytes(text))));
+    }
+    if (begun)
+        json.endObject();
+}
+
 } // namespace
 
 void writeMessageJson(JsonWriter &json, const Frame &frame, std::optional<WallTime> time)
@@ -91,6 +111,7 @@ void writeMessageJson(JsonWriter &json, const Frame &frame, std::optional<WallTi
     }
     json.endObject();
     writeUnusualNans(json, frame);
+    writeBytesThatAreNoText(json, frame);
     if (time)
         json.field("time_usec", std::string_view(std::to_string(time->time_since_epoch().count())));
     json.endObject();

@@ -15,8 +15,8 @@ namespace skyseal::mavlink {
 /// - floats are the shortest numbers that read back to the same bits, and "NaN", "Infinity", "-Infinity". A NaN other than
 ///   the usual one (0x7fc00000, 0x7ff8000000000000) is spelled out in a further member of the event,
 ///   "nan_bits":{"field":{"index":"hex"}};
-/// - char arrays are strings without the zeros at their end. A byte that is no part of valid UTF-8 becomes the lone
-///   surrogate U+DC00 + byte, as Python's "surrogateescape" has it, so that every byte string has exactly one text;
+/// - char arrays are strings without the zeros at their end. What is no UTF-8 shows as U+FFFD, and the bytes of such a
+///   field are spelled out in a further member of the event, "text_bytes":{"field":"hex"}, so that nothing is lost;
 /// - fields that a MAVLink 1 frame does not carry (extensions) are left out.
 void writeMessageJson(JsonWriter &json, const Frame &frame, std::optional<WallTime> time = std::nullopt);
 

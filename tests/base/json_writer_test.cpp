@@ -1,9 +1,13 @@
 // JSON as other programs must be able to read it: QJsonDocument judges the syntax, exact texts judge the numbers.
 #include "core/base/json_writer.h"
+#include "core/base/utf8.h"
 
+#include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
+#include <QtCore/QStringConverter>
 #include <QtTest/QTest>
+#include <rapidcheck.h>
 
 #include <limits>
 
@@ -17,7 +21,8 @@ private Q_SLOTS:
     void keepsOrderAndNests();
     void numbersAreExact();
     void textIsEscaped();
-    void bytesThatAreNoTextKeepTheirIdentity();
+    void bytesThatAreNoTextAreReplaced();
+    void anyBytesGiveUtf8();
 };
 
 void JsonWriterTest::keepsOrderAndNests()
@@ -45,13 +50,38 @@ void JsonWriterTest::textIsEscaped()
     QCOMPARE(read.object()[QLatin1String("text")].toString().toStdString(), hard);
 }
 
-void JsonWriterTest::bytesThatAreNoTextKeepTheirIdentity()
+void JsonWriterTest::bytesThatAreNoTextAreReplaced()
 {
     // Alone, overlong, a surrogate, cut off, beyond U+10FFFF; then valid sequences of 2, 3 and 4 bytes.
     JsonWriter json;
     json.value(std::string_view("\x80 \xc0\xaf \xed\xa0\x80 \xe2\x82 \xf4\x90\x80\x80 \xc3\xa9\xe2\x82\xac\xf0\x9f\x9a\x81"));
-    QCOMPARE(json.text(), std::string("\"\\udc80 \\udcc0\\udcaf \\udced\\udca0\\udc80 \\udce2\\udc82 "
-                                      "\\udcf4\\udc90\\udc80\\udc80 \xc3\xa9\xe2\x82\xac\xf0\x9f\x9a\x81\""));
+    const QString read = QJsonDocument::fromJson('[' + QByteArray::fromStdString(json.text()) + ']')[0].toString();
+    const QChar no(0xfffd);
+    QCOMPARE(read, QString(no) + QLatin1Char(' ') + no + no + QLatin1Char(' ') + no + no + no + QLatin1Char(' ') + no
+                       + QLatin1Char(' ') + no + no + no + no + QString::fromUtf8(" é€🚁"));
+}
+
+void JsonWriterTest::anyBytesGiveUtf8()
+{
+    QVERIFY(rc::check("strict UTF-8, no surrogate, and text that is text stays as it is", [](const std::string &bytes) {
+        JsonWriter json;
+        json.beginArray().value(bytes).endArray();
+        // Qt's decoder judges, in both directions.
+        QStringDecoder strict(QStringDecoder::Utf8, QStringConverter::Flag::Stateless);
+        const QString line = strict(QByteArray::fromStdString(json.text()));
+        RC_ASSERT(!strict.hasError());
+        RC_ASSERT(!line.contains(QLatin1String("\\ud")));
+        QJsonParseError error;
+        const QJsonDocument read = QJsonDocument::fromJson(QByteArray::fromStdString(json.text()), &error);
+        RC_ASSERT(error.error == QJsonParseError::NoError);
+        QStringDecoder own(QStringDecoder::Utf8, QStringConverter::Flag::Stateless);
+        const QString text = own(QByteArray::fromStdString(bytes));
+        RC_ASSERT(isUtf8(bytes) == !own.hasError());
+        if (!own.hasError())
+            RC_ASSERT(read[0].toString() == text);
+        else
+            RC_ASSERT(read[0].toString().contains(QChar(0xfffd)));
+    }));
 }
 
 QTEST_APPLESS_MAIN(JsonWriterTest)

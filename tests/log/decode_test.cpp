@@ -116,7 +116,8 @@ void DecodeTest::specialValues()
     time.time_unix_usec = ~std::uint64_t(0);
     content += asText(writer.write(time, buffer));
     const auto lines = linesOf(content, {.json = true});
-    QVERIFY(lines[0].find("\"param_id\":\"A\\udcff\xc3\xa9\",\"param_value\":-0.0,") != std::string::npos);
+    QVERIFY(lines[0].find("\"param_id\":\"A\xef\xbf\xbd\xc3\xa9\",\"param_value\":-0.0,") != std::string::npos);
+    QVERIFY(lines[0].ends_with(R"(},"text_bytes":{"param_id":"41ffc3a9"}})"));
     QVERIFY(lines[1].find(R"("x":"NaN","y":"-Infinity","z":1e-45,)") != std::string::npos);
     QVERIFY(lines[1].ends_with(R"(},"nan_bits":{"x":{"0":"ffc00001"}}})"));
     QVERIFY(lines[2].find(R"("time_unix_usec":"18446744073709551615",)") != std::string::npos);

@@ -1,6 +1,7 @@
 // Status texts: long ones joined, lost and repeated chunks, the time-out, and what of it all a vehicle keeps.
 #include "vehicle_harness.h"
 
+#include "core/base/json_writer.h"
 #include "core/vehicle/status_text_joiner.h"
 
 using namespace skyseal;
@@ -17,6 +18,7 @@ private Q_SLOTS:
     void repeatedChunkAddsNothing();
     void timeoutGivesWhatIsThere();
     void anotherTextEndsTheOneUnderWay();
+    void characterThatIsSplitComesOutWhole();
     void vehicleNumbersAndKeepsTheLast200();
     void textsOfOtherComponentsAreHeard();
 };
@@ -87,6 +89,27 @@ void StatusTextTest::anotherTextEndsTheOneUnderWay()
     QCOMPARE(joiner.poll()->text, kFirst);
     QCOMPARE(joiner.poll()->text, std::string("short"));
     QVERIFY(!joiner.poll());
+}
+
+void StatusTextTest::characterThatIsSplitComesOutWhole()
+{
+    const std::string helicopter = "\xf0\x9f\x9a\x81";
+    const std::string letters(48, 'a');
+    const auto json = [](const std::string &text) {
+        JsonWriter writer;
+        writer.value(text);
+        return writer.text();
+    };
+    StatusTextJoiner joiner;
+    joiner.handleChunk(at(0), 1, 4, 9, 0, letters + helicopter.substr(0, 2));
+    joiner.handleChunk(at(0), 1, 4, 9, 1, helicopter.substr(2) + "!");
+    QCOMPARE(json(joiner.poll()->text), '"' + letters + helicopter + "!\"");
+    // Cut off in a text of one message, and in a long one whose next chunk was lost: one mark for each half.
+    joiner.handleChunk(at(0), 1, 4, 0, 0, letters + helicopter.substr(0, 2));
+    QCOMPARE(json(joiner.poll()->text), '"' + letters + "\xef\xbf\xbd\"");
+    joiner.handleChunk(at(0), 1, 4, 10, 0, letters + helicopter.substr(0, 2));
+    joiner.handleChunk(at(0), 1, 4, 10, 2, helicopter.substr(3) + "!");
+    QCOMPARE(json(joiner.poll()->text), '"' + letters + "\xef\xbf\xbd…\xef\xbf\xbd!\"");
 }
 
 void StatusTextTest::vehicleNumbersAndKeepsTheLast200()

@@ -1,0 +1,37 @@
+#include "core/base/utf8.h"
+
+namespace skyseal {
+
+Utf8Character firstCharacter(std::string_view text)
+{
+    const auto at = [text](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+    const unsigned lead = at(0);
+    if (lead < 0x80)
+        return {1, true};
+    if (lead < 0xc2 || lead > 0xf4)
+        return {1, false};
+    const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    // The second byte's range shuts out overlong forms, surrogates and what is beyond Unicode.
+    unsigned low = lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80;
+    unsigned high = lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
+    for (std::size_t i = 1; i < length; ++i) {
+        if (at(i) < low || at(i) > high)
+            return {i, false};
+        low = 0x80;
+        high = 0xbf;
+    }
+    return {length, true};
+}
+
+bool isUtf8(std::string_view text)
+{
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        if (!character.valid)
+            return false;
+        text.remove_prefix(character.length);
+    }
+    return true;
+}
+
+} // namespace skyseal
