@@ -1,5 +1,7 @@
 #include "core/metrics/sequence_tracker.h"
 
+#include <algorithm>
+
 namespace skyseal::metrics {
 
 SequenceCounts &SequenceCounts::operator+=(const SequenceCounts &other)
@@ -18,27 +20,34 @@ SequenceTracker::Verdict SequenceTracker::note(std::uint8_t sequence, TimePoint 
     m_lastTime = now;
     ++m_counts.received;
     if (!m_known)
-        return begin(sequence);
+        return begin(sequence, now);
     const unsigned step = static_cast<std::uint8_t>(sequence - m_newest);
     if (silent && step != 1) {
         ++m_counts.restarts;
-        begin(sequence);
+        begin(sequence, now);
         return Verdict::Restarted;
     }
-    return step == 0 || step > 255 - kWindow ? behind(sequence, (256 - step) % 256) : ahead(sequence, step);
+    return step == 0 || step > 255 - windowAt(now) ? behind(sequence, (256 - step) % 256, now) : ahead(sequence, step, now);
 }
 
-SequenceTracker::Verdict SequenceTracker::begin(std::uint8_t sequence)
+unsigned SequenceTracker::windowAt(TimePoint now) const
+{
+    const auto passed = std::chrono::duration_cast<std::chrono::milliseconds>(now - m_newestTime).count();
+    return static_cast<unsigned>(std::clamp<std::int64_t>(kWindow - passed, kShortWindow, kWindow));
+}
+
+SequenceTracker::Verdict SequenceTracker::begin(std::uint8_t sequence, TimePoint now)
 {
     m_known = true;
     m_newest = sequence;
+    m_newestTime = now;
     m_missing.reset();
     m_before.set();
     m_inRun = false;
     return Verdict::First;
 }
 
-SequenceTracker::Verdict SequenceTracker::ahead(std::uint8_t sequence, unsigned step)
+SequenceTracker::Verdict SequenceTracker::ahead(std::uint8_t sequence, unsigned step, TimePoint now)
 {
     // The old newest becomes bit step − 1 (received), the numbers between are missing.
     m_missing <<= step;
@@ -47,11 +56,12 @@ SequenceTracker::Verdict SequenceTracker::ahead(std::uint8_t sequence, unsigned 
         m_missing.set(k);
     m_counts.lost += step - 1;
     m_newest = sequence;
+    m_newestTime = now;
     m_inRun = false;
     return step == 1 ? Verdict::InOrder : Verdict::AfterGap;
 }
 
-SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned back)
+SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned back, TimePoint now)
 {
     if (!m_inRun || sequence != m_runNext) {
         m_inRun = true;
@@ -63,7 +73,7 @@ SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned
     if (back == 0 || (!m_missing.test(back - 1) && !m_before.test(back - 1))) {
         ++m_counts.duplicate;
         // Second copies come one by one between new frames; a whole run of them is a sender that counts anew.
-        return ++m_runDuplicates == kRestartRun ? restarted(sequence) : Verdict::Duplicate;
+        return ++m_runDuplicates == kRestartRun ? restarted(sequence, now) : Verdict::Duplicate;
     }
     if (m_missing.test(back - 1))
         --m_counts.lost;
@@ -73,13 +83,13 @@ SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned
     return Verdict::Late;
 }
 
-SequenceTracker::Verdict SequenceTracker::restarted(std::uint8_t sequence)
+SequenceTracker::Verdict SequenceTracker::restarted(std::uint8_t sequence, TimePoint now)
 {
     const std::uint64_t received = m_counts.received;
     m_counts = m_beforeRun;
     m_counts.received = received;
     ++m_counts.restarts;
-    begin(sequence);
+    begin(sequence, now);
     return Verdict::Restarted;
 }
 

@@ -35,24 +35,30 @@ public:
 
     const SequenceCounts &counts() const { return m_counts; }
 
-    /// How far back a number is taken as late or duplicate; jumps ahead of up to 255 − kWindow are taken as loss.
-    static constexpr unsigned kWindow = 64;
+    /// How far back a number is taken as late or duplicate right after the newest one; jumps ahead of up to 255 − kWindow
+    /// are taken as loss. The longer the newest one is ago, the more numbers may have been sent and lost since, so that the
+    /// window shrinks by one for each millisecond, a quick link's pace, down to kShortWindow. That holds 150 ms of jitter at
+    /// 1000 frames a second, and 190 lost in a row after a pause.
+    static constexpr unsigned kWindow = 192;
+    static constexpr unsigned kShortWindow = 64;
     /// So many duplicates in one unbroken run of successive numbers are a sender that restarted.
     static constexpr unsigned kRestartRun = 16;
     /// After this silence the 8-bit number may have gone round, so the gap is not counted.
     static constexpr Duration kLongestSilence = std::chrono::seconds(10);
 
 private:
-    Verdict begin(std::uint8_t sequence);
-    Verdict ahead(std::uint8_t sequence, unsigned step);
-    Verdict behind(std::uint8_t sequence, unsigned back);
-    Verdict restarted(std::uint8_t sequence);
+    unsigned windowAt(TimePoint now) const;
+    Verdict begin(std::uint8_t sequence, TimePoint now);
+    Verdict ahead(std::uint8_t sequence, unsigned step, TimePoint now);
+    Verdict behind(std::uint8_t sequence, unsigned back, TimePoint now);
+    Verdict restarted(std::uint8_t sequence, TimePoint now);
 
     bool m_known = false;
     std::uint8_t m_newest = 0;
     std::bitset<kWindow> m_missing; ///< bit k: number m_newest − 1 − k was passed over and counted as lost
     std::bitset<kWindow> m_before; ///< bit k: that number was sent before we began to listen, so it was never counted
     TimePoint m_lastTime{};
+    TimePoint m_newestTime{};
     bool m_inRun = false; ///< successive numbers behind the newest are coming in
     std::uint8_t m_runNext = 0;
     unsigned m_runDuplicates = 0;

@@ -1,5 +1,6 @@
 // Sequence loss against a brute-force account of what really happened to every frame, and the cases that mislead other
 // stations: a late frame, a duplicate, a sender that restarted.
+#include "core/impair/impairment.h"
 #include "core/metrics/sequence_table.h"
 
 #include <QtTest/QTest>
@@ -18,6 +19,8 @@ class SequenceTrackerTest : public QObject
 
 private Q_SLOTS:
     void countsWhatHappened();
+    void agreesWithTheImpairedLink();
+    void longLossAfterAPauseIsLoss();
     void lateFrameTakesItsLossBack();
     void lateFirstFramesAreNotLost();
     void aBatchThatWasOvertakenIsLateNotARestart();
@@ -82,6 +85,62 @@ void SequenceTrackerTest::countsWhatHappened()
         RC_ASSERT(tracker.counts().duplicate == expected.duplicate);
         RC_ASSERT(tracker.counts().restarts == 0u);
     }));
+}
+
+void SequenceTrackerTest::agreesWithTheImpairedLink()
+{
+    const auto check = [](double loss, double duplicate, double reorder, Duration jitter, int framesPerSecond,
+                          std::uint64_t seed) {
+        impair::Impairment link({loss, duplicate, reorder, 0, milliseconds(20), jitter, 0, 16 << 10, seed});
+        const Duration pause = std::chrono::duration_cast<Duration>(std::chrono::seconds(1)) / framesPerSecond;
+        SequenceTracker tracker;
+        SequenceCounts expected;
+        std::set<std::uint64_t> seen;
+        std::uint64_t newest = 0;
+        std::uint64_t begin = 0;
+        const auto drain = [&](TimePoint now) {
+            impair::Impairment::Delivery delivery;
+            while (link.pop(now, delivery)) {
+                tracker.note(static_cast<std::uint8_t>(delivery.sequence), now);
+                ++expected.received;
+                if (seen.empty())
+                    begin = delivery.sequence;
+                const bool first = seen.insert(delivery.sequence).second;
+                expected.duplicate += !first;
+                expected.late += first && seen.size() > 1 && delivery.sequence < newest;
+                newest = std::max(newest, delivery.sequence);
+            }
+        };
+        TimePoint now{};
+        for (int i = 0; i < 3000; ++i, now += pause) {
+            for (TimePoint due = link.nextDeadline(); due <= now; due = link.nextDeadline())
+                drain(due);
+            link.push(now, Bytes(12));
+        }
+        while (link.nextDeadline() != kNever)
+            drain(link.nextDeadline());
+        // What was sent before the first arrival was never expected.
+        for (std::uint64_t number = begin; number <= newest && !seen.empty(); ++number)
+            expected.lost += !seen.contains(number);
+        RC_ASSERT(tracker.counts() == expected);
+    };
+    QVERIFY(rc::check("lost, late and duplicate as the impaired link decided them, up to 1000 frames a second", [&] {
+        check(0.01 * *rc::gen::inRange(0, 30), 0.01 * *rc::gen::inRange(0, 20), 0.01 * *rc::gen::inRange(0, 20),
+              milliseconds(*rc::gen::inRange(0, 120)), *rc::gen::inRange(20, 1001), *rc::gen::arbitrary<std::uint64_t>());
+    }));
+    QVERIFY(rc::check("20 % loss, 50 ms and 120 ms of jitter at 1000 frames a second", [&] {
+        check(0.2, 0.1, 0.1, milliseconds(50), 1000, *rc::gen::arbitrary<std::uint64_t>());
+        check(0.2, 0.1, 0.1, milliseconds(120), 1000, *rc::gen::arbitrary<std::uint64_t>());
+    }));
+}
+
+void SequenceTrackerTest::longLossAfterAPauseIsLoss()
+{
+    SequenceTracker tracker;
+    for (int i = 0; i < 300; ++i)
+        tracker.note(static_cast<std::uint8_t>(i), TimePoint(milliseconds(i)));
+    tracker.note(static_cast<std::uint8_t>(299 + 180), TimePoint(milliseconds(299 + 180)));
+    QCOMPARE(tracker.counts(), (SequenceCounts{301, 179, 0, 0, 0}));
 }
 
 void SequenceTrackerTest::lateFrameTakesItsLossBack()
