@@ -86,7 +86,8 @@ AgentSnapshot AgentCore::snapshot()
     for (LinkSnapshot &link : m_links.snapshots(now))
         (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
     const metrics::SequenceCounts counts = m_sequences.total();
-    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames()};
+    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(),
+                   m_sequences.evicted()};
     out.channel = m_channel.totals();
     out.channel.rx.malformed += m_garbage;
     out.channel.rx.plaintextDropped = m_counters.clearRefused;

@@ -157,6 +157,7 @@ void writeMavlink(JsonWriter &json, const MavlinkTotals &totals)
     json.key("mavlink").beginObject();
     json.field("frames", totals.frames).field("lost", totals.lost).field("late", totals.late);
     json.field("duplicate", totals.duplicate).field("bad_crc", totals.badCrc);
+    json.field("senders_evicted", totals.sendersEvicted);
     json.endObject();
 }
 

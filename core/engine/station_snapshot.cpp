@@ -9,7 +9,8 @@ namespace skyseal::engine {
 MavlinkTotals StationCore::mavlinkTotals() const
 {
     const metrics::SequenceCounts counts = m_sequences.total();
-    return {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames()};
+    return {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(),
+            m_sequences.evicted()};
 }
 
 ChannelTotals StationCore::channelTotals() const

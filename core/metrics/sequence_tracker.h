@@ -34,6 +34,7 @@ public:
     void expectRestart() { m_known = false; }
 
     const SequenceCounts &counts() const { return m_counts; }
+    TimePoint lastHeard() const { return m_lastTime; }
 
     /// How far back a number is taken as late or duplicate right after the newest one; jumps ahead of up to 255 − kWindow
     /// are taken as loss. The longer the newest one is ago, the more numbers may have been sent and lost since, so that the

@@ -29,6 +29,7 @@ private Q_SLOTS:
     void announcedRestartCostsNothing();
     void silenceIsNotCountedAcross();
     void tableKeepsSendersApart();
+    void madeUpSendersTakeNoPlaceOfRealOnes();
     void tableIsBounded();
 
 private:
@@ -238,13 +239,51 @@ void SequenceTrackerTest::tableKeepsSendersApart()
     QCOMPARE(table.counts({LinkId{9}, 9, 9}), SequenceCounts());
 }
 
+void SequenceTrackerTest::madeUpSendersTakeNoPlaceOfRealOnes()
+{
+    SequenceTable table;
+    const SequenceTable::Sender autopilot{LinkId{1}, 1, 1};
+    const SequenceTable::Sender gimbal{LinkId{1}, 1, 154};
+    std::uint64_t forged = 0;
+    std::uint8_t gimbalNext = 0;
+    // A minute: the autopilot at 50 Hz, the gimbal once a second, and 2000 frames a second of ever other senders.
+    for (int ms = 0; ms < 60'000; ++ms) {
+        const TimePoint now{milliseconds(ms)};
+        if (ms % 20 == 0)
+            table.note(autopilot, static_cast<std::uint8_t>(ms / 20), now);
+        if (ms % 1000 == 0)
+            table.note(gimbal, gimbalNext++, now);
+        for (int i = 0; ms >= 10'000 && i < 2; ++i, ++forged)
+            table.note({LinkId{1}, static_cast<std::uint8_t>(2 + forged % 250), static_cast<std::uint8_t>(forged / 250)},
+                       static_cast<std::uint8_t>(forged * 7), now);
+    }
+    QCOMPARE(table.counts(autopilot), (SequenceCounts{3000, 0, 0, 0, 0}));
+    QCOMPARE(table.counts(gimbal), (SequenceCounts{60, 0, 0, 0, 0}));
+    QVERIFY(table.size() <= SequenceTable::kMostSenders);
+    QCOMPARE(table.evicted(), forged - (SequenceTable::kMostSenders - 2));
+    QCOMPARE(table.untracked(), std::uint64_t(0));
+    // Nothing that was counted is forgotten.
+    QCOMPARE(table.total().received, 3060 + forged);
+}
+
 void SequenceTrackerTest::tableIsBounded()
 {
     SequenceTable table;
-    for (std::uint32_t i = 0; i < SequenceTable::kMostSenders + 10; ++i)
-        table.note({LinkId{i}, 1, 1}, 0, TimePoint());
+    const auto note = [&table](std::uint32_t sender, int count, TimePoint now) {
+        for (int i = 0; i < count; ++i)
+            table.note({LinkId{sender}, 1, 1}, static_cast<std::uint8_t>(i), now);
+    };
+    for (std::uint32_t i = 0; i < SequenceTable::kMostSenders; ++i)
+        note(i, 8, TimePoint());
+    note(1000, 10, TimePoint());
     QCOMPARE(table.untracked(), std::uint64_t(10));
-    QCOMPARE(table.total().received, std::uint64_t(SequenceTable::kMostSenders));
+    QCOMPARE(table.evicted(), std::uint64_t(0));
+    QCOMPARE(table.total().received, std::uint64_t(8 * SequenceTable::kMostSenders));
+    // Once the others have fallen silent there is room.
+    note(1000, 10, TimePoint(SequenceTable::kEstablishedFor));
+    QCOMPARE(table.untracked(), std::uint64_t(10));
+    QCOMPARE(table.evicted(), std::uint64_t(1));
+    QCOMPARE(table.countsOfSystem(1).received, std::uint64_t(8 * SequenceTable::kMostSenders + 10));
 }
 
 QTEST_GUILESS_MAIN(SequenceTrackerTest)
