@@ -23,7 +23,9 @@ const QString kName = QStringLiteral("skyseal-air");
 
 void declare(Options &options)
 {
-    options.addValue("vehicle", "URL", "Plain MAVLink to the autopilot, e.g. udpin:127.0.0.1:14551 or tcp:127.0.0.1:5760.");
+    options.addValue("vehicle", "URL",
+                     "Plain MAVLink to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or tcp:127.0.0.1:5760. "
+                     "udpin and tcpin without a host listen on 127.0.0.1: anybody who reaches that port flies the vehicle.");
     options.addValue("ground", "URL", "Sealed link to the ground station: udpout:HOST:PORT.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
@@ -53,7 +55,7 @@ int main(int argc, char **argv)
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     options.arguments(0, 0);
-    const auto vehicle = options.url("vehicle");
+    const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
     const auto ground = options.url("ground");
     const engine::KeyPaths paths{options.required("identity"), options.required("peers"),
                                  PassphraseInput::read(options).ask()};

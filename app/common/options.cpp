@@ -203,9 +203,10 @@ std::vector<crypto::SuiteId> Options::suites(const char *name)
     return out;
 }
 
-std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const std::string &text)
+std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const std::string &text,
+                                                std::string_view unnamedHost)
 {
-    auto parsedText = link::LinkUrl::parse(text);
+    auto parsedText = link::LinkUrl::parse(text, unnamedHost);
     if (!parsedText) {
         fail("--" + option + " " + quoted(text) + ": " + parsedText.error().message);
         return std::nullopt;
@@ -213,10 +214,10 @@ std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const
     return std::move(*parsedText);
 }
 
-std::optional<link::LinkUrl> Options::url(const char *name)
+std::optional<link::LinkUrl> Options::url(const char *name, std::string_view unnamedHost)
 {
     const std::string given = required(name);
-    return given.empty() ? std::nullopt : parsedUrl(name, given);
+    return given.empty() ? std::nullopt : parsedUrl(name, given, unnamedHost);
 }
 
 std::vector<link::LinkUrl> Options::urls(const char *name)

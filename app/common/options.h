@@ -44,7 +44,8 @@ public:
     std::optional<crypto::SuiteId> suite(const char *name);
     /// Names separated by commas; "all" = every authenticated suite. None may come twice.
     std::vector<crypto::SuiteId> suites(const char *name);
-    std::optional<link::LinkUrl> url(const char *name);
+    /// A listening link whose host was left out listens on `unnamedHost`.
+    std::optional<link::LinkUrl> url(const char *name, std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     std::vector<link::LinkUrl> urls(const char *name);
     /// The positional arguments; a problem when there are fewer or more.
     QStringList arguments(int least, int most);
@@ -53,7 +54,8 @@ public:
 
 private:
     std::optional<crypto::SuiteId> suiteNamed(const std::string &option, const std::string &name);
-    std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text);
+    std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text,
+                                           std::string_view unnamedHost = link::LinkUrl::kAnyHost);
 
     QString m_name;
     QCommandLineParser m_parser;

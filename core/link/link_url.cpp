@@ -31,7 +31,7 @@ const char *name(LinkScheme scheme)
 class LinkUrlParser
 {
 public:
-    explicit LinkUrlParser(std::string_view text) : m_text(text) {}
+    LinkUrlParser(std::string_view text, std::string_view unnamedHost) : m_text(text), m_unnamedHost(unnamedHost) {}
 
     Result<LinkUrl, InputError> run()
     {
@@ -152,7 +152,7 @@ private:
         } else if (host.empty()) {
             if (!m_url.isListening())
                 return error(at, "the host is missing, as in " + std::string(name(m_url.m_scheme)) + ":HOST:PORT").value();
-            m_url.m_host = "0.0.0.0";
+            m_url.m_host = m_unnamedHost;
             return std::nullopt;
         } else if (!literal) {
             if (host.find_first_not_of("0123456789.") == host.npos)
@@ -184,12 +184,13 @@ private:
     }
 
     std::string_view m_text;
+    std::string_view m_unnamedHost;
     LinkUrl m_url;
 };
 
-Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text)
+Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text, std::string_view unnamedHost)
 {
-    return LinkUrlParser(text).run();
+    return LinkUrlParser(text, unnamedHost).run();
 }
 
 LinkUrl LinkUrl::withPort(std::uint16_t port) const

@@ -20,9 +20,14 @@ class LinkUrl
 {
 public:
     /// IPv6 literals stand in brackets. What may be left out: the host of a listening link ("udpin:14550" listens on
-    /// 0.0.0.0) and the baud rate of a serial one (57600). Port 0 of a listening link lets the system choose.
+    /// `unnamedHost`) and the baud rate of a serial one (57600). Port 0 of a listening link lets the system choose.
     /// The error's column points at the part of `text` that is wrong.
-    static Result<LinkUrl, InputError> parse(std::string_view text);
+    static Result<LinkUrl, InputError> parse(std::string_view text, std::string_view unnamedHost = kAnyHost);
+
+    /// Where a listening link listens when no host is named: a station hears its vehicles on every interface; the clear side
+    /// of an agent is for programs of the same machine.
+    static constexpr std::string_view kAnyHost = "0.0.0.0";
+    static constexpr std::string_view kLoopback = "127.0.0.1";
 
     LinkScheme scheme() const { return m_scheme; }
     bool isListening() const { return m_scheme == LinkScheme::UdpIn || m_scheme == LinkScheme::TcpIn; }

@@ -14,6 +14,7 @@ private Q_SLOTS:
     void badLinksAreNamed_data();
     void badLinksAreNamed();
     void linkThatNeverOpened();
+    void agentsClearSideListensOnLoopback();
 };
 
 void PortsTest::secondMonitorOnOnePort()
@@ -59,6 +60,23 @@ void PortsTest::linkThatNeverOpened()
                         {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--duration"), QStringLiteral("1")});
         QCOMPARE(monitor.waitForExit(10000), 3);
         QVERIFY2(monitor.errors().contains(url.toUtf8()), monitor.errors().constData());
+    }
+}
+
+void PortsTest::agentsClearSideListensOnLoopback()
+{
+    const Flight flight;
+    QVERIFY(flight.ready());
+    for (const char *scheme : {"udpin", "tcpin"}) {
+        QStringList arguments = flight.airArguments();
+        arguments[1] = QLatin1String(scheme) + QStringLiteral(":0");
+        Program air(QStringLiteral("skyseal-air"), arguments);
+        const QJsonObject link = air.waitFor(QStringLiteral("link"), 10000, [](const QJsonObject &event) {
+            return event[QLatin1String("side")].toString() == QLatin1String("vehicle")
+                && event[QLatin1String("state")].toString() == QLatin1String("listening");
+        });
+        const QString address = link[QLatin1String("address")].toString();
+        QVERIFY2(address.startsWith(QLatin1String("127.0.0.1:")), qPrintable(address));
     }
 }
 

@@ -15,6 +15,7 @@ class LinkUrlTest : public QObject
 private Q_SLOTS:
     void accepts_data();
     void accepts();
+    void unnamedHostIsTheCallersChoice();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
@@ -59,6 +60,15 @@ void LinkUrlTest::accepts()
     QVERIFY2(url.has_value(), url ? "" : url.error().text().c_str());
     QCOMPARE(url->toText(), canonical);
     QCOMPARE(LinkUrl::parse(canonical).value(), *url);
+}
+
+void LinkUrlTest::unnamedHostIsTheCallersChoice()
+{
+    const auto parsed = [](const char *text) { return LinkUrl::parse(text, LinkUrl::kLoopback)->toText(); };
+    QCOMPARE(parsed("udpin:14551"), std::string("udpin:127.0.0.1:14551"));
+    QCOMPARE(parsed("udpin::14551"), std::string("udpin:127.0.0.1:14551"));
+    QCOMPARE(parsed("tcpin://5760"), std::string("tcpin:127.0.0.1:5760"));
+    QCOMPARE(parsed("udpin:0.0.0.0:14551"), std::string("udpin:0.0.0.0:14551"));
 }
 
 void LinkUrlTest::refuses_data()
