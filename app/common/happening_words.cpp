@@ -44,6 +44,7 @@ const char *whyRefused(channel::RefusalReason reason)
     case channel::RefusalReason::NoCommonSuite: return "there is no suite that both ends allow";
     case channel::RefusalReason::OfferTampered: return "its offer was changed on the way";
     case channel::RefusalReason::Version: return "it speaks another version";
+    case channel::RefusalReason::Flood: return "there are too many; who answers a cookie gets through";
     }
     return "";
 }

@@ -8,9 +8,7 @@ namespace skyseal::channel {
 
 namespace {
 
-/// Diffie-Hellman computations for strangers: about a percent of one core of a small companion computer.
-constexpr double kHandshakesPerSecond = 50;
-constexpr double kHandshakesAtOnce = 20;
+constexpr Duration kFloodPause = std::chrono::seconds(10);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
 
 bool holds(const std::vector<Path> &paths, const Path &path)
@@ -27,25 +25,28 @@ bool serves(const Path &session, const Path &target)
 } // namespace
 
 Agent::Agent(EndpointCore &core, TimePoint now)
-    : m_core(core), m_announcement(core.config.identity->publicKey), m_announceDue(now), m_credit(kHandshakesAtOnce),
-      m_creditAt(now)
+    : m_core(core), m_announcement(core.config.identity->publicKey), m_announceDue(now),
+      m_limit(core.around.random, now), m_cookies(core.config.identity->publicKey, core.around.random),
+      m_floodTold(TimePoint::min())
 {
 }
 
 bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
-    if (!m_core.ownMac.verify(datagram))
+    const bool proven = !m_core.ownMac.verify(datagram);
+    if (proven && !m_cookies.verify(now, from, datagram))
         return refuse(now, from, RefusalReason::WrongKey);
+    const ByteView said = datagram.first(kFirstLength - kMacLength);
     for (const Answered &answered : m_answered) {
         // A copy: our answer may have been lost. The same one again, and nothing is computed.
-        if (std::equal(datagram.begin(), datagram.end(), answered.first.begin(), answered.first.end())) {
+        if (std::equal(said.begin(), said.end(), answered.first.begin())) {
             m_core.around.outbox.send(from, answered.answer);
             if (weakened(Weakness::AnswerTwice))
                 m_core.around.outbox.send(from, answered.answer);
             return false;
         }
     }
-    if (!mayCompute(now))
+    if (!mayCompute(now, from, datagram, proven))
         return false;
     auto responder = Responder::read(*m_core.config.identity, datagram);
     if (!responder)
@@ -135,14 +136,34 @@ bool Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const 
     return false;
 }
 
-bool Agent::mayCompute(TimePoint now)
+bool Agent::mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven)
 {
-    m_credit = std::min(kHandshakesAtOnce, m_credit + seconds(now - m_creditAt) * kHandshakesPerSecond);
-    m_creditAt = now;
-    if (m_credit < 1 && !weakened(Weakness::NoRateLimit))
-        return false;
-    m_credit -= 1;
-    return true;
+    if (weakened(Weakness::NoRateLimit))
+        return true;
+    if (proven || !m_limit.underLoad(now))
+        return m_limit.admit(now, from, !proven ? Standing::Claimed : expects(from) ? Standing::Expected : Standing::Proven);
+    // Room is left for what matters more.
+    if (m_core.around.outbox.size() < Outbox::kSlots / 2)
+        m_core.around.outbox.send(from, m_cookies.make(now, from, datagram));
+    if (now >= m_floodTold) {
+        m_core.around.events.emplace_back(HandshakeRefused{from, RefusalReason::Flood, {}});
+        m_floodTold = now + kFloodPause;
+    }
+    return false;
+}
+
+/// Whether a station may well be at that host: we announce ourselves there, or have a session with it.
+bool Agent::expects(const Path &from)
+{
+    const auto isHostOf = [&from](const Path &path) {
+        return path.link == from.link && path.remote.ip == from.remote.ip && path.remote.ip != Address{}.ip;
+    };
+    const auto &announced = m_core.config.announceTo;
+    bool found = std::any_of(announced.begin(), announced.end(), isHostOf);
+    m_core.table.forEach([&](SessionTable::Entry &entry) {
+        found = found || (entry.up && isHostOf(entry.session->path()));
+    });
+    return found;
 }
 
 std::vector<Path> Agent::announceTargets(TimePoint now)

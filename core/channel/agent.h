@@ -1,7 +1,9 @@
 // The agent's side of getting sessions: it announces itself where no station listens to it yet, and answers first messages.
 #pragma once
 
+#include "core/channel/cookie.h"
 #include "core/channel/endpoint_core.h"
+#include "core/channel/handshake_limit.h"
 
 namespace skyseal::channel {
 
@@ -33,7 +35,8 @@ private:
 
     bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
     std::uint64_t answeredCounter(const PublicKey &peer) const;
-    bool mayCompute(TimePoint now);
+    bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
+    bool expects(const Path &from);
     void forget(const PublicKey &peer);
     std::vector<Path> announceTargets(TimePoint now);
 
@@ -41,8 +44,9 @@ private:
     Announcement m_announcement;
     std::vector<Answered> m_answered;
     TimePoint m_announceDue;
-    double m_credit;
-    TimePoint m_creditAt;
+    HandshakeLimit m_limit;
+    CookieMaker m_cookies;
+    TimePoint m_floodTold;
 };
 
 } // namespace skyseal::channel

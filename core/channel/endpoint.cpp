@@ -111,6 +111,9 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
             return; // Refused, perhaps one of a flood: nothing has changed.
     } else if (message == HandshakeMessage::Answer && station) {
         station->handleAnswer(now, from, datagram);
+    } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kCookieLength) {
+        station->handleCookie(now, from, datagram);
+        return; // No timer has changed.
     } else if (message == HandshakeMessage::Announcement && station) {
         station->handleAnnouncement(now, from, datagram);
     } else {

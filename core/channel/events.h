@@ -72,7 +72,8 @@ enum class RefusalReason : std::uint8_t {
     ReplayedHandshake,
     NoCommonSuite,
     OfferTampered,    ///< the choice is not the one that both offers give
-    Version
+    Version,
+    Flood, ///< many first messages: strangers are asked to prove their address first. At most once in ten seconds
 };
 
 /// A handshake that was refused; limited to one a second and path, so that a flood cannot fill a log.

@@ -14,7 +14,7 @@ namespace skyseal::channel {
 class Outbox
 {
 public:
-    static constexpr std::size_t kSlots = 64;
+    static constexpr std::size_t kSlots = 128;
     static constexpr std::size_t kMaxLength = 256;
 
     struct Item
@@ -26,6 +26,7 @@ public:
     };
 
     bool empty() const { return m_count == 0; }
+    std::size_t size() const { return m_count; }
 
     /// The slot that `commit` will send, to be filled in place; its content is undefined.
     Item &draft() { return m_items[(m_first + m_count) % (kSlots + 1)]; }

@@ -8,7 +8,7 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr std::size_t kMaxPaths = 4;
+constexpr std::size_t kMaxPlaces = 4;
 /// The same first message goes out so often before a fresh one is made: copies are answered idempotently, and a fresh one
 /// is needed when the agent took one and then restarted.
 constexpr unsigned kCopies = 4;
@@ -75,14 +75,45 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
         session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, due);
-    if (std::find(attempt.paths.begin(), attempt.paths.end(), from) == attempt.paths.end()) {
-        if (attempt.paths.size() == kMaxPaths)
-            attempt.paths.erase(attempt.paths.begin());
-        attempt.paths.push_back(from);
-    }
+    Place &place = placeAt(attempt, from);
+    place.owed = std::min(place.owed + 1, kCopies);
     // It is there, so waiting longer is of no use; but never more than one answer to one announcement.
     if (due == now && now >= attempt.lastSent + kAnnouncementPause)
         attempt.due = now;
+}
+
+Station::Place &Station::placeAt(Attempt &attempt, const Path &path)
+{
+    auto &places = attempt.places;
+    const auto found = std::find_if(places.begin(), places.end(), [&](const Place &place) { return place.path == path; });
+    if (found != places.end())
+        return *found;
+    if (places.size() == kMaxPlaces)
+        places.erase(places.begin());
+    Place &place = places.emplace_back();
+    place.path = path;
+    return place;
+}
+
+void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
+{
+    for (Attempt &attempt : m_attempts) {
+        for (Place &place : attempt.places) {
+            if (place.path != from || place.unanswered == 0 || !attempt.handshake)
+                continue;
+            const auto cookie = openCookie(attempt.peer, ByteView(attempt.handshake->message()).last(kMacLength), datagram);
+            if (!cookie)
+                continue;
+            --place.unanswered;
+            place.cookie = cookie;
+            place.cookieUntil = now + kCookieSecretLife;
+            place.underCookie = true;
+            place.proven = true;
+            sendTo(now, attempt, place);
+            return;
+        }
+    }
+    ++m_core.strays.forged;
 }
 
 void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
@@ -122,8 +153,7 @@ void Station::handleDeadline(TimePoint now)
         if (!entry.up || !entry.session->silent(now))
             return;
         Attempt &attempt = want(now, entry.session->peer().key, now);
-        if (attempt.paths.empty())
-            attempt.paths.push_back(entry.session->path());
+        placeAt(attempt, entry.session->path()).proven = true;
     });
     dropUnwanted(now);
     for (Attempt &attempt : m_attempts) {
@@ -146,15 +176,35 @@ TimePoint Station::deadline(TimePoint now)
 
 void Station::send(TimePoint now, Attempt &attempt)
 {
+    const auto maySend = [](const Place &place) { return place.proven || place.owed > 0; };
+    if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend)) {
+        attempt.due = now + kLongestPause; // Until it is announced again.
+        return;
+    }
     if ((!attempt.handshake || attempt.sentThisOne >= kCopies) && !renew(attempt)) {
         attempt.due = now + kLongestPause;
         return;
     }
-    for (const Path &path : attempt.paths)
-        m_core.around.outbox.send(path, attempt.handshake->message());
+    for (Place &place : attempt.places) {
+        if (maySend(place))
+            sendTo(now, attempt, place);
+    }
     ++attempt.sentThisOne;
     attempt.lastSent = now;
     attempt.due = now + pauseAfter(attempt.sent++);
+}
+
+void Station::sendTo(TimePoint now, const Attempt &attempt, Place &place)
+{
+    FirstMessage message = attempt.handshake->message();
+    const bool hasCookie = place.cookie && now < place.cookieUntil;
+    if (hasCookie && place.underCookie)
+        signWithCookie(*place.cookie, message);
+    else
+        place.unanswered = std::min(place.unanswered + 1, kCopies);
+    place.underCookie = hasCookie && !place.underCookie;
+    place.owed -= place.owed > 0;
+    m_core.around.outbox.send(place.path, message);
 }
 
 bool Station::renew(Attempt &attempt)
@@ -170,6 +220,8 @@ bool Station::renew(Attempt &attempt)
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
                                          m_core.around.random);
     attempt.sentThisOne = 0;
+    for (Place &place : attempt.places)
+        place.unanswered = 0;
     if (!attempt.handshake)
         m_core.table.release(*connection);
     return attempt.handshake.has_value();

@@ -1,6 +1,7 @@
 // The station's side of getting sessions: it hears announcements, or that a session fell silent, and shakes hands.
 #pragma once
 
+#include "core/channel/cookie.h"
 #include "core/channel/endpoint_core.h"
 
 namespace skyseal::channel {
@@ -13,6 +14,7 @@ public:
     void peersChanged();
     void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
+    void handleCookie(TimePoint now, const Path &from, ByteView datagram);
     /// An authentic record of a session came: its peer is there and still has it, so no other is needed.
     void sessionLives(const PublicKey &peer);
     bool idle() const { return m_attempts.empty(); }
@@ -25,11 +27,22 @@ private:
         PublicKey key{};
         Announcement announcement;
     };
+    /// Where a peer may be, and the cookie that it last gave us there.
+    struct Place
+    {
+        Path path;
+        std::optional<Cookie> cookie;
+        TimePoint cookieUntil{};
+        bool underCookie = false; ///< so the next copy goes; copies take turns, since a cookie may be old or forged
+        unsigned unanswered = 0;  ///< copies without a cookie that went there and brought none yet
+        bool proven = false;      ///< the peer was there, or what we sent there was received
+        unsigned owed = 0;        ///< announcements from there that were not answered; no more goes to an address unproven
+    };
     /// The wish for a session with one peer, from the first sign of it until it is up or the peer is gone.
     struct Attempt
     {
         PublicKey peer{};
-        std::vector<Path> paths; ///< where the peer may be; several, since anyone who knows its key can announce it
+        std::vector<Place> places; ///< several, since anyone who knows its key can announce it
         TimePoint due{};
         TimePoint wantedUntil{};
         TimePoint lastSent{};
@@ -40,7 +53,9 @@ private:
 
     Attempt *attemptWith(const PublicKey &peer);
     Attempt &want(TimePoint now, const PublicKey &peer, TimePoint due);
+    static Place &placeAt(Attempt &attempt, const Path &path);
     void send(TimePoint now, Attempt &attempt);
+    void sendTo(TimePoint now, const Attempt &attempt, Place &place);
     bool renew(Attempt &attempt);
     void drop(Attempt &attempt);
     void dropUnwanted(TimePoint now);

@@ -4,6 +4,8 @@
 #include "bare_calls.h"
 #include "pair.h"
 
+#include "core/channel/cookie.h"
+#include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 
 #include <benchmark/benchmark.h>
@@ -159,6 +161,48 @@ void refuseForgeries(benchmark::State &state, bool handshake)
     }
 }
 
+/// First messages of a flood, by what they get right; for an agent that is under load and has given out cookies.
+enum class FloodOf { WithoutMac1, WithMac1, UnderCookie };
+
+void refuseFlood(benchmark::State &state, FloodOf what)
+{
+    Bench bench(SuiteId::ChaCha20Poly1305, 28);
+    Endpoint &endpoint = *bench.pair.air().endpoint;
+    const auto &agent = bench.pair.air().identity->publicKey;
+    const TimePoint now = bench.pair.now;
+    FirstMessage first{};
+    first[0] = firstByte(HandshakeMessage::First);
+    first[1] = 9; // So that it is no point of small order; it fails after one Diffie-Hellman.
+    Mac1(agent).sign(first);
+    Cookie cookie{};
+    for (int i = 0; i < 40; ++i) {
+        FirstMessage copy = first;
+        endpoint.handleDatagram(now, bench.from, copy);
+        while (const auto out = endpoint.pollTransmit()) {
+            if (const auto opened = openCookie(agent, ByteView(first).last(kMacLength), out->bytes))
+                cookie = *opened;
+        }
+    }
+    if (what == FloodOf::UnderCookie) {
+        signWithCookie(cookie, first);
+        for (int i = 0; i < 20; ++i) { // The source's share is used up.
+            FirstMessage copy = first;
+            endpoint.handleDatagram(now, bench.from, copy);
+        }
+    } else if (what == FloodOf::WithoutMac1) {
+        first[20] ^= 1;
+    }
+    std::uint64_t answers = 0;
+    for (auto _ : state) {
+        FirstMessage copy = first;
+        benchmark::DoNotOptimize(endpoint.handleDatagram(now, bench.from, copy));
+        while (endpoint.pollTransmit())
+            ++answers;
+    }
+    if ((answers > 0) != (what == FloodOf::WithMac1))
+        state.SkipWithError("not what was meant to be measured");
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -177,6 +221,9 @@ int main(int argc, char **argv)
     }
     benchmark::RegisterBenchmark("refuse_forged_record", refuseForgeries, false);
     benchmark::RegisterBenchmark("refuse_first_message_without_mac1", refuseForgeries, true);
+    benchmark::RegisterBenchmark("under_load/without_mac1", refuseFlood, FloodOf::WithoutMac1);
+    benchmark::RegisterBenchmark("under_load/cookie_given", refuseFlood, FloodOf::WithMac1);
+    benchmark::RegisterBenchmark("under_load/share_used_up", refuseFlood, FloodOf::UnderCookie);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
     return printRatios();

@@ -1,0 +1,390 @@
+// The cookie under load: what it is bound to, how long it lives, and that a station gets its session in a flood of first
+// messages whose mac1 is right, from forged addresses and from real ones.
+#include "core/channel/cookie.h"
+#include "core/channel/handshake.h"
+#include "core/channel/handshake_limit.h"
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+class CookieTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void opensForItsMessageAlone();
+    void isBoundToAddressAndMessage();
+    void livesTwoToFourMinutes();
+    void limitIsShared();
+    void floodFromForgedAddresses();
+    void floodFromRealAddresses();
+    void floodFromRealAddressesOfAStranger();
+    void floodForMinutes();
+    void sessionThatIsUpDoesNotNotice();
+    void strangeCookiesChangeNothing();
+    void forgedCookieCostsATurn();
+    void announcementsAreNoAmplifier();
+};
+
+namespace {
+
+constexpr int kFloodPerMillisecond = 20;
+
+Path addressNumber(std::uint32_t number)
+{
+    Path path{LinkId{1}, {}};
+    path.remote.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, 0};
+    for (unsigned i = 0; i < 3; ++i)
+        path.remote.ip[13 + i] = static_cast<std::uint8_t>(number >> 8 * i);
+    path.remote.port = static_cast<std::uint16_t>(1024 + number);
+    return path;
+}
+
+/// Someone who knows the agent's public key: first messages with a right mac1 and nothing behind it.
+class Flood
+{
+public:
+    Flood(Pair &pair, std::uint32_t addresses)
+        : m_pair(pair), m_addresses(addresses), m_mac(pair.air().identity->publicKey)
+    {
+    }
+
+    void sendOne()
+    {
+        FirstMessage message;
+        m_random.fill(message);
+        message[0] = firstByte(HandshakeMessage::First);
+        m_mac.sign(message);
+        const std::uint32_t from = ++m_next % m_addresses;
+        const bool real = m_answersCookies && m_cookies.contains(from);
+        if (real)
+            signWithCookie(m_cookies[from], message);
+        give(from, message);
+        while (const auto out = m_pair.air().endpoint->pollTransmit()) {
+            if (out->to != addressNumber(from)) { // Not to us: the agent's usual business.
+                m_pair.link.send(m_pair.now, {Air, m_pair.air().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
+                continue;
+            }
+            bytesOut += out->bytes.size();
+            const auto cookie = openCookie(m_pair.air().identity->publicKey, ByteView(message).last(16), out->bytes);
+            if (cookie && m_answersCookies)
+                m_cookies[from] = *cookie;
+            cookies += cookie.has_value();
+        }
+    }
+    void answerCookies() { m_answersCookies = true; }
+
+    std::uint64_t bytesIn = 0;
+    std::uint64_t bytesOut = 0;
+    std::uint64_t cookies = 0;
+
+private:
+    void give(std::uint32_t from, FirstMessage message)
+    {
+        bytesIn += message.size();
+        m_pair.air().endpoint->handleDatagram(m_pair.now, addressNumber(from), message);
+    }
+
+    Pair &m_pair;
+    std::uint32_t m_addresses;
+    Mac1 m_mac;
+    SeededRandom m_random{99};
+    std::uint32_t m_next = 0;
+    bool m_answersCookies = false;
+    std::map<std::uint32_t, Cookie> m_cookies;
+};
+
+/// The agent alone, flooded for two seconds; then the station comes. Whether it has its session within three.
+bool connectsIn(Pair &pair, Flood &flood, Duration before = 2s)
+{
+    pair.every(1ms, [&flood] {
+        for (int i = 0; i < kFloodPerMillisecond; ++i)
+            flood.sendOne();
+    });
+    pair.kill(Ground);
+    pair.run(before);
+    pair.start(Ground);
+    return pair.run(3s, [&] { return pair.bothUp(); });
+}
+
+} // namespace
+
+void CookieTest::opensForItsMessageAlone()
+{
+    SeededRandom random(1);
+    const auto agent = crypto::X25519KeyPair::generate(random), other = crypto::X25519KeyPair::generate(random);
+    CookieMaker maker(agent.publicKey, random);
+    FirstMessage first;
+    random.fill(first);
+    const ByteView mac = ByteView(first).last(16);
+    const CookieMessage message = maker.make(TimePoint{}, addressNumber(1), first);
+    static_assert(kCookieLength <= kFirstLength);
+    QVERIFY(openCookie(agent.publicKey, mac, message));
+    QVERIFY(!openCookie(other.publicKey, mac, message));
+    QVERIFY(!openCookie(agent.publicKey, ByteView(first).first(16), message));
+    for (std::size_t bit = 0; bit < message.size() * 8; ++bit) {
+        CookieMessage changed = message;
+        changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
+        QVERIFY(!openCookie(agent.publicKey, mac, changed));
+    }
+    for (std::size_t size = 0; size < message.size(); ++size)
+        QVERIFY(!openCookie(agent.publicKey, mac, ByteView(message).first(size)));
+    // Two for the same message hold the same cookie and have nothing else in common.
+    const CookieMessage again = maker.make(TimePoint{}, addressNumber(1), first);
+    QCOMPARE(*openCookie(agent.publicKey, mac, again), *openCookie(agent.publicKey, mac, message));
+    QVERIFY(!std::equal(message.begin() + 17, message.end(), again.begin() + 17));
+}
+
+void CookieTest::isBoundToAddressAndMessage()
+{
+    SeededRandom random(2);
+    const auto agent = crypto::X25519KeyPair::generate(random);
+    CookieMaker maker(agent.publicKey, random);
+    FirstMessage first;
+    random.fill(first);
+    QVERIFY(!maker.verify(TimePoint{}, addressNumber(1), first));
+    const auto sealed = maker.make(TimePoint{}, addressNumber(1), first);
+    const auto cookie = openCookie(agent.publicKey, ByteView(first).last(16), sealed);
+    signWithCookie(*cookie, first);
+    QVERIFY(maker.verify(TimePoint{}, addressNumber(1), first));
+    QVERIFY(!maker.verify(TimePoint{}, addressNumber(2), first));
+    Path otherPort = addressNumber(1), otherLink = otherPort;
+    ++otherPort.remote.port;
+    otherLink.link = LinkId{2};
+    QVERIFY(!maker.verify(TimePoint{}, otherPort, first));
+    QVERIFY(!maker.verify(TimePoint{}, otherLink, first));
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        FirstMessage changed = first;
+        changed[i] ^= 0x10;
+        QVERIFY(!maker.verify(TimePoint{}, addressNumber(1), changed));
+    }
+    CookieMaker restarted(agent.publicKey, random);
+    restarted.make(TimePoint{}, addressNumber(1), first);
+    QVERIFY(!restarted.verify(TimePoint{}, addressNumber(1), first));
+}
+
+void CookieTest::livesTwoToFourMinutes()
+{
+    SeededRandom random(3);
+    const auto agent = crypto::X25519KeyPair::generate(random);
+    CookieMaker maker(agent.publicKey, random);
+    FirstMessage first, probe;
+    random.fill(first);
+    probe = first;
+    const TimePoint start{1h};
+    const auto take = [&](TimePoint at) {
+        return *openCookie(agent.publicKey, ByteView(first).last(16), maker.make(at, addressNumber(1), first));
+    };
+    take(start);
+    const Cookie late = take(start + 119s); // Of the same secret, which is already that old.
+    signWithCookie(late, probe);
+    QVERIFY(maker.verify(start + 239s, addressNumber(1), probe));
+    const Cookie next = take(start + 121s);
+    QVERIFY(next != late);
+    QVERIFY(maker.verify(start + 125s, addressNumber(1), probe));
+    QVERIFY(!maker.verify(start + 242s, addressNumber(1), probe));
+    signWithCookie(next, probe);
+    QVERIFY(maker.verify(start + 242s, addressNumber(1), probe));
+    take(start + 242s);
+    QVERIFY(maker.verify(start + 243s, addressNumber(1), probe));
+    take(start + 363s);
+    QVERIFY(!maker.verify(start + 364s, addressNumber(1), probe));
+}
+
+void CookieTest::limitIsShared()
+{
+    SeededRandom random(4);
+    TimePoint now{1h};
+    const TimePoint start = now;
+    HandshakeLimit limit(random, now);
+    std::array<int, 3> admitted{};
+    int best = 0;
+    for (; now < start + 10s; now += 100us) {
+        const auto number = static_cast<std::uint32_t>((now - start).count() / 100000);
+        admitted[0] += limit.admit(now, addressNumber(number), Standing::Claimed);
+        admitted[1] += limit.admit(now, addressNumber(number % 20), Standing::Proven); // 20 addresses at 500 a second each
+        if (number % 5000 == 0)
+            best += limit.admit(now, addressNumber(77777), Standing::Expected);
+    }
+    QCOMPARE(best, 20); // Twice a second, and never refused.
+    QVERIFY2(admitted[1] >= 20 * 20, qPrintable(QString::number(admitted[1]))); // Their full shares: two a second each.
+    QVERIFY2(admitted[1] <= 20 * 25, qPrintable(QString::number(admitted[1])));
+    QVERIFY(admitted[0] + admitted[1] + best <= 50 * 10 + 20);
+    limit.admit(now, addressNumber(1), Standing::Claimed);
+    QVERIFY(limit.underLoad(now));
+    QVERIFY(!limit.underLoad(now + 1s));
+}
+
+void CookieTest::floodFromForgedAddresses()
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        options.link.loss = 0.05;
+        Pair pair(options);
+        Flood flood(pair, 1u << 20);
+        const TimePoint start = pair.now;
+        const bool connected = connectsIn(pair, flood);
+        QVERIFY2(connected, qPrintable(QStringLiteral("seed %1").arg(seed)));
+        // What was computed was refused as forged: at most 50 a second, 20 at once.
+        const double computed = static_cast<double>(pair.air().endpoint->strays().forged);
+        QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
+        QVERIFY(flood.bytesOut <= flood.bytesIn);
+        QVERIFY(flood.cookies > 1000);
+        const auto told = pair.air().all<HandshakeRefused>();
+        QCOMPARE(std::count_if(told.begin(), told.end(), [](const auto &e) { return e.reason == RefusalReason::Flood; }), 1);
+    }
+}
+
+void CookieTest::floodFromRealAddresses()
+{
+    // A thousand hosts that receive what is sent to them. The station is where the agent announces itself to.
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        Pair pair(options);
+        Flood flood(pair, 1000);
+        flood.answerCookies();
+        QVERIFY2(connectsIn(pair, flood), qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
+}
+
+void CookieTest::floodFromRealAddressesOfAStranger()
+{
+    // The agent expects nobody at any address; some hosts take their shares and leave the rest.
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        options.announceToAddress = false;
+        Pair pair(options);
+        Flood flood(pair, 15);
+        flood.answerCookies();
+        QVERIFY2(connectsIn(pair, flood), qPrintable(QStringLiteral("seed %1").arg(seed)));
+    }
+}
+
+void CookieTest::floodForMinutes()
+{
+    // Secrets change, stations come and go.
+    Pair pair;
+    Flood flood(pair, 1u << 20);
+    pair.every(5ms, [&flood] { flood.sendOne(); });
+    for (int round = 0; round < 30; ++round) {
+        pair.kill(Ground);
+        pair.run(9s);
+        pair.start(Ground);
+        const auto ups = pair.air().all<SessionUp>().size();
+        QVERIFY2(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() > ups; }),
+                 qPrintable(QString::number(round)));
+    }
+}
+
+void CookieTest::sessionThatIsUpDoesNotNotice()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    Flood flood(pair, 1u << 20);
+    pair.every(1ms, [&flood] {
+        for (int i = 0; i < kFloodPerMillisecond; ++i)
+            flood.sendOne();
+    });
+    pair.every(20ms, [&pair] { pair.sendFrame(Air), pair.sendFrame(Ground); });
+    pair.run(3s);
+    pair.stopTraffic();
+    pair.run(1s);
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString());
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QVERIFY(pair.ground().all<SessionDown>().empty() && pair.air().all<SessionDown>().empty());
+}
+
+void CookieTest::strangeCookiesChangeNothing()
+{
+    // At every moment: before an attempt, within one, and with a session.
+    Pair pair;
+    SeededRandom random(5);
+    CookieMaker stranger(pair.ground().identity->publicKey, random), imitator(pair.air().identity->publicKey, random);
+    FirstMessage unseen;
+    random.fill(unseen);
+    std::uint64_t given = 0, sent = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        sent += flight.bytes[0] == 0x59;
+        return true;
+    };
+    pair.every(1ms, [&] {
+        for (CookieMaker *maker : {&stranger, &imitator}) {
+            CookieMessage message = maker->make(pair.now, pair.pathOf(Ground), unseen);
+            pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), message);
+            ++given;
+        }
+    });
+    QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    QCOMPARE(sent, std::uint64_t(1));
+    QCOMPARE(pair.ground().endpoint->strays().forged, given);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    CookieMessage toTheAgent = stranger.make(pair.now, pair.pathOf(Air), unseen);
+    const auto malformed = pair.air().endpoint->strays().malformed;
+    pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), toTheAgent);
+    QCOMPARE(pair.air().endpoint->strays().malformed, malformed + 1);
+}
+
+void CookieTest::forgedCookieCostsATurn()
+{
+    // Who knows the public key and reads the wire can give a false cookie. Each second copy goes without one.
+    Pair pair;
+    SeededRandom random(6);
+    CookieMaker imitator(pair.air().identity->publicKey, random);
+    int swallow = 1; // The first one must not simply succeed.
+    std::uint64_t copies = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] != 0x59)
+            return true;
+        ++copies;
+        CookieMessage cookie = imitator.make(pair.now, pair.pathOf(Ground), flight.bytes);
+        pair.link.inject(pair.now, {Air, pair.air().port, 0, Bytes(cookie.begin(), cookie.end())});
+        return --swallow < 0;
+    };
+    QVERIFY(pair.run(3s, [&] { return pair.bothUp(); }));
+    QVERIFY(copies >= 3);
+}
+
+void CookieTest::announcementsAreNoAmplifier()
+{
+    // One recorded announcement, given from many addresses: each is answered once, and not more.
+    Pair pair;
+    std::optional<Flight> announcement;
+    std::uint64_t in = 0, out = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x58 && flight.from == Air)
+            announcement = flight;
+        if (flight.from == Ground)
+            out += flight.bytes.size();
+        return false;
+    };
+    pair.run(1ms);
+    QVERIFY(announcement);
+    pair.kill(Air);
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        Bytes copy = announcement->bytes;
+        in += copy.size();
+        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(i % 3), copy);
+        pair.run(200ms);
+    }
+    pair.run(20s);
+    QVERIFY(out > 0);
+    QVERIFY2(out <= in, qPrintable(QStringLiteral("%1 out, %2 in").arg(out).arg(in)));
+}
+
+QTEST_GUILESS_MAIN(CookieTest)
+#include "cookie_test.moc"
