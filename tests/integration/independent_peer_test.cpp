@@ -57,6 +57,7 @@ class IndependentPeerTest : public QObject
 
 private Q_SLOTS:
     void initTestCase();
+    void agreesWithTheDocument();
     void stationOpensTelemetryUnderEverySuite();
     void stationRoamsClosesAndComesBack();
     void agentServesTheMonitor();
@@ -110,6 +111,13 @@ QStringList IndependentPeerTest::arguments(const Flight &flight, const char *rol
     return script({QLatin1String(role), QStringLiteral("--research"), QStringLiteral("--key"), flight.path(QStringLiteral("python.key")),
                    QStringLiteral("--peer"), other})
         + more;
+}
+
+void IndependentPeerTest::agreesWithTheDocument()
+{
+    Program check(m_python, script({QStringLiteral("--check"), QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md")}));
+    const int status = check.waitForExit(20000);
+    QVERIFY2(status == 0, check.otherLines().join('\n') + check.errors());
 }
 
 void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()

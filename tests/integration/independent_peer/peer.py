@@ -2,6 +2,7 @@
 """An independent peer of the sealed channel, written from core/channel/PROTOCOL.md and public specifications alone.
 
     peer.py --new-key FILE                             make a key, print the public one
+    peer.py --check PROTOCOL.md                        recompute the document's known answers
     peer.py --station|--agent --key FILE --peer KEY    one end of the channel on a UDP socket of the loopback
 
 An end speaks JSON on its standard output, one event a line, and takes commands on its standard input:
@@ -16,6 +17,7 @@ import socket
 import sys
 import time
 
+import known_answers
 from agent import Agent
 from key_text import from_text, to_text
 from mavlink import frames, heartbeat
@@ -164,6 +166,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group(required=True)
     what.add_argument("--new-key", metavar="FILE")
+    what.add_argument("--check", metavar="PROTOCOL.md")
     what.add_argument("--station", action="store_true")
     what.add_argument("--agent", action="store_true")
     parser.add_argument("--key", metavar="FILE")
@@ -176,6 +179,8 @@ def main():
     arguments = parser.parse_args()
     if arguments.new_key:
         make_key(arguments.new_key)
+    elif arguments.check:
+        sys.exit(known_answers.check(arguments.check))
     else:
         End(arguments).run()
 

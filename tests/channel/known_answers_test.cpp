@@ -1,0 +1,272 @@
+// PROTOCOL.md's known answers against this implementation. They are read out of the document, so it cannot say one thing
+// and the programs do another. An independent implementation checks the same ones (tests/integration/independent_peer).
+#include "core/channel/handshake.h"
+#include "core/channel/record.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/kdf.h"
+#include "core/crypto/record_cipher.h"
+#include "core/keys/public_key_text.h"
+#include "known_answers.h"
+#include "tests/noise/fixed_random.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::channel;
+using namespace skyseal::test;
+using crypto::SuiteId;
+using crypto::X25519KeyPair;
+
+namespace {
+
+template<typename Range> Bytes bytesOf(const Range &range)
+{
+    return Bytes(range.begin(), range.end());
+}
+
+template<std::size_t N> std::array<std::uint8_t, N> arrayOf(const Bytes &bytes)
+{
+    std::array<std::uint8_t, N> out{};
+    std::copy_n(bytes.begin(), std::min(bytes.size(), N), out.begin());
+    return out;
+}
+
+Key32 secretOf(const Bytes &bytes) { return Key32(arrayOf<32>(bytes)); }
+
+Peer known(const PublicKey &key, const Bytes &psk)
+{
+    return {key, "known", {}, {}, std::make_shared<const Key32>(secretOf(psk))};
+}
+
+constexpr ConnectionId kStations{0x1234};
+constexpr ConnectionId kAgents{0xabcd};
+constexpr std::uint32_t kCounter = 0x010203;
+
+/// A record as the station seals it in datagrams.
+Bytes sealedByStation(SuiteId suite, Key32 &&secret, std::uint8_t epochBits, std::uint32_t counter, ByteView plaintext)
+{
+    const auto cipher = crypto::makeRecordCipher(suite, std::move(secret));
+    Bytes out(kRecordHeaderLength + cipher->sealedSize(plaintext.size()));
+    RecordHeader{DatagramKind::Record, epochBits, kAgents, counter}.write(out);
+    const AssociatedData associated(ByteView(out).first(kRecordHeaderLength), suite, Direction::FromInitiator, Carrier::Datagram);
+    cipher->seal(counter, associated.view(), plaintext, MutableByteView(out).subspan(kRecordHeaderLength));
+    return out;
+}
+
+} // namespace
+
+/// Compares with the example of this name, which the document must have.
+#define COMPARE_WITH(name, actual)                                                  \
+    do {                                                                            \
+        QVERIFY2(!m_answers[name].empty(), name);                                   \
+        QCOMPARE(QByteArray(toByteArray(actual).toHex()), toByteArray(m_answers[name]).toHex()); \
+    } while (false)
+
+class KnownAnswersTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void keys();
+    void announcement();
+    void handshake();
+    void transportKeys();
+    void epochs();
+    void records_data();
+    void records();
+    void controlMessages();
+    void cleanupTestCase();
+
+private:
+    template<typename Range> static QByteArray toByteArray(const Range &range)
+    {
+        return QByteArray(reinterpret_cast<const char *>(range.data()), static_cast<qsizetype>(range.size()));
+    }
+    X25519KeyPair pair(const char *name) const { return X25519KeyPair::fromSecret(secretOf(m_answers[name])); }
+
+    KnownAnswers m_answers = KnownAnswers::read(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md");
+    X25519KeyPair m_station, m_agent;
+    const SuiteOffer m_stationsOffer{{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20,
+                                      SuiteId::Rc4},
+                                     true};
+    const SuiteOffer m_agentsOffer{{SuiteId::Aes256Ctr, SuiteId::Aes256Gcm}};
+};
+
+void KnownAnswersTest::initTestCase()
+{
+    QVERIFY(crypto::initCrypto());
+    QVERIFY2(m_answers.problem().empty(), m_answers.problem().c_str());
+    m_station = pair("station private");
+    m_agent = pair("agent private");
+}
+
+void KnownAnswersTest::keys()
+{
+    COMPARE_WITH("station public", m_station.publicKey);
+    COMPARE_WITH("agent public", m_agent.publicKey);
+    COMPARE_WITH("agent public as text", keys::publicKeyText(m_agent.publicKey));
+    COMPARE_WITH("agent fingerprint", keys::fingerprint(m_agent.publicKey));
+}
+
+void KnownAnswersTest::announcement()
+{
+    FixedRandom nonce(m_answers["announcement nonce"]);
+    const Announcement announcement(m_agent.publicKey);
+    COMPARE_WITH("announcement", announcement.make(nonce));
+    QVERIFY(announcement.recognises(m_answers["announcement"]));
+}
+
+void KnownAnswersTest::handshake()
+{
+    const FirstPayload first{kStations, m_stationsOffer, 7};
+    COMPARE_WITH("first payload", first.write());
+    const AnswerPayload answer{kAgents, m_agentsOffer, SuiteId::Aes256Gcm};
+    COMPARE_WITH("answer payload", answer.write());
+
+    const Bytes psk = m_answers["pre-shared key"];
+    FixedRandom stationsEphemeral(m_answers["station ephemeral private"]);
+    FixedRandom agentsEphemeral(m_answers["agent ephemeral private"]);
+    auto initiator = Initiator::begin(m_station, known(m_agent.publicKey, psk), first, stationsEphemeral);
+    QVERIFY(initiator);
+    COMPARE_WITH("first message", initiator->message());
+    auto responder = Responder::read(m_agent, m_answers["first message"]);
+    QVERIFY(responder);
+    const auto answered = std::move(*responder).answer(known(m_station.publicKey, psk), kAgents, m_agentsOffer, agentsEphemeral);
+    QVERIFY(answered);
+    COMPARE_WITH("answer", answered->message);
+    const auto agreement = initiator->takeAnswer(m_answers["answer"]);
+    QVERIFY(agreement);
+    QCOMPARE(agreement->suite, SuiteId::Aes256Gcm);
+    const EpochSecrets zero = agreement->chain.derive(Epoch{0}, SuiteId::Aes256Gcm, {}, {});
+    COMPARE_WITH("station(0)", zero.fromInitiator.view());
+    COMPARE_WITH("agent(0)", zero.fromResponder.view());
+}
+
+void KnownAnswersTest::transportKeys()
+{
+    const std::string prologue("skyseal channel v1\x01");
+    FixedRandom stationsEphemeral(m_answers["station ephemeral private"]);
+    noise::HandshakeConfig config;
+    config.prologue = asBytes(prologue);
+    config.localStatic = m_station.clone();
+    config.remoteStatic = m_agent.publicKey;
+    config.psks.push_back(secretOf(m_answers["pre-shared key"]));
+    auto noise = noise::HandshakeState::initialize(std::move(config));
+    QVERIFY(noise);
+    Bytes first(kFirstLength - 1 - kMacLength);
+    QVERIFY(noise->writeMessage(m_answers["first payload"], first, stationsEphemeral));
+    Bytes payload(AnswerPayload::kLength);
+    const Bytes answer = m_answers["answer"];
+    QVERIFY(noise->readMessage(ByteView(answer).subspan(3, kAnswerLength - 3 - kMacLength), payload));
+    COMPARE_WITH("answer payload", payload);
+    const auto secrets = std::move(*noise).finish();
+    QVERIFY(secrets);
+    COMPARE_WITH("handshake hash", secrets->handshakeHash);
+    COMPARE_WITH("k1", secrets->send.view());
+    COMPARE_WITH("k2", secrets->receive.view());
+}
+
+void KnownAnswersTest::epochs()
+{
+    const KeyChain chain(secretOf(m_answers["k1"]), secretOf(m_answers["k2"]), m_answers["handshake hash"]);
+    EpochSecrets zero = chain.derive(Epoch{0}, SuiteId::Aes256Gcm, {}, {});
+    COMPARE_WITH("station(0)", zero.fromInitiator.view());
+    COMPARE_WITH("agent(0)", zero.fromResponder.view());
+    const EpochSecrets one = zero.next.derive(Epoch{1}, SuiteId::Aes256Ctr, arrayOf<16>(m_answers["proposal nonce"]),
+                                              arrayOf<16>(m_answers["answer nonce"]));
+    COMPARE_WITH("station(1)", one.fromInitiator.view());
+    COMPARE_WITH("agent(1)", one.fromResponder.view());
+
+    // The chain itself is private to its class; what it must be follows from the formulas.
+    const Bytes k1k2 = [&] {
+        Bytes both = m_answers["k1"];
+        both.insert(both.end(), m_answers["k2"].begin(), m_answers["k2"].end());
+        return both;
+    }();
+    COMPARE_WITH("chain(0)", crypto::hkdfExtractSha256(m_answers["handshake hash"], k1k2).view());
+    Bytes next = bytesOf(std::string_view("skyseal v1 epoch next"));
+    next.resize(next.size() + 4 + 1 + 32);
+    next[next.size() - 33] = 2;
+    COMPARE_WITH("chain(1)", crypto::hkdfExpandKey(secretOf(m_answers["chain(0)"]), next).view());
+
+    COMPARE_WITH("record of the session", sealedByStation(SuiteId::Aes256Gcm, std::move(zero.fromInitiator), 0, 0, m_answers["frame"]));
+}
+
+void KnownAnswersTest::records_data()
+{
+    QTest::addColumn<int>("number");
+    for (const crypto::SuiteInfo &suite : crypto::suites()) {
+        if (suite.id != SuiteId::None)
+            QTest::newRow(std::string(suite.name).c_str()) << static_cast<int>(suite.id);
+    }
+}
+
+void KnownAnswersTest::records()
+{
+    QFETCH(int, number);
+    const auto suite = static_cast<SuiteId>(number);
+    const std::string name(crypto::suiteInfo(suite).name);
+    COMPARE_WITH((name + " record").c_str(),
+                 sealedByStation(suite, secretOf(m_answers["direction secret"]), 5, kCounter, m_answers["frame"]));
+
+    Bytes record = m_answers[name + " record"];
+    const AssociatedData associated(ByteView(record).first(kRecordHeaderLength), suite, Direction::FromInitiator, Carrier::Datagram);
+    const auto cipher = crypto::makeRecordCipher(suite, secretOf(m_answers["direction secret"]));
+    const auto opened = cipher->open(kCounter, associated.view(), MutableByteView(record).subspan(kRecordHeaderLength));
+    QVERIFY(opened);
+    COMPARE_WITH("frame", *opened);
+
+    for (const char *use : {"key", "iv", "mac"}) {
+        const Bytes &key = m_answers[name + ' ' + use];
+        if (key.empty())
+            continue;
+        Bytes expanded(key.size());
+        const std::string info = "skyseal v1 record " + name + ' ' + use;
+        QVERIFY(crypto::hkdfExpandSha256(expanded, m_answers["direction secret"], asBytes(info)));
+        QCOMPARE(expanded, key);
+    }
+}
+
+void KnownAnswersTest::controlMessages()
+{
+    const auto nonce = [this](const char *name) { return arrayOf<16>(m_answers[name]); };
+    Report report;
+    report.answerAtOnce = true;
+    report.stamp = 1000001;
+    report.echo = 999001;
+    report.held = 250;
+    report.rx = {.good = 1000, .late = 3, .lost = 2, .replayed = 1, .forged = 0, .malformed = 0, .plaintextDropped = 0,
+                 .openedBytes = 30000};
+    report.tx = {.records = 40, .sealedBytes = 2000};
+    const std::pair<const char *, ControlMessage> messages[] = {
+        {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
+        {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},
+        {"refuse", Refuse{ProposalId{1}}},
+        {"confirm", Confirm{Epoch{1}, 300}},
+        {"confirmed", Confirmed{Epoch{1}, 1000}},
+        {"report", report},
+        {"close", Close{}},
+    };
+    for (const auto &[name, message] : messages) {
+        Bytes out(kMaxControl);
+        out.resize(writeControl(message, out));
+        COMPARE_WITH(name, out);
+        const auto again = readControl(m_answers[name]);
+        QVERIFY2(again && again->index() == message.index(), name);
+    }
+}
+
+void KnownAnswersTest::cleanupTestCase()
+{
+    // Run whole, nothing in the document goes unchecked.
+    if (QCoreApplication::arguments().size() > 1)
+        return;
+    std::string names;
+    for (const std::string &name : m_answers.unused())
+        names += name + ", ";
+    QVERIFY2(names.empty(), names.c_str());
+}
+
+QTEST_GUILESS_MAIN(KnownAnswersTest)
+#include "known_answers_test.moc"

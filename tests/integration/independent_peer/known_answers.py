@@ -1,0 +1,133 @@
+"""The known answers of PROTOCOL.md, read out of the document and computed anew.
+
+A line there is `name = hex` or `name = "text"`; lines that hold nothing but hex continue the one before. Names of inputs
+are those in INPUTS; every other name must come out of compute().
+"""
+
+import re
+
+import control
+import key_text
+import wire
+from epoch import record_head
+from keys import AGENT, STATION, EpochKeys, first_chain
+from mavlink import heartbeat
+from noise import KeyPair
+from suites import NAMES, DirectionKeys
+
+HEADING = "Known answers"
+INPUTS = ("station private", "agent private", "station ephemeral private", "agent ephemeral private", "pre-shared key",
+          "announcement nonce", "proposal nonce", "answer nonce", "direction secret")
+
+
+def read(path):
+    """The examples of the document by name, as bytes; texts in ASCII."""
+    text = open(path, encoding="utf-8").read()
+    section = re.split(r"^## [0-9]+\. " + HEADING + r"$", text, flags=re.MULTILINE)[1].split("\n## ")[0]
+    examples, name = {}, None
+    for line in section.splitlines():
+        if found := re.fullmatch(r'    ([a-z0-9][a-z0-9 ()-]*?) += "(.*)"', line):
+            name = None
+            examples[found[1]] = found[2].encode()
+        elif found := re.fullmatch(r"    ([a-z0-9][a-z0-9 ()-]*?) += ([0-9a-f ]+)", line):
+            name = found[1]
+            if name in examples:
+                raise ValueError("twice in the document: " + name)
+            examples[name] = bytes.fromhex(found[2])
+        elif name and re.fullmatch(r"     +[0-9a-f ]+", line):
+            examples[name] += bytes.fromhex(line)
+        else:
+            name = None
+            if line.startswith("    "):
+                raise ValueError("no example: " + line)
+    return examples
+
+
+def check(path):
+    """0 when every example of the document is right and none is missing; what is wrong is printed."""
+    examples = read(path)
+    computed = compute({name: examples[name] for name in INPUTS})
+    wrong = 0
+    for name in sorted(examples.keys() | computed.keys() - set(INPUTS)):
+        if name in INPUTS or examples.get(name) == computed.get(name):
+            continue
+        wrong += 1
+        print(f"{name}\n  document {_shown(examples, name)}\n  computed {_shown(computed, name)}")
+    print(f"{len(computed)} known answers, {wrong} wrong")
+    return 1 if wrong else 0
+
+
+def _shown(examples, name):
+    return examples[name].hex() if name in examples else "nothing"
+
+
+def compute(inputs):
+    """Every example that follows from the inputs."""
+    ends = [KeyPair(inputs[name + " private"]) for name in ("station", "agent")]
+    out = _keys(*ends)
+    out["announcement"] = wire.announcement(ends[1].public, inputs["announcement nonce"])
+    handshake = _handshake(inputs, *ends, out)
+    _epochs(inputs, handshake, out)
+    _records(inputs, out)
+    _control_messages(inputs, out)
+    return out
+
+
+def _keys(station, agent):
+    return {"station public": station.public,
+            "agent public": agent.public,
+            "agent public as text": key_text.to_text(agent.public).encode(),
+            "agent fingerprint": key_text.fingerprint(agent.public).encode()}
+
+
+def _handshake(inputs, station, agent, out):
+    psk = inputs["pre-shared key"]
+    stations = wire.Offer(wire.FLAG_RESEARCH, 0x1234, [1, 2, 3, 4, 5, 6])
+    agents = wire.Offer(0, 0xABCD, [3, 2])
+    initiator = wire.station_handshake(station, agent.public, psk, KeyPair(inputs["station ephemeral private"]))
+    responder = wire.agent_handshake(agent, KeyPair(inputs["agent ephemeral private"]))
+    first = wire.write_first(initiator, agent.public, stations, 7)
+    assert wire.read_first(responder, first) == (stations, 7)
+    responder.set_psk(psk)
+    chosen = wire.choose(stations, agents)
+    answer = wire.write_answer(responder, station.public, stations.connection, agents, chosen)
+    assert wire.read_answer(initiator, answer) == (agents, chosen)
+    assert initiator.split() == responder.split() and initiator.h == responder.h
+    k1, k2 = initiator.split()
+    out.update({"first payload": stations.pack() + (7).to_bytes(8, "little"), "first message": first,
+                "answer payload": agents.pack() + bytes([chosen]), "answer": answer,
+                "handshake hash": initiator.h, "k1": k1, "k2": k2})
+    return initiator
+
+
+def _epochs(inputs, handshake, out):
+    chain = first_chain(handshake.h, *handshake.split())
+    zero = EpochKeys(chain, 0, 2)
+    one = EpochKeys(zero.next_chain, 1, 3, inputs["proposal nonce"], inputs["answer nonce"])
+    out["chain(0)"], out["chain(1)"] = chain, zero.next_chain
+    for keys in (zero, one):
+        out[f"station({keys.number})"], out[f"agent({keys.number})"] = keys.secrets[STATION], keys.secrets[AGENT]
+    head = record_head(0, 0xABCD, 0)
+    out["frame"] = heartbeat(255, 190, 0)
+    out["record of the session"] = head + zero.directions[STATION].seal(0, head + bytes([2, STATION, 1]), out["frame"])
+
+
+def _records(inputs, out):
+    head = record_head(5, 0xABCD, 0x010203)
+    for suite, name in NAMES.items():
+        keys = DirectionKeys(suite, inputs["direction secret"])
+        parts = {"key": keys.key, "iv": keys.iv, "mac": keys.mac}
+        out.update({f"{name} {use}": part for use, part in parts.items() if part})
+        out[name + " record"] = head + keys.seal(0x010203, head + bytes([suite, STATION, 1]), out["frame"])
+
+
+def _control_messages(inputs, out):
+    numbers = dict(zip(control.REPORT_NUMBERS, (1000, 3, 2, 1, 0, 0, 0, 30000, 40, 2000)))
+    out.update({"propose": control.Propose(1, 1, 3, inputs["proposal nonce"]).pack(),
+                "accept": control.Accept(1, inputs["answer nonce"]).pack(),
+                "refuse": control.Refuse(1).pack(),
+                "confirm": control.Confirm(1, 300).pack(),
+                "confirmed": control.Confirmed(1, 1000).pack(),
+                "report": control.Report(1, 1000001, 999001, 250, numbers).pack(),
+                "close": control.Close().pack()})
+    assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "confirmed"))
