@@ -1,0 +1,82 @@
+// Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks.
+#include <QtCore/QDirIterator>
+#include <QtCore/QFile>
+#include <QtCore/QRegularExpression>
+#include <QtTest/QTest>
+
+namespace {
+
+QString contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The source of a test program or fuzzer as the document names it: attack_record is tests/…/attack_record_test.cpp.
+QString sourceOf(const QString &program)
+{
+    QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"), {program + QStringLiteral("_test.cpp"), program + QStringLiteral(".cpp")},
+                      QDir::Files, QDirIterator::Subdirectories);
+    return walk.hasNext() ? contentOf(walk.next()) : QString();
+}
+
+struct Mention
+{
+    QString row;
+    QString program;
+    QString function; ///< empty: the whole program
+};
+
+/// "program: function, function; program" of the last column of every table row.
+QList<Mention> mentions()
+{
+    QList<Mention> out;
+    static const QRegularExpression remark(QStringLiteral("\\([^)]*\\)"));
+    for (const QString &line : contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md")).split(QLatin1Char('\n'))) {
+        if (!line.startsWith(QStringLiteral("| ")))
+            continue;
+        const QStringList cells = line.split(QLatin1Char('|'));
+        QString last = cells[cells.size() - 2];
+        last.remove(remark);
+        for (const QString &part : last.split(QLatin1Char(';'))) {
+            const QStringList names = part.trimmed().split(QLatin1Char(':'));
+            if (names[0].isEmpty() || names[0] == QStringLiteral("test") || names[0].startsWith(QChar(0x2013)))
+                continue;
+            if (names.size() == 1) {
+                for (const QString &program : names[0].split(QLatin1Char(',')))
+                    out.append({cells[1].trimmed(), program.trimmed(), {}});
+                continue;
+            }
+            for (const QString &function : names[1].split(QLatin1Char(',')))
+                out.append({cells[1].trimmed(), names[0].trimmed(), function.trimmed()});
+        }
+    }
+    return out;
+}
+
+} // namespace
+
+class ThreatsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void namedTestsExist();
+};
+
+void ThreatsTest::namedTestsExist()
+{
+    const QList<Mention> all = mentions();
+    QVERIFY2(all.size() > 50, "the tables of THREATS.md were not found");
+    QStringList missing;
+    for (const Mention &mention : all) {
+        const QString source = sourceOf(mention.program);
+        const bool found = mention.function.isEmpty() || source.contains(QStringLiteral("void %1(").arg(mention.function));
+        if (source.isEmpty() || !found)
+            missing << QStringLiteral("%1: %2: %3").arg(mention.row, mention.program, mention.function);
+    }
+    QVERIFY2(missing.isEmpty(), qPrintable(QLatin1Char('\n') + missing.join(QLatin1Char('\n'))));
+}
+
+QTEST_APPLESS_MAIN(ThreatsTest)
+#include "threats_test.moc"
