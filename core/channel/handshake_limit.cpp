@@ -8,8 +8,6 @@ namespace skyseal::channel {
 
 namespace {
 
-/// About a percent of one core of a small companion computer.
-constexpr double kPerSecond = 50;
 constexpr double kAtOnce = 20;
 /// What each standing leaves to the better ones.
 constexpr double kLeft[] = {10, 5, 0};
@@ -20,7 +18,8 @@ constexpr Duration kKeyLife = std::chrono::seconds(60);
 
 } // namespace
 
-HandshakeLimit::HandshakeLimit(RandomSource &random, TimePoint now) : m_random(random), m_all{kAtOnce, now}, m_keySince(now)
+HandshakeLimit::HandshakeLimit(RandomSource &random, TimePoint now, double perSecond)
+    : m_random(random), m_perSecond(perSecond), m_all{kAtOnce, now}, m_keySince(now)
 {
     m_random.fill(m_key);
 }
@@ -52,13 +51,13 @@ HandshakeLimit::Bucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
 
 bool HandshakeLimit::underLoad(TimePoint now)
 {
-    m_all.fill(now, kPerSecond, kAtOnce);
+    m_all.fill(now, m_perSecond, kAtOnce);
     return m_all.credit < kLeft[static_cast<std::size_t>(Standing::Claimed)] + 1;
 }
 
 bool HandshakeLimit::admit(TimePoint now, const Path &from, Standing standing)
 {
-    m_all.fill(now, kPerSecond, kAtOnce);
+    m_all.fill(now, m_perSecond, kAtOnce);
     if (m_all.credit < kLeft[static_cast<std::size_t>(standing)] + 1)
         return false;
     if (standing != Standing::Claimed) {

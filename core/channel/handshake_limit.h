@@ -21,7 +21,8 @@ enum class Standing : std::uint8_t {
 class HandshakeLimit
 {
 public:
-    HandshakeLimit(RandomSource &random, TimePoint now);
+    /// 50 a second cost about a percent of one core of a small companion computer.
+    HandshakeLimit(RandomSource &random, TimePoint now, double perSecond = 50);
 
     /// Too many came of late: claimed addresses are to be given a cookie, not a computation.
     bool underLoad(TimePoint now);
@@ -42,6 +43,7 @@ private:
     static constexpr std::size_t kShares = 1024;
 
     RandomSource &m_random;
+    double m_perSecond;
     Bucket m_all;
     std::array<Bucket, kShares> m_shares{};
     std::array<std::uint8_t, 16> m_key{};

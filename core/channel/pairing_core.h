@@ -1,0 +1,48 @@
+// What both roles of a pairing share: its outputs, whom a person turned down, and the pace of repeats.
+#pragma once
+
+#include "core/channel/outbox.h"
+#include "core/channel/pairing.h"
+#include "core/channel/pairing_handshake.h"
+
+#include <algorithm>
+#include <deque>
+#include <vector>
+
+namespace skyseal::channel {
+
+struct PairingCore
+{
+    PairingConfig config;
+    RandomSource &random;
+    Outbox outbox;
+    std::deque<PairingEvent> events;
+    std::vector<PublicKey> turnedDown; ///< by a person; bounded by what persons do in two minutes
+    TimePoint hintTold = TimePoint::min();
+
+    PairingAbout about() const
+    {
+        return {config.wantPresharedKey, config.passphraseKey != nullptr, config.roleAsked, config.name};
+    }
+    bool mayShow(const PublicKey &key) const
+    {
+        return key != config.identity->publicKey
+            && std::find(turnedDown.begin(), turnedDown.end(), key) == turnedDown.end();
+    }
+    /// A quarter more or less, so that ends which began at once do not stay in step.
+    Duration jittered(Duration pause)
+    {
+        std::uint8_t dice = 0;
+        random.fill({&dice, 1});
+        return pause * (384 + dice) / 512;
+    }
+    void hintAtPassphrase(TimePoint now)
+    {
+        if (now < hintTold)
+            return;
+        events.push_back(PairingPassphraseDiffers{});
+        hintTold = now + std::chrono::seconds(1);
+    }
+};
+
+} // namespace skyseal::channel

@@ -1,0 +1,140 @@
+#include "core/channel/pairing_station.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr std::size_t kMaxCallers = 16;
+constexpr Duration kHeardOfLate = std::chrono::seconds(3);
+/// For an answer, and then for a word. The next caller, or the same one, has its turn afterwards.
+constexpr Duration kAttempt = std::chrono::seconds(3);
+constexpr Duration kFirstPause = std::chrono::milliseconds(50);
+constexpr Duration kThirdRepeat = std::chrono::milliseconds(250);
+
+} // namespace
+
+void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagram)
+{
+    const auto token = calledToken(datagram);
+    if (!token)
+        return;
+    auto caller = std::find_if(m_callers.begin(), m_callers.end(),
+                               [&](const Caller &c) { return c.path == from && c.token == *token; });
+    if (caller == m_callers.end()) {
+        if (m_callers.size() == kMaxCallers)
+            m_callers.erase(std::min_element(m_callers.begin(), m_callers.end(),
+                                             [](const Caller &a, const Caller &b) { return a.heard < b.heard; }));
+        m_callers.push_back({from, *token});
+        caller = m_callers.end() - 1;
+    }
+    caller->heard = now;
+    if (!m_attempt) {
+        begin(now);
+        return;
+    }
+    // One first message for one call, so that a forged sender gains nothing.
+    const bool answered = m_attempt->voice.has_value();
+    if (m_attempt->path == from && !answered && now >= m_attempt->sentAt + kFirstPause) {
+        m_attempt->sentAt = now;
+        m_core.outbox.send(from, m_attempt->first);
+    }
+}
+
+/// Takes up the caller that was heard just now, unless another one has waited longer: then at its next call.
+void PairingStation::begin(TimePoint now)
+{
+    Caller *next = nullptr;
+    for (Caller &caller : m_callers) {
+        if (!caller.aside && now < caller.heard + kHeardOfLate && (!next || caller.tried < next->tried))
+            next = &caller;
+    }
+    if (!next || next->heard != now)
+        return;
+    next->tried = now;
+    std::array<std::uint8_t, 4> id;
+    m_core.random.fill(id);
+    auto handshake = PairingHandshake::begin(
+        noise::Role::Initiator, *m_core.config.identity, m_core.config.passphraseKey.get(),
+        PairingId{static_cast<std::uint32_t>(id[0] | id[1] << 8 | id[2] << 16) | static_cast<std::uint32_t>(id[3]) << 24},
+        next->token);
+    const auto first = handshake ? handshake->first(m_core.random) : std::nullopt;
+    if (!first)
+        return;
+    m_attempt.emplace(Attempt{std::move(*handshake), next->path, *first, now + kAttempt, now});
+    m_core.outbox.send(next->path, *first);
+}
+
+void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
+{
+    if (!m_attempt || m_attempt->voice || m_attempt->path != from)
+        return;
+    const auto about = m_attempt->handshake.takeAnswer(datagram);
+    if (!about)
+        return;
+    const PublicKey key = m_attempt->handshake.peer();
+    const auto third = m_attempt->handshake.third(m_core.about(), m_core.random);
+    if (!third || !m_core.mayShow(key)) {
+        setAside(from);
+        m_attempt.reset();
+        return;
+    }
+    if (about->hasPassphrase != (m_core.config.passphraseKey != nullptr))
+        m_core.hintAtPassphrase(now);
+    m_attempt->voice = std::move(m_attempt->handshake).finish();
+    if (!m_attempt->voice) {
+        m_attempt.reset();
+        return;
+    }
+    // A station asks for its own role; what an agent is to it, it says here.
+    m_attempt->peer = {key, about->name, about->roleAsked, from};
+    m_attempt->presharedKeyWanted = about->wantPresharedKey && m_core.config.wantPresharedKey;
+    m_attempt->third = *third;
+    m_attempt->until = now + kAttempt;
+    sendThird(now);
+}
+
+void PairingStation::sendThird(TimePoint now)
+{
+    Attempt &attempt = *m_attempt;
+    m_core.outbox.send(attempt.path, attempt.third);
+    attempt.due = now + m_core.jittered(kThirdRepeat * (1 << std::min(attempt.sent++, 3u)));
+}
+
+std::optional<PairingTalk> PairingStation::handleWord(TimePoint now, const Path &from, ByteView datagram)
+{
+    if (!m_attempt || !m_attempt->voice || m_attempt->path != from || !m_attempt->voice->hear(datagram))
+        return std::nullopt;
+    PairingTalk talk(m_attempt->peer, std::move(*m_attempt->voice), m_attempt->presharedKeyWanted, now);
+    m_attempt.reset();
+    talk.hear(now, from, datagram);
+    return talk;
+}
+
+void PairingStation::setAside(const Path &path)
+{
+    for (Caller &caller : m_callers)
+        caller.aside = caller.aside || caller.path == path;
+}
+
+void PairingStation::handleDeadline(TimePoint now)
+{
+    std::erase_if(m_callers, [now](const Caller &caller) { return !caller.aside && now >= caller.heard + kHeardOfLate; });
+    if (!m_attempt)
+        return;
+    if (now >= m_attempt->until) {
+        if (m_attempt->voice && m_core.config.passphraseKey)
+            m_core.hintAtPassphrase(now); // It answers, and is silent to what needs the passphrase.
+        m_attempt.reset(); // The next call begins another.
+    } else if (now >= m_attempt->due) {
+        sendThird(now);
+    }
+}
+
+TimePoint PairingStation::deadline() const
+{
+    return m_attempt ? std::min(m_attempt->until, m_attempt->due) : kNever;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,55 @@
+// The station's side of coming to talk: it hears calls and takes up one after the other, until one comes to a talk.
+#pragma once
+
+#include "core/channel/pairing_talk.h"
+
+namespace skyseal::channel {
+
+class PairingStation
+{
+public:
+    explicit PairingStation(PairingCore &core) : m_core(core) {}
+
+    void handleCall(TimePoint now, const Path &from, ByteView datagram);
+    void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
+    /// The first word of an agent: it has taken our third message, so it knows the passphrase if there is one.
+    std::optional<PairingTalk> handleWord(TimePoint now, const Path &from, ByteView datagram);
+    /// The one that called from there was turned down.
+    void setAside(const Path &path);
+    void handleDeadline(TimePoint now);
+    TimePoint deadline() const;
+
+private:
+    struct Caller
+    {
+        Path path;
+        PairingToken token{};
+        TimePoint heard{};
+        TimePoint tried = TimePoint::min();
+        bool aside = false;
+    };
+    /// A handshake with one caller, and after its answer the third message, repeated until a word comes.
+    struct Attempt
+    {
+        PairingHandshake handshake;
+        Path path;
+        PairingDatagram first{};
+        TimePoint until{};
+        TimePoint sentAt{};
+        std::optional<PairingVoice> voice = std::nullopt;
+        PairingPeer peer = {};
+        bool presharedKeyWanted = false;
+        ThirdDatagram third{};
+        TimePoint due = kNever;
+        unsigned sent = 0;
+    };
+
+    void begin(TimePoint now);
+    void sendThird(TimePoint now);
+
+    PairingCore &m_core;
+    std::vector<Caller> m_callers;
+    std::optional<Attempt> m_attempt;
+};
+
+} // namespace skyseal::channel

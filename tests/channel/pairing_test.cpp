@@ -1,0 +1,324 @@
+// Pairing: two people who both say yes get each other's key, and in every other case nobody gets anything.
+#include "core/channel/pairing_handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "pairing_pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+class PairingTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void bothSayYes();
+    void oneYesIsNotEnough();
+    void noIsTold();
+    void eitherOrder();
+    void presharedKeyOnlyWhenBothWant();
+    void wrongKeyIsNotConfirmed();
+    void cancelledWhenArmed();
+    void windowCloses();
+    void badLinks();
+    void lastWordLost();
+    void restartsMidway();
+    void otherEndDies();
+    void namesAreCleaned();
+    void oversizedAndShort();
+};
+
+namespace {
+
+bool isNothing(const PairingSide &end)
+{
+    return end.all<Paired>().empty();
+}
+
+} // namespace
+
+void PairingTest::bothSayYes()
+{
+    PairingPair pair;
+    pair.ground().config.roleAsked = PeerRole::Observer;
+    pair.openBoth();
+    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+    QCOMPARE(pair.air().pairing->peer()->name, std::string("tablet"));
+    QCOMPARE(pair.air().pairing->peer()->roleAsked, PeerRole::Observer);
+    QCOMPARE(pair.ground().pairing->peer()->name, std::string("scout-1"));
+    pair.run(30s); // They take their time.
+    QVERIFY(pair.shown() && isNothing(pair.ground()) && isNothing(pair.air()));
+    pair.confirm(Air);
+    QVERIFY(pair.run(1s, [&] { return pair.ground().pairing->confirmedThere(); }));
+    QCOMPARE(pair.ground().all<PairingPeerConfirmed>().size(), 1u);
+    pair.run(5s);
+    QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
+    pair.confirm(Ground);
+    QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
+    const Peer air = pair.ground().all<Paired>()[0].peer, ground = pair.air().all<Paired>()[0].peer;
+    QCOMPARE(air.key, pair.air().identity->publicKey);
+    QCOMPARE(ground.key, pair.ground().identity->publicKey);
+    QCOMPARE(ground.role, PeerRole::Observer);
+    QVERIFY(air.presharedKey && ground.presharedKey && air.presharedKey->equals(*ground.presharedKey));
+    QVERIFY(!air.presharedKey->isZero());
+    const auto words = pair.ground().bytesOut + pair.air().bytesOut;
+    QVERIFY(pair.run(10s, [&] { return pair.ground().pairing->finished() && pair.air().pairing->finished(); }));
+    QVERIFY(pair.ground().bytesOut + pair.air().bytesOut - words <= 6 * kWordLength);
+    for (const PairingSide &end : pair.ends) {
+        QCOMPARE(end.over()->reason, channel::PairingEnd::Paired);
+        QVERIFY(std::holds_alternative<PairingOver>(end.events.back()));
+        QCOMPARE(end.pairing->nextDeadline(), kNever);
+    }
+}
+
+void PairingTest::oneYesIsNotEnough()
+{
+    for (const Side side : {Ground, Air}) {
+        PairingPair pair;
+        pair.openBoth();
+        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+        pair.confirm(side);
+        pair.run(200s);
+        QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
+        QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
+        QCOMPARE(pair.ends[side].over()->reason, channel::PairingEnd::TimedOut);
+    }
+}
+
+void PairingTest::noIsTold()
+{
+    for (const Side side : {Ground, Air}) {
+        for (const bool otherSaidYes : {false, true}) {
+            PairingPair pair;
+            const Side other = side == Ground ? Air : Ground;
+            pair.openBoth();
+            QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+            if (otherSaidYes)
+                pair.confirm(other);
+            pair.run(1s);
+            pair.ends[side].pairing->refuse(pair.now);
+            QVERIFY(pair.run(1s, [&] { return !pair.ends[other].all<PairingPeerGone>().empty(); }));
+            QCOMPARE(pair.ends[other].all<PairingPeerGone>()[0].reason, PairingGone::Refused);
+            pair.run(200s); // Neither is asked again.
+            QCOMPARE(pair.ground().all<PairingPeerSeen>().size(), 1u);
+            QCOMPARE(pair.air().all<PairingPeerSeen>().size(), 1u);
+            QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
+            QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
+        }
+    }
+}
+
+void PairingTest::eitherOrder()
+{
+    for (const Side first : {Ground, Air}) {
+        for (const Duration between : {0ms, 1ms, 3ms, 500ms}) {
+            for (const bool groundOpensFirst : {false, true}) {
+                PairingPair pair;
+                pair.open(groundOpensFirst ? Ground : Air);
+                pair.run(7s);
+                pair.open(groundOpensFirst ? Air : Ground);
+                QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+                pair.confirm(first);
+                pair.run(between);
+                pair.confirm(first == Ground ? Air : Ground);
+                QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
+                pair.run(12s);
+                QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
+                QCOMPARE(pair.ground().all<Paired>().size(), 1u);
+                QCOMPARE(pair.air().all<Paired>().size(), 1u);
+            }
+        }
+    }
+}
+
+void PairingTest::presharedKeyOnlyWhenBothWant()
+{
+    for (int wants = 0; wants < 4; ++wants) {
+        PairingPair pair;
+        pair.ground().config.wantPresharedKey = wants & 1;
+        pair.air().config.wantPresharedKey = wants & 2;
+        pair.openBoth();
+        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+        pair.confirm(Ground);
+        pair.confirm(Air);
+        QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
+        QCOMPARE(pair.ground().all<Paired>()[0].peer.presharedKey != nullptr, wants == 3);
+        QCOMPARE(pair.air().all<Paired>()[0].peer.presharedKey != nullptr, wants == 3);
+    }
+}
+
+void PairingTest::wrongKeyIsNotConfirmed()
+{
+    PairingPair pair;
+    pair.openBoth();
+    pair.confirm(Ground); // Nobody is shown yet.
+    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+    channel::PublicKey near = pair.air().identity->publicKey;
+    near[31] ^= 1;
+    pair.ground().pairing->confirm(pair.now, near);
+    pair.confirm(Air);
+    pair.run(5s);
+    QVERIFY(!pair.ground().pairing->confirmedHere());
+    QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
+}
+
+void PairingTest::cancelledWhenArmed()
+{
+    PairingPair pair;
+    pair.openBoth();
+    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+    pair.confirm(Ground);
+    pair.run(1s);
+    pair.air().pairing->cancel(pair.now, channel::PairingEnd::Armed);
+    pair.confirm(Air); // Too late.
+    pair.run(3s);
+    QCOMPARE(pair.air().over()->reason, channel::PairingEnd::Armed);
+    QVERIFY(pair.air().pairing->finished());
+    QCOMPARE(pair.ground().all<PairingPeerGone>().size(), 1u);
+    QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
+    // And with nobody there.
+    PairingPair alone;
+    alone.open(Air);
+    alone.air().pairing->cancel(alone.now);
+    alone.pump();
+    QVERIFY(alone.air().pairing->finished());
+    QCOMPARE(alone.air().over()->reason, channel::PairingEnd::Cancelled);
+}
+
+void PairingTest::windowCloses()
+{
+    PairingPair pair;
+    pair.open(Air);
+    pair.run(119s);
+    QVERIFY(!pair.air().over());
+    pair.run(2s);
+    QCOMPARE(pair.air().over()->reason, channel::PairingEnd::TimedOut);
+    pair.open(Ground);
+    pair.run(150s);
+    QVERIFY(pair.ground().all<PairingPeerSeen>().empty());
+    QCOMPARE(pair.ground().over()->reason, channel::PairingEnd::TimedOut);
+}
+
+void PairingTest::badLinks()
+{
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        LinkModel model;
+        model.loss = 0.3;
+        model.duplicate = 0.2;
+        model.corrupt = 0.05;
+        model.delay = 50ms;
+        model.jitter = 200ms;
+        PairingPair pair(seed, model);
+        pair.openBoth();
+        const auto words = QStringLiteral("seed %1").arg(seed);
+        QVERIFY2(pair.run(60s, [&] { return pair.shown(); }), qPrintable(words));
+        pair.confirm(seed & 1 ? Ground : Air);
+        pair.run(2s);
+        pair.confirm(seed & 1 ? Air : Ground);
+        QVERIFY2(pair.run(10s, [&] { return pair.paired(); }), qPrintable(words));
+        pair.run(20s);
+        QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
+        QVERIFY(pair.ground().all<Paired>()[0].peer.presharedKey->equals(*pair.air().all<Paired>()[0].peer.presharedKey));
+        QCOMPARE(pair.ground().all<Paired>().size(), 1u);
+        QCOMPARE(pair.air().all<Paired>().size(), 1u);
+    }
+}
+
+void PairingTest::lastWordLost()
+{
+    // Who pairs first goes on saying so until the other end has heard it.
+    for (const Side deaf : {Ground, Air}) {
+        PairingPair pair;
+        pair.openBoth();
+        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+        pair.confirm(deaf);
+        pair.run(1s);
+        pair.link.attacker = [&](TimePoint, Flight &flight) { return flight.from == deaf; };
+        pair.confirm(deaf == Ground ? Air : Ground);
+        pair.run(4s);
+        QVERIFY(isNothing(pair.ends[deaf]) && !isNothing(pair.ends[deaf == Ground ? Air : Ground]));
+        pair.link.attacker = {};
+        QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
+        pair.run(12s);
+        QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
+    }
+}
+
+void PairingTest::restartsMidway()
+{
+    for (const Side side : {Ground, Air}) {
+        PairingPair pair;
+        const Side other = side == Ground ? Air : Ground;
+        pair.openBoth();
+        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+        pair.confirm(other);
+        pair.ends[side].pairing.reset(); // Killed: no word of it.
+        pair.open(side);
+        QVERIFY(pair.run(30s, [&] { return pair.shown() && pair.ends[other].all<PairingPeerSeen>().size() == 2; }));
+        QVERIFY(!pair.ends[other].pairing->confirmedHere()); // A new question.
+        pair.confirm(Ground);
+        pair.confirm(Air);
+        QVERIFY(pair.run(2s, [&] { return pair.paired(); }));
+    }
+}
+
+void PairingTest::otherEndDies()
+{
+    for (const Side side : {Ground, Air}) {
+        PairingPair pair;
+        const Side other = side == Ground ? Air : Ground;
+        pair.openBoth();
+        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+        pair.ends[side].pairing.reset();
+        pair.run(9s);
+        QVERIFY(pair.ends[other].all<PairingPeerGone>().empty());
+        pair.run(2s);
+        QCOMPARE(pair.ends[other].all<PairingPeerGone>().at(0).reason, PairingGone::Silent);
+        QVERIFY(!pair.ends[other].pairing->peer());
+        pair.confirm(other);
+        QVERIFY(!pair.ends[other].pairing->confirmedHere());
+    }
+}
+
+void PairingTest::namesAreCleaned()
+{
+    const auto sent = [](std::string name) {
+        PairingAbout about;
+        about.name = std::move(name);
+        return PairingAbout::read(about.write())->name;
+    };
+    QCOMPARE(sent("scout-1"), std::string("scout-1"));
+    QCOMPARE(sent(""), std::string());
+    QCOMPARE(sent("a b\n\x1b[2Jc"), std::string("a-b---2Jc"));
+    QCOMPARE(sent(std::string(40, 'x')), std::string(24, 'x'));
+    QCOMPARE(sent(std::string(23, 'x') + "\xc3\xbc"), std::string(23, 'x')); // Not half of an umlaut.
+    QCOMPARE(sent("K\xc3\xb6ln"), std::string("K\xc3\xb6ln"));
+    auto bytes = PairingAbout{}.write();
+    bytes[1] = 2;
+    QVERIFY(!PairingAbout::read(bytes));
+    QVERIFY(!PairingAbout::read(ByteView(bytes).first(25)));
+}
+
+void PairingTest::oversizedAndShort()
+{
+    PairingPair pair;
+    pair.openBoth();
+    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+    for (unsigned first = 0; first < 256; ++first) {
+        QCOMPARE(Pairing::owns(static_cast<std::uint8_t>(first)), first >= 0x5c && first <= 0x5f);
+        for (const std::size_t size : {0u, 1u, 4u, 5u, 6u, 21u, 22u, 23u, 95u, 96u, 97u, 126u, 127u, 128u, 1200u, 65507u}) {
+            Bytes datagram(size, static_cast<std::uint8_t>(first));
+            pair.ground().pairing->handleDatagram(pair.now, PairingPair::pathOf(Air), datagram);
+            pair.air().pairing->handleDatagram(pair.now, PairingPair::pathOf(Ground), datagram);
+        }
+    }
+    pair.confirm(Ground);
+    pair.confirm(Air);
+    QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
+}
+
+QTEST_GUILESS_MAIN(PairingTest)
+#include "pairing_test.moc"
