@@ -3,6 +3,7 @@
 #include "core/link/udp_link.h"
 #include "tests/link/recorder.h"
 
+#include <QtNetwork/QHostInfo>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
@@ -206,6 +207,9 @@ void UdpLinkTest::unknownHostWaitsAndSaysSo()
 
 void UdpLinkTest::hostNameIsLookedUp()
 {
+    static const bool hasLocalhost = !QHostInfo::fromName(QStringLiteral("localhost")).addresses().isEmpty();
+    if (!hasLocalhost)
+        QSKIP("this machine does not know localhost by name: it has no /etc/hosts");
     Recorder ground;
     Recorder air;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
