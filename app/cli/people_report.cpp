@@ -53,7 +53,7 @@ std::string flightText(const engine::Snapshot &snapshot)
     const vehicle::VehicleState &state = snapshot.vehicles.front().state;
     std::string out = format(" | %s %s", state.mode.c_str(), state.armed ? "ARMED" : "disarmed");
     if (!std::isnan(state.altitudeRelative))
-        out += format(" %.1f m", state.altitudeRelative);
+        out += format(" %.1f m", std::round(state.altitudeRelative * 10) / 10 + 0.0); // + 0.0: never "-0.0"
     if (!std::isnan(state.batteryVoltage))
         out += format(" %.1f V", state.batteryVoltage);
     return out;
