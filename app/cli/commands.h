@@ -10,6 +10,7 @@ int runDecode(const QStringList &arguments);
 int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);
 int runLog(const QStringList &arguments);
+int runSweep(const QStringList &arguments);
 int runSelfTest(const QStringList &arguments);
 
 } // namespace skyseal::app

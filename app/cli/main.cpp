@@ -22,6 +22,7 @@ struct Command
 
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
+    {"sweep", "measures what each cipher suite costs, and compares", runSweep},
     {"decode", "MAVLink bytes or a .tlog, one message a line", runDecode},
     {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
     {"keys", "private keys and the files of known peers", runKeys},

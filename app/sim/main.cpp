@@ -28,6 +28,7 @@ app::SimSettings settingsFrom(app::Options &options)
         options.fail("--vehicles: system ids end at 254");
     settings.seed = options.wholeNumber("seed", 0, UINT64_MAX);
     settings.rate = options.number("rate", 0.1, 100);
+    settings.saturate = options.has("saturate");
     settings.json = options.has("json");
     options.arguments(0, 0);
     return settings;
@@ -47,6 +48,7 @@ int main(int argc, char **argv)
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Makes wind and noise repeat.", "1");
     options.addValue("rate", "FACTOR", "Fly faster than real time; heartbeats and streams keep their rates.", "1");
+    options.addFlag("saturate", "The first vehicle sends telemetry as fast as a station answers, to load a link.");
     options.addFlag("json", "Tell what happens as one JSON object a line.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;

@@ -60,6 +60,8 @@ void SimHost::received(TimePoint time, const mavlink::Frame &frame)
 {
     for (sim::SimulatedVehicle &vehicle : m_vehicles)
         vehicle.handleFrame(time, frame);
+    if (m_settings.saturate)
+        m_saturator.handleFrame(time, frame);
     if (m_timer.remainingTime() > 0) // answers do not wait for telemetry
         m_timer.start(0);
 }
@@ -72,6 +74,8 @@ void SimHost::live()
         vehicle.advance(now);
         next = std::min(next, vehicle.nextDeadline());
     }
+    while (m_settings.saturate && m_saturator.advance(now, m_vehicles.front()))
+        send(now);
     send(now);
     const Duration sleep = std::max(next - now, kShortestSleep);
     m_timer.start(std::chrono::ceil<std::chrono::milliseconds>(sleep));

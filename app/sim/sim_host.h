@@ -1,6 +1,7 @@
 // Gives simulated vehicles a clock and links: all vehicles share all links.
 #pragma once
 
+#include "app/sim/saturator.h"
 #include "app/sim/sim_link.h"
 #include "core/sim/simulated_vehicle.h"
 
@@ -16,6 +17,7 @@ struct SimSettings
     int systemId = 1; ///< of the first; the others follow
     std::uint64_t seed = 1;
     double rate = 1;
+    bool saturate = false; ///< telemetry as fast as a station answers
     bool json = false;
 };
 
@@ -42,6 +44,7 @@ private:
     const SimSettings m_settings;
     std::vector<sim::SimulatedVehicle> m_vehicles;
     std::vector<std::unique_ptr<SimLink>> m_links;
+    Saturator m_saturator;
     QTimer m_timer;
 };
 

@@ -15,8 +15,11 @@ std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Pat
     const std::uint64_t end = metrics::CycleClock::now();
     m_wire.received += datagram.size();
     if (delivery) {
+        const std::uint64_t taken = m_clock.between(begin, end);
         m_wire.receivedFrames += delivery->frames.size();
-        m_meters[delivery->session].opened(delivery->suite, m_clock.between(begin, end), delivery->frames.size(), m_slept);
+        m_meters[delivery->session].opened(delivery->suite, taken, delivery->frames.size(), m_slept);
+        if (m_measuring)
+            m_opening.record(taken);
     }
     m_slept = false;
     return delivery;
@@ -45,7 +48,10 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
     if (!size)
         return;
     const std::uint64_t end = metrics::CycleClock::now();
-    m_meters[session].sealed(m_sendSuites[session], m_clock.between(begin, end));
+    const std::uint64_t taken = m_clock.between(begin, end);
+    m_meters[session].sealed(m_sendSuites[session], taken);
+    if (m_measuring)
+        m_sealing.record(taken);
     m_wire.sent += *size;
     m_wire.sentFrames += frames.size();
     m_links.send(m_endpoint.recordPath(session), ByteView(m_record).first(*size));

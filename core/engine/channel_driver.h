@@ -36,6 +36,10 @@ public:
     /// Call about once a second.
     void roll(TimePoint now);
     SuiteCost cost(channel::SessionId session) const;
+    /// What each record costs is kept over all sessions and suites while this is on; read opening() and sealing().
+    void setMeasuring(bool measuring) { m_measuring = measuring; }
+    const metrics::Histogram &opening() const { return m_opening; }
+    const metrics::Histogram &sealing() const { return m_sealing; }
     /// Sums over all sessions, ended ones and strays included. The suite is that of the session heard last.
     ChannelTotals totals() const;
 
@@ -58,6 +62,8 @@ private:
     std::array<std::uint8_t, channel::kMaxRecordPayload + channel::kMaxRecordOverhead> m_record;
     bool m_slept = true; ///< nothing was opened in this wake-up yet
     WireTotals m_wire;
+    bool m_measuring = false;
+    metrics::Histogram m_opening, m_sealing;
     channel::ReceiveCounters m_endedRx, m_endedPeerRx;
     channel::SendCounters m_endedTx;
 };

@@ -4,6 +4,7 @@
 
 #include "core/base/path.h"
 #include "core/channel/endpoint.h"
+#include "core/engine/probe.h"
 #include "core/engine/totals.h"
 #include "core/vehicle/mission.h"
 #include "core/vehicle/parameter.h"
@@ -138,6 +139,7 @@ struct Snapshot
     std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
     MavlinkTotals mavlink;   ///< since the start, all links
     ChannelTotals channel;   ///< since the start, ended sessions included
+    std::shared_ptr<const Probe> probe; ///< null unless the station is being measured
 };
 
 /// The one word for the lock: of what the sessions and vehicles of a snapshot show.

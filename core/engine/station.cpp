@@ -269,6 +269,11 @@ void Station::setRecording(bool recording)
     d->post([recording](StationCore &core) { core.setRecording(recording); });
 }
 
+void Station::setMeasuring(bool measuring)
+{
+    d->post([measuring](StationCore &core) { core.setMeasuring(measuring); });
+}
+
 void Station::stop()
 {
     d->order([](StationWorker &worker) { worker.stop(); });

@@ -49,6 +49,8 @@ public:
     void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items);
     void setInspecting(bool);
     void setRecording(bool);
+    /// Snapshots carry a Probe from now on.
+    void setMeasuring(bool);
     /// Says goodbye to every peer, ends the recording and answers with stopped(); nothing is received after that.
     void stop();
     /// Our own public key; nullopt without an identity.

@@ -1,6 +1,7 @@
 // How a station is to be: one plain value, made by whoever starts it.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/channel/policy.h"
 #include "core/engine/secure_mode.h"
 #include "core/keys/secret_file.h"
@@ -31,6 +32,7 @@ struct StationConfig
     std::string recordFolder;
     bool lowBandwidth = false; ///< ask vehicles for slower streams
     double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
+    Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
     int snapshotsPerSecond = 30; ///< at most 30
 };
 

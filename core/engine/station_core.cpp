@@ -17,6 +17,7 @@ vehicle::VehicleConfig vehicleConfig(const StationConfig &config)
     out.ownComponentId = config.componentId;
     out.streams = config.lowBandwidth ? vehicle::StreamProfile::LowBandwidth : vehicle::StreamProfile::Standard;
     out.streamRate = config.streamRate;
+    out.timeSyncEvery = config.timeSyncEvery;
     return out;
 }
 
@@ -124,6 +125,13 @@ void StationCore::setRecording(bool recording)
     else if (!m_recorder && !m_config.recordFolder.empty())
         m_recorder = std::make_unique<Recorder>(m_config.recordFolder);
     m_changed = true;
+}
+
+void StationCore::setMeasuring(bool measuring)
+{
+    m_measuring = measuring;
+    if (m_channel)
+        m_channel->setMeasuring(measuring);
 }
 
 std::shared_ptr<const Snapshot> StationCore::stop()

@@ -54,6 +54,7 @@ public:
     bool withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act);
     void setInspecting(bool inspecting);
     void setRecording(bool recording);
+    void setMeasuring(bool measuring);
     /// The reader of snapshots answered; see Station.
     void setReaderAlive(bool alive) { m_readerAlive = alive; }
     /// Closes sessions, links and recording; the last snapshot.
@@ -109,6 +110,7 @@ private:
 
     void publish(TimePoint now);
     std::shared_ptr<Snapshot> takeSnapshot(TimePoint now); ///< in station_snapshot.cpp
+    std::shared_ptr<const Probe> probe() const;
     SessionSnapshot describe(TimePoint now, const channel::SessionInfo &info) const;
     VehicleSnapshot describe(TimePoint now, const vehicle::Vehicle &vehicle) const;
     MavlinkTotals mavlinkTotals() const;
@@ -135,6 +137,7 @@ private:
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
     std::uint64_t m_spoofed = 0;      ///< sealed frames of a system that their peer may not speak as
     bool m_readerAlive = true;
+    bool m_measuring = false;
     bool m_stopped = false;
     bool m_changed = true;
     std::uint64_t m_snapshotNumber = 0;

@@ -62,6 +62,19 @@ VehicleSnapshot StationCore::describe(TimePoint now, const vehicle::Vehicle &veh
     return out;
 }
 
+std::shared_ptr<const Probe> StationCore::probe() const
+{
+    auto out = std::make_shared<Probe>();
+    out->processCpu = metrics::processCpuTime();
+    out->ioThreadCpu = metrics::threadCpuTime();
+    out->residentBytes = metrics::residentBytes().value_or(0);
+    if (m_channel) {
+        out->open = m_channel->opening();
+        out->seal = m_channel->sealing();
+    }
+    return out;
+}
+
 std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
 {
     auto out = std::make_shared<Snapshot>();
@@ -87,6 +100,8 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
     out->spoofed = m_spoofed;
     out->mavlink = mavlinkTotals();
     out->channel = channelTotals();
+    if (m_measuring)
+        out->probe = probe();
     out->security = securityOf(*out);
     return out;
 }

@@ -49,6 +49,21 @@ void Histogram::merge(const Histogram &other)
     m_max = std::max(m_max, other.m_max);
 }
 
+Histogram Histogram::since(const Histogram &earlier) const
+{
+    Histogram out;
+    for (std::size_t i = 0; i < kBuckets; ++i) {
+        out.m_buckets[i] = m_buckets[i] - earlier.m_buckets[i];
+        if (out.m_buckets[i] == 0)
+            continue;
+        out.m_min = std::min(out.m_min, std::max(m_min, i == 0 ? 0 : lastOf(i - 1) + 1));
+        out.m_max = i == kBuckets - 1 ? m_max : std::min(m_max, lastOf(i));
+    }
+    out.m_count = m_count - earlier.m_count;
+    out.m_sum = m_sum - earlier.m_sum;
+    return out;
+}
+
 std::uint64_t Histogram::percentile(double share) const
 {
     if (m_count == 0)

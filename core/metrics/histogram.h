@@ -18,6 +18,8 @@ public:
     void record(std::uint64_t nanoseconds, std::uint64_t times = 1);
     void merge(const Histogram &other);
     void reset() { *this = {}; }
+    /// What was recorded since `earlier`, a copy of this one; min() and max() to the width of a bucket.
+    Histogram since(const Histogram &earlier) const;
 
     std::uint64_t count() const { return m_count; }
     /// Exact, 0 when empty.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <string>
 
 #include <time.h>
 #include <unistd.h>
@@ -26,14 +27,35 @@ Duration threadCpuTime()
     return cpuTime(CLOCK_THREAD_CPUTIME_ID);
 }
 
-std::optional<std::uint64_t> residentBytes()
+static std::optional<std::uint64_t> residentBytesFrom(const char *path)
 {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen("/proc/self/statm", "r"), &std::fclose);
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path, "r"), &std::fclose);
     unsigned long long size = 0;
     unsigned long long resident = 0;
     if (!file || std::fscanf(file.get(), "%llu %llu", &size, &resident) != 2)
         return std::nullopt;
     return resident * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::optional<std::uint64_t> residentBytes()
+{
+    return residentBytesFrom("/proc/self/statm");
+}
+
+std::optional<Duration> processCpuTime(std::int64_t process)
+{
+    clockid_t clock{};
+    if (process <= 0 || ::clock_getcpuclockid(static_cast<pid_t>(process), &clock) != 0)
+        return std::nullopt;
+    timespec time{};
+    if (::clock_gettime(clock, &time) != 0)
+        return std::nullopt;
+    return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+std::optional<std::uint64_t> residentBytes(std::int64_t process)
+{
+    return process > 0 ? residentBytesFrom(("/proc/" + std::to_string(process) + "/statm").c_str()) : std::nullopt;
 }
 
 double CpuSampler::sample(TimePoint now, Duration cpuTime)

@@ -15,6 +15,10 @@ Duration threadCpuTime();
 /// Bytes of memory that are resident now (VmRSS); nullopt where the system does not tell.
 std::optional<std::uint64_t> residentBytes();
 
+/// The same of another process of this machine, by its number; nullopt when there is none or the system does not tell.
+std::optional<Duration> processCpuTime(std::int64_t process);
+std::optional<std::uint64_t> residentBytes(std::int64_t process);
+
 /// CPU load between readings that are taken now and then (once a second), in percent of one core: 200 is two cores.
 class CpuSampler
 {

@@ -8,6 +8,8 @@
 #include "core/sim/mission_server.h"
 #include "core/sim/parameter_server.h"
 
+#include <array>
+
 namespace skyseal::sim {
 
 namespace {
@@ -133,6 +135,20 @@ void SimulatedVehicle::Parts::tellNews()
         homeTold = telemetry.send(mavlink::HomePosition::kId);
     while (const auto text = autopilot.texts().take())
         telemetry.sendText(*text);
+}
+
+void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket)
+{
+    constexpr std::array<std::uint32_t, 8> kUsual{mavlink::Attitude::kId,       mavlink::RawImu::kId,
+                                                  mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
+                                                  mavlink::RcChannels::kId,     mavlink::GpsRawInt::kId,
+                                                  mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
+    advance(now);
+    for (std::size_t i = 0; i < messages; ++i)
+        m_parts->telemetry.send(kUsual[i % kUsual.size()]);
+    mavlink::Timesync request;
+    request.ts1 = ticket;
+    m_parts->outbox.send(request);
 }
 
 TimePoint SimulatedVehicle::nextDeadline() const

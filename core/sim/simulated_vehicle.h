@@ -38,6 +38,10 @@ public:
     void advance(TimePoint now);
     TimePoint nextDeadline() const;
 
+    /// Telemetry at once, beside the streams: so many messages of the usual kinds, and behind them a TIMESYNC request whose
+    /// ts1 is `ticket`. A station's answer says that it has all of them.
+    void sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket);
+
     /// The next frame to send, valid until the next call to this object; empty when there is none.
     ByteView pollFrame();
     /// Frames that nobody fetched in time.

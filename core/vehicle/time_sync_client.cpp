@@ -40,6 +40,8 @@ void TimeSyncClient::handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_
     if (trip < Duration::zero() || trip > kLongestTrip)
         return;
     const double measured = seconds(trip);
+    ++m_trips;
+    m_tripSeconds += measured;
     m_latency = std::isnan(m_latency) ? measured : m_latency + kWeightOfNew * (measured - m_latency);
 }
 
@@ -47,7 +49,7 @@ void TimeSyncClient::handleDeadline(TimePoint now, Outbox &outbox)
 {
     if (now < m_next)
         return;
-    m_next = now + (m_slow ? kSlowInterval : kInterval);
+    m_next = now + (m_slow ? kSlowInterval : m_interval);
     mavlink::Timesync request;
     request.tc1 = 0;
     request.ts1 = std::max<std::int64_t>(now.time_since_epoch().count(), 1);

@@ -21,6 +21,8 @@ public:
     explicit TimeSyncClient(const Addressing &addressing) : m_addressing(addressing) {}
 
     void setSlow(bool slow) { m_slow = slow; }
+    /// Instead of kInterval, where latency is what is being measured.
+    void setInterval(Duration interval) { m_interval = interval; }
     void start(TimePoint now);
     /// `tc1`, `ts1` and the targets of a TIMESYNC of the vehicle.
     void handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem,
@@ -30,13 +32,19 @@ public:
 
     /// Seconds there and back, smoothed; NaN before the first answer.
     double latency() const { return m_latency; }
+    std::uint64_t trips() const { return m_trips; }
+    /// Sum over all trips.
+    double tripSeconds() const { return m_tripSeconds; }
 
 private:
     Addressing m_addressing;
     bool m_slow = false;
+    Duration m_interval = kInterval;
     TimePoint m_next = kNever;
     std::array<std::int64_t, 16> m_sent{}; ///< what answers may refer to; 0 = free
     std::size_t m_slot = 0;
+    std::uint64_t m_trips = 0;
+    double m_tripSeconds = 0;
     double m_latency = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -1,6 +1,8 @@
 // How a station wants to treat its vehicles, and who talks to whom.
 #pragma once
 
+#include "core/base/clock.h"
+
 #include <cstdint>
 
 namespace skyseal::vehicle {
@@ -18,6 +20,7 @@ struct VehicleConfig
     std::uint8_t ownComponentId = 190;
     StreamProfile streams = StreamProfile::Standard;
     double streamRate = 0; ///< Hz for every stream group, instead of the profile's rates; 0 = the profile's
+    Duration timeSyncEvery = std::chrono::seconds(1);
 };
 
 /// Both ends of the conversation with one vehicle.

@@ -31,6 +31,7 @@ Vehicle::Parts::Parts(const VehicleConfig &config, const Addressing &ends)
 {
     state.systemId = ends.system;
     state.componentId = ends.component;
+    timeSync.setInterval(config.timeSyncEvery);
     timeSync.setSlow(config.streams == StreamProfile::LowBandwidth);
 }
 
@@ -65,6 +66,8 @@ bool Vehicle::Parts::handleConversation(TimePoint now, const mavlink::Frame &fra
         const auto m = unpack<mavlink::Timesync>(frame);
         timeSync.handleTimeSync(now, m.tc1, m.ts1, m.target_system, m.target_component, outbox);
         state.latency = timeSync.latency();
+        state.trips = timeSync.trips();
+        state.tripSeconds = timeSync.tripSeconds();
         return true;
     }
     case mavlink::AutopilotVersion::kId:

@@ -79,6 +79,8 @@ struct VehicleState
     double vibration = kUnknown; ///< m/s², the worst axis
     int missionCurrent = -1;
     double latency = kUnknown; ///< seconds there and back by TIMESYNC, smoothed
+    std::uint64_t trips = 0;   ///< answers that came
+    double tripSeconds = 0;    ///< their times added up: two readings give the mean between them
 
     std::string firmware; ///< "ArduCopter 4.5.7"; empty until known
     std::uint64_t capabilities = 0;

@@ -45,6 +45,7 @@ void CommandLineTest::helpAndVersion_data()
     row("skyseal-cli", "--version", "skyseal-cli ");
     row("skyseal-cli", "monitor --help", "--switch-every");
     row("skyseal-cli", "impair --help", "--jitter");
+    row("skyseal-cli", "sweep --help", "--expect");
     row("skyseal-cli", "decode --help", "FILE");
     row("skyseal-cli", "keys --help", "peers add");
     row("skyseal-cli", "log --help", "verify");
@@ -93,6 +94,18 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --do dance", "dance");
     row("skyseal-cli", "impair --listen udpin:127.0.0.1:0 --to udpout:127.0.0.1:9 --loss 1.5", "1.5");
     row("skyseal-cli", "impair --listen udpin:127.0.0.1:0", "--to");
+    row("skyseal-cli", "sweep --suites des", "des");
+    row("skyseal-cli", "sweep --seconds 0", "--seconds");
+    row("skyseal-cli", "sweep --repeats 0", "--repeats");
+    row("skyseal-cli", "sweep --load heavy", "heavy");
+    row("skyseal-cli", "sweep --impair loss=2", "loss=2");
+    row("skyseal-cli", "sweep --framing inline", "inline");
+    row("skyseal-cli", "sweep --expect loss", "comparison");
+    row("skyseal-cli", "sweep --suites none --expect cpu(rc4)<1", "does not measure rc4");
+    row("skyseal-cli", "sweep --link udpin:127.0.0.1:0", "--identity");
+    row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --suites none", "--allow-plain");
+    row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --suites rc4", "--allow-research");
+    row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --load saturated", "saturated");
     row("skyseal-cli", "decode", "argument");
     row("skyseal-cli", "decode a b", "b");
     row("skyseal-cli", "decode --framing mavsec2019 a", "mavsec2019");

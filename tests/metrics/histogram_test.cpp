@@ -18,6 +18,7 @@ private Q_SLOTS:
     void bucketsCoverEveryValueOnce();
     void percentilesMatchASortedList();
     void mergeEqualsRecordingTogether();
+    void sinceIsWhatCameAfter();
     void hugeValuesStayInTheLastBucket();
 };
 
@@ -81,6 +82,26 @@ void HistogramTest::mergeEqualsRecordingTogether()
     QCOMPARE(first.count(), std::uint64_t(0));
     first.merge(both);
     QCOMPARE(first.min(), both.min());
+}
+
+void HistogramTest::sinceIsWhatCameAfter()
+{
+    Histogram all, after;
+    for (const std::uint64_t value : {5u, 70u, 900u, 1u << 20})
+        all.record(value);
+    const Histogram earlier = all;
+    QCOMPARE(all.since(earlier).count(), std::uint64_t(0));
+    QCOMPARE(all.since(earlier).percentile(0.99), std::uint64_t(0));
+    for (std::uint64_t i = 30; i < 3000; i += 11) {
+        all.record(i);
+        after.record(i);
+    }
+    const Histogram difference = all.since(earlier);
+    QCOMPARE(difference.count(), after.count());
+    QCOMPARE(difference.sum(), after.sum());
+    for (int share = 0; share <= 95; ++share) // the last bucket ends at the exact maximum where that is known
+        QCOMPARE(difference.percentile(share / 100.0), after.percentile(share / 100.0));
+    QVERIFY(difference.max() >= after.max() && difference.max() <= after.max() + after.max() / 32);
 }
 
 void HistogramTest::hugeValuesStayInTheLastBucket()

@@ -1,0 +1,138 @@
+// skyseal-cli sweep: what does each suite cost, measured unattended.
+#include "app/cli/commands.h"
+#include "app/cli/sweep_options.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "app/common/process.h"
+#include "core/crypto/system_random.h"
+#include "core/experiment/setting.h"
+#include "core/experiment/sweep_json.h"
+#include "core/experiment/sweep_runner.h"
+#include "core/experiment/sweep_text.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QDateTime>
+#include <QtCore/QDir>
+#include <QtCore/QSaveFile>
+#include <QtCore/QStandardPaths>
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+namespace {
+
+const QString kName = QStringLiteral("skyseal-cli sweep");
+
+QString programPath(const QString &name)
+{
+    const QString beside = QCoreApplication::applicationDirPath() + QLatin1Char('/') + name;
+    return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
+}
+
+experiment::Setting describeSetting(const QStringList &arguments)
+{
+    experiment::Setting out;
+    out.emplace_back("skyseal", SKYSEAL_CLI_VERSION);
+    out.emplace_back("time", QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+    out.emplace_back("command_line", (kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '))).toStdString());
+    for (auto &entry : experiment::machineSetting())
+        out.push_back(std::move(entry));
+    out.emplace_back("qt", qVersion());
+    return out;
+}
+
+bool writeFile(const QString &path, const std::string &content)
+{
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit())
+        return true;
+    complain(kName, path.toStdString() + ": " + file.errorString().toStdString());
+    return false;
+}
+
+/// What is done with a finished sweep; the exit status.
+int conclude(const experiment::Results &results, const SweepOptions &options)
+{
+    std::vector<experiment::Verdict> verdicts;
+    for (const experiment::Expectation &expectation : options.expectations) {
+        const auto judged = experiment::judge(expectation, results);
+        verdicts.insert(verdicts.end(), judged.begin(), judged.end());
+    }
+    if (!options.json) {
+        for (const std::string &line : experiment::sweepText(results))
+            printLine(line);
+    }
+    bool hold = true;
+    for (const experiment::Verdict &verdict : verdicts) {
+        printLine(options.json ? experiment::expectEvent(results.plan, verdict) : experiment::sentence(verdict, results.plan));
+        hold = hold && verdict.outcome.holds;
+    }
+    if (!options.folder.isEmpty()) {
+        const QDir folder(options.folder);
+        if (!writeFile(folder.filePath(QStringLiteral("sweep.json")), experiment::sweepJson(results, verdicts) + "\n")
+            || !writeFile(folder.filePath(QStringLiteral("sweep.csv")), experiment::sweepCsv(results)))
+            return kCannotOpen;
+        if (!options.json)
+            remark("written to " + options.folder.toStdString());
+    }
+    return hold && results.complete ? kDone : kNotReached;
+}
+
+} // namespace
+
+int runSweep(const QStringList &arguments)
+{
+    SweepOptions options;
+    if (const auto status = readSweepOptions(kName, arguments, options))
+        return *status;
+    if (!options.folder.isEmpty() && !QDir().mkpath(options.folder)) {
+        complain(kName, options.folder.toStdString() + ": the folder cannot be made");
+        return kCannotOpen;
+    }
+    crypto::SystemRandom random;
+    std::unique_ptr<experiment::Lab> lab;
+    engine::StationConfig station = options.station;
+    std::optional<link::LinkUrl> link = options.link;
+    if (!link) {
+        auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")), programPath(QStringLiteral("skyseal-air")),
+                                             QCoreApplication::applicationFilePath()},
+                                            random);
+        if (!made) {
+            complain(kName, made.error().text());
+            return kCannotOpen;
+        }
+        lab = std::move(*made);
+        station.keys = lab->stationKeys();
+        link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
+    }
+
+    const experiment::Setting setting = describeSetting(arguments);
+    experiment::SweepRunner runner({options.plan, *link, station, lab.get()});
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);
+    QObject::connect(&runner, &experiment::SweepRunner::sampleTaken, qApp, [&](const experiment::Sample &sample) {
+        if (options.json)
+            printLine(experiment::runEvent(options.plan, sample, runner.runs(), runner.remaining()));
+        remark(experiment::runText(options.plan, sample, runner.runs(), runner.remaining()));
+    });
+    int status = kDone;
+    QObject::connect(
+        &runner, &experiment::SweepRunner::finished, qApp,
+        [&](bool opened, const std::string &problem) {
+            if (!problem.empty())
+                complain(kName, problem);
+            experiment::Results results = runner.results();
+            results.setting = setting;
+            const bool nothing = results.samples.empty();
+            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
+            QCoreApplication::exit(status);
+        },
+        Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&runner, &experiment::SweepRunner::start, Qt::QueuedConnection);
+    QCoreApplication::exec();
+    return status;
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,154 @@
+#include "app/cli/sweep_options.h"
+
+#include "app/common/options.h"
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+namespace {
+
+using experiment::Arm;
+using experiment::Load;
+
+void declare(Options &options)
+{
+    options.addValue("link", "URL", "Where the vehicle's agent is. Without it a simulator and an agent are started for the sweep.");
+    options.addValue("identity", "FILE", "With --link: private key of this station.");
+    options.addValue("peers", "FILE", "With --link: vehicles' agents whose keys are confirmed.");
+    options.addFlag("allow-research", "With --link: also suites that are not secure.");
+    options.addFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
+    options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every one that is allowed.", "all");
+    options.addValue("framing", "sealed", "How MAVLink is protected: whole frames sealed in records.", "sealed");
+    options.addValue("seconds", "S", "Length of each run.", "5");
+    options.addValue("repeats", "R", "Runs for each suite.", "3");
+    options.addValue("warm-up", "S", "Seconds before each run that do not count.", "0.5");
+    options.addValue("seed", "N", "Repeats the same order of runs and the same impairment.", "1");
+    options.addValue("load", "LIST",
+                     "natural = what a station asks for, saturated = as fast as answers come; both without --link.");
+    options.addValue("impair", "SPEC",
+                     "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
+                     "commas. May be given several times.");
+    options.addFlag("no-noise", "Do not measure one suite twice to see the machine's noise (A/A).");
+    options.addValue("out", "DIR", "Folder for sweep.json and sweep.csv.");
+    options.addValue("expect", "TEXT",
+                     "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. May be given several times.");
+    options.addFlag("json", "One JSON object a line on stdout.");
+}
+
+Duration inSeconds(double value)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+}
+
+std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
+{
+    const bool plain = ownAgent || options.has("allow-plain");
+    const bool research = ownAgent || options.has("allow-research");
+    std::vector<crypto::SuiteId> suites = options.suites("suites");
+    if (options.text("suites") == "all") {
+        if (plain)
+            suites.insert(suites.begin(), crypto::SuiteId::None);
+        std::erase_if(suites, [&](crypto::SuiteId suite) {
+            return !crypto::suiteAvailable(suite) || (crypto::suiteInfo(suite).research && !research);
+        });
+    }
+    for (const crypto::SuiteId suite : suites) {
+        const std::string what = "--suites '" + std::string(crypto::suiteInfo(suite).name) + "': ";
+        if (suite == crypto::SuiteId::None && !plain)
+            options.fail(what + "plain MAVLink needs consent at both ends; --allow-plain");
+        else if (crypto::suiteInfo(suite).research && !research)
+            options.fail(what + "insecure, for research only; --allow-research");
+    }
+    return suites;
+}
+
+void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
+{
+    const std::string text = options.has("load") ? options.text("load") : ownAgent ? "natural,saturated" : "natural";
+    if (text == "natural")
+        plan.loads = {Load::Natural};
+    else if (text == "saturated")
+        plan.loads = {Load::Saturated};
+    else if (text == "natural,saturated")
+        plan.loads = {Load::Natural, Load::Saturated};
+    else
+        options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");
+    if (!ownAgent && plan.loads != std::vector{Load::Natural})
+        options.fail("--load saturated: the vehicle behind --link sends what it sends");
+}
+
+void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
+{
+    if (!options.has("impair"))
+        return;
+    if (!ownAgent)
+        options.fail("--impair is for the sweep's own agent; put 'skyseal-cli impair' before that of --link");
+    plan.conditions.clear();
+    for (const std::string &text : options.texts("impair")) {
+        if (auto condition = experiment::parseCondition(text))
+            plan.conditions.push_back(std::move(*condition));
+        else
+            options.fail("--impair: " + condition.error().message);
+    }
+}
+
+void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
+{
+    for (const crypto::SuiteId suite : readSuites(options, ownAgent))
+        plan.arms.push_back({suite, false});
+    readLoads(options, ownAgent, plan);
+    readConditions(options, ownAgent, plan);
+    plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
+    plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
+    plan.repeats = static_cast<unsigned>(options.wholeNumber("repeats", 1, 1000));
+    plan.seed = options.wholeNumber("seed", 0, UINT64_MAX);
+    // The default suite where it is there: its noise is the one that matters.
+    const Arm preferred{crypto::SuiteId::ChaCha20Poly1305, false};
+    if (!options.has("no-noise") && plan.repeats > 1 && !plan.arms.empty()) {
+        const auto found = std::find(plan.arms.begin(), plan.arms.end(), preferred);
+        plan.arms.push_back({found == plan.arms.end() ? plan.arms.front().suite : preferred.suite, true});
+    }
+}
+
+void readExpectations(Options &options, SweepOptions &out)
+{
+    for (const std::string &text : options.texts("expect")) {
+        auto parsed = experiment::Expectation::parse(text);
+        if (!parsed) {
+            options.fail("--expect: " + parsed.error().text());
+            return;
+        }
+        if (const auto fit = experiment::fits(*parsed, out.plan); !fit)
+            options.fail("--expect: " + fit.error().text());
+        out.expectations.push_back(std::move(*parsed));
+    }
+}
+
+} // namespace
+
+std::optional<int> readSweepOptions(const QString &name, const QStringList &arguments, SweepOptions &out)
+{
+    Options options(name, QStringLiteral("Measures what each suite costs, and compares."));
+    declare(options);
+    if (const auto status = options.parse(arguments))
+        return status;
+    options.arguments(0, 0);
+    const bool ownAgent = !options.has("link");
+    if (!ownAgent) {
+        out.link = options.url("link");
+        out.station.keys = {options.required("identity"), options.required("peers")};
+    }
+    out.station.policy.suites = channel::defaultSuites();
+    out.station.policy.allowResearch = ownAgent || options.has("allow-research");
+    out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
+    if (const std::string framing = options.text("framing"); framing != "sealed")
+        options.fail("--framing '" + framing + "': sealed is expected");
+    readPlan(options, ownAgent, out.plan);
+    readExpectations(options, out);
+    out.folder = QString::fromStdString(options.text("out"));
+    out.json = options.has("json");
+    return options.finish();
+}
+
+} // namespace skyseal::app

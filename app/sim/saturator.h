@@ -1,0 +1,43 @@
+// Loads a link with as much telemetry as it carries: bursts go out while not too many are unanswered, and each ends with a
+// TIMESYNC request, which every station answers. How many may be unanswered grows while all answers come and is halved when
+// one is missing, as TCP does, so the slowest part of the way sets the pace. Sans-I/O.
+#pragma once
+
+#include "core/sim/simulated_vehicle.h"
+
+#include <deque>
+
+namespace skyseal::app {
+
+class Saturator
+{
+public:
+    static constexpr std::size_t kBurst = 48; ///< messages
+    static constexpr double kWidest = 32;     ///< bursts unanswered; what a socket's buffer holds
+    static constexpr std::size_t kAtOnce = 4; ///< bursts that fit the vehicle's outbox
+
+    /// A frame from a station; the answer to a burst says that the ones before it are over as well.
+    void handleFrame(TimePoint now, const mavlink::Frame &frame);
+    /// Lets the vehicle send what is due; true when there is more to come once its outbox is empty.
+    bool advance(TimePoint now, sim::SimulatedVehicle &vehicle);
+
+    std::size_t unanswered() const { return m_open.size(); }
+
+private:
+    struct Ticket
+    {
+        std::int64_t number = 0;
+        TimePoint sent{};
+    };
+
+    Duration patience() const;
+    void missed();
+
+    std::deque<Ticket> m_open;
+    std::int64_t m_next = std::int64_t(1) << 56; ///< far from the times that others put there
+    double m_window = 2; ///< bursts
+    Duration m_trip{};
+    bool m_heard = false; ///< any station yet
+};
+
+} // namespace skyseal::app

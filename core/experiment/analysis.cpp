@@ -1,0 +1,69 @@
+#include "core/experiment/analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace skyseal::experiment {
+
+std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+{
+    std::vector<std::size_t> arms;
+    std::vector<std::vector<double>> groups;
+    for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
+        if (results.plan.arms[arm].again)
+            continue;
+        arms.push_back(arm);
+        groups.push_back(valuesOf(results, {condition, load, arm}, metric));
+    }
+    std::vector<ArmComparison> out;
+    for (const Comparison &comparison : compareAll(groups)) {
+        out.push_back({condition, load, metric, arms[comparison.first], arms[comparison.second],
+                       summarise(groups[comparison.first]).mean, comparison});
+    }
+    return out;
+}
+
+std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+{
+    const std::vector<Arm> &arms = results.plan.arms;
+    const auto again = std::find_if(arms.begin(), arms.end(), [](const Arm &arm) { return arm.again; });
+    if (again == arms.end())
+        return std::nullopt;
+    const auto first = std::find(arms.begin(), arms.end(), Arm{again->suite, false});
+    if (first == arms.end())
+        return std::nullopt;
+    Noise out;
+    out.condition = condition;
+    out.load = load;
+    out.metric = metric;
+    out.arm = static_cast<std::size_t>(first - arms.begin());
+    out.again = static_cast<std::size_t>(again - arms.begin());
+    const std::vector<double> values = valuesOf(results, {condition, load, out.arm}, metric);
+    const std::vector<double> valuesAgain = valuesOf(results, {condition, load, out.again}, metric);
+    const Summary summary = summarise(values), summaryAgain = summarise(valuesAgain);
+    if (summary.count < 2 || summaryAgain.count < 2)
+        return std::nullopt;
+    out.mean = summary.mean;
+    out.meanAgain = summaryAgain.mean;
+    out.test = welch(values, valuesAgain);
+    return out;
+}
+
+double meanOf(const Results &results, std::size_t condition, std::size_t load, crypto::SuiteId suite, Metric metric)
+{
+    const std::vector<Arm> &arms = results.plan.arms;
+    const auto found = std::find(arms.begin(), arms.end(), Arm{suite, false});
+    if (found == arms.end())
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto arm = static_cast<std::size_t>(found - arms.begin());
+    return summarise(valuesOf(results, {condition, load, arm}, metric)).mean;
+}
+
+bool wasMeasured(const Results &results, Metric metric)
+{
+    return std::any_of(results.samples.begin(), results.samples.end(),
+                       [metric](const Sample &sample) { return std::isfinite(sample.values[metric]); });
+}
+
+} // namespace skyseal::experiment

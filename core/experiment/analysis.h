@@ -1,0 +1,43 @@
+// What a sweep's samples say: a summary for each place of the design, which suites differ, and how much of a difference is
+// the machine's noise.
+#pragma once
+
+#include "core/experiment/results.h"
+#include "core/experiment/statistics.h"
+
+#include <optional>
+#include <vector>
+
+namespace skyseal::experiment {
+
+/// Two arms of one condition and load, by one metric. Corrected over all pairs of arms of that metric there, the repeated
+/// arm (A/A) left out.
+struct ArmComparison
+{
+    std::size_t condition = 0, load = 0;
+    Metric metric{};
+    std::size_t first = 0, second = 0; ///< indices of arms
+    double firstMean = 0;
+    Comparison comparison;
+};
+
+/// The same suite measured twice under two names.
+struct Noise
+{
+    std::size_t condition = 0, load = 0;
+    Metric metric{};
+    std::size_t arm = 0, again = 0; ///< indices of arms
+    double mean = 0, meanAgain = 0;
+    WelchTest test;
+    bool differs() const { return test.p < 0.05; } ///< one in twenty does by chance
+};
+
+std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
+/// Nothing without an arm that was repeated, and for metrics that it has no two samples of.
+std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
+/// Mean of a suite's samples (not the repeated arm's); NaN when it was not measured.
+double meanOf(const Results &results, std::size_t condition, std::size_t load, crypto::SuiteId suite, Metric metric);
+/// Whether any sample of the whole sweep has a value.
+bool wasMeasured(const Results &results, Metric metric);
+
+} // namespace skyseal::experiment

@@ -1,0 +1,167 @@
+#include "core/experiment/lab.h"
+
+#include "core/keys/peers_file.h"
+#include "core/keys/secret_file.h"
+
+#include <QtCore/QFileInfo>
+#include <QtNetwork/QUdpSocket>
+
+#include <array>
+#ifdef Q_OS_LINUX
+#include <csignal>
+#include <sys/prctl.h>
+#endif
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr int kStopMs = 3000;
+
+Result<void, InputError> introduce(const QString &peersFile, const char *name, const crypto::X25519KeyPair &peer)
+{
+    keys::PeersFile peers;
+    keys::PeerEntry entry;
+    entry.peer.name = name;
+    entry.peer.key = peer.publicKey;
+    if (auto added = peers.add(std::move(entry)); !added)
+        return added;
+    return peers.save(peersFile.toStdString());
+}
+
+/// Three different ones: all are held until the last is found.
+std::array<quint16, 3> freePorts()
+{
+    std::array<QUdpSocket, 3> probes;
+    std::array<quint16, 3> out{};
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        probes[i].bind(QHostAddress::LocalHost, 0);
+        out[i] = probes[i].localPort();
+    }
+    return out;
+}
+
+QString loopback(const char *scheme, quint16 port)
+{
+    return QStringLiteral("%1:127.0.0.1:%2").arg(QLatin1String(scheme)).arg(port);
+}
+
+QStringList relayArguments(const impair::Settings &settings)
+{
+    const auto number = [](double value) { return QString::number(value, 'g', 17); };
+    const auto milliseconds = [&](Duration value) { return number(seconds(value) * 1000); };
+    return {QStringLiteral("--loss"), number(settings.loss), QStringLiteral("--duplicate"), number(settings.duplicate),
+            QStringLiteral("--reorder"), number(settings.reorder), QStringLiteral("--corrupt"), number(settings.corrupt),
+            QStringLiteral("--delay"), milliseconds(settings.delay), QStringLiteral("--jitter"),
+            milliseconds(settings.jitter), QStringLiteral("--rate"), QString::number(settings.baud)};
+}
+
+} // namespace
+
+Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
+{
+    const std::array<quint16, 3> ports = freePorts();
+    m_vehiclePort = ports[0];
+    m_relayPort = ports[1];
+    m_groundPort = ports[2];
+    for (QProcess *process : {&m_simulator, &m_agent, &m_relay}) {
+        process->setStandardOutputFile(QProcess::nullDevice());
+        connect(process, &QProcess::finished, this, [this, process] { tellEnd(*process); });
+        connect(process, &QProcess::errorOccurred, this, [this, process](QProcess::ProcessError error) {
+            if (error == QProcess::FailedToStart)
+                tellEnd(*process);
+        });
+#ifdef Q_OS_LINUX
+        process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
+#endif
+    }
+}
+
+Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, RandomSource &random)
+{
+    for (const auto &[path, name] : {std::pair(programs.simulator, "skyseal-sim"), std::pair(programs.agent, "skyseal-air"),
+                                     std::pair(programs.relay, "skyseal-cli")}) {
+        if (!QFileInfo(path).isExecutable())
+            return tl::unexpected(InputError{"is neither beside this program nor on the PATH", name});
+    }
+    std::unique_ptr<Lab> lab(new Lab(std::move(programs)));
+    if (!lab->m_folder.isValid())
+        return tl::unexpected(InputError{lab->m_folder.errorString().toStdString(), lab->m_folder.path().toStdString()});
+    const auto station = keys::writeNewIdentity(lab->file("station.key").toStdString(), random);
+    if (!station)
+        return tl::unexpected(station.error());
+    const auto agent = keys::writeNewIdentity(lab->file("air.key").toStdString(), random);
+    if (!agent)
+        return tl::unexpected(agent.error());
+    if (auto told = introduce(lab->file("station.peers"), "air", *agent); !told)
+        return tl::unexpected(told.error());
+    if (auto told = introduce(lab->file("air.peers"), "station", *station); !told)
+        return tl::unexpected(told.error());
+    return lab;
+}
+
+Lab::~Lab()
+{
+    stop();
+}
+
+engine::KeyPaths Lab::stationKeys() const
+{
+    return {file("station.key").toStdString(), file("station.peers").toStdString()};
+}
+
+void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
+{
+    stop();
+    if (!condition.clean()) {
+        launch(m_relay, m_programs.relay,
+               QStringList{QStringLiteral("impair"), QStringLiteral("--listen"), loopback("udpin", m_relayPort),
+                           QStringLiteral("--to"), loopback("udpout", m_groundPort), QStringLiteral("--seed"),
+                           QString::number(seed)}
+                   + relayArguments(condition.settings));
+    }
+    launch(m_agent, m_programs.agent,
+           {QStringLiteral("--vehicle"), loopback("udpin", m_vehiclePort), QStringLiteral("--ground"),
+            loopback("udpout", condition.clean() ? m_groundPort : m_relayPort), QStringLiteral("--identity"),
+            file("air.key"), QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"),
+            QStringLiteral("--allow-plain"), QStringLiteral("--json")});
+    QStringList simulator{QStringLiteral("--link"), loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
+                          QString::number(seed), QStringLiteral("--json")};
+    if (load == Load::Saturated)
+        simulator << QStringLiteral("--saturate");
+    launch(m_simulator, m_programs.simulator, simulator);
+}
+
+void Lab::launch(QProcess &process, const QString &program, const QStringList &arguments)
+{
+    process.start(program, arguments);
+    process.waitForStarted(kStopMs); // its number is wanted; a failure is told by the signal
+}
+
+void Lab::stop()
+{
+    m_stopping = true;
+    for (QProcess *process : {&m_simulator, &m_agent, &m_relay}) {
+        if (process->state() == QProcess::NotRunning)
+            continue;
+        process->terminate();
+        if (!process->waitForFinished(kStopMs)) {
+            process->kill();
+            process->waitForFinished(kStopMs);
+        }
+    }
+    m_stopping = false;
+}
+
+void Lab::tellEnd(const QProcess &process)
+{
+    if (m_stopping)
+        return;
+    const QString name = QFileInfo(process.program()).fileName();
+    const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
+                        : process.exitStatus() == QProcess::CrashExit ? QStringLiteral("it was killed or crashed")
+                                                                      : QStringLiteral("exit status %1").arg(process.exitCode());
+    Q_EMIT ended(QStringLiteral("%1 ended by itself: %2").arg(name, how));
+}
+
+} // namespace skyseal::experiment

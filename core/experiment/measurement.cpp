@@ -1,0 +1,116 @@
+#include "core/experiment/measurement.h"
+
+#include <algorithm>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr double kHeaders = 28; // IPv4 and UDP
+
+/// Growth of a counter, as a number to compute with. Losses can be taken back by late arrivals, but not below none.
+double growth(std::uint64_t begin, std::uint64_t end)
+{
+    return end > begin ? static_cast<double>(end - begin) : 0;
+}
+
+double share(double lost, double received)
+{
+    return lost + received > 0 ? lost / (lost + received) : std::numeric_limits<double>::quiet_NaN();
+}
+
+struct Traffic
+{
+    std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0;
+};
+
+Traffic trafficOf(const engine::Snapshot &snapshot)
+{
+    Traffic out;
+    for (const engine::LinkSnapshot &link : snapshot.links) {
+        out.rxBytes += link.rxBytes;
+        out.txBytes += link.txBytes;
+        out.rxDatagrams += link.rxDatagrams;
+    }
+    return out;
+}
+
+void addCosts(Values &out, const engine::Probe &begin, const engine::Probe &end, double time, double frames, bool sealed)
+{
+    const double ioThread = seconds(end.ioThreadCpu - begin.ioThreadCpu);
+    out[Metric::Cpu] = 100 * ioThread / time;
+    out[Metric::CpuProcess] = 100 * seconds(end.processCpu - begin.processCpu) / time;
+    out[Metric::CpuPerFrame] = 1e9 * ioThread / frames;
+    out[Metric::Memory] = static_cast<double>(end.residentBytes);
+    out[Metric::CpuSuite] = 0;
+    if (!sealed)
+        return;
+    const metrics::Histogram open = end.open.since(begin.open), seal = end.seal.since(begin.seal);
+    out[Metric::CpuSuite] = 100 * static_cast<double>(open.sum() + seal.sum()) / 1e9 / time;
+    if (open.count() > 0) {
+        out[Metric::OpenP50] = static_cast<double>(open.percentile(0.5));
+        out[Metric::OpenP99] = static_cast<double>(open.percentile(0.99));
+    }
+    if (seal.count() > 0) {
+        out[Metric::SealP50] = static_cast<double>(seal.percentile(0.5));
+        out[Metric::SealP99] = static_cast<double>(seal.percentile(0.99));
+    }
+}
+
+void addChannel(Values &out, const engine::ChannelTotals &begin, const engine::ChannelTotals &end)
+{
+    out[Metric::RecordLoss] = share(growth(begin.rx.lost, end.rx.lost), growth(begin.rx.good, end.rx.good));
+    out[Metric::RecordLossUp] =
+        share(growth(begin.peerRx.lost, end.peerRx.lost), growth(begin.peerRx.good, end.peerRx.good));
+}
+
+void addLatency(Values &out, const engine::Snapshot &begin, const engine::Snapshot &end)
+{
+    double trips = 0, time = 0;
+    for (const engine::VehicleSnapshot &after : end.vehicles) {
+        const auto before = std::find_if(begin.vehicles.begin(), begin.vehicles.end(), [&](const auto &vehicle) {
+            return vehicle.state.systemId == after.state.systemId;
+        });
+        if (before == begin.vehicles.end())
+            continue;
+        trips += growth(before->state.trips, after.state.trips);
+        time += after.state.tripSeconds - before->state.tripSeconds;
+    }
+    if (trips > 0)
+        out[Metric::Latency] = 1000 * time / trips;
+}
+
+} // namespace
+
+Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
+{
+    Values out;
+    const engine::Snapshot &before = *begin.station, &after = *end.station;
+    const double time = after.time - before.time;
+    const double frames = growth(before.mavlink.frames, after.mavlink.frames);
+    const Traffic traffic = trafficOf(before), later = trafficOf(after);
+    const double received = growth(traffic.rxBytes, later.rxBytes);
+    const double mavlink = sealed ? growth(before.channel.rx.openedBytes, after.channel.rx.openedBytes) : received;
+    out[Metric::Packets] = frames;
+    out[Metric::FrameRate] = frames / time;
+    out[Metric::ByteRate] = mavlink / time;
+    out[Metric::Loss] = share(growth(before.mavlink.lost, after.mavlink.lost), frames);
+    out[Metric::WireBytes] = received + growth(traffic.txBytes, later.txBytes);
+    out[Metric::WireRate] = received / time;
+    out[Metric::WirePerFrame] = (received + kHeaders * growth(traffic.rxDatagrams, later.rxDatagrams)) / frames;
+    out[Metric::Overhead] = 100 * (received / mavlink - 1);
+    addCosts(out, *before.probe, *after.probe, time, frames, sealed);
+    if (sealed)
+        addChannel(out, before.channel, after.channel);
+    addLatency(out, before, after);
+    if (begin.agentCpu && end.agentCpu) {
+        const double agent = seconds(*end.agentCpu - *begin.agentCpu);
+        out[Metric::AgentCpu] = 100 * agent / time;
+        out[Metric::AgentCpuPerFrame] = 1e9 * agent / frames;
+    }
+    if (end.agentMemory)
+        out[Metric::AgentMemory] = static_cast<double>(*end.agentMemory);
+    return out;
+}
+
+} // namespace skyseal::experiment

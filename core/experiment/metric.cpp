@@ -1,0 +1,90 @@
+#include "core/experiment/metric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr std::array<MetricInfo, kMetrics> kTable{{
+    {Metric::Packets, "packets", "Packets transmitted", "",
+     "MAVLink frames that the station took in from the vehicle during the run"},
+    {Metric::FrameRate, "frame_rate", "Rate", "frames/s", "the same for each second"},
+    {Metric::ByteRate, "byte_rate", "Rate in bytes", "B/s", "MAVLink bytes taken in for each second, after opening"},
+    {Metric::Loss, "loss", "Frames lost", "", "share of the vehicle's frames missing by MAVLink sequence numbers, 0 to 1"},
+    {Metric::RecordLoss, "record_loss", "Records lost, to the station", "",
+     "share of the agent's records missing by their counters, 0 to 1"},
+    {Metric::RecordLossUp, "record_loss_up", "Records lost, to the agent", "",
+     "the same in the other direction, as the agent counted and reported it over the sealed link"},
+    {Metric::Cpu, "cpu", "CPU load, station", "%",
+     "CPU time of the station's I/O thread (receive, open, parse, send), percent of one core"},
+    {Metric::CpuProcess, "cpu_process", "CPU load, station's process", "%", "all threads of the measuring program"},
+    {Metric::CpuSuite, "cpu_suite", "CPU load of the suite, station", "%",
+     "time inside seal and open, clocked around each call, percent of one core"},
+    {Metric::AgentCpu, "agent_cpu", "CPU load, agent", "%",
+     "CPU time of the agent's process from the kernel's clock of that process; same machine only"},
+    {Metric::CpuPerFrame, "cpu_per_frame", "CPU time per frame, station", "ns", "I/O thread's time divided by frames"},
+    {Metric::AgentCpuPerFrame, "agent_cpu_per_frame", "CPU time per frame, agent", "ns",
+     "agent's CPU time divided by frames taken in by the station"},
+    {Metric::OpenP50, "open_p50", "Opening a record, median", "ns",
+     "clocked around each call, look-up and replay window included"},
+    {Metric::OpenP99, "open_p99", "Opening a record, 99th percentile", "ns", "the same"},
+    {Metric::SealP50, "seal_p50", "Sealing a record, median", "ns", "clocked around each call, at the station"},
+    {Metric::SealP99, "seal_p99", "Sealing a record, 99th percentile", "ns", "the same"},
+    {Metric::Memory, "memory", "Memory, station", "B", "resident set of the measuring program at the end of the run"},
+    {Metric::AgentMemory, "agent_memory", "Memory, agent", "B",
+     "resident set of the agent at the end of the run, from /proc; same machine only"},
+    {Metric::WireBytes, "wire_bytes", "Bytes on the wire", "B", "UDP payload of both directions during the run"},
+    {Metric::WireRate, "wire_rate", "Bytes on the wire, to the station", "B/s", "UDP payload for each second"},
+    {Metric::WirePerFrame, "wire_per_frame", "Wire cost of a frame", "B",
+     "bytes to the station, 28 of IPv4 and UDP headers for each datagram included, divided by frames"},
+    {Metric::Overhead, "overhead", "Overhead on the wire", "%",
+     "UDP payload to the station over the MAVLink bytes in it"},
+    {Metric::Latency, "latency", "Latency", "ms", "TIMESYNC to the vehicle and back, mean of the run"},
+    {Metric::Switch, "switch", "Time of the live switch", "ms",
+     "from the order until the other end confirmed, when the run's suite was not in use already"},
+}};
+
+std::string grouped(double value)
+{
+    char digits[64];
+    std::snprintf(digits, sizeof digits, "%.0f", std::abs(value));
+    std::string out(digits);
+    for (std::size_t place = out.size(); place > 3; place -= 3)
+        out.insert(place - 3, ",");
+    return (value < 0 ? "-" : "") + out;
+}
+
+} // namespace
+
+std::span<const MetricInfo> metrics()
+{
+    return kTable;
+}
+
+const MetricInfo &info(Metric metric)
+{
+    return kTable[static_cast<std::size_t>(metric)];
+}
+
+std::optional<Metric> metricFromKey(std::string_view key)
+{
+    const auto found = std::find_if(kTable.begin(), kTable.end(), [&](const MetricInfo &entry) { return entry.key == key; });
+    return found == kTable.end() ? std::nullopt : std::optional(found->metric);
+}
+
+std::string readable(double value)
+{
+    if (!std::isfinite(value))
+        return "–";
+    const double size = std::abs(value);
+    if (size >= 999.5)
+        return grouped(value);
+    char out[32];
+    std::snprintf(out, sizeof out, "%.3g", value == 0 ? 0.0 : value);
+    return out;
+}
+
+} // namespace skyseal::experiment

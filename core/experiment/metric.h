@@ -1,0 +1,52 @@
+// What is measured in each run: keys as scripts and files name them, units, and in one sentence what each one is.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace skyseal::experiment {
+
+/// In the order of the table in metric.cpp.
+enum class Metric : std::uint8_t {
+    Packets, FrameRate, ByteRate, Loss, RecordLoss, RecordLossUp,
+    Cpu, CpuProcess, CpuSuite, AgentCpu, CpuPerFrame, AgentCpuPerFrame,
+    OpenP50, OpenP99, SealP50, SealP99, Memory, AgentMemory,
+    WireBytes, WireRate, WirePerFrame, Overhead, Latency, Switch
+};
+inline constexpr std::size_t kMetrics = 24;
+
+struct MetricInfo
+{
+    Metric metric{};
+    std::string_view key;   ///< "cpu_per_frame"
+    std::string_view title; ///< "CPU time per frame, station"
+    std::string_view unit;  ///< "ns"; empty for plain numbers
+    std::string_view what;  ///< where it comes from
+};
+
+std::span<const MetricInfo> metrics();
+const MetricInfo &info(Metric metric);
+std::optional<Metric> metricFromKey(std::string_view key);
+
+/// One value for each metric; NaN = could not be measured, such as a record's cost without records.
+class Values
+{
+public:
+    Values() { m_values.fill(std::numeric_limits<double>::quiet_NaN()); }
+    double &operator[](Metric metric) { return m_values[static_cast<std::size_t>(metric)]; }
+    double operator[](Metric metric) const { return m_values[static_cast<std::size_t>(metric)]; }
+
+private:
+    std::array<double, kMetrics> m_values;
+};
+
+/// A number with a sensible count of digits for people: "1,234,567", "12.3", "0.00042"; "–" when it is not finite.
+std::string readable(double value);
+
+} // namespace skyseal::experiment

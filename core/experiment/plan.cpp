@@ -1,0 +1,113 @@
+#include "core/experiment/plan.h"
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+
+namespace skyseal::experiment {
+
+namespace {
+
+std::uint64_t splitMix(std::uint64_t &state)
+{
+    std::uint64_t z = state += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return z ^ (z >> 31);
+}
+
+/// Fisher–Yates of our own: that of the standard library may differ from one to the other. The bias of the remainder is
+/// below 2^-56 for lists of this length.
+void shuffle(std::vector<Run> &runs, std::uint64_t &state)
+{
+    for (std::size_t i = runs.size(); i > 1; --i)
+        std::swap(runs[i - 1], runs[splitMix(state) % i]);
+}
+
+struct Field
+{
+    std::string_view key;
+    double most;
+    void (*set)(impair::Settings &settings, double value);
+};
+
+Duration milliseconds(double value)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(value));
+}
+
+constexpr Field kFields[] = {
+    {"loss", 1, [](impair::Settings &s, double v) { s.loss = v; }},
+    {"duplicate", 1, [](impair::Settings &s, double v) { s.duplicate = v; }},
+    {"reorder", 1, [](impair::Settings &s, double v) { s.reorder = v; }},
+    {"corrupt", 1, [](impair::Settings &s, double v) { s.corrupt = v; }},
+    {"delay", 60000, [](impair::Settings &s, double v) { s.delay = milliseconds(v); }},
+    {"jitter", 60000, [](impair::Settings &s, double v) { s.jitter = milliseconds(v); }},
+    {"rate", 1e9, [](impair::Settings &s, double v) { s.baud = static_cast<std::uint64_t>(v); }},
+};
+
+std::optional<InputError> setField(impair::Settings &settings, std::string_view item)
+{
+    const auto wrong = [&](const std::string &why) { return InputError{"'" + std::string(item) + "': " + why, {}}; };
+    const std::size_t sign = item.find('=');
+    if (sign == std::string_view::npos)
+        return wrong("KEY=VALUE is expected");
+    const auto field = std::find_if(std::begin(kFields), std::end(kFields),
+                                    [&](const Field &candidate) { return candidate.key == item.substr(0, sign); });
+    if (field == std::end(kFields))
+        return wrong("there are loss, duplicate, reorder, corrupt, delay, jitter and rate");
+    const std::string_view text = item.substr(sign + 1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !(value >= 0 && value <= field->most))
+        return wrong("a number from 0 to " + std::to_string(static_cast<std::uint64_t>(field->most)) + " is expected");
+    field->set(settings, value);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string_view name(Load load)
+{
+    return load == Load::Natural ? "natural" : "saturated";
+}
+
+std::string name(const Arm &arm)
+{
+    return std::string(crypto::suiteInfo(arm.suite).name) + (arm.again ? " (A/A)" : "");
+}
+
+Result<Condition, InputError> parseCondition(std::string_view text)
+{
+    Condition out;
+    out.name = std::string(text);
+    if (out.clean())
+        return out;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        if (auto wrong = setField(out.settings, text.substr(begin, end - begin)))
+            return tl::unexpected(*wrong);
+        begin = end + 1;
+    }
+    return out;
+}
+
+std::vector<Run> schedule(const Plan &plan)
+{
+    std::vector<Run> out;
+    std::uint64_t state = plan.seed;
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+            for (unsigned repeat = 0; repeat < plan.repeats; ++repeat) {
+                std::vector<Run> block;
+                for (std::size_t arm = 0; arm < plan.arms.size(); ++arm)
+                    block.push_back({condition, load, arm, repeat});
+                shuffle(block, state);
+                out.insert(out.end(), block.begin(), block.end());
+            }
+        }
+    }
+    return out;
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,66 @@
+// What a sweep does: which suites, under which conditions and loads, for how long, how often, in which order.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/result.h"
+#include "core/crypto/suite.h"
+#include "core/impair/impairment.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace skyseal::experiment {
+
+/// How much the vehicle sends: what a station asks for as a rule, or as fast as answers come back.
+enum class Load : std::uint8_t { Natural, Saturated };
+std::string_view name(Load load);
+
+/// What is compared: a suite. `again` is the same suite a second time, under another name: whatever differs between the two
+/// is noise (A/A).
+struct Arm
+{
+    crypto::SuiteId suite{};
+    bool again = false;
+    bool operator==(const Arm &) const = default;
+};
+/// "aes-256-gcm"; "aes-256-gcm (A/A)".
+std::string name(const Arm &arm);
+
+/// The link that all arms meet alike: clean, or with what an impairment does to both directions.
+struct Condition
+{
+    std::string name = "clean";
+    impair::Settings settings;
+    bool clean() const { return name == "clean"; }
+};
+
+/// "clean", or settings separated by commas: loss=, duplicate=, reorder=, corrupt= (0 to 1), delay=, jitter= (ms),
+/// rate= (baud). The text is the condition's name.
+Result<Condition, InputError> parseCondition(std::string_view text);
+
+struct Plan
+{
+    std::vector<Arm> arms;
+    std::vector<Load> loads{Load::Natural};
+    std::vector<Condition> conditions{Condition{}};
+    Duration measure = std::chrono::seconds(5); ///< of each run
+    Duration warmUp = std::chrono::milliseconds(500); ///< before it, dropped
+    unsigned repeats = 3;
+    std::uint64_t seed = 1;
+};
+
+/// Indices into the plan.
+struct Run
+{
+    std::size_t condition = 0, load = 0, arm = 0;
+    unsigned repeat = 0; ///< the first is 0
+};
+
+/// A randomised block design: condition by condition and load by load, since changing those restarts programs; within each,
+/// every repeat holds every arm once, in an order of its own. So what drifts slowly meets all arms alike. The same seed
+/// gives the same order on every machine.
+std::vector<Run> schedule(const Plan &plan);
+
+} // namespace skyseal::experiment

@@ -1,0 +1,51 @@
+#include "core/experiment/results.h"
+
+#include <algorithm>
+
+namespace skyseal::experiment {
+
+namespace {
+
+std::vector<const Sample *> samplesOf(const Results &results, const Cell &cell)
+{
+    std::vector<const Sample *> out;
+    for (const Sample &sample : results.samples) {
+        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell)
+            out.push_back(&sample);
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const Sample *a, const Sample *b) { return a->run.repeat < b->run.repeat; });
+    return out;
+}
+
+} // namespace
+
+std::vector<Cell> cells(const Plan &plan)
+{
+    std::vector<Cell> out;
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+            for (std::size_t arm = 0; arm < plan.arms.size(); ++arm)
+                out.push_back({condition, load, arm});
+        }
+    }
+    return out;
+}
+
+std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric metric)
+{
+    std::vector<double> out;
+    for (const Sample *sample : samplesOf(results, cell))
+        out.push_back(sample->values[metric]);
+    return out;
+}
+
+std::vector<unsigned> ordersOf(const Results &results, const Cell &cell)
+{
+    std::vector<unsigned> out;
+    for (const Sample *sample : samplesOf(results, cell))
+        out.push_back(sample->order);
+    return out;
+}
+
+} // namespace skyseal::experiment

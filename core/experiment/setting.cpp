@@ -1,0 +1,116 @@
+#include "core/experiment/setting.h"
+
+#include <openssl/crypto.h>
+#include <sodium.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+namespace skyseal::experiment {
+
+namespace {
+
+/// The value of "key : value" in /proc/cpuinfo or of KEY="value" in os-release; empty when there is none.
+std::string valueIn(const char *file, std::string_view key, char separator)
+{
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+        const std::size_t sign = line.find(separator);
+        if (sign == std::string::npos || line.compare(0, key.size(), key) != 0)
+            continue;
+        if (line.find_first_not_of(" \t", key.size()) != sign)
+            continue;
+        const std::size_t begin = line.find_first_not_of(" \t\"", sign + 1);
+        const std::size_t end = line.find_last_not_of(" \t\"");
+        return begin == std::string::npos ? std::string() : line.substr(begin, end - begin + 1);
+    }
+    return {};
+}
+
+std::string firstLine(const char *file)
+{
+    std::ifstream in(file);
+    std::string line;
+    std::getline(in, line);
+    return line;
+}
+
+/// Of all that a processor can do, what ciphers and hashes make use of.
+std::string cryptoFeatures()
+{
+    std::string flags = valueIn("/proc/cpuinfo", "flags", ':');
+    if (flags.empty())
+        flags = valueIn("/proc/cpuinfo", "Features", ':'); // ARM
+    std::istringstream words(flags);
+    std::string out;
+    for (std::string word; words >> word;) {
+        for (const char *wanted : {"aes", "pclmulqdq", "sha_ni", "ssse3", "avx", "avx2", "avx512f", "vaes", "vpclmulqdq",
+                                   "pmull", "sha1", "sha2", "asimd", "neon"}) {
+            if (word == wanted)
+                out += (out.empty() ? "" : " ") + word;
+        }
+    }
+    return out.empty() ? "none" : out;
+}
+
+std::string compiler()
+{
+#if defined(__clang__)
+    return "clang " __clang_version__;
+#elif defined(__GNUC__)
+    return "g++ " __VERSION__;
+#else
+    return "unknown";
+#endif
+}
+
+std::string build()
+{
+    std::string out;
+#if defined(__OPTIMIZE__)
+    out = "optimised";
+#else
+    out = "not optimised: figures of this build say little";
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    out += ", with sanitizers: figures of this build say nothing";
+#endif
+    return out;
+}
+
+} // namespace
+
+Setting machineSetting()
+{
+    utsname system{};
+    ::uname(&system);
+    const auto cores = ::sysconf(_SC_NPROCESSORS_ONLN);
+    std::string processor = valueIn("/proc/cpuinfo", "model name", ':');
+    if (const std::string speed = valueIn("/proc/cpuinfo", "cpu MHz", ':'); !speed.empty())
+        processor += ", " + speed + " MHz";
+    Setting out;
+    out.emplace_back("processor", processor.empty() ? "unknown" : processor);
+    out.emplace_back("cores", std::to_string(cores));
+    out.emplace_back("processor_features", cryptoFeatures());
+    if (const char *mask = std::getenv("OPENSSL_ia32cap"))
+        out.emplace_back("openssl_ia32cap", mask);
+    const std::string governor = firstLine("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+    out.emplace_back("frequency_governor", governor.empty() ? "unknown" : governor);
+    out.emplace_back("hypervisor", valueIn("/proc/cpuinfo", "flags", ':').find(" hypervisor") != std::string::npos ? "yes" : "no");
+    out.emplace_back("architecture", system.machine);
+    out.emplace_back("system", valueIn("/etc/os-release", "PRETTY_NAME", '='));
+    out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
+    out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
+    out.emplace_back("libsodium", sodium_version_string());
+    out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));
+    out.emplace_back("openssl_cpu", OpenSSL_version(OPENSSL_CPU_INFO));
+    out.emplace_back("compiler", compiler());
+    out.emplace_back("build", build());
+    return out;
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,246 @@
+#include "core/experiment/sweep_json.h"
+
+#include "core/base/json_writer.h"
+#include "core/experiment/analysis.h"
+
+#include <cmath>
+#include <charconv>
+
+namespace skyseal::experiment {
+
+namespace {
+
+void number(JsonWriter &json, std::string_view key, double value)
+{
+    json.key(key);
+    if (std::isfinite(value))
+        json.value(value);
+    else if (std::isnan(value))
+        json.null();
+    else
+        json.value(value); // "Infinity": a difference between counts that never vary
+}
+
+void place(JsonWriter &json, const Plan &plan, std::size_t condition, std::size_t load)
+{
+    json.field("condition", plan.conditions[condition].name).field("load", name(plan.loads[load]));
+}
+
+void arm(JsonWriter &json, const Arm &arm)
+{
+    json.field("suite", crypto::suiteInfo(arm.suite).name).field("again", arm.again);
+}
+
+void values(JsonWriter &json, const Values &values)
+{
+    json.key("values").beginObject();
+    for (const MetricInfo &metric : metrics())
+        number(json, metric.key, values[metric.metric]);
+    json.endObject();
+}
+
+void writePlan(JsonWriter &json, const Plan &plan)
+{
+    json.key("plan").beginObject();
+    json.field("framing", "sealed").field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
+    json.field("repeats", std::uint64_t(plan.repeats)).field("seed", std::to_string(plan.seed));
+    json.key("arms").beginArray();
+    for (const Arm &one : plan.arms) {
+        json.beginObject();
+        arm(json, one);
+        json.field("insecure", crypto::suiteInfo(one.suite).research || !crypto::suiteInfo(one.suite).authenticated);
+        json.endObject();
+    }
+    json.endArray().key("loads").beginArray();
+    for (const Load load : plan.loads)
+        json.value(name(load));
+    json.endArray().key("conditions").beginArray();
+    for (const Condition &condition : plan.conditions)
+        json.value(condition.name);
+    json.endArray().endObject();
+}
+
+void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
+{
+    json.field("order", std::uint64_t(sample.order));
+    place(json, plan, sample.run.condition, sample.run.load);
+    arm(json, plan.arms[sample.run.arm]);
+    json.field("repeat", std::uint64_t(sample.run.repeat)).field("start", sample.start).field("seconds", sample.seconds);
+    if (!sample.problem.empty())
+        json.field("problem", sample.problem);
+    values(json, sample.values);
+}
+
+void writeSummary(JsonWriter &json, const Results &results, const Cell &cell, Metric metric)
+{
+    const std::vector<double> samples = valuesOf(results, cell, metric);
+    const Summary summary = summarise(samples);
+    if (summary.count == 0)
+        return;
+    json.beginObject();
+    place(json, results.plan, cell.condition, cell.load);
+    arm(json, results.plan.arms[cell.arm]);
+    json.field("metric", info(metric).key).field("n", std::uint64_t(summary.count));
+    number(json, "mean", summary.mean);
+    number(json, "sd", summary.deviation);
+    number(json, "ci95_low", summary.low());
+    number(json, "ci95_high", summary.high());
+    number(json, "min", summary.min);
+    number(json, "max", summary.max);
+    number(json, "median", summary.median);
+    const std::vector<unsigned> orders = ordersOf(results, cell);
+    json.key("outliers").beginArray();
+    for (const std::size_t index : summary.outliers)
+        json.value(std::uint64_t(orders[index]));
+    json.endArray().endObject();
+}
+
+void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pair)
+{
+    json.beginObject();
+    place(json, plan, pair.condition, pair.load);
+    json.field("metric", info(pair.metric).key);
+    json.field("first", crypto::suiteInfo(plan.arms[pair.first].suite).name);
+    json.field("second", crypto::suiteInfo(plan.arms[pair.second].suite).name);
+    number(json, "difference", pair.comparison.test.difference);
+    number(json, "ratio", (pair.firstMean + pair.comparison.test.difference) / pair.firstMean);
+    number(json, "t", pair.comparison.test.t);
+    number(json, "df", pair.comparison.test.degrees);
+    number(json, "p", pair.comparison.test.p);
+    number(json, "p_holm", pair.comparison.adjusted);
+    json.field("significant", pair.comparison.significant()).endObject();
+}
+
+void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
+{
+    json.beginObject();
+    place(json, plan, noise.condition, noise.load);
+    json.field("metric", info(noise.metric).key).field("suite", crypto::suiteInfo(plan.arms[noise.arm].suite).name);
+    number(json, "mean", noise.mean);
+    number(json, "mean_again", noise.meanAgain);
+    number(json, "p", noise.test.p);
+    json.field("differs", noise.differs()).endObject();
+}
+
+void writeVerdict(JsonWriter &json, const Plan &plan, const Verdict &verdict)
+{
+    json.field("expectation", verdict.expectation).field("condition", plan.conditions[verdict.condition].name);
+    if (!verdict.suite.empty())
+        json.field("suite", verdict.suite);
+    number(json, "left", verdict.outcome.left);
+    number(json, "right", verdict.outcome.right);
+    json.field("measured", verdict.outcome.measured).field("holds", verdict.outcome.holds);
+}
+
+template<typename Write> void forEachPlace(const Plan &plan, Write write)
+{
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+            for (const MetricInfo &metric : metrics())
+                write(condition, load, metric.metric);
+        }
+    }
+}
+
+std::string csvNumber(double value)
+{
+    if (!std::isfinite(value))
+        return {};
+    char out[32];
+    return {out, std::to_chars(out, out + sizeof out, value).ptr};
+}
+
+/// Conditions hold commas.
+std::string csvText(const std::string &text)
+{
+    std::string out = "\"";
+    for (const char c : text)
+        out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
+} // namespace
+
+std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts)
+{
+    const Plan &plan = results.plan;
+    JsonWriter json;
+    json.beginObject().field("schema", "skyseal-sweep").field("schema_version", kSweepSchemaVersion);
+    json.field("complete", results.complete).field("duration", results.seconds);
+    json.key("setting").beginObject();
+    for (const auto &[key, value] : results.setting)
+        json.field(key, value);
+    json.endObject();
+    writePlan(json, plan);
+    json.key("metrics").beginArray();
+    for (const MetricInfo &metric : metrics()) {
+        json.beginObject().field("key", metric.key).field("title", metric.title).field("unit", metric.unit);
+        json.field("what", metric.what).endObject();
+    }
+    json.endArray().key("samples").beginArray();
+    for (const Sample &sample : results.samples) {
+        json.beginObject();
+        writeSample(json, plan, sample);
+        json.endObject();
+    }
+    json.endArray().key("summaries").beginArray();
+    for (const Cell &cell : cells(plan)) {
+        for (const MetricInfo &metric : metrics())
+            writeSummary(json, results, cell, metric.metric);
+    }
+    json.endArray().key("comparisons").beginArray();
+    forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
+        for (const ArmComparison &pair : compareArms(results, condition, load, metric))
+            writeComparison(json, plan, pair);
+    });
+    json.endArray().key("noise").beginArray();
+    forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
+        if (const auto noise = noiseOf(results, condition, load, metric))
+            writeNoise(json, plan, *noise);
+    });
+    json.endArray().key("expectations").beginArray();
+    for (const Verdict &verdict : verdicts) {
+        json.beginObject();
+        writeVerdict(json, plan, verdict);
+        json.endObject();
+    }
+    return json.endArray().endObject().text();
+}
+
+std::string sweepCsv(const Results &results)
+{
+    std::string out = "order,condition,load,suite,again,repeat,start,seconds";
+    for (const MetricInfo &metric : metrics())
+        out.append(",").append(metric.key);
+    out += ",problem\n";
+    for (const Sample &sample : results.samples) {
+        const Plan &plan = results.plan;
+        const Arm &one = plan.arms[sample.run.arm];
+        out += std::to_string(sample.order) + "," + csvText(plan.conditions[sample.run.condition].name) + ",";
+        out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
+        out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + ","
+               + csvNumber(sample.seconds);
+        for (const MetricInfo &metric : metrics())
+            out += "," + csvNumber(sample.values[metric.metric]);
+        out += "," + (sample.problem.empty() ? std::string() : csvText(sample.problem)) + "\n";
+    }
+    return out;
+}
+
+std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "run").field("runs", std::uint64_t(runs)).field("remaining", remaining);
+    writeSample(json, plan, sample);
+    return json.endObject().text();
+}
+
+std::string expectEvent(const Plan &plan, const Verdict &verdict)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "expect");
+    writeVerdict(json, plan, verdict);
+    return json.endObject().text();
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,103 @@
+#include "core/experiment/sweep_text.h"
+
+#include "core/experiment/analysis.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr std::array<Metric, 6> kShown{Metric::FrameRate, Metric::Loss,    Metric::CpuPerFrame,
+                                       Metric::AgentCpu,  Metric::OpenP50, Metric::Latency};
+
+constexpr std::size_t kNameWidth = 24, kWidth = 19;
+
+/// Width on a terminal: characters, not bytes of UTF-8.
+std::string padded(std::string text, std::size_t width, bool right)
+{
+    std::size_t characters = 0;
+    for (const char c : text)
+        characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    const std::string space(characters < width ? width - characters : 0, ' ');
+    return right ? space + text : text + space;
+}
+
+std::string header()
+{
+    std::string keys = padded("", kNameWidth, false), units = keys;
+    for (const Metric metric : kShown) {
+        keys += padded(std::string(info(metric).key), kWidth, true);
+        units += padded(std::string(info(metric).unit), kWidth, true);
+    }
+    return keys + "\n" + units;
+}
+
+std::string leftText(double time)
+{
+    const long whole = std::lround(time);
+    char out[48];
+    if (whole >= 60)
+        std::snprintf(out, sizeof out, "%ld min %ld s left", whole / 60, whole % 60);
+    else
+        std::snprintf(out, sizeof out, "%ld s left", whole);
+    return out;
+}
+
+} // namespace
+
+std::string meanText(const Results &results, const Cell &cell, Metric metric)
+{
+    const Summary summary = summarise(valuesOf(results, cell, metric));
+    if (summary.count == 0)
+        return "–";
+    std::string out = readable(summary.mean);
+    if (summary.count > 1)
+        out += " ± " + readable(summary.halfWidth);
+    return out + (summary.outliers.empty() ? "" : " *");
+}
+
+std::vector<std::string> sweepText(const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::vector<std::string> out;
+    bool anyOutlier = false;
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+            out.push_back((out.empty() ? "" : "\n") + std::string("Link: ") + plan.conditions[condition].name
+                          + ", load: " + std::string(name(plan.loads[load])));
+            out.push_back(header());
+            for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+                const bool insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
+                std::string line = padded(name(plan.arms[arm]) + (insecure ? " (insecure)" : ""), kNameWidth, false);
+                for (const Metric metric : kShown) {
+                    const std::string text = meanText(results, {condition, load, arm}, metric);
+                    anyOutlier = anyOutlier || text.ends_with('*');
+                    line += padded(text, kWidth, true);
+                }
+                out.push_back(line);
+            }
+        }
+    }
+    out.push_back("mean ± half of the 95 % confidence interval over " + std::to_string(plan.repeats) + " runs of "
+                  + readable(seconds(plan.measure)) + " s" + (anyOutlier ? "; * with outliers" : ""));
+    return out;
+}
+
+std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, double remaining)
+{
+    std::string out = "[" + std::to_string(sample.order + 1) + "/" + std::to_string(runs) + "] ";
+    if (plan.conditions.size() > 1)
+        out += plan.conditions[sample.run.condition].name + ", ";
+    out += std::string(name(plan.loads[sample.run.load])) + ", " + name(plan.arms[sample.run.arm]) + ": ";
+    if (sample.problem.empty())
+        out += readable(sample.values[Metric::Packets]) + " packets, " + readable(100 * sample.values[Metric::Loss])
+               + " % lost, CPU " + readable(sample.values[Metric::Cpu]) + " %";
+    else
+        out += sample.problem;
+    return out + "; " + leftText(remaining);
+}
+
+} // namespace skyseal::experiment

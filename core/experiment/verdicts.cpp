@@ -1,0 +1,64 @@
+#include "core/experiment/verdicts.h"
+
+#include "core/experiment/analysis.h"
+
+#include <algorithm>
+
+namespace skyseal::experiment {
+
+Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
+{
+    for (const crypto::SuiteId suite : expectation.suites()) {
+        if (std::find(plan.arms.begin(), plan.arms.end(), Arm{suite, false}) == plan.arms.end())
+            return tl::unexpected(InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name),
+                                             expectation.text()});
+    }
+    for (const Load load : expectation.loads()) {
+        if (std::find(plan.loads.begin(), plan.loads.end(), load) == plan.loads.end())
+            return tl::unexpected(
+                InputError{"the sweep does not measure the " + std::string(name(load)) + " load", expectation.text()});
+    }
+    return {};
+}
+
+std::vector<Verdict> judge(const Expectation &expectation, const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::vector<Verdict> out;
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Load> load) {
+            const auto at = std::find(plan.loads.begin(), plan.loads.end(), load.value_or(plan.loads.front()));
+            return meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), suite, metric);
+        };
+        if (!expectation.isForEachSuite()) {
+            out.push_back({expectation.text(), condition, {}, expectation.check({}, lookup)});
+            continue;
+        }
+        std::vector<Verdict> each;
+        for (const Arm &arm : plan.arms) {
+            if (!arm.again)
+                each.push_back({expectation.text(), condition, name(arm), expectation.check(arm.suite, lookup)});
+        }
+        const bool anyMeasured =
+            std::any_of(each.begin(), each.end(), [](const Verdict &verdict) { return verdict.outcome.measured; });
+        if (anyMeasured)
+            std::erase_if(each, [](const Verdict &verdict) { return !verdict.outcome.measured; });
+        out.insert(out.end(), each.begin(), each.end());
+    }
+    return out;
+}
+
+std::string sentence(const Verdict &verdict, const Plan &plan)
+{
+    std::string out = verdict.expectation;
+    if (!verdict.suite.empty())
+        out += " [" + verdict.suite + "]";
+    if (plan.conditions.size() > 1)
+        out += " [" + plan.conditions[verdict.condition].name + "]";
+    if (!verdict.outcome.measured)
+        return out + ": was not measured: FAILS";
+    return out + ": " + readable(verdict.outcome.left) + " against " + readable(verdict.outcome.right)
+           + (verdict.outcome.holds ? ": holds" : ": FAILS");
+}
+
+} // namespace skyseal::experiment

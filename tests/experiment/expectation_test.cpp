@@ -1,0 +1,169 @@
+// Assertions about a sweep: what they mean, what is refused and how it is said, and how they are judged.
+#include "core/experiment/analysis.h"
+#include "core/experiment/verdicts.h"
+
+#include <QtTest/QTest>
+
+#include <cmath>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+using crypto::SuiteId;
+
+namespace {
+
+double lookup(Metric metric, SuiteId suite, std::optional<Load> load)
+{
+    if (metric == Metric::Cpu)
+        return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1);
+    if (metric == Metric::Loss)
+        return 0.25;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+Results results()
+{
+    Results out;
+    out.plan.arms = {{SuiteId::None, false}, {SuiteId::Aes256Gcm, false}, {SuiteId::Aes256Gcm, true}};
+    out.plan.loads = {Load::Natural, Load::Saturated};
+    out.plan.repeats = 2;
+    unsigned order = 0;
+    for (const Run &run : schedule(out.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.order = order++;
+        sample.values[Metric::Cpu] = 10.0 * static_cast<double>(run.load) + static_cast<double>(run.arm) + 0.5 * run.repeat;
+        if (run.arm != 0)
+            sample.values[Metric::RecordLoss] = 0;
+        out.samples.push_back(sample);
+    }
+    return out;
+}
+
+} // namespace
+
+class ExpectationTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void values_data();
+    void values();
+    void refusals_data();
+    void refusals();
+    void judgedForEachSuiteThatHasIt();
+    void unmeasuredFails();
+    void mustFitThePlan();
+};
+
+void ExpectationTest::values_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("left");
+    QTest::addColumn<double>("right");
+    QTest::addColumn<bool>("holds");
+    const auto row = [](const char *text, double left, double right, bool holds) {
+        QTest::newRow(text) << QString::fromUtf8(text) << left << right << holds;
+    };
+    row("loss<=0.001", 0.25, 0.001, false);
+    row("cpu(chacha20-poly1305)<=1.60*cpu(none)", 3, 3.2, true);
+    row("cpu(chacha20-poly1305)<=1.10*cpu(none)", 3, 2.2, false);
+    row(" cpu ( aes-256-gcm , saturated ) == 30 ", 30, 30, true);
+    row("cpu(none)-1-1 == 0", 0, 0, true);
+    row("8/4/2 >= 1 + 2*cpu(none)", 1, 5, false);
+    row("(1+2)*3 != cpu(none)", 9, 2, true);
+    row("-cpu(none) < -(1.5)", -2, -1.5, true);
+    row("--cpu(none) > 1e0", 2, 1, true);
+    row("cpu(*,saturated)>29", 30, 29, true);
+    row("cpu(none)-cpu(aes-256-gcm)>=-1", -1, -1, true);
+}
+
+void ExpectationTest::values()
+{
+    QFETCH(QString, text);
+    QFETCH(double, left);
+    QFETCH(double, right);
+    QFETCH(bool, holds);
+    const auto parsed = Expectation::parse(text.toStdString());
+    QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
+    const auto outcome = parsed->check(SuiteId::ChaCha20, lookup);
+    QVERIFY(outcome.measured);
+    QCOMPARE(outcome.left, left);
+    QCOMPARE(outcome.right, right);
+    QCOMPARE(outcome.holds, holds);
+}
+
+void ExpectationTest::refusals_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("column");
+    QTest::addColumn<QString>("words");
+    const auto row = [](const QString &text, int column, const char *words) {
+        QTest::newRow(qPrintable(text.left(40))) << text << column << QString::fromUtf8(words);
+    };
+    row(QStringLiteral(""), 1, "instead of end");
+    row(QStringLiteral("loss"), 5, "comparison");
+    row(QStringLiteral("loss<="), 7, "instead of end");
+    row(QStringLiteral("loss=0"), 5, "comparison");
+    row(QStringLiteral("los<=0"), 1, "no metric is named 'los'");
+    row(QStringLiteral("loss<=0 and more"), 9, "unexpected 'a'");
+    row(QStringLiteral("cpu(des)<1"), 5, "no suite is named 'des'");
+    row(QStringLiteral("cpu(none,fast)<1"), 10, "natural or saturated");
+    row(QStringLiteral("cpu(none<1"), 9, "')' is expected");
+    row(QStringLiteral("1<2"), 4, "nothing that is measured");
+    row(QStringLiteral("loss<1x"), 7, "behind a number");
+    row(QStringLiteral("loss<1e999"), 6, "not a number");
+    row(QStringLiteral("loss<0x10"), 7, "behind a number");
+    row(QStringLiteral("loss<nan"), 6, "no metric is named 'nan'");
+    row(QString(40, QLatin1Char('(')) + QStringLiteral("loss") + QString(40, QLatin1Char(')')) + QStringLiteral("<1"), 33,
+        "too deeply");
+    row(QString(40, QLatin1Char('-')) + QStringLiteral("loss<1"), 33, "too deeply");
+    row(QString(1001, QLatin1Char(' ')), 1, "longer than");
+}
+
+void ExpectationTest::refusals()
+{
+    QFETCH(QString, text);
+    QFETCH(int, column);
+    QFETCH(QString, words);
+    const auto parsed = Expectation::parse(text.toStdString());
+    QVERIFY(!parsed);
+    QVERIFY2(QString::fromStdString(parsed.error().message).contains(words), parsed.error().message.c_str());
+    QCOMPARE(parsed.error().column, static_cast<std::size_t>(column));
+}
+
+void ExpectationTest::judgedForEachSuiteThatHasIt()
+{
+    const auto verdicts = judge(*Expectation::parse("record_loss<=0.001"), results());
+    QCOMPARE(verdicts.size(), std::size_t(1)); // plain MAVLink has no records, the repeated arm is not asked
+    QCOMPARE(verdicts[0].suite, std::string("aes-256-gcm"));
+    QVERIFY(verdicts[0].outcome.holds);
+
+    const auto cpu = judge(*Expectation::parse("cpu<=1"), results());
+    QCOMPARE(cpu.size(), std::size_t(2));
+    QCOMPARE(cpu[0].outcome.left, 0.25); // the mean of 0 and 0.5, under the first load
+    QVERIFY(cpu[0].outcome.holds && !cpu[1].outcome.holds);
+    QCOMPARE(judge(*Expectation::parse("cpu(none,saturated)==10.25"), results()).at(0).outcome.holds, true);
+}
+
+void ExpectationTest::unmeasuredFails()
+{
+    const auto verdicts = judge(*Expectation::parse("latency(none)<1"), results());
+    QCOMPARE(verdicts.size(), std::size_t(1));
+    QVERIFY(!verdicts[0].outcome.measured && !verdicts[0].outcome.holds);
+    QVERIFY(sentence(verdicts[0], results().plan).find("was not measured") != std::string::npos);
+    for (const Verdict &verdict : judge(*Expectation::parse("latency<1"), results()))
+        QVERIFY(!verdict.outcome.holds);
+}
+
+void ExpectationTest::mustFitThePlan()
+{
+    Plan plan = results().plan;
+    QVERIFY(fits(*Expectation::parse("cpu(aes-256-gcm,saturated)<1"), plan));
+    QVERIFY(!fits(*Expectation::parse("cpu(rc4)<1"), plan));
+    plan.loads = {Load::Natural};
+    QVERIFY(!fits(*Expectation::parse("cpu(none,saturated)<1"), plan));
+}
+
+QTEST_APPLESS_MAIN(ExpectationTest)
+#include "expectation_test.moc"

@@ -1,0 +1,210 @@
+// A whole sweep by the real programs: files that agree with each other and with the arithmetic, losses that are those of the
+// link, assertions that decide the exit status, a cancel that ends in good order.
+#include "tests/app/run_program.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QSet>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <cmath>
+#include <csignal>
+
+using namespace skyseal::test;
+
+namespace {
+
+QString q(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+QStringList sweep(const char *more)
+{
+    return QStringList{q("sweep")} + q(more).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+QByteArray contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// The events of one kind among the lines.
+QList<QJsonObject> events(const QByteArray &out, const char *kind)
+{
+    QList<QJsonObject> found;
+    for (const QByteArray &line : out.split('\n')) {
+        const QJsonObject object = QJsonDocument::fromJson(line).object();
+        if (object[QLatin1String("event")] == q(kind))
+            found.append(object);
+    }
+    return found;
+}
+
+double valueOf(const QJsonObject &sample, const char *metric)
+{
+    return sample[QLatin1String("values")][QLatin1String(metric)].toDouble(std::nan(""));
+}
+
+} // namespace
+
+class SweepTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void filesAgree();
+    void lossIsThatOfTheLink();
+    void radioSetsThePace();
+    void cancelKeepsWhatThereIs();
+    void nobodyAnswers();
+
+private:
+    void checkSummaries(const QJsonObject &report);
+    void checkCsv(const QJsonObject &report, const QByteArray &csv);
+};
+
+void SweepTest::checkSummaries(const QJsonObject &report)
+{
+    int checked = 0;
+    for (const QJsonValue summary : report[QLatin1String("summaries")].toArray()) {
+        QList<double> values;
+        for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
+            bool same = true;
+            for (const char *key : {"condition", "load", "suite", "again"})
+                same = same && sample[QLatin1String(key)] == summary[QLatin1String(key)];
+            const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(std::nan(""));
+            if (same && std::isfinite(value))
+                values.append(value);
+        }
+        QCOMPARE(summary[QLatin1String("n")].toInt(), static_cast<int>(values.size()));
+        double mean = 0;
+        for (const double value : values)
+            mean += value / static_cast<double>(values.size());
+        QVERIFY(std::abs(mean - summary[QLatin1String("mean")].toDouble()) <= 1e-9 * std::abs(mean));
+        QCOMPARE(*std::max_element(values.begin(), values.end()), summary[QLatin1String("max")].toDouble());
+        if (values.size() == 2) { // t for one degree of freedom is 12.7062
+            const double half = 12.7062047 * std::abs(values[0] - values[1]) / 2;
+            QVERIFY(std::abs(summary[QLatin1String("ci95_high")].toDouble() - (mean + half)) <= 1e-6 * (std::abs(mean) + half));
+        }
+        ++checked;
+    }
+    QVERIFY(checked > 40);
+}
+
+void SweepTest::checkCsv(const QJsonObject &report, const QByteArray &csv)
+{
+    const QByteArrayList lines = csv.trimmed().split('\n');
+    const QJsonArray samples = report[QLatin1String("samples")].toArray();
+    QCOMPARE(lines.size(), samples.size() + 1);
+    const QByteArrayList names = lines[0].split(',');
+    for (qsizetype i = 0; i < samples.size(); ++i) {
+        const QByteArrayList cells = lines[i + 1].split(','); // no condition here holds a comma
+        QCOMPARE(cells.size(), names.size());
+        for (const QJsonValue metric : report[QLatin1String("metrics")].toArray()) {
+            const QString key = metric[QLatin1String("key")].toString();
+            const qsizetype column = names.indexOf(key.toUtf8());
+            QVERIFY2(column > 0, qPrintable(key));
+            const QJsonValue value = samples[i][QLatin1String("values")][key];
+            QCOMPARE(cells[column].isEmpty(), value.isNull());
+            if (!value.isNull())
+                QCOMPARE(cells[column].toDouble(), value.toDouble());
+        }
+    }
+}
+
+void SweepTest::filesAgree()
+{
+    QTemporaryDir folder;
+    QStringList arguments = sweep("--suites none,chacha20-poly1305,rc4 --seconds 0.5 --warm-up 0.2 --repeats 2 --json --expect "
+                                  "loss<=0.2 --expect packets(none)>=1 --expect frame_rate(rc4,saturated)>frame_rate(rc4)");
+    arguments << q("--out") << folder.filePath(q("out"));
+    const RunResult run = runProgram("skyseal-cli", arguments, {}, 120000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2); // three suites and one of them again, two loads, two repeats
+    QCOMPARE(events(run.out, "expect").size(), 3 + 1 + 1);
+    const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
+    const QJsonObject report = QJsonDocument::fromJson(json).object();
+    QCOMPARE(report[QLatin1String("schema")].toString(), q("skyseal-sweep"));
+    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 1);
+    QVERIFY(report[QLatin1String("complete")].toBool());
+    for (const char *key : {"skyseal", "command_line", "processor", "processor_features", "libsodium", "openssl", "qt", "build"})
+        QVERIFY2(!report[QLatin1String("setting")][QLatin1String(key)].toString().isEmpty(), key);
+    for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
+        const QJsonObject object = sample.toObject();
+        const bool plain = object[QLatin1String("suite")] == q("none");
+        QVERIFY2(object[QLatin1String("problem")].isUndefined(), qPrintable(object[QLatin1String("problem")].toString()));
+        QVERIFY(valueOf(object, "packets") >= 10);
+        QVERIFY(valueOf(object, "agent_cpu") > 0 && valueOf(object, "agent_memory") > 1e6);
+        QVERIFY(valueOf(object, "cpu") > 0 && valueOf(object, "cpu") <= valueOf(object, "cpu_process") * 1.05);
+        QVERIFY(valueOf(object, "latency") > 0);
+        QCOMPARE(std::isnan(valueOf(object, "open_p50")), plain);
+        QVERIFY(plain ? valueOf(object, "overhead") == 0 : valueOf(object, "overhead") > 1);
+    }
+    checkSummaries(report);
+    checkCsv(report, contentOf(folder.filePath(q("out/sweep.csv"))));
+    QCOMPARE(report[QLatin1String("comparisons")].toArray().isEmpty(), false);
+    QCOMPARE(report[QLatin1String("noise")].toArray().isEmpty(), false);
+}
+
+void SweepTest::lossIsThatOfTheLink()
+{
+    // Saturated, so that there are records enough for the share to be near the probability.
+    const RunResult run = runProgram(
+        "skyseal-cli", sweep("--suites aes-256-gcm --load saturated --seconds 2 --repeats 1 --impair loss=0.05 --json --expect "
+                             "record_loss<=0.01"),
+        {}, 120000);
+    QCOMPARE(run.status, 1); // and the assertion notices
+    QVERIFY(!events(run.out, "expect").at(0)[QLatin1String("holds")].toBool());
+    const QJsonObject sample = events(run.out, "run").at(0);
+    QVERIFY2(std::abs(valueOf(sample, "record_loss") - 0.05) < 0.025, qPrintable(QString::number(valueOf(sample, "record_loss"))));
+    QVERIFY(valueOf(sample, "loss") > 0.01);
+}
+
+void SweepTest::radioSetsThePace()
+{
+    const RunResult run = runProgram(
+        "skyseal-cli", sweep("--suites chacha20-poly1305 --load saturated --seconds 3 --warm-up 2 --repeats 1 --impair "
+                             "rate=57600,delay=20 --json"),
+        {}, 120000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    const QJsonObject sample = events(run.out, "run").at(0);
+    const double rate = valueOf(sample, "wire_rate"); // 57,600 baud are 5,760 bytes a second
+    QVERIFY2(rate > 4500 && rate < 5900, qPrintable(QString::number(rate)));
+    QVERIFY(valueOf(sample, "latency") >= 40);
+}
+
+void SweepTest::cancelKeepsWhatThereIs()
+{
+    QTemporaryDir folder;
+    QProcess process;
+    QStringList arguments = sweep("--suites none,aes-256-gcm --seconds 1 --repeats 50 --load natural --json");
+    process.start(q(SKYSEAL_BIN_DIR "/skyseal-cli"), arguments << q("--out") << folder.path());
+    QVERIFY(process.waitForStarted());
+    QByteArray out;
+    while (events(out, "run").isEmpty() && process.waitForReadyRead(30000))
+        out += process.readAllStandardOutput();
+    QVERIFY(!events(out, "run").isEmpty());
+    process.terminate();
+    QVERIFY(process.waitForFinished(20000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains("cancelled"));
+    const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
+    QVERIFY(!report[QLatin1String("complete")].toBool());
+    QVERIFY(!report[QLatin1String("samples")].toArray().isEmpty());
+}
+
+void SweepTest::nobodyAnswers()
+{
+    const RunResult run = runProgram("skyseal-cli", sweep("--link udpin:192.0.2.1:14550 --identity /nonexistent --peers x"));
+    QCOMPARE(run.status, 3);
+    QVERIFY(run.err.contains("/nonexistent"));
+}
+
+QTEST_GUILESS_MAIN(SweepTest)
+#include "sweep_test.moc"
