@@ -11,6 +11,7 @@ int runImpair(const QStringList &arguments);
 int runKeys(const QStringList &arguments);
 int runLog(const QStringList &arguments);
 int runSweep(const QStringList &arguments);
+int runBench(const QStringList &arguments);
 int runSelfTest(const QStringList &arguments);
 
 } // namespace skyseal::app

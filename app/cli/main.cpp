@@ -23,6 +23,7 @@ struct Command
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
     {"sweep", "measures what each cipher suite costs, and compares", runSweep},
+    {"bench", "what sealing and opening cost on this machine, with AES instructions and without", runBench},
     {"decode", "MAVLink bytes or a .tlog, one message a line", runDecode},
     {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
     {"keys", "private keys and the files of known peers", runKeys},

@@ -106,6 +106,10 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --suites none", "--allow-plain");
     row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --suites rc4", "--allow-research");
     row("skyseal-cli", "sweep --link udpin:127.0.0.1:0 --identity k --peers p --load saturated", "saturated");
+    row("skyseal-cli", "bench --sizes 0", "--sizes");
+    row("skyseal-cli", "bench --sizes 28,2000", "1100");
+    row("skyseal-cli", "bench --aes maybe", "maybe");
+    row("skyseal-cli", "bench --suites none", "seals nothing");
     row("skyseal-cli", "decode", "argument");
     row("skyseal-cli", "decode a b", "b");
     row("skyseal-cli", "decode --framing mavsec2019 a", "mavsec2019");

@@ -1,0 +1,159 @@
+// skyseal-cli bench: what sealing and opening cost on this machine, with its AES instructions and without.
+#include "app/cli/commands.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/output.h"
+#include "core/base/json_writer.h"
+#include "core/experiment/cipher_bench.h"
+#include "core/experiment/setting.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QProcess>
+
+#include <algorithm>
+#include <charconv>
+
+namespace skyseal::app {
+
+namespace {
+
+const QString kName = QStringLiteral("skyseal-cli bench");
+constexpr std::size_t kMostBytes = 1100;
+
+// OpenSSL's names for what it must not see (OPENSSL_ia32cap(3): AES-NI is bit 57, PCLMULQDQ bit 33; vector AES bits 9 and 10
+// of the second word). On ARM OPENSSL_armcap=0 is all off.
+#if defined(__x86_64__)
+constexpr const char *kMaskName = "OPENSSL_ia32cap", *kMask = "~0x200000200000000:~0x60000000000";
+#else
+constexpr const char *kMaskName = "OPENSSL_armcap", *kMask = "0";
+#endif
+
+struct BenchPlan
+{
+    std::vector<crypto::SuiteId> suites;
+    std::vector<std::size_t> sizes;
+    bool with = true, without = true;
+    bool json = false;
+};
+
+std::vector<std::size_t> readSizes(Options &options)
+{
+    std::vector<std::size_t> out;
+    const std::string text = options.text("sizes");
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        std::size_t size = 0;
+        const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, size);
+        if (error != std::errc() || stop != text.data() + end || size < 1 || size > kMostBytes) {
+            options.fail("--sizes '" + text + "': whole numbers from 1 to " + std::to_string(kMostBytes)
+                         + ", separated by commas, are expected");
+            break;
+        }
+        out.push_back(size);
+        begin = end + 1;
+    }
+    return out;
+}
+
+BenchPlan readPlan(Options &options)
+{
+    BenchPlan out;
+    out.suites = options.suites("suites");
+    if (options.text("suites") == "all")
+        std::erase_if(out.suites, [](crypto::SuiteId suite) { return !crypto::suiteAvailable(suite); });
+    if (std::find(out.suites.begin(), out.suites.end(), crypto::SuiteId::None) != out.suites.end())
+        options.fail("--suites none: plain MAVLink seals nothing");
+    out.sizes = readSizes(options);
+    const std::string aes = options.text("aes");
+    out.with = aes != "without";
+    out.without = aes != "with";
+    if (aes != "both" && aes != "with" && aes != "without")
+        options.fail("--aes '" + aes + "': with, without or both is expected");
+    out.json = options.has("json");
+    return out;
+}
+
+std::string settingEvent(bool aes)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "setting").field("aes_instructions", aes);
+    for (const auto &[key, value] : experiment::machineSetting())
+        json.field(key, value);
+    return json.endObject().text();
+}
+
+/// Measures in this very process.
+bool measure(const BenchPlan &plan, bool aes)
+{
+    bool ok = true;
+#if !defined(__OPTIMIZE__)
+    remark("this build is not optimised: its figures say little");
+#endif
+    if (plan.json) {
+        printLine(settingEvent(aes));
+    } else {
+        printLine(aes ? "With the processor's AES instructions, as far as it has them:" : "Without AES instructions:");
+        for (const std::string &line : experiment::benchHeader())
+            printLine(line);
+    }
+    for (const crypto::SuiteId suite : plan.suites) {
+        const experiment::SuiteCosts costs = experiment::benchSuite(suite, plan.sizes);
+        for (const std::string &line : plan.json ? experiment::benchEvents(costs, aes) : experiment::benchText(costs))
+            printLine(line);
+        ok = ok && !costs.failed;
+    }
+    return ok;
+}
+
+/// The libraries decide at their start what to use, so a process of its own is needed. Its lines are ours.
+int measureInChild(const QStringList &arguments)
+{
+    QProcess child;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QLatin1String(kMaskName), QLatin1String(kMask));
+    child.setProcessEnvironment(environment);
+    child.setProcessChannelMode(QProcess::ForwardedChannels);
+    QStringList own = arguments;
+    own << QStringLiteral("--aes") << QStringLiteral("without");
+    child.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("bench")} + own);
+    if (!child.waitForFinished(-1) || child.exitStatus() != QProcess::NormalExit) {
+        complain(kName, "the measurement without AES instructions failed: " + child.errorString().toStdString());
+        return kNotReached;
+    }
+    return child.exitCode();
+}
+
+} // namespace
+
+int runBench(const QStringList &arguments)
+{
+    Options options(kName, QStringLiteral("Measures sealing and opening for each suite and size."));
+    options.addValue("suites", "LIST", "Suites, separated by commas.", "all");
+    options.addValue("sizes", "LIST", "Bytes of plaintext in a record, separated by commas.", "9,28,64,255,1000");
+    options.addValue("aes", "with|without|both", "Whether the processor's AES instructions are used; without, a companion "
+                                                 "computer that has none can be judged.", "both");
+    options.addFlag("json", "One JSON object a line on stdout.");
+    if (const auto status = options.parse(arguments))
+        return *status;
+    options.arguments(0, 0);
+    const BenchPlan plan = readPlan(options);
+    if (const auto status = options.finish())
+        return *status;
+    const bool masked = qEnvironmentVariableIsSet(kMaskName);
+    bool ok = true;
+    if (plan.with)
+        ok = measure(plan, true);
+    if (plan.without && masked)
+        ok = measure(plan, false) && ok;
+    else if (plan.without) {
+        if (plan.with && !plan.json)
+            printLine("");
+        ok = measureInChild(arguments) == kDone && ok;
+    }
+    if (!plan.json && ok && (plan.with || !masked))
+        printLine("\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: ours; record: "
+                  "a complete record\nof a session; x: record over bare. CPU time, the least disturbed of 15 rounds.");
+    return ok ? kDone : kNotReached;
+}
+
+} // namespace skyseal::app

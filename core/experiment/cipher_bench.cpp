@@ -1,0 +1,195 @@
+#include "core/experiment/cipher_bench.h"
+
+#include "core/crypto/record_cipher.h"
+#include "core/experiment/bare_calls.h"
+#include "core/experiment/record_pair.h"
+#include "core/experiment/statistics.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include <time.h>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr std::size_t kBatch = 64; ///< as many records as a wake-up takes from a socket
+constexpr int kBatches = 24;       ///< of one timing: short enough to be left undisturbed now and then
+constexpr int kRounds = 15;
+constexpr std::size_t kContexts = 64; ///< whose memory is averaged
+constexpr std::size_t kAssociated = 9;
+using Buffer = std::array<std::uint8_t, kMostBareBytes + 64>;
+
+crypto::DirectionSecret benchSecret()
+{
+    crypto::DirectionSecret secret;
+    secret.mutableView()[0] = 1;
+    return secret;
+}
+
+/// CPU time of this thread: what else runs on the machine counts only by what it does to the caches.
+double threadNanoseconds()
+{
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+}
+
+/// The compiler must not find out that nobody reads what a call wrote.
+void touchMemory()
+{
+    asm volatile("" : : : "memory");
+}
+
+/// Something to time, a batch at a time, and what has to be made ready before, which is not timed.
+struct Timed
+{
+    std::function<void()> batch;
+    std::function<void()> prepare;
+    std::vector<double> rounds;
+
+    void round()
+    {
+        double taken = 0;
+        for (int i = 0; i < kBatches; ++i) {
+            if (prepare)
+                prepare();
+            const double begin = threadNanoseconds();
+            batch();
+            taken += threadNanoseconds() - begin;
+        }
+        rounds.push_back(taken / (kBatches * static_cast<double>(kBatch)));
+    }
+    CallCost cost() const
+    {
+        if (rounds.empty())
+            return {};
+        return {*std::min_element(rounds.begin(), rounds.end()), quantile(rounds, 0.5)};
+    }
+};
+
+Timed timedBare(const BareCall &call, std::size_t size)
+{
+    Timed out;
+    out.batch = [&call, size] {
+        for (std::size_t i = 0; i < kBatch; ++i) {
+            call(size);
+            touchMemory();
+        }
+    };
+    return out;
+}
+
+/// Ciphers, records and buffers of one suite.
+struct Rig
+{
+    explicit Rig(crypto::SuiteId id)
+        : suite(id), sealing(crypto::makeRecordCipher(id, benchSecret())), opening(crypto::makeRecordCipher(id, benchSecret())),
+          pair(RecordPair::create(id))
+    {
+    }
+
+    crypto::SuiteId suite;
+    std::unique_ptr<crypto::RecordCipher> sealing, opening;
+    std::unique_ptr<RecordPair> pair;
+    std::array<std::uint8_t, kAssociated> associated{};
+    std::vector<Buffer> records{kBatch}, copies{kBatch};
+    std::array<std::size_t, kBatch> lengths{};
+    Buffer plain{};
+    std::uint64_t counter = 0;
+    bool failed = false;
+
+    bool ready() const { return sealing && opening && pair; }
+
+    void sealWithSuite(std::size_t size)
+    {
+        for (std::size_t i = 0; i < kBatch; ++i)
+            lengths[i] = sealing->seal(counter++, associated, ByteView(plain).first(size), records[i]);
+    }
+    void openWithSuite()
+    {
+        for (std::size_t i = 0; i < kBatch; ++i) {
+            std::copy_n(records[i].begin(), lengths[i], copies[i].begin()); // as the bare calls do
+            const auto sealed = MutableByteView(copies[i]).first(lengths[i]);
+            failed = failed || !opening->open(counter - kBatch + i, associated, sealed);
+        }
+    }
+    void sealRecords(std::size_t size)
+    {
+        for (std::size_t i = 0; i < kBatch; ++i)
+            lengths[i] = pair->seal(ByteView(plain).first(size), records[i]);
+    }
+    void openRecords()
+    {
+        for (std::size_t i = 0; i < kBatch; ++i)
+            failed = failed || !pair->open(MutableByteView(records[i]).first(lengths[i]));
+    }
+};
+
+SizeCosts benchSize(Rig &rig, std::size_t size)
+{
+    rig.plain[0] = 0xFD; // a session carries MAVLink frames, not its own messages
+    const BareCall sealCipher = bareCipher(rig.suite, Direction::Seal), openCipher = bareCipher(rig.suite, Direction::Open);
+    const BareCall sealBare = bareRecord(rig.suite, Direction::Seal), openBare = bareRecord(rig.suite, Direction::Open);
+    // All in turn in each round, so that they meet the same machine.
+    std::array<Timed, 8> timed{timedBare(sealCipher, size), timedBare(sealBare, size),
+                               Timed{[&] { rig.sealWithSuite(size); }, {}, {}},
+                               Timed{[&] { rig.sealRecords(size); }, {}, {}},
+                               timedBare(openCipher, size), timedBare(openBare, size),
+                               Timed{[&] { rig.openWithSuite(); }, [&] { rig.sealWithSuite(size); }, {}},
+                               Timed{[&] { rig.openRecords(); }, [&] { rig.sealRecords(size); }, {}}};
+    for (int round = 0; round < kRounds; ++round) {
+        for (Timed &each : timed)
+            each.round();
+        // Sealed by one end and never opened by the other counts as lost there, which is right and costs nothing here.
+    }
+    SizeCosts out;
+    out.size = size;
+    out.seal = {timed[0].cost(), timed[1].cost(), timed[2].cost(), timed[3].cost()};
+    out.open = {timed[4].cost(), timed[5].cost(), timed[6].cost(), timed[7].cost()};
+    return out;
+}
+
+std::optional<double> contextBytes(crypto::SuiteId suite)
+{
+    std::vector<std::unique_ptr<crypto::RecordCipher>> contexts;
+    contexts.reserve(kContexts);
+    crypto::makeRecordCipher(suite, benchSecret()); // what the libraries keep from the first time is not counted
+    const auto before = heapInUse();
+    for (std::size_t i = 0; i < kContexts; ++i)
+        contexts.push_back(crypto::makeRecordCipher(suite, benchSecret()));
+    const auto after = heapInUse();
+    if (!before || !after || *after < *before)
+        return std::nullopt;
+    return static_cast<double>(*after - *before) / kContexts;
+}
+
+std::optional<double> sessionBytes(crypto::SuiteId suite)
+{
+    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
+    if (!pair || !pair->heapBytes())
+        return std::nullopt;
+    return static_cast<double>(*pair->heapBytes()) / 2;
+}
+
+} // namespace
+
+SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes)
+{
+    SuiteCosts out;
+    out.suite = suite;
+    out.contextBytes = contextBytes(suite);
+    out.sessionBytes = sessionBytes(suite);
+    Rig rig(suite);
+    out.failed = !rig.ready();
+    if (out.failed)
+        return out;
+    for (const std::size_t size : sizes)
+        out.sizes.push_back(benchSize(rig, size));
+    out.failed = rig.failed;
+    return out;
+}
+
+} // namespace skyseal::experiment

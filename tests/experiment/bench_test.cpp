@@ -1,0 +1,70 @@
+// The benchmark of the suites: every record opens, the figures are in a believable order, the memory is that of a context.
+#include "core/crypto/init_crypto.h"
+#include "core/experiment/cipher_bench.h"
+#include "core/experiment/record_pair.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+
+class BenchTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void everySuiteHasAPair();
+    void costsMakeSense();
+    void noPairForPlain();
+};
+
+void BenchTest::everySuiteHasAPair()
+{
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        if (!info.authenticated || !crypto::suiteAvailable(info.id))
+            continue;
+        const auto pair = RecordPair::create(info.id);
+        QVERIFY2(pair, std::string(info.name).c_str());
+        const Bytes frame(28, 0xFD);
+        Bytes record(100);
+        const std::size_t size = pair->seal(frame, record);
+        QVERIFY(size > frame.size() && size <= frame.size() + channel::kMaxRecordOverhead);
+        QVERIFY(pair->open(MutableByteView(record).first(size)));
+        QVERIFY(!pair->open(MutableByteView(record).first(size))); // once only
+    }
+}
+
+void BenchTest::costsMakeSense()
+{
+    const SuiteCosts costs = benchSuite(crypto::SuiteId::Aes256Ctr, {16, 1000});
+    QVERIFY(!costs.failed);
+    QCOMPARE(costs.sizes.size(), std::size_t(2));
+    for (const SizeCosts &size : costs.sizes) {
+        for (const StepCosts *step : {&size.seal, &size.open}) {
+            QVERIFY(step->cipher.best > 5 && step->cipher.best < step->bare.best);
+            QVERIFY(step->record.best > step->suite.best);
+            for (const CallCost &cost : {step->cipher, step->bare, step->suite, step->record})
+                QVERIFY(cost.best <= cost.median && cost.median < 1e6);
+        }
+    }
+    QVERIFY(costs.sizes[1].seal.record.best > costs.sizes[0].seal.record.best);
+#if defined(__GLIBC__)
+    QVERIFY(costs.contextBytes && *costs.contextBytes > 100 && *costs.contextBytes < 20000);
+    QVERIFY(costs.sessionBytes && *costs.sessionBytes > *costs.contextBytes);
+#endif
+    for (const std::string &line : benchEvents(costs, true)) {
+        const QJsonDocument json = QJsonDocument::fromJson(QByteArray::fromStdString(line));
+        QCOMPARE(json[QLatin1String("suite")].toString(), QStringLiteral("aes-256-ctr"));
+        QVERIFY(json[QLatin1String("open")][QLatin1String("record")][QLatin1String("best_ns")].toDouble() > 0);
+    }
+}
+
+void BenchTest::noPairForPlain()
+{
+    QVERIFY(!RecordPair::create(crypto::SuiteId::None));
+}
+
+QTEST_APPLESS_MAIN(BenchTest)
+#include "bench_test.moc"
