@@ -1,10 +1,13 @@
 // PROTOCOL.md's known answers against this implementation. They are read out of the document, so it cannot say one thing
 // and the programs do another. An independent implementation checks the same ones (tests/integration/independent_peer).
+#include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
+#include "core/channel/inline_frame.h"
 #include "core/channel/record.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
 #include "core/crypto/record_cipher.h"
+#include "core/engine/dialect_facts.h"
 #include "core/keys/public_key_text.h"
 #include "known_answers.h"
 #include "tests/noise/fixed_random.h"
@@ -72,9 +75,12 @@ private Q_SLOTS:
     void announcement();
     void handshake();
     void transportKeys();
+    void cookie();
     void epochs();
     void records_data();
     void records();
+    void inlineFrames_data();
+    void inlineFrames();
     void controlMessages();
     void cleanupTestCase();
 
@@ -87,6 +93,7 @@ private:
 
     KnownAnswers m_answers = KnownAnswers::read(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md");
     X25519KeyPair m_station, m_agent;
+    const engine::DialectFacts m_facts{mavlink::Dialect::builtin()};
     const SuiteOffer m_stationsOffer{{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20,
                                       SuiteId::Rc4},
                                      true};
@@ -167,6 +174,18 @@ void KnownAnswersTest::transportKeys()
     COMPARE_WITH("k2", secrets->receive.view());
 }
 
+void KnownAnswersTest::cookie()
+{
+    const Bytes &first = m_answers["first message"];
+    const auto opened = openCookie(m_agent.publicKey, ByteView(first).last(kMacLength), m_answers["cookie message"]);
+    QVERIFY(opened);
+    COMPARE_WITH("cookie", *opened);
+    COMPARE_WITH("cookie nonce", ByteView(m_answers["cookie message"]).subspan(1, 16));
+    Bytes under = first;
+    signWithCookie(*opened, under);
+    COMPARE_WITH("first message under the cookie", under);
+}
+
 void KnownAnswersTest::epochs()
 {
     const KeyChain chain(secretOf(m_answers["k1"]), secretOf(m_answers["k2"]), m_answers["handshake hash"]);
@@ -225,6 +244,35 @@ void KnownAnswersTest::records()
         const std::string info = "skyseal v1 record " + name + ' ' + use;
         QVERIFY(crypto::hkdfExpandSha256(expanded, m_answers["direction secret"], asBytes(info)));
         QCOMPARE(expanded, key);
+    }
+}
+
+void KnownAnswersTest::inlineFrames_data()
+{
+    QTest::addColumn<int>("number");
+    for (const SuiteId suite : {SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4})
+        QTest::newRow(std::string(crypto::suiteInfo(suite).name).c_str()) << static_cast<int>(suite);
+}
+
+void KnownAnswersTest::inlineFrames()
+{
+    QFETCH(int, number);
+    const auto suite = static_cast<SuiteId>(number);
+    const InlinePlace place{1, 5, Direction::FromInitiator, Carrier::Datagram};
+    const auto cipher = crypto::makeInlineCipher(suite, secretOf(m_answers["inline secret"]));
+    for (const std::string plain : {"command", "frame"}) {
+        const std::string name = std::string(crypto::suiteInfo(suite).name) + " inline " + plain;
+        const auto sealable = SealableFrame::read(m_answers[plain], m_facts);
+        QVERIFY(sealable);
+        Bytes sealed(sealable->sealedSize());
+        QVERIFY(sealable->seal(place, *cipher, sealed));
+        COMPARE_WITH(name.c_str(), sealed);
+        const auto read = InlineFrame::read(sealed, m_facts);
+        QVERIFY(read);
+        QCOMPARE(read->counter(), place.counter);
+        const auto opened = read->open(place.direction, place.carrier, *cipher);
+        QVERIFY(opened);
+        COMPARE_WITH(plain.c_str(), *opened);
     }
 }
 

@@ -60,7 +60,9 @@ private Q_SLOTS:
     void agreesWithTheDocument();
     void stationOpensTelemetryUnderEverySuite();
     void stationRoamsClosesAndComesBack();
+    void stationGetsThroughAFlood();
     void agentServesTheMonitor();
+    void agentAsksForACookie();
 
 private:
     QStringList script(const QStringList &arguments) const;
@@ -239,6 +241,34 @@ void IndependentPeerTest::agentServesTheMonitor()
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
     QCOMPARE(number(within(summary, "mavlink"), "lost"), 0);
     QCOMPARE(number(within(summary, "mavlink"), "duplicate"), 0);
+}
+
+void IndependentPeerTest::stationGetsThroughAFlood()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    // Twice what the agent computes for strangers; without the cookie the station would have to be lucky.
+    Program station(m_python, arguments(flight, "--station", "air.key",
+                                        {QStringLiteral("--flood"), QStringLiteral("100"), QStringLiteral("--port"),
+                                         QString::number(flight.groundPort)}));
+    QVERIFY2(!station.waitFor(QStringLiteral("cookie"), 20000).isEmpty(), station.errors().constData());
+    QVERIFY(!station.waitFor(QStringLiteral("session"), 10000).isEmpty());
+    QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "up")).isEmpty());
+}
+
+void IndependentPeerTest::agentAsksForACookie()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    Program agent(m_python, arguments(flight, "--agent", "ground.key",
+                                      {QStringLiteral("--suspicious"), QStringLiteral("--announce"), QString::number(flight.groundPort)}));
+    QVERIFY2(!agent.waitFor(QStringLiteral("cookie"), 20000).isEmpty(), agent.errors().constData());
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 10000).isEmpty());
+    QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());
 }
 
 QTEST_GUILESS_MAIN(IndependentPeerTest)

@@ -1,5 +1,7 @@
 """The agent: announces itself and answers first messages (PROTOCOL.md 3, 4 and 9). No socket, no clock of its own."""
 
+import hashlib
+import os
 import random
 from dataclasses import dataclass
 
@@ -12,6 +14,7 @@ ANNOUNCE_EVERY = 0.5
 QUIET = 1.5
 UNCONFIRMED_LIFE = 10.0
 RATE, BURST = 50.0, 20.0
+LEFT_FOR_COOKIES = 10.0
 
 
 @dataclass
@@ -39,12 +42,14 @@ class Peer:
 class Agent:
     """`out` collects (datagram, address), `events` dicts for the owner, `plaintexts` what the sessions delivered."""
 
-    def __init__(self, static, stations, suites, flags, announce_to):
+    def __init__(self, static, stations, suites, flags, announce_to, suspicious=False):
         self.out, self.events, self.plaintexts = [], [], []
         self.peers = [Peer(public, psk) for public, psk in stations]
         self._static, self._suites, self._flags, self._announce_to = static, suites, flags, announce_to
         self._next_announcement = 0.0
         self._tokens, self._tokens_at = BURST, None
+        self._suspicious = suspicious  # asks for a cookie always, not under load alone
+        self._cookie_secret = os.urandom(32)  # not replaced: this agent does not live for minutes
         self._last_connection = random.randrange(0x10000)
 
     def receive(self, datagram, address, now):
@@ -84,13 +89,19 @@ class Agent:
             self.out += [(wire.announcement(self._static.public), target) for target in targets]
 
     def _take_first(self, datagram, address, now):
-        if not wire.mac1_is_right(self._static.public, datagram):
+        has_cookie = not wire.mac1_is_right(self._static.public, datagram)
+        if has_cookie and datagram != wire.under_cookie(datagram, self._cookie(address)):
             return self._refuse("WrongKey")
         for peer in self.peers:
-            if peer.unconfirmed and peer.unconfirmed.first == datagram:
+            if peer.unconfirmed and peer.unconfirmed.first[:-16] == datagram[:-16]:
                 self.out.append((peer.unconfirmed.answer, address))
                 return None
-        if not self._may_compute(now):
+        self._refill(now)
+        if not has_cookie and (self._suspicious or self._tokens < LEFT_FOR_COOKIES + 1):
+            self.events.append({"event": "cookie"})
+            self.out.append((wire.cookie_message(self._static.public, self._cookie(address), datagram), address))
+            return None
+        if not self._may_compute():
             return None
         handshake = wire.agent_handshake(self._static)
         try:
@@ -119,10 +130,15 @@ class Agent:
     def _refuse(self, why):
         self.events.append({"event": "refused", "why": why})
 
-    def _may_compute(self, now):
+    def _cookie(self, address):
+        return hashlib.blake2b(repr(address).encode(), digest_size=16, key=self._cookie_secret).digest()
+
+    def _refill(self, now):
         if self._tokens_at is not None:
             self._tokens = min(BURST, self._tokens + (now - self._tokens_at) * RATE)
         self._tokens_at = now
+
+    def _may_compute(self):
         if self._tokens < 1:
             return False
         self._tokens -= 1

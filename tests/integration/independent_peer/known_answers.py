@@ -7,17 +7,19 @@ are those in INPUTS; every other name must come out of compute().
 import re
 
 import control
+import inline_frame
 import key_text
 import wire
 from epoch import record_head
 from keys import AGENT, STATION, EpochKeys, first_chain
-from mavlink import heartbeat
+from mavlink import frame, heartbeat
 from noise import KeyPair
-from suites import NAMES, DirectionKeys
+from suites import NAMES, DirectionKeys, InlineKeys
 
 HEADING = "Known answers"
 INPUTS = ("station private", "agent private", "station ephemeral private", "agent ephemeral private", "pre-shared key",
-          "announcement nonce", "proposal nonce", "answer nonce", "direction secret")
+          "announcement nonce", "cookie", "cookie nonce", "proposal nonce", "answer nonce", "direction secret",
+          "inline secret")
 
 
 def read(path):
@@ -67,8 +69,10 @@ def compute(inputs):
     out = _keys(*ends)
     out["announcement"] = wire.announcement(ends[1].public, inputs["announcement nonce"])
     handshake = _handshake(inputs, *ends, out)
+    _cookie(inputs, ends[1].public, out)
     _epochs(inputs, handshake, out)
     _records(inputs, out)
+    _inline_frames(inputs, out)
     _control_messages(inputs, out)
     return out
 
@@ -100,6 +104,13 @@ def _handshake(inputs, station, agent, out):
     return initiator
 
 
+def _cookie(inputs, agent_public, out):
+    first, cookie = out["first message"], inputs["cookie"]
+    out["cookie message"] = wire.cookie_message(agent_public, cookie, first, inputs["cookie nonce"])
+    assert wire.open_cookie(agent_public, out["cookie message"], first) == cookie
+    out["first message under the cookie"] = wire.under_cookie(first, cookie)
+
+
 def _epochs(inputs, handshake, out):
     chain = first_chain(handshake.h, *handshake.split())
     zero = EpochKeys(chain, 0, 2)
@@ -119,6 +130,17 @@ def _records(inputs, out):
         parts = {"key": keys.key, "iv": keys.iv, "mac": keys.mac}
         out.update({f"{name} {use}": part for use, part in parts.items() if part})
         out[name + " record"] = head + keys.seal(0x010203, head + bytes([suite, STATION, 1]), out["frame"])
+
+
+def _inline_frames(inputs, out):
+    payload = bytes.fromhex("0000803f") + bytes(24) + bytes.fromhex("90010101")  # COMPONENT_ARM_DISARM 1 for 1, 1; trimmed
+    out["command"] = frame(bytes([len(payload), 0, 0, 7, 255, 190, 76, 0, 0]), payload)
+    for suite in (3, 4, 5, 6):
+        keys, place = InlineKeys(suite, inputs["inline secret"]), (1, suite, STATION, 1)
+        for name in ("command", "frame"):
+            sealed = inline_frame.seal(out[name], keys, place, 5)
+            assert inline_frame.open_frame(sealed, keys, place) == out[name]
+            out[f"{NAMES[suite]} inline {name}"] = sealed
 
 
 def _control_messages(inputs, out):

@@ -2,7 +2,10 @@
 
 V1, V2 = 0xFE, 0xFD
 SIGNED = 0x01
-HEARTBEAT, HEARTBEAT_EXTRA = 0, 50
+HEARTBEAT, COMMAND_LONG = 0, 76
+
+# Of a message: CRC_EXTRA, and where target_system and target_component stand.
+FACTS = {HEARTBEAT: (50, ()), COMMAND_LONG: (152, (30, 31))}
 
 
 def frames(data):
@@ -35,5 +38,10 @@ def crc(data):
 def heartbeat(system, component, sequence):
     """A fixed-wing vehicle of ArduPilot, standing by."""
     payload = (0).to_bytes(4, "little") + bytes([1, 3, 0x51, 3, 3])
-    head = bytes([len(payload), 0, 0, sequence & 0xFF, system, component, HEARTBEAT, 0, 0])
-    return bytes([V2]) + head + payload + crc(head + payload + bytes([HEARTBEAT_EXTRA])).to_bytes(2, "little")
+    return frame(bytes([len(payload), 0, 0, sequence & 0xFF, system, component, HEARTBEAT, 0, 0]), payload)
+
+
+def frame(head, payload):
+    """A frame of MAVLink 2 with its checksum; `head` without the magic."""
+    extra, _ = FACTS[int.from_bytes(head[6:9], "little")]
+    return bytes([V2]) + head + payload + crc(head + payload + bytes([extra])).to_bytes(2, "little")

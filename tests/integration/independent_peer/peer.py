@@ -19,6 +19,7 @@ import time
 
 import known_answers
 from agent import Agent
+from flood import Flood
 from key_text import from_text, to_text
 from mavlink import frames, heartbeat
 from noise import KeyPair
@@ -44,8 +45,9 @@ class End:
             self._other = self._end.agents[0]
         else:
             to = [("127.0.0.1", int(port)) for port in arguments.announce.split(",")]
-            self._end = Agent(static, known, suites, flags, to)
+            self._end = Agent(static, known, suites, flags, to, arguments.suspicious)
             self._other = self._end.peers[0]
+        self._flood = Flood(arguments.flood, known[0][0]) if arguments.flood else None
         self._frames = {}  # suite: frames delivered under it
         self._next_sequence = {}
         self._gaps = self._strange = self._beats = 0
@@ -59,6 +61,8 @@ class End:
         while self._running:
             for key, _ in self._selector.select(TICK):
                 key.data()
+            if self._flood:
+                self._flood.tick(time.monotonic())
             self._end.tick(time.monotonic())
             self._flush()
 
@@ -75,8 +79,12 @@ class End:
                 datagram, address = one.recvfrom(2048)
             except (BlockingIOError, ConnectionError):
                 return
-            self._end.receive(datagram, address, time.monotonic())
-            self._flush()
+            now = time.monotonic()
+            if self._flood:
+                self._flood.aim(address, now)
+            if self._flood is None or self._flood.is_on():
+                self._end.receive(datagram, address, now)
+                self._flush()
 
     def _flush(self):
         for datagram, address in self._end.out:
@@ -175,6 +183,9 @@ def main():
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--announce", metavar="PORTS", default="", help="where the agent's stations listen")
     parser.add_argument("--suites", metavar="NUMBERS", default="1,2,3,4,5,6", help="best first")
+    parser.add_argument("--suspicious", action="store_true", help="agent: ask every station for a cookie")
+    parser.add_argument("--flood", type=float, metavar="RATE",
+                        help="station: first put the agent under load by so many made-up first messages a second")
     parser.add_argument("--research", action="store_true", help="agree to research suites")
     arguments = parser.parse_args()
     if arguments.new_key:

@@ -10,10 +10,24 @@ from session import Ids, Session
 
 QUIET, SILENT = 1.25, 2.5
 RETRIES = (0.25, 0.5, 1.0, 2.0)
-COPIES = 4
+COPIES, RENEW_AFTER = 4, 5.0
 ATTEMPT_LIFE = 10.0
-ADDRESSES = 4
-FORWARD = 0.1  # an announcement brings the next copy forward, but not closer to the last one than this
+PLACES = 4
+CLOSEST_COPIES = 0.05
+COOKIE_LIFE = 120.0
+
+
+@dataclass
+class Place:
+    """An address where the agent may be. Until it is proven each announcement from there pays for one first message."""
+    address: tuple
+    owed: int = 0
+    proven: bool = False
+    last_copy: float = float("-inf")
+    unanswered: int = 0  # copies with mac1 that a cookie may still answer
+    cookie: bytes = None
+    cookie_until: float = 0.0
+    cookies_turn: bool = False
 
 
 @dataclass
@@ -22,11 +36,21 @@ class Attempt:
     handshake: object = None
     offer: object = None
     message: bytes = b""
+    made: float = 0.0
+    copies_of_this: int = 0
     copies: int = 0
     next_copy: float = 0.0
-    last_copy: float = float("-inf")
     wanted_until: float = 0.0
-    addresses: list = field(default_factory=list)
+    places: list = field(default_factory=list)
+
+    def place(self, address):
+        found = next((place for place in self.places if place.address == address), None)
+        if found is None:
+            if len(self.places) == PLACES:
+                self.places.remove(next((place for place in self.places if not place.proven), self.places[0]))
+            found = Place(address)
+            self.places.append(found)
+        return found
 
 
 class Agent:
@@ -57,6 +81,8 @@ class Station:
             self._take_announcement(datagram, address, now)
         elif kind == 2 and datagram[0] == wire.ANSWER and len(datagram) == wire.ANSWER_LENGTH:
             self._take_answer(datagram, address, now)
+        elif kind == 2 and datagram[0] == wire.COOKIE and len(datagram) == wire.COOKIE_LENGTH:
+            self._take_cookie(datagram, address, now)
 
     def tick(self, now):
         for agent in self.agents:
@@ -68,12 +94,13 @@ class Station:
                     self.events.append({"event": "ended", "why": session.ended, "counts": session.totals()})
                     agent.session = None
                 elif now - session.last_heard > SILENT:
-                    agent.attempt = attempt = attempt or Attempt(addresses=[agent.address])
+                    agent.attempt = attempt = attempt or Attempt()
+                    attempt.place(agent.address).proven = True
                     attempt.wanted_until = now + ATTEMPT_LIFE
             if attempt and now > attempt.wanted_until:
                 agent.attempt = None
             elif attempt and now >= attempt.next_copy:
-                self._send_first(agent, now)
+                self._send_copies(agent, now)
 
     def send(self, agent, plaintext):
         agent.session.send(plaintext)
@@ -87,22 +114,62 @@ class Station:
         agent = next((agent for agent in self.agents if wire.announces(datagram, agent.public)), None)
         if agent is None or (agent.session and now - agent.session.last_heard < QUIET):
             return
-        attempt = agent.attempt = agent.attempt or Attempt()
-        if address not in attempt.addresses:
-            attempt.addresses = [address, *attempt.addresses][:ADDRESSES]
+        attempt = agent.attempt = agent.attempt or Attempt(next_copy=now + RETRIES[0])
         attempt.wanted_until = now + ATTEMPT_LIFE
-        attempt.next_copy = min(attempt.next_copy, max(now, attempt.last_copy + FORWARD))
+        place = attempt.place(address)
+        place.owed = min(place.owed + 1, COPIES)
+        if now - place.last_copy >= CLOSEST_COPIES:
+            self._renew(agent, now)
+            self._send_first(agent, place, now)
 
-    def _send_first(self, agent, now):
+    def _send_copies(self, agent, now):
         attempt = agent.attempt
-        if attempt.copies % COPIES == 0:
-            attempt.handshake = wire.station_handshake(self._static, agent.public, agent.psk)
-            attempt.offer = wire.Offer(self._flags, self._new_connection(), self._suites)
-            attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter())
-        self.out += [(attempt.message, address) for address in attempt.addresses]
-        pause = RETRIES[min(attempt.copies, len(RETRIES) - 1)] * random.uniform(0.75, 1.25)
+        attempt.next_copy = now + RETRIES[min(attempt.copies, len(RETRIES) - 1)] * random.uniform(0.75, 1.25)
         attempt.copies += 1
-        attempt.last_copy, attempt.next_copy = now, now + pause
+        places = [place for place in attempt.places if place.proven or place.owed]
+        if places:
+            self._renew(agent, now)
+        for place in places:
+            self._send_first(agent, place, now)
+
+    def _renew(self, agent, now):
+        """A fresh first message, when there is none or the present one had its chances."""
+        attempt = agent.attempt
+        if attempt.message and (attempt.copies_of_this < COPIES or now - attempt.made < RENEW_AFTER):
+            return
+        attempt.handshake = wire.station_handshake(self._static, agent.public, agent.psk)
+        attempt.offer = wire.Offer(self._flags, self._new_connection(), self._suites)
+        attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter())
+        attempt.made, attempt.copies_of_this = now, 0
+        for place in attempt.places:
+            place.unanswered = 0
+
+    def _send_first(self, agent, place, now):
+        message = agent.attempt.message
+        has_cookie = place.cookie and now < place.cookie_until
+        if has_cookie and place.cookies_turn:
+            message = wire.under_cookie(message, place.cookie)
+        else:
+            place.unanswered += 1
+        place.cookies_turn = has_cookie and not place.cookies_turn
+        place.owed = max(place.owed - 1, 0)
+        place.last_copy = now
+        agent.attempt.copies_of_this += 1
+        self.out.append((message, place.address))
+
+    def _take_cookie(self, datagram, address, now):
+        for agent in self.agents:
+            for place in agent.attempt.places if agent.attempt else ():
+                if place.address != address or not place.unanswered:
+                    continue
+                cookie = wire.open_cookie(agent.public, datagram, agent.attempt.message)
+                if cookie is None:
+                    continue
+                place.unanswered -= 1
+                place.cookie, place.cookie_until = cookie, now + COOKIE_LIFE
+                place.proven = place.cookies_turn = True
+                self.events.append({"event": "cookie"})
+                self._send_first(agent, place, now)
 
     def _take_answer(self, datagram, address, now):
         connection = int.from_bytes(datagram[1:3], "little")

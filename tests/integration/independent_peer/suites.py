@@ -40,9 +40,9 @@ def hkdf_expand(secret, info, length):
 class DirectionKeys:
     """What seals, and opens, the records of one direction of one epoch."""
 
-    def __init__(self, suite, secret):
+    def __init__(self, suite, secret, framing="record"):
         def key(use, length):
-            return hkdf_expand(secret, ("skyseal v1 record " + NAMES[suite] + " " + use).encode(), length)
+            return hkdf_expand(secret, f"skyseal v1 {framing} {NAMES[suite]} {use}".encode(), length)
 
         self._suite = suite
         self.key = key("key", 32)
@@ -85,12 +85,14 @@ class DirectionKeys:
         if self._suite == 3:
             return Cipher(algorithms.AES(self.key), modes.CTR(self._nonce(counter) + bytes(4)))
         if self._suite == 4:
-            block = Cipher(algorithms.AES(self.iv), modes.ECB()).encryptor()
-            return Cipher(algorithms.AES(self.key), modes.CBC(block.update(bytes(8) + counter.to_bytes(8, "big"))))
+            return Cipher(algorithms.AES(self.key), modes.CBC(self._block_iv(counter)))
         if self._suite == 5:  # this library takes the block number, 4 bytes, before the nonce of RFC 8439
             return Cipher(algorithms.ChaCha20(self.key, bytes(4) + self._nonce(counter)), mode=None)
         record_key = hmac.new(self.key, counter.to_bytes(8, "little"), hashlib.sha256).digest()
         return Cipher(algorithms.ARC4(record_key), mode=None)
+
+    def _block_iv(self, counter):
+        return _one_block(self.iv, bytes(8) + counter.to_bytes(8, "big"))
 
     def _lead(self):
         return bytes(768) if self._suite == 6 else b""
@@ -98,3 +100,43 @@ class DirectionKeys:
     def _tag(self, counter, associated, ciphertext):
         data = counter.to_bytes(8, "little") + len(associated).to_bytes(4, "little") + associated + ciphertext
         return hmac.new(self.mac, data, hashlib.sha256).digest()[:TAG_LENGTH]
+
+
+def _one_block(key, block):
+    return Cipher(algorithms.AES(key), modes.ECB()).encryptor().update(block)
+
+
+class InlineKeys(DirectionKeys):
+    """The same ciphers where the length must not change (PROTOCOL.md 12): suites 3 to 6, tags of 8 bytes."""
+
+    TAG_LENGTH = 8
+
+    def __init__(self, suite, secret):
+        super().__init__(suite, secret, "inline")
+
+    def encrypt(self, counter, plaintext):
+        if self._suite != 4:
+            encryptor = self._cipher(counter).encryptor()
+            return encryptor.update(self._lead() + plaintext)[len(self._lead()):]
+        if len(plaintext) < 16:
+            return bytes(a ^ b for a, b in zip(plaintext, _one_block(self.key, self._block_iv(counter))))
+        last = len(plaintext) % 16
+        padded = plaintext + bytes(-len(plaintext) % 16)
+        blocks = self._cipher(counter).encryptor().update(padded)
+        return blocks[:len(blocks) - 32 + last] + blocks[-16:] if last else blocks
+
+    def decrypt(self, counter, ciphertext):
+        if self._suite != 4:
+            decryptor = self._cipher(counter).decryptor()
+            return decryptor.update(self._lead() + ciphertext)[len(self._lead()):]
+        if len(ciphertext) < 16:
+            return self.encrypt(counter, ciphertext)
+        last = len(ciphertext) % 16
+        if last:  # what fell away of the last block but one stands behind the zeros in the decrypted last block
+            tail = Cipher(algorithms.AES(self.key), modes.ECB()).decryptor().update(ciphertext[-16:])
+            ciphertext = ciphertext[:-16] + tail[last:] + ciphertext[-16:]
+        plaintext = self._cipher(counter).decryptor().update(ciphertext)
+        return plaintext[:len(plaintext) - 16 + last] if last else plaintext
+
+    def tag(self, counter, associated, ciphertext):
+        return self._tag(counter, associated, ciphertext)[:self.TAG_LENGTH]

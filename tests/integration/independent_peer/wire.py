@@ -1,16 +1,19 @@
-"""The first byte, and the three datagrams before a session: announcement, first message, answer (PROTOCOL.md 2 to 4)."""
+"""The first byte, and the datagrams before a session: announcement, first message, answer, cookie (PROTOCOL.md 2 to 4)."""
 
 import hashlib
 import hmac
 import os
 from dataclasses import dataclass
 
+from cryptography.exceptions import InvalidTag
+from cryptography.hazmat.primitives.ciphers.aead import ChaCha20Poly1305
 from noise import Handshake
 from suites import NAMES, RESEARCH
 
-ANNOUNCEMENT, FIRST, ANSWER = 0x58, 0x59, 0x5A
+ANNOUNCEMENT, FIRST, ANSWER, COOKIE = 0x58, 0x59, 0x5A, 0x5B
 ANNOUNCEMENT_LENGTH = FIRST_LENGTH = 127
 ANSWER_LENGTH = 74
+COOKIE_LENGTH = 49
 PROLOGUE_DATAGRAMS = b"skyseal channel v1\x01"
 NO_PSK = bytes(32)
 FLAG_RESEARCH, FLAG_PLAIN = 1, 2
@@ -111,3 +114,26 @@ def read_answer(handshake, datagram):
     """(offer, chosen suite); NoiseError when it does not open. mac1 was checked before."""
     payload = handshake.read_message(datagram[3:-16])
     return Offer.unpack(payload), payload[6]
+
+
+def _cookie_cipher(agent_public, nonce, mac):
+    return ChaCha20Poly1305(_blake(nonce + mac, 32, _blake(b"skyseal v1 cookie" + agent_public, 32)))
+
+
+def cookie_message(agent_public, cookie, first, nonce=None):
+    """A cookie in answer to a first message whose mac1 is right."""
+    nonce = nonce or os.urandom(16)
+    return bytes([COOKIE]) + nonce + _cookie_cipher(agent_public, nonce, first[-16:]).encrypt(bytes(12), cookie, b"")
+
+
+def open_cookie(agent_public, datagram, first):
+    """The cookie that answers this first message; None when it answers another."""
+    try:
+        return _cookie_cipher(agent_public, datagram[1:17], first[-16:]).decrypt(bytes(12), datagram[17:], b"")
+    except InvalidTag:
+        return None
+
+
+def under_cookie(first, cookie):
+    """The same first message with a MAC under the cookie in place of mac1."""
+    return first[:-16] + _blake(first[:-16], 16, cookie)
