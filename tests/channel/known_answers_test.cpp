@@ -3,6 +3,7 @@
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/channel/inline_frame.h"
+#include "core/channel/pairing_handshake.h"
 #include "core/channel/record.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
@@ -82,6 +83,7 @@ private Q_SLOTS:
     void inlineFrames_data();
     void inlineFrames();
     void controlMessages();
+    void pairing();
     void cleanupTestCase();
 
 private:
@@ -303,6 +305,40 @@ void KnownAnswersTest::controlMessages()
         const auto again = readControl(m_answers[name]);
         QVERIFY2(again && again->index() == message.index(), name);
     }
+}
+
+void KnownAnswersTest::pairing()
+{
+    const auto token = arrayOf<16>(m_answers["pairing token"]);
+    const Key32 passphrase = secretOf(m_answers["passphrase key"]);
+    const PairingId id{0x01020304};
+    FixedRandom stationsEphemeral(m_answers["station ephemeral private"]);
+    FixedRandom agentsEphemeral(m_answers["agent ephemeral private"]);
+    COMPARE_WITH("pairing call", pairingCall(token));
+
+    auto station = PairingHandshake::begin(noise::Role::Initiator, m_station, &passphrase, id, token);
+    auto agent = PairingHandshake::begin(noise::Role::Responder, m_agent, &passphrase, id, token);
+    QVERIFY(station && agent);
+    const auto first = station->first(stationsEphemeral);
+    QVERIFY(first);
+    COMPARE_WITH("pairing first", *first);
+    QVERIFY(agent->takeFirst(*first));
+    const auto answer = agent->answer({true, true, PeerRole::Pilot, "air-1"}, agentsEphemeral);
+    QVERIFY(answer);
+    COMPARE_WITH("pairing answer", *answer);
+    QVERIFY(station->takeAnswer(*answer));
+    const auto third = station->third({true, true, PeerRole::Pilot, "ground"}, stationsEphemeral);
+    QVERIFY(third);
+    COMPARE_WITH("pairing third", *third);
+    QVERIFY(agent->takeThird(*third));
+
+    auto stations = std::move(*station).finish();
+    auto agents = std::move(*agent).finish();
+    QVERIFY(stations && agents);
+    COMPARE_WITH("pairing pre-shared key", stations->presharedKey()->view());
+    COMPARE_WITH("pairing word of the station", stations->say({Decision::Yes, Heard::Nothing}));
+    COMPARE_WITH("pairing word of the agent", agents->say({Decision::None, Heard::Yes}));
+    QVERIFY(agents->hear(m_answers["pairing word of the station"]));
 }
 
 void KnownAnswersTest::cleanupTestCase()

@@ -205,6 +205,7 @@ void IndependentPeerTest::agentServesTheMonitor()
     Program agent(m_python, arguments(flight, "--agent", "ground.key", {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
     const QJsonObject up = monitor.waitFor(QStringLiteral("session"), 20000);
     QCOMPARE(up[QLatin1String("peer")].toString(), QStringLiteral("python"));
+    QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());
 
     // The station proposes each suite, the agent answers.
     for (int i = 0; i < kSuites; ++i) {

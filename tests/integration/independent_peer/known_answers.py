@@ -9,6 +9,7 @@ import re
 import control
 import inline_frame
 import key_text
+import pairing
 import wire
 from epoch import record_head
 from keys import AGENT, STATION, EpochKeys, first_chain
@@ -19,7 +20,7 @@ from suites import NAMES, DirectionKeys, InlineKeys
 HEADING = "Known answers"
 INPUTS = ("station private", "agent private", "station ephemeral private", "agent ephemeral private", "pre-shared key",
           "announcement nonce", "cookie", "cookie nonce", "proposal nonce", "answer nonce", "direction secret",
-          "inline secret")
+          "inline secret", "pairing token", "passphrase key")
 
 
 def read(path):
@@ -74,6 +75,7 @@ def compute(inputs):
     _records(inputs, out)
     _inline_frames(inputs, out)
     _control_messages(inputs, out)
+    _pairing(inputs, *ends, out)
     return out
 
 
@@ -153,3 +155,23 @@ def _control_messages(inputs, out):
                 "report": control.Report(1, 1000001, 999001, 250, numbers).pack(),
                 "close": control.Close().pack()})
     assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "confirmed"))
+
+
+def _pairing(inputs, station, agent, out):
+    number, token, psk = 0x01020304, inputs["pairing token"], inputs["passphrase key"]
+    flags = pairing.WANTS_PSK | pairing.HAS_PASSPHRASE
+    ground, air = pairing.About(flags, pairing.PILOT, "ground"), pairing.About(flags, pairing.PILOT, "air-1")
+    initiator = pairing.handshake(True, station, number, token, psk, KeyPair(inputs["station ephemeral private"]))
+    responder = pairing.handshake(False, agent, number, token, psk, KeyPair(inputs["agent ephemeral private"]))
+    out["pairing call"] = pairing.call(token)
+    out["pairing first"] = pairing.write_first(initiator, number, token)
+    pairing.read_first(responder, out["pairing first"])
+    out["pairing answer"] = pairing.write_answer(responder, number, air)
+    assert pairing.read_answer(initiator, out["pairing answer"]) == air
+    out["pairing third"] = pairing.write_third(initiator, number, ground)
+    assert pairing.read_third(responder, out["pairing third"]) == ground
+    out["pairing pre-shared key"] = pairing.preshared_key(initiator)
+    k1, k2 = responder.split()
+    out["pairing word of the station"] = pairing.word(k1, number, pairing.YES, pairing.NONE)
+    out["pairing word of the agent"] = pairing.word(k2, number, pairing.NONE, pairing.YES)
+    assert pairing.hear(k2, out["pairing word of the agent"]) == (pairing.NONE, pairing.YES)
