@@ -40,7 +40,10 @@ const char *whyRefused(channel::RefusalReason reason)
     switch (reason) {
     case channel::RefusalReason::UnknownPeer: return "its key is not among the known peers";
     case channel::RefusalReason::WrongKey: return "it is not meant for our key";
-    case channel::RefusalReason::ReplayedHandshake: return "it is a replay of an old one";
+    case channel::RefusalReason::ReplayedHandshake:
+        return "it is a replay of an old one, or the station lost its counters and is told where to go on";
+    case channel::RefusalReason::CounterBehind:
+        return "our counters file was lost or put back; going on from the number that the other end remembers";
     case channel::RefusalReason::NoCommonSuite: return "there is no suite that both ends allow";
     case channel::RefusalReason::OfferTampered: return "its offer was changed on the way";
     case channel::RefusalReason::Version: return "it speaks another version";

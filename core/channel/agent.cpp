@@ -9,6 +9,7 @@ namespace skyseal::channel {
 namespace {
 
 constexpr Duration kFloodPause = std::chrono::seconds(10);
+constexpr Duration kNumberPause = std::chrono::milliseconds(200);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
 
 bool holds(const std::vector<Path> &paths, const Path &path)
@@ -27,7 +28,7 @@ bool serves(const Path &session, const Path &target)
 Agent::Agent(EndpointCore &core, TimePoint now)
     : m_core(core), m_announcement(core.config.identity->publicKey), m_announceDue(now),
       m_limit(core.around.random, now), m_cookies(core.config.identity->publicKey, core.around.random),
-      m_floodTold(TimePoint::min())
+      m_floodTold(TimePoint::min()), m_numberTold(TimePoint::min())
 {
 }
 
@@ -58,8 +59,11 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could
     // forge a first message (with our own key stolen) must not be able to spend the station's numbers.
     const std::uint64_t counter = responder->payload().counter;
-    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key)) && !weakened(Weakness::AcceptLowerCounter))
+    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key))
+        && !weakened(Weakness::AcceptLowerCounter)) {
+        tellNumber(now, from, *peer, std::move(*responder));
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
+    }
 
     // A station that still has the old session takes this as its answer; one that has restarted ignores it.
     if (Session *old = m_core.table.upWith(key))
@@ -85,6 +89,18 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     if (weakened(Weakness::NoConfirmation))
         return confirm(now, entry);
     return true;
+}
+
+/// A station that lost its counters would be refused until it has counted up again. Nobody else can read the number, and
+/// nothing changes here, so a replay gains nothing by it.
+void Agent::tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder)
+{
+    const std::uint64_t lastSeen = m_core.counters.lastSeen(peer.key);
+    if (responder.payload().counter > lastSeen || now < m_numberTold + kNumberPause)
+        return;
+    m_numberTold = now;
+    if (const auto message = std::move(responder).tellNumber(peer, lastSeen, m_core.around.random))
+        m_core.around.outbox.send(from, *message);
 }
 
 bool Agent::confirm(TimePoint now, SessionTable::Entry &entry)

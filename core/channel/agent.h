@@ -35,6 +35,7 @@ private:
 
     bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
     std::uint64_t answeredCounter(const PublicKey &peer) const;
+    void tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder);
     bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
     bool expects(const Path &from);
     void forget(const PublicKey &peer);
@@ -47,6 +48,7 @@ private:
     HandshakeLimit m_limit;
     CookieMaker m_cookies;
     TimePoint m_floodTold;
+    TimePoint m_numberTold;
 };
 
 } // namespace skyseal::channel

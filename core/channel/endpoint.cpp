@@ -114,6 +114,8 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
     } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kCookieLength) {
         station->handleCookie(now, from, datagram);
         return; // No timer has changed.
+    } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kNumberLength) {
+        station->handleNumber(now, from, datagram);
     } else if (message == HandshakeMessage::Announcement && station) {
         station->handleAnnouncement(now, from, datagram);
     } else {

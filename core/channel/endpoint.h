@@ -37,6 +37,12 @@ public:
     virtual ~CounterStore() = default;
     /// A number greater than every one given before, also by earlier runs.
     virtual std::uint64_t next() = 0;
+    /// Numbers up to `counter` are used: next() gives greater ones from now on. False when that cannot be kept.
+    virtual bool skipTo(std::uint64_t counter)
+    {
+        static_cast<void>(counter);
+        return false;
+    }
     /// The greatest number accepted from `peer`; 0 when none.
     virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
     /// Remembers it durably; false when that failed (there is no session then).

@@ -73,6 +73,9 @@ enum class RefusalReason : std::uint8_t {
     NoCommonSuite,
     OfferTampered,    ///< the choice is not the one that both offers give
     Version,
+    /// An agent remembers a greater counter than ours: our file of counters was lost or put back. We go on from its number;
+    /// when the event comes again, that could not be kept.
+    CounterBehind,
     Flood, ///< many first messages: strangers are asked to prove their address first. At most once in ten seconds
 };
 

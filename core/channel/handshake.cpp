@@ -1,5 +1,7 @@
 #include "core/channel/handshake.h"
 
+#include "core/base/byte_reader.h"
+#include "core/base/byte_writer.h"
 #include "core/base/weakness.h"
 
 namespace skyseal::channel {
@@ -8,6 +10,7 @@ namespace {
 
 constexpr std::size_t kFirstNoise = kFirstLength - 1 - kMacLength;
 constexpr std::size_t kAnswerNoise = kAnswerLength - 3 - kMacLength;
+constexpr std::size_t kNumberNoise = kNumberLength - 3 - kMacLength;
 
 constexpr std::array<std::uint8_t, 19> kPrologue{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l',
                                                  ' ', 'v', '0' + kProtocolVersion,
@@ -29,6 +32,13 @@ noise::HandshakeConfig configFor(noise::Role role, const crypto::X25519KeyPair &
     config.localStatic = identity.clone();
     config.psks = presharedKeyOf(peer);
     return config;
+}
+
+void writeHead(MutableByteView message, HandshakeMessage kind, ConnectionId to)
+{
+    message[0] = firstByte(kind);
+    message[1] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(to));
+    message[2] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(to) >> 8);
 }
 
 } // namespace
@@ -73,6 +83,15 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
                      KeyChain(secrets->send, secrets->receive, secrets->handshakeHash)};
 }
 
+std::optional<std::uint64_t> Initiator::takeNumber(ByteView datagram)
+{
+    std::array<std::uint8_t, 8> plain;
+    if (datagram.size() != kNumberLength || !m_answerMac.verify(datagram)
+        || !m_noise.readMessage(datagram.subspan(3, kNumberNoise), plain))
+        return std::nullopt;
+    return ByteReader(plain).u64();
+}
+
 Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram)
 {
     auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, identity, nullptr));
@@ -99,9 +118,7 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
         return tl::unexpected(RefusalReason::NoCommonSuite);
 
     AnswerMessage message{};
-    message[0] = firstByte(HandshakeMessage::Answer);
-    message[1] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(m_payload.connection));
-    message[2] = static_cast<std::uint8_t>(static_cast<std::uint16_t>(m_payload.connection) >> 8);
+    writeHead(message, HandshakeMessage::Answer, m_payload.connection);
     const AnswerPayload payload{ours, offer, *suite};
     const auto written = m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoise), random);
     if (!written || *written != kAnswerNoise)
@@ -115,9 +132,24 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
                                      KeyChain(secrets->receive, secrets->send, secrets->handshakeHash)}};
 }
 
+std::optional<NumberMessage> Responder::tellNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&
+{
+    m_noise.setPsks(presharedKeyOf(&known));
+    NumberMessage message{};
+    writeHead(message, HandshakeMessage::Cookie, m_payload.connection);
+    std::array<std::uint8_t, 8> plain;
+    ByteWriter(plain).u64(lastSeen);
+    if (!m_noise.writeMessage(plain, MutableByteView(message).subspan(3, kNumberNoise), random))
+        return std::nullopt;
+    Mac1(m_peer).sign(message);
+    return message;
+}
+
 std::optional<ConnectionId> answeredConnection(ByteView datagram)
 {
-    if (datagram.size() != kAnswerLength || datagram[0] != firstByte(HandshakeMessage::Answer))
+    const bool answer = datagram.size() == kAnswerLength && datagram[0] == firstByte(HandshakeMessage::Answer);
+    const bool number = datagram.size() == kNumberLength && datagram[0] == firstByte(HandshakeMessage::Cookie);
+    if (!answer && !number)
         return std::nullopt;
     return static_cast<ConnectionId>(datagram[1] | datagram[2] << 8);
 }

@@ -2,8 +2,10 @@
 //
 //   first    0x59 | Noise message 110 (e 32, s 48, payload 14 + 16) | mac1 16                                127 bytes
 //   answer   0x5A | connection id of the initiator 2 | Noise message 55 (e 32, payload 7 + 16) | mac1 16      74 bytes
+//   number   0x5B | connection id of the initiator 2 | Noise message 56 (e 32, counter 8 + 16) | mac1 16      75 bytes
 //
-// Both fit the 128 bytes of a MAVLink TUNNEL. The psk is all zero where the two share none. The prologue holds the
+// The number comes in place of an answer to a station whose counter is behind the one that the agent remembers.
+// All fit the 128 bytes of a MAVLink TUNNEL. The psk is all zero where the two share none. The prologue holds the
 // protocol's version and carrier, so that ends which differ in these cannot agree.
 #pragma once
 
@@ -19,10 +21,12 @@ namespace skyseal::channel {
 
 inline constexpr std::size_t kFirstLength = 127;
 inline constexpr std::size_t kAnswerLength = 74;
+inline constexpr std::size_t kNumberLength = 75;
 static_assert(Announcement::kLength >= kFirstLength, "a first message must not be longer than the announcement it answers");
 
 using FirstMessage = std::array<std::uint8_t, kFirstLength>;
 using AnswerMessage = std::array<std::uint8_t, kAnswerLength>;
+using NumberMessage = std::array<std::uint8_t, kNumberLength>;
 
 /// What both ends have when the handshake is over.
 struct Agreement
@@ -43,7 +47,10 @@ public:
 
     const FirstMessage &message() const { return m_message; }
     ConnectionId connection() const { return m_payload.connection; }
+    std::uint64_t counter() const { return m_payload.counter; }
     Result<Agreement, RefusalReason> takeAnswer(ByteView datagram);
+    /// The greatest counter that the agent remembers of us. The handshake is of no more use then.
+    std::optional<std::uint64_t> takeNumber(ByteView datagram);
 
 private:
     Initiator(noise::HandshakeState noise, FirstPayload payload, const PublicKey &identity)
@@ -75,6 +82,8 @@ public:
     /// `known` is the peer that `peer()` names. NoCommonSuite, or WrongKey when the library fails.
     Result<Answer, RefusalReason> answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                          RandomSource &random) &&;
+    /// In place of an answer; only the station that wrote the first message can read it.
+    std::optional<NumberMessage> tellNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&;
 
 private:
     Responder(noise::HandshakeState noise, const PublicKey &peer, FirstPayload payload)
@@ -87,7 +96,7 @@ private:
     FirstPayload m_payload;
 };
 
-/// The connection id that an answer is addressed to; nullopt for a datagram that is no answer.
+/// The connection id that an answer or a number is addressed to; nullopt for other datagrams.
 std::optional<ConnectionId> answeredConnection(ByteView datagram);
 
 } // namespace skyseal::channel

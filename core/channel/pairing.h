@@ -35,8 +35,8 @@ struct PairingConfig
     std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
     std::string name;                                      ///< what we call ourselves
     PeerRole roleAsked = PeerRole::Pilot;                  ///< the station's: what it wants to be at the agent
-    /// A slow hash of a passphrase that both people typed, for this one pairing; null = none. A second hurdle for somebody in
-    /// between, who can guess at it at leisure: it does not replace the comparison of fingerprints.
+    /// A slow hash of a passphrase that both people typed, for this one pairing; null = none. A second hurdle for somebody
+    /// in between, who can guess at it at leisure: it does not replace the comparison of fingerprints.
     std::shared_ptr<const Key32> passphraseKey;
     bool wantPresharedKey = true; ///< a pre-shared key for the pair is made when both ends want one
     std::vector<Path> callTo;     ///< the agent's: where to call; an all-zero address is the one peer of a link

@@ -86,7 +86,8 @@ std::optional<PairingAbout> PairingAbout::read(ByteView bytes)
 PairingVoice::PairingVoice(PairingId id, noise::Role role, noise::TransportSecrets &&secrets) : m_id(id)
 {
     const bool initiator = role == noise::Role::Initiator;
-    const Key32 &stations = initiator ? secrets.send : secrets.receive, &agents = initiator ? secrets.receive : secrets.send;
+    const Key32 &stations = initiator ? secrets.send : secrets.receive;
+    const Key32 &agents = initiator ? secrets.receive : secrets.send;
     SecretBytes<64> both;
     std::copy(stations.view().begin(), stations.view().end(), both.mutableView().begin());
     std::copy(agents.view().begin(), agents.view().end(), both.mutableView().begin() + 32);
@@ -101,11 +102,12 @@ WordDatagram PairingVoice::say(const Word &word)
 {
     WordDatagram out{};
     writeHead(out, PairingMessage::Sealed, m_id);
-    out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2 | static_cast<unsigned>(word.heard));
+    out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2
+                                       | static_cast<unsigned>(word.heard));
     // The number is the nonce: what one nonce seals never changes.
     m_send.setNonce(out[5]);
-    const auto sealed = m_send.encryptWithAd(ByteView(out).first(kSealedHead), {}, MutableByteView(out).subspan(kSealedHead));
-    if (!sealed)
+    const MutableByteView tag = MutableByteView(out).subspan(kSealedHead);
+    if (!m_send.encryptWithAd(ByteView(out).first(kSealedHead), {}, tag))
         out.fill(0);
     return out;
 }

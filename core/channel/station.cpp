@@ -9,9 +9,12 @@ namespace skyseal::channel {
 namespace {
 
 constexpr std::size_t kMaxPlaces = 4;
-/// The same first message goes out so often before a fresh one is made: copies are answered idempotently, and a fresh one
-/// is needed when the agent took one and then restarted.
+/// The same first message goes out so often, and for so long, before a fresh one is made. Copies are answered idempotently,
+/// and an answer may take long; announcements that somebody repeats must not make us forget what it is an answer to.
 constexpr unsigned kCopies = 4;
+constexpr Duration kRenewAfter = std::chrono::seconds(5);
+/// Counters beyond are not believed: no peer may use up the numbers that we have for all of them.
+constexpr std::uint64_t kGreatestCounter = std::uint64_t(1) << 48;
 constexpr Duration kLongestPause = std::chrono::seconds(2);
 /// An agent that was announced and is not heard again is gone.
 constexpr Duration kWantedFor = std::chrono::seconds(10);
@@ -49,7 +52,6 @@ Station::Attempt &Station::want(TimePoint now, const PublicKey &peer, TimePoint 
         attempt = &m_attempts.emplace_back();
         attempt->peer = peer;
         attempt->due = due;
-        attempt->lastSent = TimePoint::min();
     }
     attempt->wantedUntil = now + kWantedFor;
     return *attempt;
@@ -76,10 +78,14 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, due);
     Place &place = placeAt(attempt, from);
-    place.owed = std::min(place.owed + 1, kCopies);
-    // It is there, so waiting longer is of no use; but never more than one answer to one announcement.
-    if (due == now && now >= attempt.lastSent + kAnnouncementPause)
-        attempt.due = now;
+    place.owed = true;
+    // It is there, so waiting is of no use; but never more than one answer to one announcement, and only to where it came
+    // from: nobody can hurry or hold up what goes elsewhere.
+    if (due == now && (place.lastSent == TimePoint::min() || now >= place.lastSent + kAnnouncementPause)
+        && ready(now, attempt)) {
+        sendTo(now, attempt, place);
+        attempt.due = std::max(attempt.due, now + m_core.config.timing.handshakeRetry);
+    }
 }
 
 Station::Place &Station::placeAt(Attempt &attempt, const Path &path)
@@ -88,8 +94,10 @@ Station::Place &Station::placeAt(Attempt &attempt, const Path &path)
     const auto found = std::find_if(places.begin(), places.end(), [&](const Place &place) { return place.path == path; });
     if (found != places.end())
         return *found;
-    if (places.size() == kMaxPlaces)
-        places.erase(places.begin());
+    if (places.size() == kMaxPlaces) {
+        const auto unproven = std::find_if(places.begin(), places.end(), [](const Place &place) { return !place.proven; });
+        places.erase(unproven == places.end() ? places.begin() : unproven);
+    }
     Place &place = places.emplace_back();
     place.path = path;
     return place;
@@ -98,31 +106,53 @@ Station::Place &Station::placeAt(Attempt &attempt, const Path &path)
 void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
 {
     for (Attempt &attempt : m_attempts) {
-        for (Place &place : attempt.places) {
-            if (place.path != from || place.unanswered == 0 || !attempt.handshake)
-                continue;
-            const auto cookie = openCookie(attempt.peer, ByteView(attempt.handshake->message()).last(kMacLength), datagram);
-            if (!cookie)
-                continue;
-            --place.unanswered;
-            place.cookie = cookie;
-            place.cookieUntil = now + kCookieSecretLife;
-            place.underCookie = true;
-            place.proven = true;
-            sendTo(now, attempt, place);
-            return;
-        }
+        if (attempt.uncookied == 0 || !attempt.handshake)
+            continue;
+        const auto cookie = openCookie(attempt.peer, ByteView(attempt.handshake->message()).last(kMacLength), datagram);
+        if (!cookie)
+            continue;
+        --attempt.uncookied;
+        Place &place = placeAt(attempt, from);
+        place.cookie = cookie;
+        place.cookieUntil = now + kCookieSecretLife;
+        place.underCookie = true;
+        place.proven = true; // It has our first message.
+        sendTo(now, attempt, place);
+        return;
     }
     ++m_core.strays.forged;
 }
 
-void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
+Station::Attempt *Station::attemptAnswered(ByteView datagram)
 {
     const auto connection = answeredConnection(datagram);
     const auto found = std::find_if(m_attempts.begin(), m_attempts.end(), [&](const Attempt &a) {
         return a.handshake && connection && a.handshake->connection() == *connection;
     });
-    if (found == m_attempts.end()) { // Also the second copy of an answer.
+    return found == m_attempts.end() ? nullptr : &*found;
+}
+
+void Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
+{
+    Attempt *attempt = attemptAnswered(datagram);
+    const auto number = attempt ? attempt->handshake->takeNumber(datagram) : std::nullopt;
+    if (!number) {
+        ++m_core.strays.forged;
+        return;
+    }
+    const bool skipped = *number >= attempt->handshake->counter() && *number < kGreatestCounter
+        && m_core.counters.skipTo(*number);
+    m_core.tellRefused(now, from, RefusalReason::CounterBehind, attempt->peer);
+    Place &place = placeAt(*attempt, from);
+    place.proven = true;
+    if (renew(now, *attempt) && skipped)
+        sendTo(now, *attempt, place);
+}
+
+void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
+{
+    Attempt *found = attemptAnswered(datagram);
+    if (!found) { // Also the second copy of an answer.
         ++m_core.strays.malformed;
         return;
     }
@@ -135,7 +165,7 @@ void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
     const ConnectionId ours = found->handshake->connection();
     SessionSetup setup{m_core.table.number(ours), true, *m_core.peer(found->peer), ours, agreement->peerConnection,
                        std::move(agreement->peerOffer), agreement->suite, std::move(agreement->chain), from};
-    m_attempts.erase(found); // Its slot goes on as the session's.
+    m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // Its slot goes on as the session's.
     auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
@@ -176,38 +206,40 @@ TimePoint Station::deadline(TimePoint now)
 
 void Station::send(TimePoint now, Attempt &attempt)
 {
-    const auto maySend = [](const Place &place) { return place.proven || place.owed > 0; };
-    if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend)) {
+    const auto maySend = [](const Place &place) { return place.proven || place.owed; };
+    if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !ready(now, attempt)) {
         attempt.due = now + kLongestPause; // Until it is announced again.
-        return;
-    }
-    if ((!attempt.handshake || attempt.sentThisOne >= kCopies) && !renew(attempt)) {
-        attempt.due = now + kLongestPause;
         return;
     }
     for (Place &place : attempt.places) {
         if (maySend(place))
             sendTo(now, attempt, place);
     }
-    ++attempt.sentThisOne;
-    attempt.lastSent = now;
     attempt.due = now + pauseAfter(attempt.sent++);
 }
 
-void Station::sendTo(TimePoint now, const Attempt &attempt, Place &place)
+void Station::sendTo(TimePoint now, Attempt &attempt, Place &place)
 {
     FirstMessage message = attempt.handshake->message();
     const bool hasCookie = place.cookie && now < place.cookieUntil;
     if (hasCookie && place.underCookie)
         signWithCookie(*place.cookie, message);
     else
-        place.unanswered = std::min(place.unanswered + 1, kCopies);
+        attempt.uncookied = std::min(attempt.uncookied + 1, kCopies * static_cast<unsigned>(kMaxPlaces));
     place.underCookie = hasCookie && !place.underCookie;
-    place.owed -= place.owed > 0;
+    place.owed = false;
+    place.lastSent = now;
+    ++attempt.copies;
     m_core.around.outbox.send(place.path, message);
 }
 
-bool Station::renew(Attempt &attempt)
+/// A first message is there to be sent.
+bool Station::ready(TimePoint now, Attempt &attempt)
+{
+    return (attempt.handshake && (attempt.copies < kCopies || now < attempt.begun + kRenewAfter)) || renew(now, attempt);
+}
+
+bool Station::renew(TimePoint now, Attempt &attempt)
 {
     const auto connection = attempt.handshake ? attempt.handshake->connection()
                                               : m_core.table.reserve(m_core.around.random);
@@ -219,9 +251,9 @@ bool Station::renew(Attempt &attempt)
     attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
                                          m_core.around.random);
-    attempt.sentThisOne = 0;
-    for (Place &place : attempt.places)
-        place.unanswered = 0;
+    attempt.copies = 0;
+    attempt.uncookied = 0;
+    attempt.begun = now;
     if (!attempt.handshake)
         m_core.table.release(*connection);
     return attempt.handshake.has_value();

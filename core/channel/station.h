@@ -14,6 +14,8 @@ public:
     void peersChanged();
     void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
+    /// An agent remembers a greater counter than ours.
+    void handleNumber(TimePoint now, const Path &from, ByteView datagram);
     void handleCookie(TimePoint now, const Path &from, ByteView datagram);
     /// An authentic record of a session came: its peer is there and still has it, so no other is needed.
     void sessionLives(const PublicKey &peer);
@@ -34,9 +36,9 @@ private:
         std::optional<Cookie> cookie;
         TimePoint cookieUntil{};
         bool underCookie = false; ///< so the next copy goes; copies take turns, since a cookie may be old or forged
-        unsigned unanswered = 0;  ///< copies without a cookie that went there and brought none yet
         bool proven = false;      ///< the peer was there, or what we sent there was received
-        unsigned owed = 0;        ///< announcements from there that were not answered; no more goes to an address unproven
+        bool owed = false;        ///< announced, and not answered yet; no more than that goes to an address unproven
+        TimePoint lastSent = TimePoint::min();
     };
     /// The wish for a session with one peer, from the first sign of it until it is up or the peer is gone.
     struct Attempt
@@ -45,9 +47,10 @@ private:
         std::vector<Place> places; ///< several, since anyone who knows its key can announce it
         TimePoint due{};
         TimePoint wantedUntil{};
-        TimePoint lastSent{};
-        unsigned sent = 0;         ///< in all, for the pause between two
-        unsigned sentThisOne = 0;  ///< copies of the present first message
+        unsigned sent = 0;        ///< in all, for the pause between two
+        unsigned copies = 0;      ///< of the present first message
+        unsigned uncookied = 0;   ///< of these without a cookie, and not answered by one
+        TimePoint begun{};        ///< when it was made
         std::optional<Initiator> handshake;
     };
 
@@ -55,8 +58,10 @@ private:
     Attempt &want(TimePoint now, const PublicKey &peer, TimePoint due);
     static Place &placeAt(Attempt &attempt, const Path &path);
     void send(TimePoint now, Attempt &attempt);
-    void sendTo(TimePoint now, const Attempt &attempt, Place &place);
-    bool renew(Attempt &attempt);
+    void sendTo(TimePoint now, Attempt &attempt, Place &place);
+    bool ready(TimePoint now, Attempt &attempt);
+    bool renew(TimePoint now, Attempt &attempt);
+    Attempt *attemptAnswered(ByteView datagram);
     void drop(Attempt &attempt);
     void dropUnwanted(TimePoint now);
     Duration pauseAfter(unsigned sent) const;

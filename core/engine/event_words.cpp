@@ -63,6 +63,7 @@ std::string_view word(channel::RefusalReason reason)
     case channel::RefusalReason::NoCommonSuite: return "no-common-suite";
     case channel::RefusalReason::OfferTampered: return "offer-tampered";
     case channel::RefusalReason::Version: return "version";
+    case channel::RefusalReason::CounterBehind: return "counter-behind";
     case channel::RefusalReason::Flood: return "flood";
     }
     return "unknown";

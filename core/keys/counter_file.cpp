@@ -122,6 +122,19 @@ std::uint64_t FileCounterStore::next()
     return number;
 }
 
+bool FileCounterStore::skipTo(std::uint64_t counter)
+{
+    const auto lock = FileLock::take(m_path);
+    if (!lock) {
+        m_error = lock.error();
+        return false;
+    }
+    if (!refresh())
+        return false;
+    m_counters.next = std::max(m_counters.next, counter + 1);
+    return write();
+}
+
 std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
 {
     const auto found = m_counters.seen.find(peer);

@@ -36,6 +36,7 @@ public:
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
 
     std::uint64_t next() override;
+    bool skipTo(std::uint64_t counter) override;
     std::uint64_t lastSeen(const channel::PublicKey &peer) override;
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
 

@@ -34,6 +34,11 @@ class MemoryCounterStore final : public CounterStore
 {
 public:
     std::uint64_t next() override { return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own; }
+    bool skipTo(std::uint64_t counter) override
+    {
+        m_own = std::max(m_own, counter);
+        return true;
+    }
     std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
     {
@@ -44,6 +49,8 @@ public:
     }
     bool fails = false;
     std::uint64_t timeOfDay = 1; ///< which nothing may depend on
+    /// As if the file was lost, or put back from an old copy.
+    void loseOwn() { m_own = 0; }
 
 private:
     std::uint64_t m_own = 0;

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void countsOverRestarts();
     void twoProgramsNeverShareANumber();
     void killedInTheMiddleNeverRepeats();
+    void skipsAhead();
     void remembersPeers();
     void refusesDamagedFiles();
     void survivesAFullOrReadOnlyDisk();
@@ -103,6 +104,17 @@ void CounterFileTest::killedInTheMiddleNeverRepeats()
     const auto store = FileCounterStore::open(path);
     QVERIFY2(store.has_value(), store ? "" : store.error().text().c_str());
     QVERIFY((*store)->next() > last);
+}
+
+void CounterFileTest::skipsAhead()
+{
+    const std::string path = m_folder.path("skipping");
+    auto store = std::move(*FileCounterStore::open(path));
+    QVERIFY(store->skipTo(1000));
+    QCOMPARE(store->next(), std::uint64_t(1001));
+    QVERIFY(store->skipTo(5)); // Never back.
+    QCOMPARE(store->next(), std::uint64_t(1002));
+    QCOMPARE((*FileCounterStore::open(path))->next(), std::uint64_t(1003));
 }
 
 void CounterFileTest::remembersPeers()

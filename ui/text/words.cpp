@@ -112,6 +112,8 @@ QString refusalWords(channel::RefusalReason reason)
     case channel::RefusalReason::NoCommonSuite: return Words::tr("no cipher suite that both ends allow");
     case channel::RefusalReason::OfferTampered: return Words::tr("the offer of suites was tampered with");
     case channel::RefusalReason::Version: return Words::tr("another version of the protocol");
+    case channel::RefusalReason::CounterBehind:
+        return Words::tr("the file of counters was lost or put back; going on from the number that the other end remembers");
     case channel::RefusalReason::Flood: return Words::tr("too many of them; only senders that prove their address get through");
     }
     return {};

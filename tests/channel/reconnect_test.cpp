@@ -1,0 +1,322 @@
+// Getting a session, keeping it over an outage, and getting it back: whoever starts first, whatever somebody repeats
+// meanwhile, and with counters that were lost.
+#include "core/channel/handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+class ReconnectTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void startsInAnyOrder();
+    void fiveMinutesOutage();
+    void outageBeyondTenMinutes();
+    void retriesAreJittered();
+    void repeatedAnnouncementsDoNotRenew();
+    void repeatedAnnouncementsDoNotCrowdOut();
+    void lostCountersHeal();
+    void countersPutBackHeal();
+    void numberIsForItsStationAlone();
+    void numberThatCannotBeKept();
+    void greatestNumberIsNotBelieved();
+    void changedNumberIsRefused();
+};
+
+void ReconnectTest::startsInAnyOrder()
+{
+    for (const Side first : {Ground, Air}) {
+        for (const Duration later : {0ms, 1ms, 100ms, 499ms, 501ms, 3000ms}) {
+            for (const bool both : {false, true}) {
+                Pair pair;
+                if (both)
+                    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+                pair.kill(Ground);
+                pair.kill(Air);
+                pair.run(1s);
+                pair.start(first);
+                pair.run(later);
+                pair.start(first == Ground ? Air : Ground);
+                QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
+                pair.run(5s);
+                QVERIFY(pair.bothUp());
+                QCOMPARE(pair.ground().all<SessionUp>().size(), both ? 2u : 1u);
+            }
+        }
+    }
+}
+
+void ReconnectTest::fiveMinutesOutage()
+{
+    PairOptions options;
+    options.link.delay = 30ms;
+    Pair pair(options);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.every(10ms, [&pair] { pair.sendFrame(Air); });
+    pair.run(5s);
+    bool cut = true;
+    std::uint64_t handshakes = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        handshakes += !cut && (flight.bytes[0] == 0x59 || flight.bytes[0] == 0x5a);
+        return !cut;
+    };
+    pair.run(5min);
+    QVERIFY(pair.bothUp());
+    cut = false;
+    const std::size_t delivered = pair.ground().delivered.size();
+    QVERIFY(pair.run(50ms, [&] { return pair.ground().delivered.size() > delivered; })); // The first record after it.
+    pair.run(2s);
+    pair.stopTraffic();
+    pair.run(2s);
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost > 29000, true);
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QVERIFY(handshakes <= 2); // One that was on its way.
+}
+
+void ReconnectTest::outageBeyondTenMinutes()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(2s);
+    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.run(11min);
+    QVERIFY(!pair.ground().up() && !pair.air().up());
+    QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::TimedOut);
+    pair.link.attacker = {};
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+}
+
+void ReconnectTest::retriesAreJittered()
+{
+    // The silent session's copies: 250 ms, 500 ms, 1 s, 2 s, 2 s …, each a quarter more or less, and not the same twice.
+    std::set<Duration> firstPauses;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        Pair pair(options);
+        QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+        pair.run(1s);
+        std::vector<TimePoint> sent;
+        pair.link.attacker = [&](TimePoint at, Flight &flight) {
+            if (flight.bytes[0] == 0x59)
+                sent.push_back(at);
+            return false;
+        };
+        pair.run(20s);
+        QVERIFY(sent.size() >= 7);
+        const std::array<Duration, 6> pauses{250ms, 500ms, 1s, 2s, 2s, 2s};
+        for (std::size_t i = 0; i < pauses.size(); ++i) {
+            const Duration pause = sent[i + 1] - sent[i];
+            QVERIFY2(pause >= pauses[i] * 3 / 4 && pause <= pauses[i] * 5 / 4, qPrintable(QString::number(seconds(pause))));
+        }
+        firstPauses.insert(sent[1] - sent[0]);
+    }
+    QVERIFY(firstPauses.size() > 10);
+}
+
+void ReconnectTest::repeatedAnnouncementsDoNotRenew()
+{
+    // The answer takes a second and a half; meanwhile somebody repeats an old announcement twenty times a second.
+    PairOptions options;
+    options.link.delay = 750ms;
+    Pair pair(options);
+    std::optional<Flight> announcement;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x58)
+            announcement = flight;
+        return true;
+    };
+    pair.every(50ms, [&] {
+        if (announcement)
+            pair.link.inject(pair.now, *announcement);
+    });
+    QVERIFY(pair.run(4s, [&] { return pair.bothUp(); }));
+}
+
+void ReconnectTest::repeatedAnnouncementsDoNotCrowdOut()
+{
+    // The same from many addresses. Each is answered where it says that it is, and the true agent as well.
+    PairOptions options;
+    options.link.delay = 40ms;
+    Pair pair(options);
+    std::optional<Bytes> announcement;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x58)
+            announcement = flight.bytes;
+        return true;
+    };
+    pair.run(10ms);
+    pair.kill(Ground);
+    std::uint16_t port = 1000;
+    pair.every(2ms, [&] {
+        if (!pair.ground().endpoint || !announcement)
+            return;
+        Path path = pair.pathOf(Air);
+        path.remote.ip[15] = 77;
+        path.remote.port = ++port;
+        Bytes copy = *announcement;
+        pair.ground().endpoint->handleDatagram(pair.now, path, copy);
+        while (const auto out = pair.ground().endpoint->pollTransmit()) {
+            if (out->to == pair.pathOf(Air))
+                pair.link.send(pair.now, {Ground, pair.ground().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
+        }
+    });
+    pair.run(1s);
+    pair.start(Ground);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+}
+
+void ReconnectTest::lostCountersHeal()
+{
+    Pair pair;
+    for (int i = 0; i < 30; ++i) { // A past.
+        pair.kill(Ground);
+        pair.start(Ground);
+        QVERIFY(pair.run(4s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == std::size_t(i + 1); }));
+        pair.run(100ms);
+    }
+    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
+    pair.kill(Ground);
+    pair.ground().counters.loseOwn();
+    pair.start(Ground);
+    QVERIFY(pair.run(4s, [&] { return pair.air().all<SessionUp>().size() == 31; }));
+    QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) > before);
+    // Both ends were told.
+    const auto refused = [](const Pair::End &end, RefusalReason reason) {
+        const auto events = end.all<HandshakeRefused>();
+        return std::count_if(events.begin(), events.end(), [&](const auto &e) { return e.reason == reason; });
+    };
+    QCOMPARE(refused(pair.ground(), RefusalReason::CounterBehind), 1);
+    QVERIFY(refused(pair.air(), RefusalReason::ReplayedHandshake) >= 1);
+    QCOMPARE(pair.ground().all<HandshakeRefused>().back().peer, pair.air().identity->publicKey);
+}
+
+void ReconnectTest::countersPutBackHeal()
+{
+    // On a bad link as well, where the number may be lost.
+    for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.loss = 0.3;
+        options.link.delay = 60ms;
+        Pair pair(options);
+        pair.air().counters.remember(pair.ground().identity->publicKey, 1000000);
+        QVERIFY2(pair.run(15s, [&] { return pair.bothUp(); }), qPrintable(QString::number(seed)));
+        QVERIFY(pair.ground().counters.next() > 1000001);
+    }
+}
+
+void ReconnectTest::numberIsForItsStationAlone()
+{
+    // Somebody repeats an old first message to an agent that is alone: it gets bytes that it cannot read, no longer than
+    // its own, seldom, and they do nothing at the station, now or later.
+    Pair pair;
+    std::vector<Bytes> firsts, numbers;
+    std::uint64_t in = 0, out = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x59)
+            firsts.push_back(flight.bytes);
+        if (flight.bytes[0] == 0x5b) {
+            numbers.push_back(flight.bytes);
+            out += flight.bytes.size();
+            return false;
+        }
+        return true;
+    };
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    QVERIFY(numbers.empty());
+    pair.kill(Ground);
+    pair.kill(Air);
+    pair.start(Air);
+    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
+    for (int i = 0; i < 100; ++i) {
+        Bytes copy = firsts[0];
+        in += copy.size();
+        pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), copy);
+        pair.run(50ms);
+    }
+    QVERIFY(!numbers.empty() && numbers.size() <= 26);
+    QVERIFY(out <= in);
+    QVERIFY(!pair.air().up());
+    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before);
+    const auto own = pair.ground().counters.next();
+    pair.start(Ground);
+    for (const Bytes &number : numbers) {
+        QCOMPARE(number.size(), kNumberLength);
+        QVERIFY(number.size() <= kFirstLength);
+        Bytes copy = number;
+        pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), copy);
+    }
+    QCOMPARE(pair.ground().endpoint->strays().forged, std::uint64_t(numbers.size()));
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    QVERIFY(pair.ground().counters.next() <= own + 3);
+}
+
+void ReconnectTest::numberThatCannotBeKept()
+{
+    // The store does not take it: no session, and the operator is told again and again, once a second at most.
+    class Stubborn final : public CounterStore
+    {
+    public:
+        std::uint64_t next() override { return ++m_own; }
+        std::uint64_t lastSeen(const channel::PublicKey &) override { return 0; }
+        bool remember(const channel::PublicKey &, std::uint64_t) override { return true; }
+
+    private:
+        std::uint64_t m_own = 0;
+    } stubborn;
+    Pair pair;
+    pair.air().counters.remember(pair.ground().identity->publicKey, 1000000);
+    SeededRandom random(3);
+    pair.ground().endpoint = std::make_unique<Endpoint>(pair.configOf(Ground), random, stubborn, pair.now);
+    pair.run(10s);
+    QVERIFY(!pair.bothUp());
+    const auto told = pair.ground().all<HandshakeRefused>().size();
+    QVERIFY2(told >= 4 && told <= 11, qPrintable(QString::number(told)));
+}
+
+void ReconnectTest::greatestNumberIsNotBelieved()
+{
+    Pair pair;
+    pair.air().counters.remember(pair.ground().identity->publicKey, UINT64_MAX - 5);
+    pair.run(5s);
+    QVERIFY(!pair.bothUp());
+    QVERIFY(pair.ground().counters.next() < 100);
+    QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::CounterBehind);
+}
+
+void ReconnectTest::changedNumberIsRefused()
+{
+    SeededRandom random(7);
+    const auto station = crypto::X25519KeyPair::generate(random), agent = crypto::X25519KeyPair::generate(random);
+    const Peer knownAgent{agent.publicKey, "agent", {}, {}, {}}, knownStation{station.publicKey, "station", {}, {}, {}};
+    const SuiteOffer offer = offerOf(Policy{defaultSuites(), false, false});
+    auto initiator = Initiator::begin(station, knownAgent, {ConnectionId{0x1234}, offer, 5}, random);
+    const auto number = *std::move(*Responder::read(agent, initiator->message())).tellNumber(knownStation, 77, random);
+    QCOMPARE(answeredConnection(number), ConnectionId{0x1234});
+    for (std::size_t bit = 0; bit < number.size() * 8; ++bit) {
+        NumberMessage changed = number;
+        changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
+        QVERIFY(!initiator->takeNumber(changed));
+        Mac1(station.publicKey).sign(changed);
+        if (bit >= 24 && bit < (kNumberLength - kMacLength) * 8)
+            QVERIFY(!initiator->takeNumber(changed));
+        QVERIFY(!initiator->takeAnswer(changed));
+    }
+    QVERIFY(!initiator->takeNumber(ByteView(number).first(74)));
+    QCOMPARE(initiator->takeNumber(number), std::optional<std::uint64_t>(77));
+    QVERIFY(!initiator->takeNumber(number));
+}
+
+QTEST_GUILESS_MAIN(ReconnectTest)
+#include "reconnect_test.moc"
