@@ -59,6 +59,7 @@ private Q_SLOTS:
     void initTestCase();
     void agreesWithTheDocument();
     void stationOpensTelemetryUnderEverySuite();
+    void stationSwitchesOverABadLink();
     void stationRoamsClosesAndComesBack();
     void stationGetsThroughAFlood();
     void agentServesTheMonitor();
@@ -159,6 +160,50 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
     const QJsonObject sent = within(within(air.last(QStringLiteral("summary")), "channel"), "tx");
     QCOMPARE(number(within(ended, "counts"), "good"), number(sent, "records"));
     QCOMPARE(number(within(ended, "counts"), "lost"), 0);
+}
+
+void IndependentPeerTest::stationSwitchesOverABadLink()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    const quint16 relay = freeUdpPort();
+    Program impair(QStringLiteral("skyseal-cli"),
+                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay), QStringLiteral("--to"),
+                    QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort), QStringLiteral("--loss"), QStringLiteral("0.2"),
+                    QStringLiteral("--jitter"), QStringLiteral("50"), QStringLiteral("--duplicate"), QStringLiteral("0.1"),
+                    QStringLiteral("--reorder"), QStringLiteral("0.1"), QStringLiteral("--seed"), QStringLiteral("5"), QStringLiteral("--json")});
+    Program station(m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+    QVERIFY2(!station.waitFor(QStringLiteral("listening"), 20000).isEmpty(), station.errors().constData());
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
+    QVERIFY2(!station.waitFor(QStringLiteral("session"), 20000).isEmpty(), station.errors().constData());
+
+    for (int suite = kSuites; suite >= 1; --suite) {
+        station.tell(QStringLiteral("propose %1").arg(suite));
+        QVERIFY2(!station.waitFor(QStringLiteral("settled"), 20000).isEmpty(), qPrintable(QString::number(suite)));
+        const auto seen = [suite](const QJsonObject &status) { return framesUnder(status, suite) >= kFramesUnderEach; };
+        QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
+    }
+    // The sender stops first; what is still in the air arrives before the receiver is asked.
+    QCOMPARE(air.terminate(), 0);
+    const auto drained = [](const QJsonObject &stats) { return number(within(stats, "forward"), "waiting") == 0; };
+    impair.skipWhatCame();
+    QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000, drained).isEmpty());
+    station.skipWhatCame();
+    station.tell(QStringLiteral("status"));
+    const QJsonObject status = station.waitFor(QStringLiteral("status"), 5000);
+    QVERIFY2(!status.isEmpty(), station.errors().constData());
+    QCOMPARE(impair.terminate(), 0);
+
+    const qint64 sent = number(within(within(air.last(QStringLiteral("summary")), "channel"), "tx"), "records");
+    const qint64 dropped = number(within(impair.last(QStringLiteral("summary")), "forward"), "dropped_records");
+    const QJsonObject counts = within(status, "counts");
+    QVERIFY(dropped > 0);
+    QCOMPARE(number(counts, "good"), sent - dropped);
+    QVERIFY(number(counts, "replayed") > 0); // the channel's duplicates, each refused
+    QCOMPARE(number(counts, "forged"), 0);
+    QCOMPARE(number(counts, "malformed"), 0);
+    QCOMPARE(number(status, "strange"), 0);
 }
 
 void IndependentPeerTest::stationRoamsClosesAndComesBack()
