@@ -77,6 +77,7 @@ private Q_SLOTS:
     void handshake();
     void transportKeys();
     void cookie();
+    void number();
     void epochs();
     void records_data();
     void records();
@@ -186,6 +187,21 @@ void KnownAnswersTest::cookie()
     Bytes under = first;
     signWithCookie(*opened, under);
     COMPARE_WITH("first message under the cookie", under);
+}
+
+void KnownAnswersTest::number()
+{
+    const Bytes psk = m_answers["pre-shared key"];
+    FixedRandom stationsEphemeral(m_answers["station ephemeral private"]);
+    FixedRandom agentsEphemeral(m_answers["agent ephemeral private"]);
+    auto responder = Responder::read(m_agent, m_answers["first message"]);
+    QVERIFY(responder);
+    const auto number = std::move(*responder).tellNumber(known(m_station.publicKey, psk), 41, agentsEphemeral);
+    QVERIFY(number);
+    COMPARE_WITH("number", *number);
+    auto initiator = Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7}, stationsEphemeral);
+    QVERIFY(initiator);
+    QCOMPARE(initiator->takeNumber(m_answers["number"]), std::optional<std::uint64_t>(41));
 }
 
 void KnownAnswersTest::epochs()

@@ -61,6 +61,7 @@ private Q_SLOTS:
     void stationOpensTelemetryUnderEverySuite();
     void stationSwitchesOverABadLink();
     void stationRoamsClosesAndComesBack();
+    void stationThatLostItsCounterGoesOn();
     void stationGetsThroughAFlood();
     void agentServesTheMonitor();
     void agentAsksForACookie();
@@ -287,6 +288,30 @@ void IndependentPeerTest::agentServesTheMonitor()
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
     QCOMPARE(number(within(summary, "mavlink"), "lost"), 0);
     QCOMPARE(number(within(summary, "mavlink"), "duplicate"), 0);
+}
+
+void IndependentPeerTest::stationThatLostItsCounterGoesOn()
+{
+    Flight flight;
+    QVERIFY(flight.ready() && introduce(flight));
+    Program air(QStringLiteral("skyseal-air"), flight.airArguments());
+    const QStringList stationArguments = arguments(flight, "--station", "air.key",
+                                                   {QStringLiteral("--port"), QString::number(flight.groundPort)});
+    {
+        Program station(m_python, stationArguments);
+        QVERIFY2(!station.waitFor(QStringLiteral("session"), 20000).isEmpty(), station.errors().constData());
+        QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "up")).isEmpty());
+        station.tell(QStringLiteral("close"));
+        QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "down")).isEmpty());
+        station.tell(QStringLiteral("quit"));
+        QCOMPARE(station.waitForExit(5000), 0);
+    }
+    QVERIFY(QFile::remove(flight.path(QStringLiteral("python.key.counter"))));
+    Program station(m_python, stationArguments);
+    const QJsonObject told = station.waitFor(QStringLiteral("number"), 20000);
+    QVERIFY2(number(told, "number") >= 1, station.errors().constData());
+    QVERIFY(!station.waitFor(QStringLiteral("session"), 5000).isEmpty());
+    QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "up")).isEmpty());
 }
 
 void IndependentPeerTest::stationGetsThroughAFlood()

@@ -15,6 +15,7 @@ QUIET = 1.5
 UNCONFIRMED_LIFE = 10.0
 RATE, BURST = 50.0, 20.0
 LEFT_FOR_COOKIES = 10.0
+NUMBER_EVERY = 0.2
 
 
 @dataclass
@@ -48,6 +49,7 @@ class Agent:
         self._static, self._suites, self._flags, self._announce_to = static, suites, flags, announce_to
         self._next_announcement = 0.0
         self._tokens, self._tokens_at = BURST, None
+        self._number_told = 0.0
         self._suspicious = suspicious  # asks for a cookie always, not under load alone
         self._cookie_secret = os.urandom(32)  # not replaced: this agent does not live for minutes
         self._last_connection = random.randrange(0x10000)
@@ -111,6 +113,11 @@ class Agent:
         peer = next((peer for peer in self.peers if peer.public == handshake.remote_static), None)
         if peer is None:
             return self._refuse("UnknownPeer")
+        handshake.set_psk(peer.psk)
+        if counter <= peer.counter and now - self._number_told >= NUMBER_EVERY:
+            self._number_told = now
+            number = wire.write_number(handshake, peer.public, offer.connection, peer.counter)
+            self.out.append((number, address))
         if counter <= max(peer.counter, peer.unconfirmed.counter if peer.unconfirmed else 0):
             return self._refuse("ReplayedHandshake")
         if peer.session:
@@ -120,7 +127,6 @@ class Agent:
         chosen = wire.choose(offer, own)
         if chosen is None:
             return self._refuse("NoCommonSuite")
-        handshake.set_psk(peer.psk)
         answer = wire.write_answer(handshake, peer.public, offer.connection, own, chosen)
         session = Session(AGENT, handshake, Ids(own.connection, offer.connection), chosen, wire.permitted(offer, own), now)
         peer.unconfirmed = Unconfirmed(datagram, answer, counter, session, address, now)

@@ -95,6 +95,9 @@ def _handshake(inputs, station, agent, out):
     first = wire.write_first(initiator, agent.public, stations, 7)
     assert wire.read_first(responder, first) == (stations, 7)
     responder.set_psk(psk)
+    number = wire.write_number(responder.copy(), station.public, stations.connection, 41)
+    assert wire.read_number(initiator.copy(), number) == 41
+    out["number"] = number
     chosen = wire.choose(stations, agents)
     answer = wire.write_answer(responder, station.public, stations.connection, agents, chosen)
     assert wire.read_answer(initiator, answer) == (agents, chosen)

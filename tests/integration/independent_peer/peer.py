@@ -41,7 +41,7 @@ class End:
         suites, flags = [int(number) for number in arguments.suites.split(",")], int(arguments.research)
         self._address = (255, 190) if arguments.station else (1, 1)
         if arguments.station:
-            self._end = Station(static, known, suites, flags, _durable_counter(arguments.key + ".counter"))
+            self._end = Station(static, known, suites, flags, DurableCounter(arguments.key + ".counter"))
             self._other = self._end.agents[0]
         else:
             to = [("127.0.0.1", int(port)) for port in arguments.announce.split(",")]
@@ -145,18 +145,22 @@ class End:
         say(**status)
 
 
-def _durable_counter(path):
-    """Greater with every call, over restarts: written down before it is used."""
-    def following():
-        try:
-            number = int(open(path).read()) + 1
-        except FileNotFoundError:
-            number = 1
-        with open(path + ".new", "w") as file:
+class DurableCounter:
+    """Greater with every next(), over restarts: written down before it is used."""
+
+    def __init__(self, path):
+        self._path = path
+        self.last = int(open(path).read()) if os.path.exists(path) else 0
+
+    def next(self):
+        self.skip_to(self.last + 1)
+        return self.last
+
+    def skip_to(self, number):
+        with open(self._path + ".new", "w") as file:
             file.write(str(number))
-        os.replace(path + ".new", path)
-        return number
-    return following
+        os.replace(self._path + ".new", self._path)
+        self.last = number
 
 
 def say(**event):

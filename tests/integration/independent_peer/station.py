@@ -19,9 +19,8 @@ COOKIE_LIFE = 120.0
 
 @dataclass
 class Place:
-    """An address where the agent may be. Until it is proven each announcement from there pays for one first message."""
+    """An address where the agent may be. Until it is proven only announcements from there are answered, one for one."""
     address: tuple
-    owed: int = 0
     proven: bool = False
     last_copy: float = float("-inf")
     unanswered: int = 0  # copies with mac1 that a cookie may still answer
@@ -70,7 +69,7 @@ class Station:
         self.out, self.events, self.plaintexts = [], [], []
         self.agents = [Agent(public, psk) for public, psk in agents]
         self._static, self._suites, self._flags = static, suites, flags
-        self._counter = counter  # called for each first message: a number greater than any before
+        self._counter = counter  # next(): a number greater than any before; skip_to(): goes on above another
         self._last_connection = random.randrange(0x10000)
 
     def receive(self, datagram, address, now):
@@ -83,6 +82,8 @@ class Station:
             self._take_answer(datagram, address, now)
         elif kind == 2 and datagram[0] == wire.COOKIE and len(datagram) == wire.COOKIE_LENGTH:
             self._take_cookie(datagram, address, now)
+        elif kind == 2 and datagram[0] == wire.COOKIE and len(datagram) == wire.NUMBER_LENGTH:
+            self._take_number(datagram, address, now)
 
     def tick(self, now):
         for agent in self.agents:
@@ -117,7 +118,6 @@ class Station:
         attempt = agent.attempt = agent.attempt or Attempt(next_copy=now + RETRIES[0])
         attempt.wanted_until = now + ATTEMPT_LIFE
         place = attempt.place(address)
-        place.owed = min(place.owed + 1, COPIES)
         if now - place.last_copy >= CLOSEST_COPIES:
             self._renew(agent, now)
             self._send_first(agent, place, now)
@@ -126,7 +126,7 @@ class Station:
         attempt = agent.attempt
         attempt.next_copy = now + RETRIES[min(attempt.copies, len(RETRIES) - 1)] * random.uniform(0.75, 1.25)
         attempt.copies += 1
-        places = [place for place in attempt.places if place.proven or place.owed]
+        places = [place for place in attempt.places if place.proven]
         if places:
             self._renew(agent, now)
         for place in places:
@@ -137,9 +137,13 @@ class Station:
         attempt = agent.attempt
         if attempt.message and (attempt.copies_of_this < COPIES or now - attempt.made < RENEW_AFTER):
             return
+        self._make_first(agent, now)
+
+    def _make_first(self, agent, now):
+        attempt = agent.attempt
         attempt.handshake = wire.station_handshake(self._static, agent.public, agent.psk)
         attempt.offer = wire.Offer(self._flags, self._new_connection(), self._suites)
-        attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter())
+        attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter.next())
         attempt.made, attempt.copies_of_this = now, 0
         for place in attempt.places:
             place.unanswered = 0
@@ -152,7 +156,6 @@ class Station:
         else:
             place.unanswered += 1
         place.cookies_turn = has_cookie and not place.cookies_turn
-        place.owed = max(place.owed - 1, 0)
         place.last_copy = now
         agent.attempt.copies_of_this += 1
         self.out.append((message, place.address))
@@ -171,24 +174,41 @@ class Station:
                 self.events.append({"event": "cookie"})
                 self._send_first(agent, place, now)
 
+    def _take_number(self, datagram, address, now):
+        """The agent remembers a greater counter than ours."""
+        for agent, handshake in self._attempts_that_read(datagram):
+            try:
+                number = wire.read_number(handshake, datagram)
+            except NoiseError:
+                continue
+            if not self._counter.last <= number <= wire.MOST_BELIEVED:
+                continue
+            self._counter.skip_to(number)
+            place = agent.attempt.place(address)
+            place.proven = True
+            self.events.append({"event": "number", "number": number})
+            self._make_first(agent, now)
+            self._send_first(agent, place, now)
+
     def _take_answer(self, datagram, address, now):
-        connection = int.from_bytes(datagram[1:3], "little")
-        for agent in self.agents:
-            attempt = agent.attempt
-            if not attempt or not attempt.offer or attempt.offer.connection != connection:
-                continue
-            if not wire.mac1_is_right(self._static.public, datagram):
-                continue
-            handshake = attempt.handshake.copy()
+        for agent, handshake in self._attempts_that_read(datagram):
             try:
                 offer, chosen = wire.read_answer(handshake, datagram)
             except NoiseError:
                 continue
-            if chosen != wire.choose(attempt.offer, offer):
+            if chosen != wire.choose(agent.attempt.offer, offer):
                 self.events.append({"event": "wrong-choice", "suite": chosen})
                 agent.attempt = None
                 continue
-            self._begin(agent, handshake, attempt.offer, offer, chosen, address, now)
+            self._begin(agent, handshake, agent.attempt.offer, offer, chosen, address, now)
+
+    def _attempts_that_read(self, datagram):
+        """The attempts that a second Noise message may belong to, each with a copy of its handshake to try it on."""
+        connection = int.from_bytes(datagram[1:3], "little")
+        if not wire.mac1_is_right(self._static.public, datagram):
+            return []
+        return [(agent, agent.attempt.handshake.copy()) for agent in self.agents
+                if agent.attempt and agent.attempt.offer and agent.attempt.offer.connection == connection]
 
     def _begin(self, agent, handshake, own, offer, chosen, address, now):
         if agent.session:

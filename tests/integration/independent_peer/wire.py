@@ -1,4 +1,4 @@
-"""The first byte, and the datagrams before a session: announcement, first message, answer, cookie (PROTOCOL.md 2 to 4)."""
+"""The first byte, and the datagrams before a session: announcement, first message, answer, cookie, number (PROTOCOL.md 2 to 4)."""
 
 import hashlib
 import hmac
@@ -13,7 +13,8 @@ from suites import NAMES, RESEARCH
 ANNOUNCEMENT, FIRST, ANSWER, COOKIE = 0x58, 0x59, 0x5A, 0x5B
 ANNOUNCEMENT_LENGTH = FIRST_LENGTH = 127
 ANSWER_LENGTH = 74
-COOKIE_LENGTH = 49
+COOKIE_LENGTH, NUMBER_LENGTH = 49, 75
+MOST_BELIEVED = (1 << 48) - 1
 PROLOGUE_DATAGRAMS = b"skyseal channel v1\x01"
 NO_PSK = bytes(32)
 FLAG_RESEARCH, FLAG_PLAIN = 1, 2
@@ -114,6 +115,18 @@ def read_answer(handshake, datagram):
     """(offer, chosen suite); NoiseError when it does not open. mac1 was checked before."""
     payload = handshake.read_message(datagram[3:-16])
     return Offer.unpack(payload), payload[6]
+
+
+def write_number(handshake, station_public, station_connection, remembered):
+    """The greatest counter that the agent remembers, for a station that lost its own."""
+    message = bytes([COOKIE]) + station_connection.to_bytes(2, "little")
+    message += handshake.write_message(remembered.to_bytes(8, "little"))
+    return message + mac1(station_public, message)
+
+
+def read_number(handshake, datagram):
+    """The number; NoiseError when it does not open. mac1 was checked before."""
+    return int.from_bytes(handshake.read_message(datagram[3:-16]), "little")
 
 
 def _cookie_cipher(agent_public, nonce, mac):
