@@ -8,6 +8,11 @@ from cryptography.hazmat.primitives import padding
 from cryptography.hazmat.primitives.ciphers import Cipher, algorithms, modes
 from cryptography.hazmat.primitives.ciphers.aead import AESGCM, ChaCha20Poly1305
 
+try:  # where newer releases of the library keep it
+    from cryptography.hazmat.decrepit.ciphers.algorithms import ARC4
+except ImportError:
+    from cryptography.hazmat.primitives.ciphers.algorithms import ARC4
+
 NAMES = {
     1: "chacha20-poly1305",
     2: "aes-256-gcm",
@@ -89,7 +94,7 @@ class DirectionKeys:
         if self._suite == 5:  # this library takes the block number, 4 bytes, before the nonce of RFC 8439
             return Cipher(algorithms.ChaCha20(self.key, bytes(4) + self._nonce(counter)), mode=None)
         record_key = hmac.new(self.key, counter.to_bytes(8, "little"), hashlib.sha256).digest()
-        return Cipher(algorithms.ARC4(record_key), mode=None)
+        return Cipher(ARC4(record_key), mode=None)
 
     def _block_iv(self, counter):
         return _one_block(self.iv, bytes(8) + counter.to_bytes(8, "big"))
