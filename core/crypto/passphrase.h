@@ -24,6 +24,8 @@ public:
         return out;
     }
 
+    /// An explicit second copy.
+    Passphrase clone() const { return *fromBytes(view()); }
     ByteView view() const { return ByteView(m_bytes.view()).first(m_size); }
     /// In constant time for passphrases of one length; the length is no secret.
     bool equals(const Passphrase &other) const { return m_size == other.m_size && m_bytes.equals(other.m_bytes); }

@@ -44,7 +44,7 @@ Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths)
         out.push_back(entry.peer);
         if (entry.presharedKeyFile.empty())
             continue;
-        auto key = keys::loadPresharedKey(entry.presharedKeyFile);
+        auto key = keys::loadPresharedKey(keys::presharedKeyPath(paths.peers, entry));
         if (!key)
             return tl::unexpected(key.error());
         out.back().presharedKey = std::make_shared<const Key32>(std::move(*key));

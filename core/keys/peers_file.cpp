@@ -180,6 +180,15 @@ Result<void, InputError> editPeers(const std::string &path, const std::function<
     return file->save(path);
 }
 
+std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entry)
+{
+    const std::string &file = entry.presharedKeyFile;
+    const std::size_t slash = peersFile.rfind('/');
+    if (file.empty() || file.starts_with('/') || slash == std::string::npos)
+        return file;
+    return peersFile.substr(0, slash + 1) + file;
+}
+
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path)
 {
     return PeersFile::load(path).map([](const PeersFile &file) { return file.peers(); });

@@ -85,7 +85,10 @@ private:
 /// `change` gives an error nothing is written and that is the result.
 Result<void, InputError> editPeers(const std::string &path, const std::function<Result<void, InputError>(PeersFile &)> &change);
 
-/// The peers of a file, as the channel wants them.
+/// Where the pre-shared key of an entry lies: a relative path begins at the folder of the list. Empty when it has none.
+std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entry);
+
+/// The peers of a file, as the channel wants them, but without their pre-shared keys.
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);
 
 /// "pilot" or "observer"; nullopt for anything else.

@@ -169,4 +169,9 @@ Result<Key32, InputError> writeNewPresharedKey(const std::string &path, RandomSo
     return secret;
 }
 
+Result<void, InputError> writePresharedKey(const std::string &path, const Key32 &secret)
+{
+    return writeText(&replaceFile, path, plainText(SecretKind::PresharedKey, secret));
+}
+
 } // namespace skyseal::keys

@@ -57,6 +57,8 @@ Result<crypto::X25519KeyPair, InputError> parseIdentity(std::string_view text, c
 /// The same for a pre-shared key, which is never sealed.
 Result<Key32, InputError> loadPresharedKey(const std::string &path);
 Result<Key32, InputError> writeNewPresharedKey(const std::string &path, RandomSource &random);
+/// One that there is already, replacing an older file of that name.
+Result<void, InputError> writePresharedKey(const std::string &path, const Key32 &secret);
 
 /// The two kinds as they stand in the first line.
 enum class SecretKind { PrivateKey, PresharedKey };

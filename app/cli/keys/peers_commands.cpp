@@ -83,7 +83,7 @@ keys::PublicKey readPublicKey(Options &options)
     }
     const auto key = keys::publicKeyFromText(text);
     if (!key)
-        options.fail(key.error().message);
+        options.fail((given.isEmpty() ? options.text("from") + ": " : std::string()) + key.error().message);
     return key.value_or(keys::PublicKey{});
 }
 

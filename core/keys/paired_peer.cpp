@@ -1,0 +1,77 @@
+#include "core/keys/paired_peer.h"
+
+#include "core/keys/file_io.h"
+#include "core/keys/peer_line.h"
+#include "core/keys/public_key_text.h"
+#include "core/keys/secret_file.h"
+
+#include <algorithm>
+
+namespace skyseal::keys {
+
+namespace {
+
+constexpr std::size_t kLongestName = 32;
+
+bool fits(std::string name)
+{
+    PeerEntry entry;
+    entry.peer.name = std::move(name);
+    return checkPeerEntry(entry).has_value();
+}
+
+/// In one word: the path of a pre-shared key must not have blanks. Another key gets another file.
+std::string presharedKeyName(const channel::Peer &peer)
+{
+    const std::string print = fingerprint(peer.key);
+    return peer.name + "-" + print.substr(0, 4) + print.substr(5, 4) + ".psk";
+}
+
+} // namespace
+
+std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
+{
+    std::string name;
+    for (const char c : claimed) {
+        if (fits(std::string(1, c)))
+            name += c;
+        else if (!name.empty() && name.back() != '-')
+            name += '-';
+    }
+    if (name.size() > kLongestName) {
+        name.resize(kLongestName);
+        // No half of a character at the end.
+        while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0) == 0x80)
+            name.pop_back();
+        if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0)
+            name.pop_back();
+    }
+    while (name.ends_with('-'))
+        name.pop_back();
+    return fits(name) ? name : "peer-" + fingerprint(key).substr(0, 4);
+}
+
+Result<void, InputError> keepPairedPeer(const std::string &peersFile, const channel::Peer &peer, KeyChange change)
+{
+    return editPeers(peersFile, [&](PeersFile &file) -> Result<void, InputError> {
+        const PeerEntry *known = file.findKey(peer.key);
+        if (!known)
+            known = file.find(peer.name);
+        if (known && known->peer.key != peer.key && change != KeyChange::Accepted)
+            return tl::unexpected(InputError{"the peer \"" + peer.name + "\" is known with another key", {}});
+        PeerEntry entry;
+        entry.peer = peer;
+        if (known) {
+            entry.peer.name = known->peer.name;
+            entry.peer.systemIds = known->peer.systemIds;
+        }
+        if (peer.presharedKey) {
+            entry.presharedKeyFile = presharedKeyName(entry.peer);
+            if (auto written = writePresharedKey(presharedKeyPath(peersFile, entry), *peer.presharedKey); !written)
+                return written;
+        }
+        return known ? file.replace(std::move(entry)) : file.add(std::move(entry));
+    });
+}
+
+} // namespace skyseal::keys
