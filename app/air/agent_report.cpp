@@ -27,8 +27,8 @@ void AgentReport::tell(const engine::AgentEvent &event)
 {
     if (const auto *changed = std::get_if<engine::AgentLinkChanged>(&event))
         linkChanged(*changed);
-    else
-        channelEvent(std::get<channel::Event>(event));
+    else if (const auto *happened = std::get_if<channel::Event>(&event))
+        channelEvent(*happened);
 }
 
 void AgentReport::linkChanged(const engine::AgentLinkChanged &changed)
@@ -62,6 +62,21 @@ void AgentReport::channelEvent(const channel::Event &event)
     say(json, sentence(happening, m_peers));
     if (const auto *down = std::get_if<channel::SessionDown>(&event))
         m_peers.erase(down->session);
+}
+
+void AgentReport::pairing(const PairingNews &news)
+{
+    using State = PairingNews::State;
+    std::string words;
+    if (news.state == State::Open)
+        words = "the window for pairing is open";
+    else if (news.state == State::Paired)
+        words = "paired with " + news.name + " (" + keys::fingerprint(news.key) + ")";
+    else if (news.state == State::Refused)
+        words = "not paired: " + news.reason;
+    else if (news.state == State::Over)
+        words = "the window for pairing is closed" + (news.reason.empty() ? "" : ": " + news.reason);
+    say(news.toJson(), words);
 }
 
 void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)

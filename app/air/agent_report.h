@@ -1,6 +1,7 @@
 // What the agent says: one JSON object a line on stdout with --json, sentences for people on stderr otherwise.
 #pragma once
 
+#include "app/common/pairing_news.h"
 #include "core/engine/agent_core.h"
 
 #include <map>
@@ -14,6 +15,8 @@ public:
     explicit AgentReport(bool json) : m_json(json) {}
 
     void tell(const engine::AgentEvent &event);
+    /// What is told where the window for pairing was opened.
+    void pairing(const PairingNews &news);
     void stats(const engine::AgentSnapshot &snapshot, double time);
     void summary(const engine::AgentSnapshot &snapshot, double time);
 

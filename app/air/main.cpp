@@ -1,7 +1,10 @@
 // skyseal-air: the agent beside an autopilot.
 #include "app/air/agent_report.h"
+#include "app/air/pair_client.h"
+#include "app/air/pairing_desk.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
+#include "app/common/output.h"
 #include "app/common/passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
@@ -34,7 +37,8 @@ void declare(Options &options)
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addFlag("allow-plain",
                     "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("pair", "Open the window for pairing of the agent that runs here with this --identity, and confirm in it.");
+    PairingTalk::declare(options); // with --json
 }
 
 /// Ends the program when a link can never work as it was written.
@@ -42,6 +46,20 @@ bool isHopeless(const engine::AgentEvent &event)
 {
     const auto *changed = std::get_if<engine::AgentLinkChanged>(&event);
     return changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.hostUnknown);
+}
+
+/// The other program in this one: speaks with the agent that runs.
+int pair(Options &options)
+{
+    const std::string identity = options.required("identity");
+    PairingTalk::Settings settings = PairingTalk::read(options);
+    for (const char *option : {"vehicle", "ground", "peers"}) {
+        if (options.has(option))
+            options.fail(std::string("--") + option + " belongs to the agent that runs; --pair needs only its --identity");
+    }
+    if (const auto status = options.finish())
+        return *status;
+    return runPairClient(kName, identity, std::move(settings));
 }
 
 } // namespace
@@ -55,6 +73,8 @@ int main(int argc, char **argv)
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     options.arguments(0, 0);
+    if (options.has("pair"))
+        return pair(options);
     const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
     const auto ground = options.url("ground");
     const engine::KeyPaths paths{options.required("identity"), options.required("peers"),
@@ -83,6 +103,7 @@ int main(int argc, char **argv)
     AgentReport report(options.has("json"));
     int status = kDone;
     bool started = false;
+    PairingDesk *desk = nullptr;
     engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain")}, std::move(*secrets),
                             [&](const engine::AgentEvent &event) {
                                 if (!started && isHopeless(event)) {
@@ -92,8 +113,14 @@ int main(int argc, char **argv)
                                     QCoreApplication::exit(status);
                                     return;
                                 }
+                                if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
+                                    desk->take(*pairing);
                                 report.tell(event);
                             });
+    PairingDesk pairings(agent, paths, [&report](const PairingNews &news) { report.pairing(news); });
+    desk = &pairings;
+    if (!pairings.problem().isEmpty())
+        remark("no pairing: " + pairings.problem().toStdString());
     const PeersWatch watch(paths.peers, [&]() -> Result<std::size_t, InputError> {
         auto peers = engine::readPeers(paths);
         if (!peers)

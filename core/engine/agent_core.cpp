@@ -41,7 +41,8 @@ std::uint8_t systemOf(const mavlink::ScanItem &item)
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
     : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
-      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_policy(SecureMode::Required, Speakers::MayShareASystem),
+      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_tell(event); }),
+      m_policy(SecureMode::Required, Speakers::MayShareASystem),
       m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);
@@ -64,8 +65,57 @@ void AgentCore::setPeers(std::vector<channel::Peer> peers)
     finishWake();
 }
 
+Result<void, PairingRefusal> AgentCore::openPairing(std::string name)
+{
+    if (m_armed)
+        return tl::unexpected(PairingRefusal::Armed);
+    if (m_pairing.isOpen())
+        return tl::unexpected(PairingRefusal::OpenAlready);
+    channel::PairingConfig config;
+    config.role = channel::Role::Agent;
+    config.identity = m_secrets->identity;
+    config.name = std::move(name);
+    config.callTo = {kGround};
+    m_pairing.open(steadyNow(), std::move(config));
+    finishWake();
+    return {};
+}
+
+void AgentCore::confirmPairing(const channel::PublicKey &key)
+{
+    m_pairing.confirm(steadyNow(), key);
+    finishWake();
+}
+
+void AgentCore::refusePairing()
+{
+    m_pairing.refuse(steadyNow());
+    finishWake();
+}
+
+void AgentCore::cancelPairing()
+{
+    m_pairing.cancel(steadyNow(), channel::PairingEnd::Cancelled);
+    finishWake();
+}
+
+/// Who can reach a vehicle in flight shall not be able to be paired with it.
+void AgentCore::noteArmed(TimePoint now, const mavlink::Frame &frame)
+{
+    constexpr std::uint32_t kHeartbeat = 0;
+    constexpr std::size_t kAutopilot = 5, kBaseMode = 6; // offsets in its payload
+    constexpr std::uint8_t kNoAutopilot = 8, kArmed = 128;
+    const ByteView payload = frame.payload();
+    if (frame.messageId() != kHeartbeat || payload.size() <= kBaseMode || payload[kAutopilot] == kNoAutopilot)
+        return;
+    m_armed = (payload[kBaseMode] & kArmed) != 0;
+    if (m_armed && m_pairing.isOpen())
+        m_pairing.cancel(now, channel::PairingEnd::Armed);
+}
+
 void AgentCore::stop()
 {
+    m_pairing.cancel(steadyNow(), channel::PairingEnd::Cancelled);
     for (const channel::SessionId session : m_channel.endpoint().sessions())
         m_channel.endpoint().close(steadyNow(), session);
     finishWake();
@@ -118,6 +168,8 @@ void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlo
                 m_intake.takeStream(block.path, block.bytes, take);
             else
                 m_intake.takeDatagram(block.bytes, take);
+        } else if (m_pairing.take(block.time, block.path, block.bytes)) {
+            m_links.noteRemote(kGroundLink, block.path.remote);
         } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
             takeRecord(block);
         } else {
@@ -140,6 +192,7 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
         return;
     if (item.frame) {
         m_ways.heard(now, from, *item.frame);
+        noteArmed(now, *item.frame);
         m_sequences.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
     }
     if (m_sessions.empty()) {
@@ -218,6 +271,7 @@ void AgentCore::handleEvents()
 void AgentCore::handleDeadline()
 {
     m_channel.endpoint().handleDeadline(steadyNow());
+    m_pairing.handleDeadline(steadyNow());
     finishWake();
 }
 
@@ -229,8 +283,9 @@ void AgentCore::finishWake()
     m_channel.flush(now);
     handleEvents();
     m_channel.flush(now);
+    m_pairing.flush();
     m_links.flush();
-    m_timer.set(m_channel.endpoint().nextDeadline());
+    m_timer.set(std::min(m_channel.endpoint().nextDeadline(), m_pairing.nextDeadline()));
 }
 
 } // namespace skyseal::engine

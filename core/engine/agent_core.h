@@ -9,6 +9,7 @@
 #include "core/engine/deadline_timer.h"
 #include "core/engine/frame_intake.h"
 #include "core/engine/link_pool.h"
+#include "core/engine/pairing_driver.h"
 #include "core/engine/secret_files.h"
 #include "core/engine/sender_policy.h"
 #include "core/engine/vehicle_ways.h"
@@ -36,7 +37,10 @@ struct AgentLinkChanged
     LinkSnapshot link;
 };
 /// What the owner is told, as it happens.
-using AgentEvent = std::variant<AgentLinkChanged, channel::Event>;
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent>;
+
+/// Why the window for pairing was not opened.
+enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 
 struct AgentCounters
 {
@@ -68,6 +72,14 @@ public:
     void start();
     /// A new list of those who may connect; sessions of keys that are no longer in it end at once.
     void setPeers(std::vector<channel::Peer> peers);
+    /// Opens the window in which a new station can be paired, until it is over or the vehicle is armed. What happens in it
+    /// comes as events; `name` is what we call ourselves. A vehicle that was never heard does not count as armed, one
+    /// that fell silent counts as what it last was.
+    Result<void, PairingRefusal> openPairing(std::string name);
+    void confirmPairing(const channel::PublicKey &key);
+    void refusePairing();
+    void cancelPairing();
+    const channel::PublicKey &publicKey() const { return m_secrets->identity->publicKey; }
     /// Says goodbye to every station.
     void stop();
     /// Call about once a second: rates and load are over the time since the last call.
@@ -90,6 +102,7 @@ private:
     void takeFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
     void takeClearFromGround(const mavlink::ScanItem &item);
     void deliver(const mavlink::ScanItem &item);
+    void noteArmed(TimePoint now, const mavlink::Frame &frame);
     void handleEvents();
     void handleDeadline();
     void finishWake();
@@ -99,6 +112,7 @@ private:
     Tell m_tell;
     LinkPool m_links;
     ChannelDriver m_channel;
+    PairingDriver m_pairing;
     SenderPolicy m_policy;
     FrameIntake m_intake;
     VehicleWays m_ways;
@@ -107,6 +121,7 @@ private:
     AgentCounters m_counters;
     std::vector<channel::SessionId> m_sessions;
     std::uint64_t m_garbage = 0;
+    bool m_armed = false; ///< as the autopilot said last
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };

@@ -35,7 +35,7 @@ class StationWorker : public QObject
 
 public:
     using Order = std::function<void(StationWorker &)>;
-    using News = std::variant<SnapshotPtr, Happening, Stopped>;
+    using News = std::variant<SnapshotPtr, Happening, channel::PairingEvent, Stopped>;
 
     StationWorker(StationConfig config, std::unique_ptr<SecretFiles> secrets)
         : m_config(std::move(config)), m_secrets(std::move(secrets))
@@ -46,7 +46,8 @@ public:
     {
         m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets),
                                                StationSinks{[this](SnapshotPtr snapshot) { tell(std::move(snapshot)); },
-                                                            [this](Happening happening) { tell(std::move(happening)); }});
+                                                            [this](Happening happening) { tell(std::move(happening)); },
+                                                            [this](channel::PairingEvent event) { tell(std::move(event)); }});
         m_answered = steadyNow();
         m_ask = std::make_unique<QTimer>();
         connect(m_ask.get(), &QTimer::timeout, this, [this] {
@@ -166,6 +167,8 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
                 Q_EMIT snapshotReady(*snapshot);
             else if (const auto *happening = std::get_if<Happening>(&item))
                 Q_EMIT happened(*happening);
+            else if (const auto *event = std::get_if<channel::PairingEvent>(&item))
+                Q_EMIT pairing(*event);
             else
                 Q_EMIT stopped(std::get<Stopped>(item).last);
         }
@@ -221,6 +224,26 @@ Result<std::size_t, InputError> Station::reloadPeers()
     const std::size_t count = peers->size();
     d->post([list = std::move(*peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
     return count;
+}
+
+void Station::openPairing(std::string name, channel::PeerRole roleAsked)
+{
+    d->post([name = std::move(name), roleAsked](StationCore &core) mutable { core.openPairing(std::move(name), roleAsked); });
+}
+
+void Station::confirmPairing(const channel::PublicKey &key)
+{
+    d->post([key](StationCore &core) { core.confirmPairing(key); });
+}
+
+void Station::refusePairing()
+{
+    d->post([](StationCore &core) { core.refusePairing(); });
+}
+
+void Station::cancelPairing()
+{
+    d->post([](StationCore &core) { core.cancelPairing(); });
 }
 
 vehicle::CommandId Station::command(std::uint8_t systemId, vehicle::VehicleCommand command)

@@ -5,6 +5,7 @@
 // heartbeat stops as well, so that the vehicle's own failsafe still works.
 #pragma once
 
+#include "core/channel/pairing.h"
 #include "core/engine/happening.h"
 #include "core/engine/station_config.h"
 #include "core/engine/snapshot.h"
@@ -42,6 +43,13 @@ public:
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
     /// force; otherwise the number of peers.
     Result<std::size_t, InputError> reloadPeers();
+    /// Waits for an agent that is open for pairing; what happens comes as pairing(). Needs an identity. `name` is what we
+    /// call ourselves, `roleAsked` what we want to be there. Nothing is stored.
+    void openPairing(std::string name, channel::PeerRole roleAsked);
+    /// The person compared the fingerprints of this key at both ends.
+    void confirmPairing(const channel::PublicKey &key);
+    void refusePairing();
+    void cancelPairing();
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command);
     void requestParameters(std::uint8_t systemId);
     void writeParameter(std::uint8_t systemId, std::string name, double value);
@@ -59,6 +67,7 @@ public:
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void happened(skyseal::engine::Happening happening);
+    void pairing(skyseal::channel::PairingEvent event);
     /// The last word: all counters as they stood at the end.
     void stopped(std::shared_ptr<const skyseal::engine::Snapshot> last);
 

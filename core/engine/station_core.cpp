@@ -44,6 +44,10 @@ StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secr
         m_policy.rememberSealed(m_secrets->sealedSystems);
         channel::Endpoint endpoint(channelConfig(m_config, *m_secrets), m_secrets->random, *m_secrets->counters, m_start);
         m_channel = std::make_unique<ChannelDriver>(std::move(endpoint), m_links);
+        m_pairing = std::make_unique<PairingDriver>(m_links, m_secrets->random, [this](const channel::PairingEvent &event) {
+            if (m_sinks.pairing)
+                m_sinks.pairing(event);
+        });
     }
     setRecording(m_config.record);
 }
@@ -94,6 +98,41 @@ void StationCore::setPeers(std::vector<channel::Peer> peers)
     m_policy.setPeers(peers);
     if (m_channel)
         m_channel->endpoint().setPeers(steadyNow(), std::move(peers));
+    finishWake();
+}
+
+bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked)
+{
+    if (!m_pairing)
+        return false;
+    channel::PairingConfig config;
+    config.role = channel::Role::Station;
+    config.identity = m_secrets->identity;
+    config.name = std::move(name);
+    config.roleAsked = roleAsked;
+    m_pairing->open(steadyNow(), std::move(config));
+    finishWake();
+    return true;
+}
+
+void StationCore::confirmPairing(const channel::PublicKey &key)
+{
+    if (m_pairing)
+        m_pairing->confirm(steadyNow(), key);
+    finishWake();
+}
+
+void StationCore::refusePairing()
+{
+    if (m_pairing)
+        m_pairing->refuse(steadyNow());
+    finishWake();
+}
+
+void StationCore::cancelPairing()
+{
+    if (m_pairing)
+        m_pairing->cancel(steadyNow(), channel::PairingEnd::Cancelled);
     finishWake();
 }
 
@@ -181,6 +220,7 @@ void StationCore::finishWake()
         m_channel->flush(now);
         handleEvents(now);
         m_channel->flush(now); // what an event asked for
+        m_pairing->flush();
     }
     m_links.flush();
     publish(now);
@@ -192,6 +232,8 @@ void StationCore::handleDeadline()
     const TimePoint now = steadyNow();
     if (m_channel && now >= m_channel->endpoint().nextDeadline())
         m_channel->endpoint().handleDeadline(now);
+    if (m_pairing)
+        m_pairing->handleDeadline(now);
     if (now >= m_vehicles.nextDeadline())
         m_vehicles.handleDeadline(now);
     if (now >= m_nextQuarter)
@@ -204,7 +246,7 @@ TimePoint StationCore::nextDeadline() const
 {
     TimePoint next = std::min({m_nextQuarter, m_vehicles.nextDeadline(), m_heartbeat.nextDeadline()});
     if (m_channel)
-        next = std::min(next, m_channel->endpoint().nextDeadline());
+        next = std::min({next, m_channel->endpoint().nextDeadline(), m_pairing->nextDeadline()});
     if (m_changed)
         next = std::min(next, m_lastSnapshot + std::chrono::seconds(1) / std::clamp(m_config.snapshotsPerSecond, 1, 30));
     return next;

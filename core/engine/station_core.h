@@ -14,6 +14,7 @@
 #include "core/engine/link_pool.h"
 #include "core/engine/metrics_sampler.h"
 #include "core/engine/outlets.h"
+#include "core/engine/pairing_driver.h"
 #include "core/engine/recorder.h"
 #include "core/engine/secret_files.h"
 #include "core/engine/sender_policy.h"
@@ -34,6 +35,7 @@ struct StationSinks
 {
     std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
     std::function<void(Happening)> happening;
+    std::function<void(channel::PairingEvent)> pairing = {};
 };
 
 class StationCore : private link::LinkListener
@@ -49,6 +51,11 @@ public:
     void setPreferredSuite(crypto::SuiteId suite);
     void setAllowResearch(bool allow);
     void setPeers(std::vector<channel::Peer> peers);
+    /// Waits for an agent that is open for pairing; false without an identity. `name` is what we call ourselves.
+    bool openPairing(std::string name, channel::PeerRole roleAsked);
+    void confirmPairing(const channel::PublicKey &key);
+    void refusePairing();
+    void cancelPairing();
     void command(vehicle::CommandId id, std::uint8_t systemId, const vehicle::VehicleCommand &command);
     /// Does something with a vehicle, if it is known; false otherwise.
     bool withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act);
@@ -122,6 +129,7 @@ private:
     std::unique_ptr<SecretFiles> m_secrets;
     LinkPool m_links;
     std::unique_ptr<ChannelDriver> m_channel; ///< null without keys or with SecureMode::Off
+    std::unique_ptr<PairingDriver> m_pairing; ///< null as well then
     SenderPolicy m_policy;
     FrameIntake m_intake;
     Outlets m_outlets;

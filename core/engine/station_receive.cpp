@@ -24,6 +24,8 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
         if (link.isStream()) {
             m_intake.takeStream(block.path, block.bytes,
                                 [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
+        } else if (m_pairing && m_pairing->take(block.time, block.path, block.bytes)) {
+            continue; // an agent that is open for pairing
         } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
             takeRecord(block.time, block);
         } else {

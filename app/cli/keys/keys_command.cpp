@@ -23,6 +23,7 @@ constexpr Subcommand kOwn[] = {
     {"import", importKey, "import FROM --out FILE [--passphrase]"},
     {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
     {"psk", newPresharedKey, "psk --out FILE"},
+    {"pair", pairWithAgent, "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT]"},
 };
 constexpr Subcommand kPeers[] = {
     {"add", addPeer,

@@ -13,6 +13,9 @@ int importKey(const QStringList &arguments);
 int changePassphrase(const QStringList &arguments);
 int newPresharedKey(const QStringList &arguments);
 
+// With an agent: pair_command.cpp
+int pairWithAgent(const QStringList &arguments);
+
 // Known peers: peers_commands.cpp
 int addPeer(const QStringList &arguments);
 int listPeers(const QStringList &arguments);

@@ -1,0 +1,77 @@
+#include "app/air/pair_client.h"
+
+#include "app/air/pairing_desk.h"
+#include "app/common/exit_status.h"
+#include "app/common/process.h"
+#include "core/base/json_writer.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr int kPatienceMs = 2000;
+
+void order(QLocalSocket &socket, const JsonWriter &json)
+{
+    socket.write(QByteArray::fromStdString(json.text()) + '\n');
+    socket.flush();
+}
+
+void order(QLocalSocket &socket, std::string_view what)
+{
+    JsonWriter json;
+    json.beginObject().field("do", what).endObject();
+    order(socket, json);
+}
+
+} // namespace
+
+int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings)
+{
+    QLocalSocket socket;
+    const QString name = controlSocket(identityFile);
+    socket.connectToServer(name);
+    if (!socket.waitForConnected(kPatienceMs)) {
+        complain(program, name.toStdString() + ": no agent with this identity runs here, or it is another user's: "
+                              + socket.errorString().toStdString());
+        return kCannotOpen;
+    }
+    settings.decidesRole = true;
+    const std::string callIt = settings.callIt;
+    PairingTalk talk(std::move(settings));
+    QObject::connect(&socket, &QLocalSocket::readyRead, &talk, [&] {
+        while (socket.canReadLine()) {
+            if (auto news = PairingNews::fromJson(socket.readLine()))
+                talk.take(std::move(*news));
+        }
+    });
+    QObject::connect(&socket, &QLocalSocket::disconnected, &talk, [&] {
+        complain(program, "the agent ended");
+        QCoreApplication::exit(kNotReached);
+    });
+    QObject::connect(&talk, &PairingTalk::confirmed, &socket, [&](const PairingTalk::Answer &answer) {
+        JsonWriter json;
+        json.beginObject().field("do", "confirm").field("public", keys::publicKeyText(answer.key)).field("name", answer.name);
+        json.field("role", keys::peerRoleText(answer.role)).field("replace", answer.replace).endObject();
+        order(socket, json);
+    });
+    QObject::connect(&talk, &PairingTalk::refused, &socket, [&] { order(socket, "refuse"); });
+    // Going away closes the window.
+    const auto leave = [&](int status) {
+        socket.disconnect(&talk);
+        QCoreApplication::exit(status);
+    };
+    QObject::connect(&talk, &PairingTalk::cancelled, &socket, [&] { leave(kNotReached); });
+    QObject::connect(&talk, &PairingTalk::finished, &socket, leave);
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
+    JsonWriter open;
+    open.beginObject().field("do", "open").field("as", callIt).endObject();
+    order(socket, open);
+    return QCoreApplication::exec();
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,13 @@
+// skyseal-air --pair: opens the window for pairing of the agent that runs with the same identity, and holds the conversation.
+#pragma once
+
+#include "app/common/pairing_talk.h"
+
+#include <string>
+
+namespace skyseal::app {
+
+/// Runs the event loop until it is over; an exit status.
+int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings);
+
+} // namespace skyseal::app

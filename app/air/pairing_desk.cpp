@@ -1,0 +1,169 @@
+#include "app/air/pairing_desk.h"
+
+#include "core/keys/paired_peer.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QSysInfo>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr qint64 kLongestOrder = 4096;
+constexpr int kPatienceMs = 200;
+
+PairingNews refusal(std::string reason)
+{
+    PairingNews news;
+    news.state = PairingNews::State::Refused;
+    news.reason = std::move(reason);
+    return news;
+}
+
+void write(QLocalSocket &socket, const PairingNews &news)
+{
+    socket.write(QByteArray::fromStdString(news.toJson()) + '\n');
+}
+
+} // namespace
+
+QString controlSocket(const std::string &identityFile)
+{
+    return QString::fromStdString(identityFile) + QStringLiteral(".control");
+}
+
+PairingDesk::PairingDesk(engine::AgentCore &agent, engine::KeyPaths paths, Say say)
+    : m_agent(agent), m_paths(std::move(paths)), m_say(std::move(say))
+{
+    const QString name = controlSocket(m_paths.identity);
+    m_server.setSocketOptions(QLocalServer::UserAccessOption);
+    connect(&m_server, &QLocalServer::newConnection, this, &PairingDesk::admit);
+    if (m_server.listen(name))
+        return;
+    // Left behind by an agent that was killed, or in use by one that runs.
+    QLocalSocket probe;
+    probe.connectToServer(name);
+    if (probe.waitForConnected(kPatienceMs)) {
+        m_problem = tr("%1 is in use by another agent with the same key").arg(name);
+        return;
+    }
+    QLocalServer::removeServer(name);
+    if (!m_server.listen(name))
+        m_problem = tr("%1: %2").arg(name, m_server.errorString());
+}
+
+PairingDesk::~PairingDesk()
+{
+    disconnect(&m_server, nullptr, this, nullptr);
+    if (m_visitor)
+        disconnect(m_visitor, nullptr, this, nullptr);
+}
+
+void PairingDesk::admit()
+{
+    while (QLocalSocket *next = m_server.nextPendingConnection()) {
+        if (m_visitor) {
+            write(*next, refusal("somebody else is pairing this agent"));
+            connect(next, &QLocalSocket::disconnected, next, &QObject::deleteLater);
+            next->disconnectFromServer();
+            continue;
+        }
+        m_visitor = next;
+        connect(next, &QLocalSocket::readyRead, this, &PairingDesk::hear);
+        connect(next, &QLocalSocket::disconnected, this, &PairingDesk::leave);
+    }
+}
+
+void PairingDesk::leave()
+{
+    m_visitor->deleteLater();
+    m_visitor = nullptr;
+    m_agent.cancelPairing();
+}
+
+void PairingDesk::hear()
+{
+    while (m_visitor && m_visitor->canReadLine())
+        obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
+    if (m_visitor && m_visitor->bytesAvailable() > kLongestOrder)
+        m_visitor->abort();
+}
+
+void PairingDesk::obey(const QJsonObject &order)
+{
+    const QString what = order[QLatin1String("do")].toString();
+    if (what == QLatin1String("open"))
+        open(order);
+    else if (what == QLatin1String("confirm"))
+        confirm(order);
+    else if (what == QLatin1String("refuse"))
+        m_agent.refusePairing();
+}
+
+void PairingDesk::open(const QJsonObject &order)
+{
+    m_callIt = order[QLatin1String("as")].toString().toStdString();
+    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString());
+    if (!opened) {
+        tell(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed" : "it is open already"));
+        return;
+    }
+    PairingNews news;
+    news.state = PairingNews::State::Open;
+    news.key = m_agent.publicKey();
+    news.seconds = static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count());
+    tell(news);
+}
+
+void PairingDesk::confirm(const QJsonObject &order)
+{
+    const auto key = keys::publicKeyFromText(order[QLatin1String("public")].toString().toStdString());
+    const auto role = keys::peerRoleFromText(order[QLatin1String("role")].toString().toStdString());
+    if (!key || !role)
+        return;
+    m_name = order[QLatin1String("name")].toString().toStdString();
+    m_role = *role;
+    m_replace = order[QLatin1String("replace")].toBool();
+    m_agent.confirmPairing(*key);
+}
+
+keys::PeersFile PairingDesk::known() const
+{
+    return keys::PeersFile::loadOrEmpty(m_paths.peers).value_or(keys::PeersFile());
+}
+
+void PairingDesk::take(const channel::PairingEvent &event)
+{
+    if (const auto *paired = std::get_if<channel::Paired>(&event))
+        keep(paired->peer);
+    else if (const auto news = newsOf(event, known(), m_callIt))
+        tell(*news);
+}
+
+void PairingDesk::keep(channel::Peer peer)
+{
+    peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
+    peer.role = m_role;
+    const auto kept = keys::keepPairedPeer(m_paths.peers, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    if (!kept) {
+        tell(refusal(kept.error().text()));
+        return;
+    }
+    PairingNews news;
+    news.state = PairingNews::State::Paired;
+    news.name = peer.name;
+    news.role = peer.role;
+    news.key = peer.key;
+    tell(news);
+}
+
+void PairingDesk::tell(const PairingNews &news)
+{
+    m_say(news);
+    if (m_visitor)
+        write(*m_visitor, news);
+}
+
+} // namespace skyseal::app

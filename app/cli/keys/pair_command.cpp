@@ -1,0 +1,129 @@
+// skyseal-cli keys pair: the station's side of a pairing, without a window.
+#include "app/cli/keys/keys_subcommands.h"
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/common/pairing_talk.h"
+#include "app/common/passphrase_input.h"
+#include "app/common/process.h"
+#include "core/engine/station.h"
+#include "core/keys/file_io.h"
+#include "core/keys/paired_peer.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QSysInfo>
+#include <QtCore/QTimer>
+
+namespace skyseal::app {
+
+namespace {
+
+/// As long as a pairing repeats its last word for an end that may have missed it.
+constexpr std::chrono::milliseconds kLastWords{3000};
+
+/// What the person decided, until the other end said yes as well.
+struct Decision
+{
+    std::string name;
+    bool replace = false;
+};
+
+PairingNews keep(const std::string &peersFile, channel::Peer peer, const Decision &decision)
+{
+    // For this end it is an agent: what may command is the station.
+    peer.name = keys::fitPeerName(decision.name.empty() ? peer.name : decision.name, peer.key);
+    peer.role = channel::PeerRole::Pilot;
+    const auto kept =
+        keys::keepPairedPeer(peersFile, peer, decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    PairingNews news;
+    news.state = kept ? PairingNews::State::Paired : PairingNews::State::Refused;
+    news.name = kept ? peer.name : std::string();
+    news.key = peer.key;
+    news.reason = kept ? std::string() : kept.error().text();
+    return news;
+}
+
+} // namespace
+
+int pairWithAgent(const QStringList &arguments)
+{
+    const QString name = QStringLiteral("skyseal-cli keys pair");
+    Options options(name, QStringLiteral("Pairs this station with an agent whose window is open (skyseal-air --pair there). Both sides "
+                                         "compare the fingerprints and confirm."));
+    options.addValue("link", "URL", "Where the agent calls: as for monitor.", "udpin:0.0.0.0:14550");
+    options.addValue("identity", "FILE", "Private key of this station.");
+    PassphraseInput::declare(options);
+    options.addValue("peers", "FILE", "File of known peers that the agent is added to; made when it is missing.");
+    options.addValue("role", "pilot|observer", "What this station asks to be there: to command, or only to look.", "pilot");
+    PairingTalk::declare(options);
+    if (const auto status = options.parse(arguments))
+        return *status;
+    options.arguments(0, 0);
+    const auto url = options.url("link");
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Required;
+    config.record = false;
+    config.policy.suites = channel::defaultSuites();
+    config.keys = {options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
+    const auto role = keys::peerRoleFromText(options.text("role"));
+    if (!role)
+        options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
+    PairingTalk::Settings settings = PairingTalk::read(options);
+    if (const auto status = options.finish())
+        return *status;
+
+    const std::string peersFile = config.keys.peers;
+    if (!keys::fileExists(peersFile)) {
+        if (const auto made = keys::createFile(peersFile, {}); !made) {
+            complain(name, made.error().text());
+            return kCannotOpen;
+        }
+    }
+    auto station = engine::Station::create(config);
+    if (!station) {
+        complain(name, station.error().text());
+        return kCannotOpen;
+    }
+    engine::Station &engine = **station;
+    const std::string callIt = settings.callIt;
+    PairingTalk talk(std::move(settings));
+    Decision decision;
+    QObject::connect(&engine, &engine::Station::pairing, &talk, [&](const channel::PairingEvent &event) {
+        if (const auto *paired = std::get_if<channel::Paired>(&event)) {
+            talk.take(keep(peersFile, paired->peer, decision));
+            return;
+        }
+        const auto known = keys::PeersFile::loadOrEmpty(peersFile);
+        if (auto news = newsOf(event, known ? *known : keys::PeersFile(), callIt))
+            talk.take(std::move(*news));
+    });
+    QObject::connect(&engine, &engine::Station::happened, &talk, [&](const engine::Happening &happening) {
+        const auto *changed = std::get_if<engine::LinkChanged>(&happening);
+        if (changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.addressInUse)) {
+            complain(name, changed->link.url + ": " + changed->link.problem);
+            QCoreApplication::exit(kCannotOpen);
+        }
+    });
+    QObject::connect(&talk, &PairingTalk::confirmed, &engine, [&](const PairingTalk::Answer &answer) {
+        decision = {answer.name, answer.replace};
+        engine.confirmPairing(answer.key);
+    });
+    QObject::connect(&talk, &PairingTalk::refused, &engine, [&] { engine.refusePairing(); });
+    QObject::connect(&talk, &PairingTalk::cancelled, &engine, [&] { engine.cancelPairing(); });
+    // The last words go out to the agent before this ends.
+    QObject::connect(&talk, &PairingTalk::finished, &engine, [&](int status) {
+        QObject::connect(&engine, &engine::Station::stopped, &engine, [status] { QCoreApplication::exit(status); });
+        QTimer::singleShot(status == kDone ? kLastWords : std::chrono::milliseconds(0), &engine, [&] { engine.stop(); });
+    });
+    StopSignals signals;
+    QObject::connect(&signals, &StopSignals::stopRequested, &engine, [&] { engine.cancelPairing(); });
+    engine.addLink(*url);
+    engine.openPairing(QSysInfo::machineHostName().toStdString(), *role);
+    PairingNews open;
+    open.state = PairingNews::State::Open;
+    open.key = *engine.publicKey();
+    open.seconds = static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count());
+    talk.take(open);
+    return QCoreApplication::exec();
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,68 @@
+// The conversation of a pairing in a terminal: shows the fingerprints and asks whether they are the same ones at the other
+// end, as ssh asks for a new host. The agent's side and the station's side have the same one.
+#pragma once
+
+#include "app/common/options.h"
+#include "app/common/pairing_news.h"
+
+#include <QtCore/QObject>
+#include <QtCore/QSocketNotifier>
+
+#include <memory>
+
+namespace skyseal::app {
+
+/// Reads answers from standard input, line by line, and speaks on standard error; with --json the news go to standard output.
+class PairingTalk : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// What the person decides about the other end.
+    struct Answer
+    {
+        channel::PublicKey key{};
+        std::string name; ///< how it is to be called here
+        channel::PeerRole role = channel::PeerRole::Pilot;
+        bool replace = false; ///< the key known by that name
+    };
+    struct Settings
+    {
+        bool json = false;
+        std::string expected; ///< fingerprint that is confirmed without a question, and no other; empty = ask
+        std::string callIt;   ///< name to be given to the other end (newsOf wants it); empty = what it calls itself
+        bool decidesRole = false; ///< the agent's side: whether the other one may command
+    };
+
+    /// --json, --expect and --as.
+    static void declare(Options &options);
+    static Settings read(Options &options);
+
+    explicit PairingTalk(Settings settings, QObject *parent = nullptr);
+
+    void take(PairingNews news);
+
+Q_SIGNALS:
+    void confirmed(const skyseal::app::PairingTalk::Answer &answer);
+    void refused();
+    /// The person does not want to go on.
+    void cancelled();
+    /// It is over; an exit status.
+    void finished(int status);
+
+private:
+    void ask();
+    void hear();
+    void answer(const std::string &line);
+    void confirm(channel::PeerRole role);
+    void say(const std::string &words) const;
+
+    Settings m_settings;
+    std::unique_ptr<QSocketNotifier> m_input;
+    std::string m_typed;
+    std::optional<PairingNews> m_asked; ///< the question that is open
+    bool m_paired = false;
+    bool m_failed = false;
+};
+
+} // namespace skyseal::app

@@ -1,0 +1,305 @@
+// Pairing between real programs over loopback: both persons confirm and a sealed session follows; somebody in between has other
+// fingerprints and gets nothing; the window opens while the vehicle is disarmed, and closes when it is armed or left.
+#include "core/mavlink/crc.h"
+#include "tests/support/flight.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+QString text(const QJsonObject &event, const char *key)
+{
+    return event[QLatin1String(key)].toString();
+}
+
+Program::Predicate stateIs(const char *state)
+{
+    return [state](const QJsonObject &event) { return text(event, "state") == QLatin1String(state); };
+}
+
+/// A HEARTBEAT of an autopilot, MAVLink 1.
+QByteArray heartbeat(bool armed)
+{
+    static constexpr std::uint8_t kCrcExtra = 50;
+    QByteArray frame = QByteArray::fromHex("fe0900010100000000000203");
+    frame.append(static_cast<char>(armed ? 0x81 : 0x01)).append('\x04').append('\x03');
+    const ByteView covered(reinterpret_cast<const std::uint8_t *>(frame.constData()) + 1, static_cast<std::size_t>(frame.size()) - 1);
+    const std::uint16_t crc = mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, covered), {&kCrcExtra, 1});
+    return frame.append(static_cast<char>(crc & 0xFF)).append(static_cast<char>(crc >> 8));
+}
+
+} // namespace
+
+class PairingTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init();
+    void bothConfirmAndASessionFollows();
+    void expectedFingerprintsNeedNoPerson();
+    void oneNoIsEnough();
+    void somebodyInBetweenGetsNothing();
+    void changedKeyIsReplacedKnowingly();
+    void observerIsKeptAsOne();
+    void armedVehicleOpensNoWindow();
+    void armingClosesTheWindow();
+    void leavingClosesTheWindow();
+    void oneVisitorAtATime();
+
+private:
+    QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
+    QByteArray read(const char *name) const
+    {
+        QFile file(path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    QString newKey(const char *name) const;
+    std::unique_ptr<Program> agent(const char *key, const char *peers, quint16 ground) const;
+    std::unique_ptr<Program> window(const char *key, const QStringList &more = {}) const;
+    std::unique_ptr<Program> station(const char *key, const char *peers, quint16 port, const QStringList &more = {}) const;
+    static QStringList expecting(const QString &fingerprint) { return {QStringLiteral("--expect"), fingerprint}; }
+    void sendHeartbeats(Program &until, const char *event, const Program::Predicate &predicate, bool armed);
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_ground, m_air; ///< fingerprints
+    quint16 m_port = 0, m_vehiclePort = 0;
+};
+
+QString PairingTest::newKey(const char *name) const
+{
+    Program made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
+    return text(made.waitFor(QStringLiteral("key"), 10000), "fingerprint");
+}
+
+void PairingTest::init()
+{
+    m_folder = std::make_unique<QTemporaryDir>();
+    m_ground = newKey("ground.key");
+    m_air = newKey("air.key");
+    QVERIFY(!m_ground.isEmpty() && !m_air.isEmpty());
+    for (const char *peers : {"ground.peers", "air.peers", "mallory.peers"}) {
+        QFile file(path(peers));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+    }
+    m_port = freeUdpPort();
+    m_vehiclePort = freeUdpPort();
+}
+
+std::unique_ptr<Program> PairingTest::agent(const char *key, const char *peers, quint16 ground) const
+{
+    auto air = std::make_unique<Program>(
+        QStringLiteral("skyseal-air"),
+        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort), QStringLiteral("--ground"),
+                    QStringLiteral("udpout:127.0.0.1:%1").arg(ground), QStringLiteral("--identity"), path(key), QStringLiteral("--peers"), path(peers),
+                    QStringLiteral("--json")});
+    const bool up = !air->waitFor(QStringLiteral("link"), 10000).isEmpty();
+    return up ? std::move(air) : nullptr;
+}
+
+std::unique_ptr<Program> PairingTest::window(const char *key, const QStringList &more) const
+{
+    return std::make_unique<Program>(QStringLiteral("skyseal-air"),
+                                     QStringList{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key), QStringLiteral("--json")} + more);
+}
+
+std::unique_ptr<Program> PairingTest::station(const char *key, const char *peers, quint16 port, const QStringList &more) const
+{
+    return std::make_unique<Program>(QStringLiteral("skyseal-cli"),
+                                     QStringList{QStringLiteral("keys"), QStringLiteral("pair"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
+                                                 QStringLiteral("--identity"), path(key), QStringLiteral("--peers"), path(peers), QStringLiteral("--json")}
+                                         + more);
+}
+
+void PairingTest::bothConfirmAndASessionFollows()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port, {QStringLiteral("--as"), QStringLiteral("heron")});
+    const auto desk = window("air.key", {QStringLiteral("--as"), QStringLiteral("base")});
+    const QJsonObject open = desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("open"));
+    QCOMPARE(text(open, "fingerprint"), m_air);
+    QCOMPARE(open[QLatin1String("seconds")].toInt(), 120);
+    QCOMPARE(text(desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), m_ground);
+    QCOMPARE(text(ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), m_air);
+    QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
+
+    ground->tell(QStringLiteral("maybe")); // no answer
+    ground->tell(QStringLiteral("yes"));
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("confirmed")).isEmpty());
+    QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty()); // one yes is none
+    desk->tell(QStringLiteral("yes"));
+    QCOMPARE(desk->waitForExit(10000), 0);
+    QCOMPARE(ground->waitForExit(10000), 0);
+    QCOMPARE(text(desk->last(QStringLiteral("pairing")), "state"), QStringLiteral("over"));
+    QVERIFY2(read("ground.peers").startsWith("heron pilot any skyseal:"), read("ground.peers").constData());
+    QVERIFY2(read("air.peers").startsWith("base pilot any skyseal:"), read("air.peers").constData());
+
+    Program monitor(QStringLiteral("skyseal-cli"), {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_port),
+                                                    QStringLiteral("--identity"), path("ground.key"), QStringLiteral("--peers"), path("ground.peers"),
+                                                    QStringLiteral("--no-record"), QStringLiteral("--json")});
+    const QJsonObject session = monitor.waitFor(QStringLiteral("session"), 15000, stateIs("up"));
+    QCOMPARE(text(session, "peer"), QStringLiteral("heron"));
+}
+
+void PairingTest::expectedFingerprintsNeedNoPerson()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
+    const auto desk = window("air.key", expecting(QString(m_ground).remove(QLatin1Char(' ')).toUpper()));
+    QCOMPARE(desk->waitForExit(15000), 0);
+    QCOMPARE(ground->waitForExit(15000), 0);
+    QVERIFY(read("air.peers").contains("psk=") && read("ground.peers").contains("psk=")); // a second secret for the pair
+}
+
+void PairingTest::oneNoIsEnough()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port);
+    const auto desk = window("air.key");
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
+    QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
+    ground->tell(QStringLiteral("yes"));
+    desk->tell(QStringLiteral("no"));
+    QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
+    QVERIFY(desk->running() && ground->running()); // the window stays open for the right one
+    QCOMPARE(desk->terminate(), 1);
+    QCOMPARE(ground->terminate(), 1);
+    QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
+}
+
+/// Mallory speaks with each end in the name of the other.
+void PairingTest::somebodyInBetweenGetsNothing()
+{
+    const QString mallory = newKey("mallory.key"), malloryAir = newKey("mallory-air.key");
+    const quint16 stolen = freeUdpPort(); // where the agent's datagrams end up
+    const auto air = agent("air.key", "air.peers", stolen);
+    QVERIFY(air);
+    const auto toAgent = station("mallory.key", "mallory.peers", stolen, expecting(m_air));
+    m_vehiclePort = freeUdpPort();
+    const auto falseAir = agent("mallory-air.key", "mallory.peers", m_port);
+    QVERIFY(falseAir);
+    const auto toStation = window("mallory-air.key", expecting(m_ground));
+
+    const auto desk = window("air.key", expecting(m_ground));
+    const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
+    QCOMPARE(text(desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), mallory);
+    QCOMPARE(text(ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), malloryAir);
+    QVERIFY(!toAgent->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
+    QVERIFY(!toStation->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
+    QVERIFY(desk->errors().contains("not the expected one") && ground->errors().contains("not the expected one"));
+    for (const char *peers : {"ground.peers", "air.peers", "mallory.peers"})
+        QVERIFY2(read(peers).isEmpty(), peers);
+}
+
+void PairingTest::changedKeyIsReplacedKnowingly()
+{
+    {
+        const auto air = agent("air.key", "air.peers", m_port);
+        const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air) + QStringList{QStringLiteral("--as"), QStringLiteral("heron")});
+        QCOMPARE(window("air.key", expecting(m_ground))->waitForExit(15000), 0);
+        QCOMPARE(ground->waitForExit(15000), 0);
+    }
+    const QString changed = newKey("new-air.key");
+    m_vehiclePort = freeUdpPort();
+    const auto air = agent("new-air.key", "mallory.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port, {QStringLiteral("--as"), QStringLiteral("heron")});
+    const auto desk = window("new-air.key", expecting(m_ground));
+    const QJsonObject seen = ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen"));
+    QCOMPARE(text(seen, "fingerprint"), changed);
+    QCOMPARE(text(seen, "known_fingerprint"), m_air);
+    const QByteArray before = read("ground.peers");
+    ground->tell(QStringLiteral("yes")); // is not enough
+    ground->tell(QStringLiteral("replace"));
+    QCOMPARE(ground->waitForExit(15000), 0);
+    QVERIFY(read("ground.peers").startsWith("heron ") && read("ground.peers") != before);
+    QCOMPARE(read("ground.peers").count('\n'), 1);
+}
+
+void PairingTest::observerIsKeptAsOne()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
+    const auto desk = window("air.key", {QStringLiteral("--as"), QStringLiteral("tablet")});
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
+    desk->tell(QStringLiteral("observer"));
+    QCOMPARE(desk->waitForExit(10000), 0);
+    QVERIFY2(read("air.peers").startsWith("tablet observer any "), read("air.peers").constData());
+}
+
+/// Speaks as the autopilot until the program says what is waited for.
+void PairingTest::sendHeartbeats(Program &until, const char *event, const Program::Predicate &predicate, bool armed)
+{
+    QUdpSocket autopilot;
+    QVERIFY(autopilot.bind(QHostAddress::LocalHost, 0));
+    QJsonObject heard;
+    for (int i = 0; i < 100 && heard.isEmpty(); ++i) {
+        autopilot.writeDatagram(heartbeat(armed), QHostAddress::LocalHost, m_vehiclePort);
+        heard = until.waitFor(QLatin1String(event), 100, predicate);
+    }
+    QVERIFY(!heard.isEmpty());
+}
+
+void PairingTest::armedVehicleOpensNoWindow()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto heard = [](const QJsonObject &stats) { return stats[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger() > 0; };
+    sendHeartbeats(*air, "stats", heard, true);
+    const auto refused = window("air.key");
+    QCOMPARE(refused->waitForExit(10000), 1);
+    QCOMPARE(text(refused->last(QStringLiteral("pairing")), "reason"), QStringLiteral("the vehicle is armed"));
+}
+
+void PairingTest::armingClosesTheWindow()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto desk = window("air.key");
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("open")).isEmpty());
+    sendHeartbeats(*desk, "pairing", stateIs("over"), true);
+    QCOMPARE(desk->waitForExit(10000), 1);
+    QCOMPARE(text(desk->last(QStringLiteral("pairing")), "reason"), QStringLiteral("the vehicle was armed"));
+}
+
+void PairingTest::leavingClosesTheWindow()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    for (const bool killed : {false, true}) {
+        auto desk = window("air.key");
+        QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("open")).isEmpty());
+        if (killed)
+            desk->kill();
+        else
+            QCOMPARE(desk->terminate(), 1);
+        QVERIFY(!air->waitFor(QStringLiteral("pairing"), 5000, stateIs("over")).isEmpty());
+    }
+}
+
+void PairingTest::oneVisitorAtATime()
+{
+    QCOMPARE(window("air.key")->waitForExit(10000), 3); // no agent runs
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto first = window("air.key");
+    QVERIFY(!first->waitFor(QStringLiteral("pairing"), 10000, stateIs("open")).isEmpty());
+    const auto second = window("air.key");
+    QCOMPARE(second->waitForExit(10000), 1);
+    QVERIFY(first->running());
+    const auto mode = QFile::permissions(path("air.key.control"));
+    QVERIFY(!(mode & (QFile::ReadOther | QFile::WriteOther | QFile::ReadGroup | QFile::WriteGroup)));
+}
+
+QTEST_GUILESS_MAIN(PairingTest)
+#include "pairing_test.moc"
