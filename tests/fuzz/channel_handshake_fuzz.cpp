@@ -2,6 +2,7 @@
 // who knows the public key can do, and the payloads behind the encryption are read as well.
 #include "pair.h"
 
+#include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 
@@ -45,11 +46,34 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     TimePoint now{};
 
     Bytes datagram(data + 1, data + size);
+    const bool loaded = data[0] & 4; // Cookies are about.
+    Bytes first;
+    CookieMaker maker(agent.publicKey, random);
     if (!toAgent) { // The station is waiting for an answer.
         auto announcement = Announcement(agent.publicKey).make(random);
         endpoint->handleDatagram(now, path, announcement);
-        while (endpoint->pollTransmit())
-            continue;
+        while (const auto out = endpoint->pollTransmit())
+            first.assign(out->bytes.begin(), out->bytes.end());
+        if (loaded) {
+            auto cookie = maker.make(now, path, first);
+            endpoint->handleDatagram(now, path, cookie);
+        }
+    } else if (loaded) {
+        std::optional<Cookie> cookie;
+        for (int i = 0; i < 20 && !cookie; ++i) {
+            FirstMessage message;
+            random.fill(message);
+            message[0] = firstByte(HandshakeMessage::First);
+            Mac1(agent.publicKey).sign(message);
+            const Bytes mac1(message.end() - kMacLength, message.end());
+            endpoint->handleDatagram(now, path, message);
+            while (const auto out = endpoint->pollTransmit())
+                cookie = openCookie(agent.publicKey, mac1, out->bytes);
+        }
+        if (!cookie)
+            std::abort();
+        if (data[0] & 8 && datagram.size() > kMacLength)
+            signWithCookie(*cookie, datagram);
     }
     if (signIt && datagram.size() > kMacLength)
         Mac1(toAgent ? agent.publicKey : station.publicKey).sign(datagram);
@@ -62,6 +86,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
 
     static_cast<void>(FirstPayload::read(datagram));
     static_cast<void>(AnswerPayload::read(datagram));
+    static_cast<void>(openCookie(agent.publicKey, agent.publicKey, datagram));
     if (datagram.size() == kFirstLength)
         static_cast<void>(Responder::read(agent, datagram));
     return 0;
