@@ -194,6 +194,8 @@ void MainMenus::fillHelp(QMenu &menu)
         [this] { m_window.openHelp(QStringLiteral("start")); });
     add(menu, tr("&Sealing a link"), QStringLiteral("actionHelpSealing"), {},
         [this] { m_window.openHelp(QStringLiteral("sealing")); });
+    add(menu, tr("&Diagnostics"), QStringLiteral("actionHelpDiagnostics"), {},
+        [this] { m_window.openHelp(QStringLiteral("diagnostics")); });
     menu.addSeparator();
     add(menu, tr("&About Skyseal"), QStringLiteral("actionAbout"), {}, [this] {
         QMessageBox::about(

@@ -1,10 +1,21 @@
-// The charts by content: what is plotted is what was measured, in the suite's colour, with a mark where the suite changed.
+// The charts by content: what is plotted is what was measured, in the suite's colour, with a mark where something happened;
+// suite over suite, as bars and in numbers; what is saved is what is shown.
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
+#include "ui/charts/quantities.h"
 #include "ui/charts/suite_legend.h"
+#include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtGui/QImage>
 #include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QTableView>
+
+#include <numeric>
 
 using namespace skyseal;
 using namespace skyseal::ui;
@@ -20,6 +31,30 @@ Scene sceneWith(std::vector<MetricsSample> samples)
     return Scene{snapshot};
 }
 
+std::vector<MetricsSample> twoSuites()
+{
+    auto all = samplesOf(0, 0, 20, SuiteId::ChaCha20Poly1305, 0);
+    const auto second = samplesOf(all.size(), 20, 40, SuiteId::Rc4, 1);
+    all.insert(all.end(), second.begin(), second.end());
+    return all;
+}
+
+/// Mean of a figure over those samples of a suite that are counted: not the first second after a change.
+double meanOf(const std::vector<MetricsSample> &samples, SuiteId suite, double MetricsSample::*figure)
+{
+    double sum = 0;
+    int count = 0, since = 0;
+    for (const MetricsSample &sample : samples) {
+        if (sample.suite != suite)
+            continue;
+        if (since++ >= SuiteHistory::kSettling) {
+            sum += sample.*figure;
+            ++count;
+        }
+    }
+    return sum / count;
+}
+
 } // namespace
 
 class DiagnosticsTest : public QObject
@@ -27,22 +62,24 @@ class DiagnosticsTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void init()
+    {
+        m_panel = std::make_unique<DiagnosticsPanel>();
+        m_panel->resize(1200, 240);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+    }
+
+    void cleanup() { m_panel.reset(); }
+
     void plotsWhatWasMeasured()
     {
-        DiagnosticsPanel panel;
-        panel.resize(1200, 240);
-        panel.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&panel));
-        auto first = samplesOf(0, 0, 20, SuiteId::ChaCha20Poly1305, 0);
-        auto second = samplesOf(first.size(), 20, 40, SuiteId::Rc4, 1);
-        panel.showScene(sceneWith(first));
-        panel.showScene(sceneWith(second));
-        panel.showScene(sceneWith(second)); // repeated samples count once
-        panel.refresh();
+        const auto all = twoSuites();
+        m_panel->showScene(sceneWith({all.begin(), all.begin() + 80}));
+        m_panel->showScene(sceneWith(all)); // repeated samples count once
+        m_panel->refresh();
 
-        auto all = first;
-        all.insert(all.end(), second.begin(), second.end());
-        const ChartContent rate = panel.chart(0)->plotted();
+        const ChartContent rate = m_panel->chart(0)->plotted();
         QCOMPARE(rate.runs.size(), std::size_t(2));
         QCOMPARE(rate.runs[0].color, suiteColor(SuiteId::ChaCha20Poly1305));
         QCOMPARE(rate.runs[1].color, suiteColor(SuiteId::Rc4));
@@ -58,16 +95,246 @@ private Q_SLOTS:
         QCOMPARE(rate.marks[0].x, 20 - all.back().time);
         QVERIFY(rate.marks[0].text.contains(QStringLiteral("RC4 (insecure)")));
 
-        const ChartContent loss = panel.chart(1)->plotted();
+        const ChartContent loss = m_panel->chart(1)->plotted();
         QCOMPARE(loss.runs.size(), std::size_t(4)); // both directions
         QCOMPARE(loss.runs[3].points.back().y(), all.back().peerLossPercent);
-        QVERIFY(loss.runs[3].dashed);
-        const ChartContent cpu = panel.chart(2)->plotted();
+        QVERIFY(loss.runs[3].stroke == Stroke::Dashed);
+        const ChartContent cpu = m_panel->chart(2)->plotted();
         QCOMPARE(cpu.runs[1].points.back().y(), all.back().processCpuPercent);
-        QCOMPARE(cpu.runs[3].points.back().y(), all.back().suiteCpuPercent);
+        QCOMPARE(cpu.runs[5].points.back().y(), all.back().suiteCpuPercent);
+        QVERIFY(cpu.runs[5].stroke == Stroke::Dotted);
 
-        const QStringList legend = panel.findChild<SuiteLegend *>()->names();
+        const QStringList legend = m_panel->findChild<SuiteLegend *>()->names();
         QCOMPARE(legend, (QStringList{QStringLiteral("ChaCha20-Poly1305"), QStringLiteral("RC4 (insecure)")}));
+    }
+
+    void everyQuantityPlotsItsSample()
+    {
+        const auto all = samplesOf(0, 0, 10, SuiteId::Aes256Gcm, 0);
+        m_panel->showScene(sceneWith(all));
+        choose("chartGroup", QStringLiteral("All"));
+        const std::vector<Quantity> quantities = allQuantities();
+        QCOMPARE(m_panel->chartCount(), static_cast<int>(quantities.size()));
+        const MetricsSample &last = all.back();
+        const std::pair<const char *, std::vector<double>> expected[] = {
+            {"byteRate", {last.openedBytesPerSecond / 1e3, last.rxBytesPerSecond / 1e3}},
+            {"overhead", {55, 80}},
+            {"mavlinkLoss", {last.mavlinkLossPercent}},
+            {"latency", {last.latency * 1e3, last.roundTrip * 1e3}},
+            {"openCost", {last.openNsP50 / 1e3, last.openNsP99 / 1e3, last.openNextNsP50 / 1e3}},
+            {"sealCost", {last.sealNsP50 / 1e3, last.sealNsP99 / 1e3}},
+            {"memory", {92}}};
+        for (const auto &[key, values] : expected) {
+            const auto *chart = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_") + QLatin1String(key));
+            QVERIFY2(chart, key);
+            const ChartContent content = chart->plotted();
+            QCOMPARE(content.runs.size(), values.size());
+            for (std::size_t i = 0; i < values.size(); ++i)
+                QVERIFY2(qFuzzyCompare(content.runs[i].points.back().y(), values[i]), key);
+            QVERIFY2(content.top >= highestOf(content), key);
+        }
+        for (const Quantity &quantity : quantities) { // every axis says what it counts, every chart how it is measured
+            QVERIFY(!quantity.unit.isEmpty());
+            QVERIFY(!quantity.note.isEmpty());
+        }
+    }
+
+    void barsAreTheMeansOfTheSuites()
+    {
+        const auto all = twoSuites();
+        m_panel->showScene(sceneWith(all));
+        m_panel->refresh();
+        const ChartContent rate = m_panel->chart(0)->plotted();
+        QCOMPARE(rate.bars.size(), std::size_t(2));
+        QCOMPARE(rate.bars[1].suite, QStringLiteral("RC4 (insecure)"));
+        QCOMPARE(rate.bars[1].color, suiteColor(SuiteId::Rc4));
+        QCOMPARE(rate.bars[1].samples, std::uint64_t(80 - SuiteHistory::kSettling));
+        QCOMPARE(rate.bars[1].mean, meanOf(all, SuiteId::Rc4, &MetricsSample::openedFramesPerSecond));
+        QVERIFY(rate.bars[1].low < rate.bars[1].mean && rate.bars[1].mean < rate.bars[1].high);
+        choose("chartGroup", QStringLiteral("Cost"));
+        QVERIFY(m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_memory"))->plotted().bars.empty());
+    }
+
+    void suitesLieOverOneAnother()
+    {
+        auto all = twoSuites();
+        const auto again = samplesOf(all.size(), 40, 50, SuiteId::ChaCha20Poly1305, 2);
+        all.insert(all.end(), again.begin(), again.end());
+        m_panel->showScene(sceneWith(all));
+        choose("chartView", QStringLiteral("Suite over suite"));
+        const ChartContent rate = m_panel->chart(0)->plotted();
+        QVERIFY(rate.time == ChartTime::InUse);
+        QVERIFY(rate.marks.empty());
+        QCOMPARE(rate.runs.size(), std::size_t(3)); // one suite was in use twice
+        QCOMPARE(rate.runs[0].points.front().x(), 0.0);
+        QCOMPARE(rate.runs[0].points.size(), std::size_t(80));
+        QCOMPARE(rate.runs[1].suite, QStringLiteral("ChaCha20-Poly1305"));
+        QCOMPARE(rate.runs[1].points.front().x(), 19.75); // its second use goes on where the first one ended
+        QCOMPARE(rate.runs[1].points.back().y(), all.back().openedFramesPerSecond);
+        QCOMPARE(rate.runs[2].suite, QStringLiteral("RC4 (insecure)"));
+        QCOMPARE(rate.runs[2].points.front().x(), 0.0);
+    }
+
+    void tableSaysTheSameInNumbers()
+    {
+        const auto all = twoSuites();
+        m_panel->showScene(sceneWith(all));
+        choose("chartView", QStringLiteral("Table"));
+        const auto *table = m_panel->findChild<QTableView *>(QStringLiteral("suiteTable"));
+        QVERIFY(table->isVisible());
+        const QAbstractItemModel *model = table->model();
+        QCOMPARE(model->rowCount(), 2);
+        QCOMPARE(model->index(1, 0).data().toString(), QStringLiteral("RC4 (insecure)"));
+        QCOMPARE(model->index(1, 1).data().toString(), QStringLiteral("00:19"));
+        QCOMPARE(model->index(1, 2).data().toDouble(),
+                 std::round(meanOf(all, SuiteId::Rc4, &MetricsSample::openedFramesPerSecond) * 10) / 10);
+        for (int column = 0; column < model->columnCount(); ++column)
+            QVERIFY(!model->headerData(column, Qt::Horizontal).toString().contains(QStringLiteral("Memory")));
+    }
+
+    void incidentsAreMarked()
+    {
+        auto all = samplesOf(0, 0, 30, SuiteId::Aes256Gcm, 0);
+        for (std::size_t i = 40; i < all.size(); ++i)
+            all[i].refused = i < 44 ? i - 39 : 4; // one incident of four
+        for (std::size_t i = 80; i < 100; ++i)
+            all[i].linkUp = false;
+        for (std::size_t i = 60; i < all.size(); ++i)
+            all[i].epoch = 1;
+        m_panel->showScene(sceneWith(all));
+        m_panel->refresh();
+        const auto marks = m_panel->chart(0)->plotted().marks;
+        QCOMPARE(marks.size(), std::size_t(4));
+        QVERIFY(marks[0].incident);
+        QVERIFY(marks[0].text.startsWith(QStringLiteral("4 forged")));
+        QCOMPARE(marks[0].color, stateColors(m_panel->palette()).alarm);
+        QCOMPARE(marks[0].x, 10 - all.back().time);
+        QVERIFY(!marks[1].incident);
+        QVERIFY(marks[1].text.contains(QStringLiteral("epoch 1")));
+        QCOMPARE(marks[2].text, QStringLiteral("link lost"));
+        QCOMPARE(marks[3].text, QStringLiteral("link back"));
+    }
+
+    void hoverTellsTheValues()
+    {
+        const auto all = twoSuites();
+        m_panel->showScene(sceneWith(all));
+        m_panel->refresh();
+        Q_EMIT m_panel->chart(0)->hovered(-10);
+        const MetricsSample &there = all[all.size() - 41];
+        QCOMPARE(there.time - all.back().time, -10.0);
+        for (int i = 0; i < 3; ++i)
+            QVERIFY(!m_panel->chart(i)->cursorWords().isEmpty()); // one cursor for all
+        const QStringList loss = m_panel->chart(1)->cursorWords();
+        QVERIFY2(loss[0].contains(QStringLiteral("RC4 (insecure)")), qPrintable(loss.join(QLatin1Char('|'))));
+        QVERIFY(loss.contains(QStringLiteral("to us ") + QString::number(there.lossPercent, 'f', 3)));
+        QVERIFY(loss.contains(QStringLiteral("to it ") + QString::number(there.peerLossPercent, 'f', 3)));
+        Q_EMIT m_panel->chart(0)->hoverEnded();
+        QVERIFY(m_panel->chart(0)->cursorWords().isEmpty());
+        Q_EMIT m_panel->chart(0)->hovered(20 - all.back().time);
+        QVERIFY(m_panel->chart(0)->cursorWords().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
+    }
+
+    void freezeStopsThePictureOnly()
+    {
+        auto all = samplesOf(0, 0, 20, SuiteId::Aes256Gcm, 0);
+        m_panel->showScene(sceneWith(all));
+        m_panel->refresh();
+        const ChartContent before = m_panel->chart(0)->plotted();
+        m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->click();
+        const auto more = samplesOf(all.size(), 20, 30, SuiteId::Rc4, 1);
+        m_panel->showScene(sceneWith(more));
+        m_panel->refresh();
+        const ChartContent frozen = m_panel->chart(0)->plotted();
+        QCOMPARE(frozen.runs, before.runs);
+        QVERIFY(frozen.marks.empty());
+        QTest::keyClick(m_panel.get(), Qt::Key_Home);
+        QVERIFY(!m_panel->range().frozen());
+        QCOMPARE(m_panel->chart(0)->plotted().runs.size(), std::size_t(2)); // nothing was missed
+    }
+
+    void zoomByWheelKeysAndDrag()
+    {
+        m_panel->showScene(sceneWith(samplesOf(0, 0, 100, SuiteId::Aes256Gcm, 0)));
+        m_panel->refresh();
+        Q_EMIT m_panel->chart(0)->zoomWanted(1);
+        QCOMPARE(m_panel->chart(2)->plotted().from, -60.0); // all charts show the same time
+        QVERIFY(!m_panel->range().frozen());
+        QTest::keyClick(m_panel.get(), Qt::Key_Minus);
+        QCOMPARE(m_panel->chart(0)->plotted().from, -120.0);
+        Q_EMIT m_panel->chart(1)->rangeWanted(-50, -20);
+        QVERIFY(m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->isChecked());
+        QCOMPARE(m_panel->chart(0)->plotted().from, -50.0);
+        QCOMPARE(m_panel->chart(0)->plotted().to, -20.0);
+        const ChartContent part = m_panel->chart(0)->plotted();
+        QCOMPARE(part.runs.size(), std::size_t(1));
+        for (const QPointF &point : part.runs[0].points)
+            QVERIFY(point.x() >= -50 && point.x() <= -20);
+        QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(m_panel->chart(0)->plotted().to, -12.5);
+        for (int i = 0; i < 9; ++i)
+            QTest::keyClick(m_panel.get(), Qt::Key_Right);
+        QCOMPARE(m_panel->chart(0)->plotted().to, 0.0); // the future is not shown
+        QTest::keyClick(m_panel.get(), Qt::Key_Escape);
+        QCOMPARE(m_panel->chart(0)->plotted().from, -30.0);
+    }
+
+    void csvHoldsWhatIsShown()
+    {
+        QTemporaryDir folder;
+        auto all = twoSuites();
+        all[3].latency = vehicle::kUnknown;
+        m_panel->showScene(sceneWith(all));
+        m_panel->refresh();
+        const QString file = folder.filePath(QStringLiteral("samples.csv"));
+        QCOMPARE(m_panel->saveCsv(file), QString());
+        QFile in(file);
+        QVERIFY(in.open(QIODevice::ReadOnly));
+        const QList<QByteArray> lines = in.readAll().trimmed().split('\n');
+        QCOMPARE(lines.size(), qsizetype(all.size()) + 1);
+        const QList<QByteArray> head = lines[0].trimmed().split(',');
+        const auto cell = [&](std::size_t row, const char *name) {
+            return lines[static_cast<qsizetype>(row) + 1].trimmed().split(',')[head.indexOf(name)];
+        };
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            QVERIFY(qFuzzyCompare(cell(i, "frames_per_s").toDouble(), all[i].openedFramesPerSecond));
+            QVERIFY(qFuzzyCompare(1 + cell(i, "channel_loss_to_it_percent").toDouble(), 1 + all[i].peerLossPercent));
+        }
+        QCOMPARE(cell(0, "suite"), QByteArray("chacha20-poly1305"));
+        QCOMPARE(cell(0, "insecure"), QByteArray("0"));
+        QCOMPARE(cell(100, "suite"), QByteArray("rc4"));
+        QCOMPARE(cell(100, "insecure"), QByteArray("1"));
+        QCOMPARE(cell(3, "latency_s"), QByteArray());
+        Q_EMIT m_panel->chart(0)->rangeWanted(-10, -5);
+        QCOMPARE(m_panel->saveCsv(file), QString());
+        in.seek(0);
+        QFile part(file);
+        QVERIFY(part.open(QIODevice::ReadOnly));
+        QCOMPARE(part.readAll().trimmed().split('\n').size(), qsizetype(21 + 1));
+        QVERIFY(!m_panel->saveCsv(folder.filePath(QStringLiteral("no/such/folder.csv"))).isEmpty());
+    }
+
+    void picturesAreWritten()
+    {
+        QTemporaryDir folder;
+        m_panel->showScene(sceneWith(twoSuites()));
+        m_panel->refresh();
+        const QString png = folder.filePath(QStringLiteral("p.png")), svg = folder.filePath(QStringLiteral("p.svg"));
+        QCOMPARE(m_panel->savePicture(png), QString());
+        const QImage image(png);
+        QVERIFY(image.width() > 2000); // twice the screen's
+        int coloured = 0;
+        for (int x = 0; x < image.width(); ++x)
+            for (int y = 0; y < image.height(); ++y)
+                coloured += image.pixelColor(x, y) == suiteColor(SuiteId::Rc4);
+        QVERIFY(coloured > 100);
+        QCOMPARE(m_panel->savePicture(svg), QString());
+        QFile in(svg);
+        QVERIFY(in.open(QIODevice::ReadOnly));
+        const QByteArray drawn = in.readAll();
+        QVERIFY(drawn.contains("RC4 (insecure)"));
+        QVERIFY(drawn.contains("<polyline") || drawn.contains("<path"));
+        QVERIFY(!m_panel->savePicture(folder.filePath(QStringLiteral("no/such/folder.png"))).isEmpty());
     }
 
     void axisHoldsStill()
@@ -85,6 +352,17 @@ private Q_SLOTS:
         QCOMPARE(scale.update(0, 50), 10.0);
     }
 
+    void axisEndsAtShortNumbers()
+    {
+        for (const double top : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 2000.0})
+            for (const double pixels : {60.0, 300.0}) {
+                const double step = top / axisParts(top, pixels);
+                const int places = decimalsOf(step);
+                QVERIFY2(places <= (top < 0.1 ? 3 : top < 1 ? 2 : 1), qPrintable(QString::number(top)));
+                QCOMPARE(QString::number(step, 'f', places).toDouble(), step);
+            }
+    }
+
     void thinningKeepsPeaks()
     {
         SampleHistory history;
@@ -92,8 +370,9 @@ private Q_SLOTS:
         samples[1000].openedFramesPerSecond = 999;
         samples[1500].openedFramesPerSecond = 1;
         history.take(samples);
-        const ChartContent content
-            = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 600, 300);
+        ChartRange range;
+        range.setSpan(600);
+        const ChartContent content = buildTimeLine(history, allQuantities().front(), range, 300);
         std::size_t points = 0;
         double low = 1e9;
         for (const ChartRun &run : content.runs)
@@ -113,10 +392,8 @@ private Q_SLOTS:
         for (std::size_t i = 16; i < 24; ++i)
             samples[i].openedFramesPerSecond = vehicle::kUnknown;
         history.take(samples);
-        const ChartContent content
-            = buildChart(history, {{[](const MetricsSample &s) { return s.openedFramesPerSecond; }}}, 60, 1000);
+        const ChartContent content = buildTimeLine(history, allQuantities().front(), {}, 1000);
         QCOMPARE(content.runs.size(), std::size_t(2));
-        QVERIFY(content.marks.empty());
     }
 
     void historyIsBounded()
@@ -125,20 +402,31 @@ private Q_SLOTS:
         history.take(samplesOf(0, 0, 2000, SuiteId::Aes256Gcm, 0));
         QVERIFY(history.samples().size() <= 2401);
         QVERIFY(history.samples().back().time > 1999);
+        QVERIFY(history.suites().uses().front().points.size() <= 2401);
+        QCOMPARE(history.suites().uses().front().tallies.front().count, std::uint64_t(8000 - SuiteHistory::kSettling));
+        history.take(samplesOf(0, 0, 5, SuiteId::Rc4, 0)); // another station: the old one's figures go
+        QCOMPARE(history.suites().uses().size(), std::size_t(1));
     }
 
     void hiddenChartsAreNotDrawn()
     {
-        DiagnosticsPanel panel;
-        panel.show();
-        QVERIFY(QTest::qWaitForWindowExposed(&panel));
-        panel.hide();
-        panel.showScene(sceneWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
-        QVERIFY(!panel.findChild<QTimer *>()->isActive());
-        QVERIFY(panel.chart(0)->plotted().runs.empty());
-        panel.show();
-        QTRY_COMPARE(panel.chart(0)->plotted().runs.size(), std::size_t(1));
+        m_panel->hide();
+        m_panel->showScene(sceneWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
+        QVERIFY(!m_panel->findChild<QTimer *>()->isActive());
+        QVERIFY(m_panel->chart(0)->plotted().runs.empty());
+        m_panel->show();
+        QTRY_COMPARE(m_panel->chart(0)->plotted().runs.size(), std::size_t(1));
     }
+
+private:
+    void choose(const char *box, const QString &text)
+    {
+        auto *choice = m_panel->findChild<QComboBox *>(QLatin1String(box));
+        QVERIFY(choice->findText(text) >= 0);
+        choice->setCurrentIndex(choice->findText(text));
+    }
+
+    std::unique_ptr<DiagnosticsPanel> m_panel;
 };
 
 QTEST_MAIN(DiagnosticsTest)

@@ -1,6 +1,8 @@
 // At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "ui/charts/chart_grid.h"
+#include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
 #include "ui/flight/tape.h"
 #include "ui/main_window.h"
@@ -74,6 +76,21 @@ private Q_SLOTS:
             show(state);
             for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
                 QTRY_VERIFY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+        }
+    }
+
+    void chartsFillTheirDock()
+    {
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800), QSize(1440, 900), QSize(2560, 1440)}) {
+            open(size);
+            show(QStringLiteral("sealed"));
+            const auto *panel = m_window->findChild<DiagnosticsPanel *>();
+            const auto *grid = panel->findChild<ChartGrid *>();
+            for (int i = 0; i < panel->chartCount(); ++i)
+                QTRY_VERIFY2(panel->chart(i)->height() <= grid->viewport()->height()
+                                 && panel->chart(i)->height() >= grid->viewport()->height() - 2,
+                             qPrintable(QStringLiteral("%1x%2: %3 in %4").arg(size.width()).arg(size.height())
+                                            .arg(panel->chart(i)->height()).arg(grid->viewport()->height())));
         }
     }
 

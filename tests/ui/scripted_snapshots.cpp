@@ -197,8 +197,20 @@ std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double f
         s.peerLossPercent = std::max(0.0, 0.1 + 0.2 * std::sin(t * 0.4));
         s.processCpuPercent = 3 + 0.3 * wobble;
         s.suiteCpuPercent = 0.25 * cost + 0.05 * wobble;
-        s.openNsP50 = 260 * cost;
-        s.openNsP99 = 410 * cost;
+        s.ioCpuPercent = 1 + 0.1 * wobble;
+        s.openNsP50 = 6000 + 260 * cost;
+        s.openNsP99 = 9000 + 410 * cost;
+        s.openNextNsP50 = 260 * cost;
+        s.openNextNsP99 = 410 * cost;
+        s.sealNsP50 = 2000 + 240 * cost;
+        s.sealNsP99 = 4000 + 390 * cost;
+        s.mavlinkLossPercent = s.lossPercent * 1.2;
+        s.latency = 0.012 + 0.001 * wobble;
+        s.roundTrip = 0.008 + 0.001 * wobble;
+        s.rxOverheadPercent = 55;
+        s.txOverheadPercent = 80;
+        s.rxBytesPerSecond = s.openedBytesPerSecond * 1.55;
+        s.txBytesPerSecond = 150;
         s.residentBytes = 92'000'000;
         out.push_back(s);
     }

@@ -69,6 +69,11 @@ private Q_SLOTS:
         m_station->show(waitingSnapshot());
         QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("0.0.0.0:14550")));
         QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("skyseal-air")));
+        QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("udpout:127.0.0.1:14550")));
+        engine::Snapshot elsewhere = waitingSnapshot();
+        elsewhere.links.front().localAddress = "0.0.0.0:14661";
+        m_station->show(elsewhere);
+        QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("14661")));
         QVERIFY(find<QPushButton>("demoButton")->isVisible());
         QSignalSpy wanted(m_window.get(), &MainWindow::demoWanted);
         QTest::mouseClick(find<QPushButton>("demoButton"), Qt::LeftButton);

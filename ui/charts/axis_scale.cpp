@@ -16,6 +16,24 @@ double roundUp(double value)
     return power * 10;
 }
 
+int axisParts(double top, double pixels)
+{
+    if (pixels < 120 || !(top > 0))
+        return 2;
+    const double lead = top / std::pow(10, std::floor(std::log10(top) + 1e-9));
+    return lead > 1.5 && lead < 3 ? 4 : 5; // 2 by halves, 1 and 5 by fifths
+}
+
+int decimalsOf(double step)
+{
+    for (int places = 0; places < 4; ++places) {
+        const double scaled = step * std::pow(10, places);
+        if (std::abs(scaled - std::round(scaled)) < 1e-6)
+            return places;
+    }
+    return 4;
+}
+
 double AxisScale::update(double highest, double now)
 {
     const double wanted = std::max(m_least, roundUp(highest * 1.05));

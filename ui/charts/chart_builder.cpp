@@ -2,6 +2,8 @@
 
 #include "ui/theme/suite_style.h"
 
+#include <QtCore/QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,6 +14,12 @@ using engine::MetricsSample;
 namespace {
 
 constexpr double kGapSeconds = 2;
+
+/// The translations' context of the free functions below.
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartBuilder)
+};
 
 /// Keeps the lowest and highest point of each bucket, in their order: peaks survive the thinning.
 std::vector<QPointF> thinned(const std::vector<QPointF> &points, std::size_t most)
@@ -32,67 +40,114 @@ std::vector<QPointF> thinned(const std::vector<QPointF> &points, std::size_t mos
     return out;
 }
 
-std::deque<MetricsSample>::const_iterator firstWithin(const SampleHistory &history, double span)
+void thin(std::vector<ChartRun> &runs, std::size_t most)
 {
-    const auto &samples = history.samples();
-    const double from = samples.empty() ? 0 : samples.back().time - span;
-    return std::ranges::find_if(samples, [&](const MetricsSample &s) { return s.time >= from; });
+    std::size_t total = 0;
+    for (const ChartRun &run : runs)
+        total += run.points.size();
+    if (total <= most)
+        return;
+    for (ChartRun &run : runs)
+        run.points = thinned(run.points, std::max<std::size_t>(4, run.points.size() * most / total));
 }
 
-void appendRuns(ChartContent &content, const SampleHistory &history, const ChartLine &line, double span)
+/// Samples from the last one before the range to the first one behind it, so that lines reach its edges.
+std::pair<std::size_t, std::size_t> within(const std::deque<MetricsSample> &samples, double from, double to)
+{
+    const auto first = std::ranges::lower_bound(samples, from, {}, &MetricsSample::time);
+    const auto last = std::ranges::upper_bound(samples, to, {}, &MetricsSample::time);
+    return {static_cast<std::size_t>(first - samples.begin()), static_cast<std::size_t>(last - samples.begin())};
+}
+
+bool sameStretch(const MetricsSample &a, const MetricsSample &b)
+{
+    return a.suite == b.suite && a.linkUp == b.linkUp;
+}
+
+void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const QuantityLine &line,
+                const ChartRange &range)
 {
     const auto &samples = history.samples();
-    const double now = samples.back().time;
+    const double zero = range.zero(history.newest());
+    const auto [first, last] = within(samples, zero + range.from(), zero + range.to());
     const MetricsSample *before = nullptr;
     bool open = false;
-    for (auto at = firstWithin(history, span); at != samples.end(); ++at) {
-        const double value = line.value(*at);
-        const bool continues = open && before && before->suite == at->suite && at->time - before->time <= kGapSeconds;
+    for (std::size_t i = first; i < last; ++i) {
+        const MetricsSample &sample = samples[i];
+        const double value = line.value(sample);
+        const bool close = before && sample.time - before->time <= kGapSeconds;
         if (!std::isfinite(value)) {
             open = false;
         } else {
-            const QPointF point(at->time - now, value);
-            if (!continues) {
-                const bool joins = open && before && at->time - before->time <= kGapSeconds;
-                if (joins) // the old colour reaches to the first point of the new one, so that the line has no hole
-                    content.runs.back().points.push_back(point);
-                content.runs.push_back({suiteColor(at->suite), line.dashed, {}});
+            const QPointF point(sample.time - zero, value);
+            if (!(open && close && sameStretch(*before, sample))) {
+                if (open && close) // the old colour reaches to the first point of the new one, so that the line has no hole
+                    runs.back().points.push_back(point);
+                runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None), line.stroke,
+                                line.name, sample.linkUp ? suiteName(sample.suite) : Words::tr("no link"), {}});
             }
-            content.runs.back().points.push_back(point);
+            runs.back().points.push_back(point);
             open = true;
         }
-        before = &*at;
+        before = &sample;
     }
 }
 
 } // namespace
 
-ChartContent buildChart(const SampleHistory &history, const std::vector<ChartLine> &lines, double span,
-                        std::size_t mostPoints)
+ChartContent buildTimeLine(const SampleHistory &history, const Quantity &quantity, const ChartRange &range,
+                           std::size_t mostPoints)
 {
     ChartContent content;
-    content.span = span;
-    if (history.empty())
-        return content;
-    for (const ChartLine &line : lines)
-        appendRuns(content, history, line, span);
-    std::size_t total = 0;
-    for (const ChartRun &run : content.runs)
-        total += run.points.size();
-    if (total > mostPoints)
-        for (ChartRun &run : content.runs)
-            run.points = thinned(run.points, std::max<std::size_t>(4, run.points.size() * mostPoints / total));
-
-    const auto &samples = history.samples();
-    const MetricsSample *before = nullptr;
-    for (auto at = firstWithin(history, span); at != samples.end(); ++at) {
-        if (!at->linkUp)
-            continue; // no suite was in use
-        if (before && before->suite != at->suite)
-            content.marks.push_back({at->time - samples.back().time, suiteColor(at->suite), suiteName(at->suite)});
-        before = &*at;
-    }
+    content.time = range.frozen() ? ChartTime::Frozen : ChartTime::BeforeNow;
+    content.from = range.from();
+    content.to = range.to();
+    for (const QuantityLine &line : quantity.lines)
+        appendRuns(content.runs, history, line, range);
+    thin(content.runs, mostPoints);
     return content;
+}
+
+ChartContent buildOverlay(const SampleHistory &history, const Quantity &quantity, const ChartRange &range,
+                          std::size_t mostPoints)
+{
+    ChartContent content;
+    content.time = ChartTime::InUse;
+    content.from = 0;
+    content.to = range.span();
+    for (const QuantityLine &line : quantity.lines) {
+        for (const SuiteUse &use : history.suites().uses()) {
+            const double start = std::max(0.0, use.inUse - range.span());
+            bool open = false;
+            for (const SuiteUse::Point &point : use.points) {
+                const double value = line.value(point.sample);
+                if (point.inUse < start || !std::isfinite(value)) {
+                    open = false;
+                    continue;
+                }
+                if (!open || !point.joined)
+                    content.runs.push_back({suiteColor(use.suite), line.stroke, line.name, suiteName(use.suite), {}});
+                content.runs.back().points.emplace_back(point.inUse - start, value);
+                open = true;
+            }
+        }
+    }
+    thin(content.runs, mostPoints);
+    return content;
+}
+
+std::vector<ChartBar> buildBars(const SampleHistory &history, const Quantity &quantity, std::size_t firstTally)
+{
+    std::vector<ChartBar> bars;
+    if (!quantity.perSuite)
+        return bars;
+    for (const SuiteUse &use : history.suites().uses()) {
+        const Tally &tally = use.tallies[firstTally];
+        if (tally.count > 0)
+            bars.push_back(
+                {suiteColor(use.suite), suiteName(use.suite), tally.mean(), tally.low, tally.high, tally.count});
+    }
+    return bars;
 }
 
 double highestOf(const ChartContent &content)
@@ -101,15 +156,16 @@ double highestOf(const ChartContent &content)
     for (const ChartRun &run : content.runs)
         for (const QPointF &point : run.points)
             highest = std::max(highest, point.y());
+    for (const ChartBar &bar : content.bars)
+        highest = std::max(highest, bar.mean);
     return highest;
 }
 
-std::vector<crypto::SuiteId> suitesIn(const SampleHistory &history, double span)
+std::vector<crypto::SuiteId> suitesUsed(const SampleHistory &history)
 {
     std::vector<crypto::SuiteId> out;
-    for (auto at = firstWithin(history, span); at != history.samples().end(); ++at)
-        if (at->linkUp && std::ranges::find(out, at->suite) == out.end())
-            out.push_back(at->suite);
+    for (const SuiteUse &use : history.suites().uses())
+        out.push_back(use.suite);
     return out;
 }
 

@@ -1,75 +1,144 @@
 #include "ui/charts/diagnostics_panel.h"
 
+#include "ui/charts/chart_export.h"
+#include "ui/charts/chart_grid.h"
+#include "ui/charts/diagnostics_tools.h"
+#include "ui/charts/samples_csv.h"
 #include "ui/charts/suite_legend.h"
-#include "ui/text/units.h"
+#include "ui/charts/suite_table_model.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
 
-#include <QtWidgets/QCheckBox>
-#include <QtWidgets/QComboBox>
-#include <QtWidgets/QHBoxLayout>
-#include <QtWidgets/QLabel>
+#include <QtGui/QKeyEvent>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QStackedWidget>
+#include <QtWidgets/QTableView>
+#include <QtWidgets/QVBoxLayout>
+
+#include <algorithm>
+#include <cstring>
 
 namespace skyseal::ui {
 
-using engine::MetricsSample;
-
-DiagnosticsPanel::DiagnosticsPanel(QWidget *parent) : DockPanel(parent), m_timer(new QTimer(this))
+DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
+    : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
+      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)),
+      m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
-    m_legend = new SuiteLegend(this);
-    m_cost = new QLabel(this);
-    m_cost->setObjectName(QStringLiteral("suiteCost"));
-    m_cost->setAccessibleName(tr("Cost of the suite in use"));
-    m_cost->setForegroundRole(QPalette::PlaceholderText);
-    m_span = new QComboBox(this);
-    m_span->setObjectName(QStringLiteral("chartSpan"));
-    m_span->setAccessibleName(tr("Time shown"));
-    for (const int seconds : {60, 120, 300, 600})
-        m_span->addItem(seconds < 120 ? tr("%1 s").arg(seconds) : tr("%1 min").arg(seconds / 60), seconds);
-    m_span->setCurrentIndex(1);
-    m_freeze = new QCheckBox(tr("Freeze"), this);
-    m_freeze->setObjectName(QStringLiteral("chartFreeze"));
-    m_freeze->setAccessibleName(tr("Freeze the charts"));
-
-    auto *tools = new QHBoxLayout;
-    tools->setSpacing(kGrid);
-    tools->addWidget(m_legend, 1);
-    tools->addWidget(m_cost);
-    tools->addWidget(m_span);
-    tools->addWidget(m_freeze);
-    auto *plots = new QHBoxLayout;
-    plots->setSpacing(kGrid);
+    setFocusPolicy(Qt::StrongFocus);
+    m_table->setModel(m_model);
+    m_table->setObjectName(QStringLiteral("suiteTable"));
+    m_table->setAccessibleName(tr("Suites compared"));
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_pages->addWidget(m_grid);
+    m_pages->addWidget(m_table);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     column->setSpacing(kHalfGrid);
-    column->addLayout(tools);
-    column->addLayout(plots, 1);
-
-    const auto up = [](double MetricsSample::*member) -> SampleValue {
-        return [member](const MetricsSample &s) { return s.linkUp ? s.*member : vehicle::kUnknown; };
-    };
-    addPlot(QStringLiteral("chartRate"), tr("Decryption rate"), tr("frames/s"), 10,
-            {{up(&MetricsSample::openedFramesPerSecond)}});
-    addPlot(QStringLiteral("chartLoss"), tr("Packet loss"), tr("% (to it dotted)"), 1,
-            {{up(&MetricsSample::lossPercent)}, {up(&MetricsSample::peerLossPercent), true}});
-    addPlot(QStringLiteral("chartCpu"), tr("CPU load"), tr("% of a core (suite dotted)"), 5,
-            {{[](const MetricsSample &s) { return s.processCpuPercent; }}, {up(&MetricsSample::suiteCpuPercent), true}});
-    for (const Plot &plot : m_charts)
-        plots->addWidget(plot.widget, 1);
+    column->addWidget(m_tools);
+    column->addWidget(m_pages, 1);
+    makePlots();
+    connectTools();
+    showGroup();
+    m_tools->showRange(m_range);
 
     m_timer->setInterval(kRefreshMs);
     connect(m_timer, &QTimer::timeout, this, [this] {
-        if (m_fresh && !m_freeze->isChecked())
+        if (m_fresh && !m_range.frozen())
             refresh();
     });
-    connect(m_span, &QComboBox::currentIndexChanged, this, &DiagnosticsPanel::refresh);
 }
 
-void DiagnosticsPanel::addPlot(const QString &name, const QString &title, const QString &unit, double least,
-                               std::vector<ChartLine> lines)
+DiagnosticsPanel::~DiagnosticsPanel() = default;
+
+void DiagnosticsPanel::makePlots()
 {
-    TimeSeriesChart *chart = makeTimeSeriesChart(title, unit, this);
-    chart->setObjectName(name);
-    m_charts.push_back({chart, std::move(lines), AxisScale(least)});
+    std::size_t tally = 0;
+    for (const Quantity &quantity : m_quantities) {
+        m_plots.push_back({&quantity, tally, AxisScale(quantity.least)});
+        tally += quantity.lines.size();
+    }
+}
+
+void DiagnosticsPanel::connectTools()
+{
+    connect(m_tools, &DiagnosticsTools::viewChanged, this, &DiagnosticsPanel::showView);
+    connect(m_tools, &DiagnosticsTools::groupChanged, this, &DiagnosticsPanel::showGroup);
+    connect(m_tools, &DiagnosticsTools::spanChosen, this,
+            [this](double span) { changeRange([span](ChartRange &range) { range.setSpan(span); }); });
+    connect(m_tools, &DiagnosticsTools::freezeChosen, this, [this](bool frozen) {
+        changeRange([&](ChartRange &range) { frozen ? range.freeze(m_history.newest()) : range.goLive(); });
+    });
+    connect(m_tools, &DiagnosticsTools::csvWanted, this, [this] {
+        askAndSave(tr("Save the samples"), QStringLiteral("skyseal-samples.csv"), tr("Comma-separated values (*.csv)"),
+                   [this](const QString &file) { return saveCsv(file); });
+    });
+    connect(m_tools, &DiagnosticsTools::pictureWanted, this, [this] {
+        askAndSave(tr("Save the picture"), QStringLiteral("skyseal-diagnostics.png"), tr("Pictures (*.png *.svg)"),
+                   [this](const QString &file) { return savePicture(file); });
+    });
+}
+
+TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
+{
+    if (plot.widget)
+        return plot.widget;
+    const Quantity &quantity = *plot.quantity;
+    QStringList key;
+    for (const QuantityLine &line : quantity.lines) {
+        if (line.stroke == Stroke::Solid && !line.name.isEmpty() && quantity.lines.size() > 1)
+            key << line.name;
+        else if (line.stroke == Stroke::Dashed)
+            key << tr("%1 dashed").arg(line.name);
+        else if (line.stroke == Stroke::Dotted)
+            key << tr("%1 dotted").arg(line.name);
+    }
+    plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), quantity.note},
+                                      m_grid->sheet());
+    plot.widget->setObjectName(QStringLiteral("chart_") + QLatin1String(quantity.key));
+    connect(plot.widget, &TimeSeriesChart::hovered, this, [this](double x) { showCursor(x); });
+    connect(plot.widget, &TimeSeriesChart::hoverEnded, this, [this] { showCursor({}); });
+    connect(plot.widget, &TimeSeriesChart::zoomWanted, this,
+            [this](int steps) { changeRange([steps](ChartRange &range) { range.zoom(steps); }); });
+    connect(plot.widget, &TimeSeriesChart::rangeWanted, this, [this](double from, double to) {
+        changeRange([&](ChartRange &range) { range.select(from, to, m_history.newest()); });
+    });
+    connect(plot.widget, &TimeSeriesChart::liveWanted, this,
+            [this] { changeRange([](ChartRange &range) { range.goLive(); }); });
+    return plot.widget;
+}
+
+void DiagnosticsPanel::showGroup()
+{
+    m_shown.clear();
+    std::vector<QWidget *> widgets;
+    for (const char *key : m_tools->group().keys) {
+        const auto plot = std::ranges::find_if(m_plots, [key](const Plot &p) { return !std::strcmp(p.quantity->key, key); });
+        m_shown.push_back(static_cast<std::size_t>(plot - m_plots.begin()));
+        widgets.push_back(widgetOf(*plot));
+    }
+    m_grid->setCharts(widgets);
+    refresh();
+}
+
+void DiagnosticsPanel::showView()
+{
+    const bool table = m_tools->view() == DiagnosticsView::Table;
+    m_pages->setCurrentWidget(table ? static_cast<QWidget *>(m_table) : m_grid);
+    for (Plot &plot : m_plots)
+        plot.scale = AxisScale(plot.quantity->least);
+    showCursor({});
+    refresh();
+}
+
+TimeSeriesChart *DiagnosticsPanel::chart(int index) const
+{
+    return m_plots[m_shown[static_cast<std::size_t>(index)]].widget;
 }
 
 void DiagnosticsPanel::showScene(const Scene &scene)
@@ -81,21 +150,83 @@ void DiagnosticsPanel::showScene(const Scene &scene)
 void DiagnosticsPanel::refresh()
 {
     m_fresh = false;
-    const double span = m_span->currentData().toDouble();
-    for (Plot &plot : m_charts) {
-        ChartContent content
-            = buildChart(m_history, plot.lines, span, static_cast<std::size_t>(qMax(64, plot.widget->width())));
-        content.top = plot.scale.update(highestOf(content), m_history.empty() ? 0 : m_history.samples().back().time);
-        plot.widget->showContent(content);
+    m_tools->legend()->setSuites(suitesUsed(m_history));
+    if (m_tools->view() == DiagnosticsView::Table) {
+        m_model->refresh();
+        return;
     }
-    m_legend->setSuites(suitesIn(m_history, span));
-    QString cost;
-    if (!m_history.empty() && m_history.samples().back().openNsP50 > 0) {
-        const MetricsSample &last = m_history.samples().back();
-        cost = tr("open %1 ns, p99 %2 ns").arg(number(last.openNsP50, 0), number(last.openNsP99, 0));
+    const StateColors &colors = stateColors(palette());
+    const std::vector<ChartMark> marks = m_tools->view() == DiagnosticsView::TimeLine
+                                             ? buildMarks(m_history, m_range, colors.alarm, colors.dim)
+                                             : std::vector<ChartMark>();
+    for (const std::size_t place : m_shown)
+        drawPlot(m_plots[place], marks);
+}
+
+void DiagnosticsPanel::drawPlot(Plot &plot, const std::vector<ChartMark> &marks)
+{
+    const auto most = static_cast<std::size_t>(std::max(64, plot.widget->width()));
+    ChartContent content = m_tools->view() == DiagnosticsView::Overlay
+                               ? buildOverlay(m_history, *plot.quantity, m_range, most)
+                               : buildTimeLine(m_history, *plot.quantity, m_range, most);
+    content.marks = marks;
+    content.bars = buildBars(m_history, *plot.quantity, plot.firstTally);
+    content.top = plot.scale.update(highestOf(content), m_history.newest());
+    plot.widget->showContent(content);
+}
+
+void DiagnosticsPanel::changeRange(const std::function<void(ChartRange &)> &change)
+{
+    change(m_range);
+    m_tools->showRange(m_range);
+    refresh();
+}
+
+void DiagnosticsPanel::showCursor(std::optional<double> x)
+{
+    for (const std::size_t place : m_shown)
+        m_plots[place].widget->showCursor(x);
+}
+
+void DiagnosticsPanel::keyPressEvent(QKeyEvent *event)
+{
+    constexpr double kPan = 0.25;
+    const double newest = m_history.newest();
+    switch (event->key()) {
+    case Qt::Key_Plus: changeRange([](ChartRange &range) { range.zoom(1); }); break;
+    case Qt::Key_Minus: changeRange([](ChartRange &range) { range.zoom(-1); }); break;
+    case Qt::Key_Left: changeRange([&](ChartRange &range) { range.pan(-kPan, newest); }); break;
+    case Qt::Key_Right: changeRange([&](ChartRange &range) { range.pan(kPan, newest); }); break;
+    case Qt::Key_Space:
+        changeRange([&](ChartRange &range) { range.frozen() ? range.goLive() : range.freeze(newest); });
+        break;
+    case Qt::Key_Home:
+    case Qt::Key_Escape: changeRange([](ChartRange &range) { range.goLive(); }); break;
+    default: DockPanel::keyPressEvent(event);
     }
-    if (m_cost->text() != cost)
-        m_cost->setText(cost);
+}
+
+QString DiagnosticsPanel::saveCsv(const QString &file) const
+{
+    const double zero = m_range.zero(m_history.newest());
+    return writeWhole(file, samplesCsv(m_history.samples(), zero + m_range.from(), zero + m_range.to()));
+}
+
+QString DiagnosticsPanel::savePicture(const QString &file)
+{
+    QWidget *charts = m_tools->view() == DiagnosticsView::Table ? static_cast<QWidget *>(m_table) : m_grid->sheet();
+    return writePicture(file, {m_tools->legend(), charts});
+}
+
+void DiagnosticsPanel::askAndSave(const QString &title, const QString &name, const QString &filter,
+                                  const std::function<QString(const QString &)> &save)
+{
+    const QString file = QFileDialog::getSaveFileName(this, title, name, filter);
+    if (file.isEmpty())
+        return;
+    const QString problem = save(file);
+    if (!problem.isEmpty())
+        QMessageBox::warning(this, title, tr("%1 could not be written: %2").arg(file, problem));
 }
 
 void DiagnosticsPanel::seenChanged(bool seen)

@@ -1,21 +1,24 @@
-// The diagnostics: decryption rate, packet loss and CPU load over time, coloured by the suite that was in use. Samples are
-// kept all the time; charts are drawn four times a second, and not at all while nobody sees them.
+// The diagnostics: what the link carries, loses and costs, over time or suite over suite, with bars to compare the suites by.
+// Samples are kept all the time; charts are drawn four times a second, and not at all while nobody sees them.
 #pragma once
 
 #include "ui/charts/axis_scale.h"
 #include "ui/charts/chart_builder.h"
-#include "ui/charts/sample_history.h"
 #include "ui/dock_panel.h"
 #include "ui/scene.h"
 
 #include <QtCore/QTimer>
-class QCheckBox;
-class QComboBox;
-class QLabel;
+
+#include <functional>
+
+class QStackedWidget;
+class QTableView;
 
 namespace skyseal::ui {
 
-class SuiteLegend;
+class ChartGrid;
+class DiagnosticsTools;
+class SuiteTableModel;
 
 class DiagnosticsPanel : public DockPanel
 {
@@ -25,30 +28,55 @@ public:
     static constexpr int kRefreshMs = 240;
 
     explicit DiagnosticsPanel(QWidget *parent = nullptr);
+    ~DiagnosticsPanel() override;
 
     void showScene(const Scene &scene);
     /// Draws what is known now, also where the next refresh is not due.
     void refresh();
-    TimeSeriesChart *chart(int index) const { return m_charts[static_cast<std::size_t>(index)].widget; }
+    /// Of the charts that are shown.
+    TimeSeriesChart *chart(int index) const;
+    int chartCount() const { return static_cast<int>(m_shown.size()); }
+    const ChartRange &range() const { return m_range; }
+    const SampleHistory &history() const { return m_history; }
+
+    /// Empty when it was written, otherwise what went wrong. The samples are those of the time that is shown.
+    QString saveCsv(const QString &file) const;
+    QString savePicture(const QString &file);
 
 protected:
     void seenChanged(bool seen) override;
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
     struct Plot
     {
-        TimeSeriesChart *widget;
-        std::vector<ChartLine> lines;
+        const Quantity *quantity;
+        std::size_t firstTally;
         AxisScale scale;
+        TimeSeriesChart *widget = nullptr; ///< made when it is shown for the first time
     };
-    void addPlot(const QString &name, const QString &title, const QString &unit, double least, std::vector<ChartLine> lines);
 
+    void makePlots();
+    void connectTools();
+    TimeSeriesChart *widgetOf(Plot &plot);
+    void showGroup();
+    void showView();
+    void drawPlot(Plot &plot, const std::vector<ChartMark> &marks);
+    void changeRange(const std::function<void(ChartRange &)> &change);
+    void showCursor(std::optional<double> x);
+    void askAndSave(const QString &title, const QString &name, const QString &filter,
+                    const std::function<QString(const QString &)> &save);
+
+    std::vector<Quantity> m_quantities;
     SampleHistory m_history;
-    std::vector<Plot> m_charts;
-    SuiteLegend *m_legend;
-    QComboBox *m_span;
-    QCheckBox *m_freeze;
-    QLabel *m_cost;
+    ChartRange m_range;
+    std::vector<Plot> m_plots;
+    std::vector<std::size_t> m_shown; ///< places in m_plots
+    DiagnosticsTools *m_tools;
+    QStackedWidget *m_pages;
+    ChartGrid *m_grid;
+    QTableView *m_table;
+    SuiteTableModel *m_model;
     QTimer *m_timer; ///< runs only while the charts can be seen
     bool m_fresh = false;
 };

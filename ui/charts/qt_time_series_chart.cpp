@@ -1,126 +1,80 @@
 #include "ui/charts/qt_time_series_chart.h"
 
-#include "ui/text/figures.h"
-#include "ui/text/units.h"
+#include "ui/charts/chart_cursor.h"
+#include "ui/charts/chart_view.h"
+#include "ui/charts/chart_words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
-#include <QtCharts/QChart>
 #include <QtCharts/QLineSeries>
 #include <QtCharts/QValueAxis>
 #include <QtCore/QEvent>
-#include <QtGui/QPainter>
 #include <QtWidgets/QGraphicsLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QVBoxLayout>
 
-#include <algorithm>
-
 namespace skyseal::ui {
 
 namespace {
-constexpr int kTimeTicks = 5, kValueTicks = 3;
-}
 
-MarkedChartView::MarkedChartView(QChart *chart, QWidget *parent) : QChartView(chart, parent)
+QPen penOf(const ChartRun &run)
 {
-    setFrameShape(QFrame::NoFrame);
-    setRenderHint(QPainter::Antialiasing, false);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
-    setFocusPolicy(Qt::NoFocus);
-}
-
-void MarkedChartView::setMarks(const std::vector<ChartMark> &marks, double span, double top)
-{
-    m_marks = marks;
-    m_span = span;
-    m_top = top;
-}
-
-void MarkedChartView::resizeEvent(QResizeEvent *event)
-{
-    QChartView::resizeEvent(event);
-    const QFontMetrics metrics(labelFont());
-    const int left = metrics.horizontalAdvance(QStringLiteral("88888")) + kGrid;
-    chart()->setPlotArea(
-        QRectF(left, metrics.height() / 2.0, width() - left - 2 * kGrid, height() - 2.0 * metrics.height() - 2));
-}
-
-QFont MarkedChartView::labelFont() const
-{
-    QFont small = font();
-    small.setPointSizeF(std::max(7.0, small.pointSizeF() - 1.5));
-    return small;
-}
-
-void MarkedChartView::drawLabels(QPainter &painter, const QRectF &area) const
-{
-    painter.setFont(labelFont());
-    painter.setPen(stateColors(palette()).dim);
-    const QFontMetricsF metrics(labelFont());
-    const int decimals = m_top >= 10 ? 0 : m_top < 0.5 ? 2 : 1;
-    for (int i = 0; i < kValueTicks; ++i) {
-        const double part = static_cast<double>(i) / (kValueTicks - 1);
-        const QString text = number(part * m_top, decimals);
-        const double y = area.bottom() - part * area.height();
-        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2),
-                    text);
+    switch (run.stroke) {
+    case Stroke::Solid: return QPen(run.color, 2);
+    case Stroke::Dashed: return QPen(run.color, 1.4, Qt::DashLine);
+    case Stroke::Dotted: return QPen(run.color, 1.4, Qt::DotLine);
     }
-    for (int i = 0; i < kTimeTicks; ++i) {
-        const double part = static_cast<double>(i) / (kTimeTicks - 1);
-        const QString text = i == kTimeTicks - 1 ? tr("now") : tr("%1 s").arg(number((part - 1) * m_span, 0));
-        const double x = area.left() + part * area.width();
-        const double width = figuresWidth(metrics, text);
-        const double left = i == 0                ? x
-                            : i == kTimeTicks - 1 ? x - width
-                                                  : x - width / 2; // the outer ones stay under the plot
-        drawFigures(painter, QPointF(left, area.bottom() + metrics.height() + 2), text);
-    }
+    return {};
 }
 
-void MarkedChartView::drawForeground(QPainter *painter, const QRectF &)
+Stroke strokeOf(const QPen &pen)
 {
-    const QRectF area = chart()->plotArea();
-    drawLabels(*painter, area);
-    for (const ChartMark &mark : m_marks) {
-        const qreal x = area.right() + mark.x / m_span * area.width();
-        if (x < area.left())
-            continue;
-        painter->setPen(QPen(mark.color, 1, Qt::DashLine));
-        painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(mark.color);
-        const QPointF tip[] = {{x - 4, area.top()}, {x + 4, area.top()}, {x, area.top() + 6}};
-        painter->drawPolygon(tip, 3);
-    }
+    return pen.style() == Qt::SolidLine ? Stroke::Solid : pen.style() == Qt::DashLine ? Stroke::Dashed : Stroke::Dotted;
 }
 
-QtTimeSeriesChart::QtTimeSeriesChart(const QString &title, const QString &unit, QWidget *parent) : TimeSeriesChart(parent)
+} // namespace
+
+QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) : TimeSeriesChart(parent)
 {
-    setAccessibleName(title);
+    setAccessibleName(title.name);
+    setAccessibleDescription(title.note);
     m_chart = new QChart;
     m_chart->legend()->hide();
-    m_chart->setMargins(QMargins(0, 0, kGrid, 0));
+    m_chart->setMargins(QMargins(0, 0, 0, 0));
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
     m_chart->setBackgroundRoundness(0);
     m_chart->setAnimationOptions(QChart::NoAnimation);
     m_time = new QValueAxis(m_chart);
-    m_time->setTickCount(kTimeTicks);
-    m_time->setLabelsVisible(false); // the view writes them: Qt Charts lays out a text document for each at every redraw
     m_value = new QValueAxis(m_chart);
-    m_value->setTickCount(kValueTicks);
-    m_value->setLabelsVisible(false);
+    for (QValueAxis *axis : {m_time, m_value}) {
+        // The view paints them: Qt Charts lays out a text document for each label at every redraw, and its grid stays
+        // behind when a fixed plot area changes.
+        axis->setLabelsVisible(false);
+        axis->setGridLineVisible(false);
+        axis->setLineVisible(false);
+    }
     m_chart->addAxis(m_time, Qt::AlignBottom);
     m_chart->addAxis(m_value, Qt::AlignLeft);
 
-    m_title = new QLabel(unit.isEmpty() ? title : tr("%1, %2").arg(title, unit), this);
+    m_titleText = tr("%1, %2").arg(title.name, title.unit);
+    if (!title.key.isEmpty())
+        m_titleText = tr("%1 · %2").arg(m_titleText, title.key);
+    m_title = new QLabel(m_titleText, this);
     m_title->setContentsMargins(kGrid, 0, 0, 0);
-    m_view = new MarkedChartView(m_chart, this);
+    m_title->setToolTip(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(m_titleText.toHtmlEscaped(), title.note.toHtmlEscaped()));
+    m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_view = new ChartView(m_chart, this);
+    m_view->setUnit(title.unit);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(m_view, 1);
+    connect(m_view, &ChartView::hovered, this, &TimeSeriesChart::hovered);
+    connect(m_view, &ChartView::hoverEnded, this, &TimeSeriesChart::hoverEnded);
+    connect(m_view, &ChartView::zoomWanted, this, &TimeSeriesChart::zoomWanted);
+    connect(m_view, &ChartView::rangeWanted, this, &TimeSeriesChart::rangeWanted);
+    connect(m_view, &ChartView::liveWanted, this, &TimeSeriesChart::liveWanted);
     applyColors();
     showContent({});
 }
@@ -139,20 +93,22 @@ QLineSeries *QtTimeSeriesChart::series(std::size_t index)
 
 void QtTimeSeriesChart::showContent(const ChartContent &content)
 {
-    if (m_time->min() != -content.span || m_time->max() != 0)
-        m_time->setRange(-content.span, 0);
+    if (m_time->min() != content.from || m_time->max() != content.to)
+        m_time->setRange(content.from, content.to);
     if (m_value->max() != content.top)
         m_value->setRange(0, content.top);
-    m_view->setMarks(content.marks, content.span, content.top);
+    m_view->setFrame(content, !content.runs.empty());
+    m_names.clear();
     for (std::size_t i = 0; i < content.runs.size(); ++i) {
         const ChartRun &run = content.runs[i];
         QLineSeries *line = series(i);
-        const QPen pen(run.color, run.dashed ? 1.2 : 2, run.dashed ? Qt::DotLine : Qt::SolidLine);
+        const QPen pen = penOf(run);
         if (line->pen() != pen)
             line->setPen(pen);
         line->replace(QList<QPointF>(run.points.begin(), run.points.end()));
         if (!line->isVisible())
             line->show();
+        m_names.emplace_back(run.line, run.suite);
     }
     for (std::size_t i = content.runs.size(); i < m_used; ++i) {
         m_series[i]->clear();
@@ -160,32 +116,47 @@ void QtTimeSeriesChart::showContent(const ChartContent &content)
     }
     m_used = content.runs.size();
     m_view->viewport()->update();
+    if (m_cursor)
+        showCursor(m_cursor);
 }
 
 ChartContent QtTimeSeriesChart::plotted() const
 {
-    ChartContent out;
-    out.span = -m_time->min();
+    ChartContent out = m_view->frame();
+    out.from = m_time->min();
+    out.to = m_time->max();
     out.top = m_value->max();
-    out.marks = m_view->marks();
     for (std::size_t i = 0; i < m_used; ++i) {
         const auto points = m_series[i]->points();
-        out.runs.push_back(
-            {m_series[i]->pen().color(), m_series[i]->pen().style() != Qt::SolidLine, {points.begin(), points.end()}});
+        out.runs.push_back({m_series[i]->pen().color(), strokeOf(m_series[i]->pen()), m_names[i].first, m_names[i].second,
+                            {points.begin(), points.end()}});
     }
     return out;
 }
 
+void QtTimeSeriesChart::showCursor(std::optional<double> x)
+{
+    m_cursor = x;
+    if (!x) {
+        m_view->cursorLayer()->clear();
+        return;
+    }
+    constexpr double kMarkReach = 5; // pixels
+    const int decimals = m_value->max() >= 1000 ? 0 : m_value->max() >= 20 ? 1 : m_value->max() >= 2 ? 2 : 3;
+    m_view->cursorLayer()->showAt(m_view->placeOf(*x), m_view->plot(),
+                                  chartWordsAt(plotted(), *x, kMarkReach * m_view->secondsPerPixel(), decimals));
+}
+
+QStringList QtTimeSeriesChart::cursorWords() const
+{
+    return m_view->cursorLayer()->words();
+}
+
 void QtTimeSeriesChart::applyColors()
 {
-    const StateColors &colors = stateColors(palette());
-    m_chart->setBackgroundBrush(palette().color(QPalette::Window));
+    m_chart->setBackgroundBrush(Qt::NoBrush);
     m_chart->setBackgroundPen(Qt::NoPen);
     m_view->setBackgroundBrush(palette().color(QPalette::Window));
-    for (QValueAxis *axis : {m_time, m_value}) {
-        axis->setGridLineColor(colors.line);
-        axis->setLinePenColor(colors.line);
-    }
 }
 
 void QtTimeSeriesChart::changeEvent(QEvent *event)
@@ -195,9 +166,15 @@ void QtTimeSeriesChart::changeEvent(QEvent *event)
     TimeSeriesChart::changeEvent(event);
 }
 
-TimeSeriesChart *makeTimeSeriesChart(const QString &title, const QString &unit, QWidget *parent)
+void QtTimeSeriesChart::resizeEvent(QResizeEvent *event)
 {
-    return new QtTimeSeriesChart(title, unit, parent);
+    m_title->setText(m_title->fontMetrics().elidedText(m_titleText, Qt::ElideRight, width() - 2 * kGrid));
+    TimeSeriesChart::resizeEvent(event);
+}
+
+TimeSeriesChart *makeTimeSeriesChart(const ChartTitle &title, QWidget *parent)
+{
+    return new QtTimeSeriesChart(title, parent);
 }
 
 } // namespace skyseal::ui

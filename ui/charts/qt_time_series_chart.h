@@ -4,7 +4,7 @@
 
 #include "ui/charts/chart.h"
 
-#include <QtCharts/QChartView>
+#include <QtCharts/QChart>
 
 class QLabel;
 class QLineSeries;
@@ -12,53 +12,39 @@ class QValueAxis;
 
 namespace skyseal::ui {
 
-/// Draws marks and the axes' labels around the plot.
-class MarkedChartView : public QChartView
-{
-    Q_OBJECT
-
-public:
-    explicit MarkedChartView(QChart *chart, QWidget *parent);
-    void setMarks(const std::vector<ChartMark> &marks, double span, double top);
-    const std::vector<ChartMark> &marks() const { return m_marks; }
-
-protected:
-    void drawForeground(QPainter *painter, const QRectF &rect) override;
-    void resizeEvent(QResizeEvent *event) override;
-
-private:
-    QFont labelFont() const;
-    void drawLabels(QPainter &painter, const QRectF &area) const;
-
-    std::vector<ChartMark> m_marks;
-    double m_span = 120, m_top = 1;
-};
+class ChartView;
 
 class QtTimeSeriesChart : public TimeSeriesChart
 {
     Q_OBJECT
 
 public:
-    QtTimeSeriesChart(const QString &title, const QString &unit, QWidget *parent);
+    QtTimeSeriesChart(const ChartTitle &title, QWidget *parent);
 
     void showContent(const ChartContent &content) override;
     ChartContent plotted() const override;
+    void showCursor(std::optional<double> x) override;
+    QStringList cursorWords() const override;
 
     QSize minimumSizeHint() const override { return {176, 112}; }
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     QLineSeries *series(std::size_t index);
     void applyColors();
 
     QChart *m_chart;
-    MarkedChartView *m_view;
+    ChartView *m_view;
     QValueAxis *m_time, *m_value;
     QLabel *m_title;
+    QString m_titleText;
     std::vector<QLineSeries *> m_series;
+    std::vector<std::pair<QString, QString>> m_names; ///< line and suite of each series in use
     std::size_t m_used = 0;
+    std::optional<double> m_cursor;
 };
 
 } // namespace skyseal::ui

@@ -1,4 +1,4 @@
-// The legend of the diagnostics: the suites in the picture by colour and name, and what the dotted lines are.
+// The legend of the diagnostics: the suites used so far by colour and name, in as many lines as they need.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -21,12 +21,23 @@ public:
     QStringList names() const;
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+    QSize minimumSizeHint() const override;
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
 
 protected:
     void paintEvent(QPaintEvent *) override;
 
 private:
+    struct Entry
+    {
+        crypto::SuiteId suite{};
+        QString name;
+        QPointF at; ///< left end, top of its line
+    };
+    /// Where each name stands in a legend of this width; the height that takes.
+    std::vector<Entry> arranged(int width, int *height) const;
+
     std::vector<crypto::SuiteId> m_suites;
 };
 

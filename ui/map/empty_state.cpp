@@ -3,6 +3,7 @@
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
+#include <QtGui/QFontDatabase>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
@@ -29,6 +30,13 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_text->setObjectName(QStringLiteral("emptyText"));
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_command = new QLabel(this);
+    m_command->setObjectName(QStringLiteral("emptyCommand"));
+    m_command->setAccessibleName(tr("Command that starts an agent"));
+    m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_otherwise = new QLabel(tr("or let any autopilot send plain MAVLink here: it is shown, but not sealed."), this);
+    m_otherwise->setWordWrap(true);
     m_demo = new QPushButton(tr("Start the demo"), this);
     m_demo->setObjectName(QStringLiteral("demoButton"));
     m_demo->setAccessibleName(m_demo->text());
@@ -38,6 +46,8 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_connect->setAccessibleName(m_connect->text());
     column->addWidget(m_title);
     column->addWidget(m_text);
+    column->addWidget(m_command);
+    column->addWidget(m_otherwise);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(kGrid);
     buttons->addWidget(m_demo);
@@ -77,7 +87,7 @@ void EmptyState::showScene(const Scene &scene)
                 listening = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
         }
     }
-    QString title, text;
+    QString title, text, command;
     if (scene.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
         text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
@@ -89,12 +99,17 @@ void EmptyState::showScene(const Scene &scene)
         text = tr("Add a link to the vehicle, or listen for one on UDP port 14550.");
     } else {
         title = tr("Waiting for a vehicle on %1").arg(listening);
-        text = tr("Start an agent beside an autopilot:\n\n"
-                  "skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
-                  "        --ground udpout:127.0.0.1:14550 \\\n"
-                  "        --identity air.key --peers air.peers\n\n"
-                  "or let any autopilot send plain MAVLink here.");
+        text = tr("Start an agent, skyseal-air, beside an autopilot:");
+        // The port that is listened on, whichever it became.
+        command = QStringLiteral("skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
+                                 "  --ground udpout:127.0.0.1:%1 \\\n"
+                                 "  --identity air.key --peers air.peers")
+                      .arg(listening.section(QLatin1Char(':'), -1));
     }
+    m_command->setVisible(!command.isEmpty());
+    m_otherwise->setVisible(!command.isEmpty());
+    if (m_command->text() != command)
+        m_command->setText(command);
     if (m_title->text() != title)
         m_title->setText(title);
     if (m_text->text() != text)

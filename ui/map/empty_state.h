@@ -29,7 +29,7 @@ Q_SIGNALS:
     void connectWanted();
 
 private:
-    QLabel *m_title, *m_text;
+    QLabel *m_title, *m_text, *m_command, *m_otherwise;
     QPushButton *m_demo, *m_connect;
 };
 

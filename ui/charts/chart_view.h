@@ -1,0 +1,68 @@
+// The view of one Qt chart, with what Qt Charts does slowly or not at all painted by hand: grid, labels, marks, bars; and
+// what the mouse does in it, told as times.
+#pragma once
+
+#include "ui/charts/chart.h"
+
+#include <QtCharts/QChartView>
+
+namespace skyseal::ui {
+
+class ChartCursor;
+
+class ChartView : public QChartView
+{
+    Q_OBJECT
+
+public:
+    explicit ChartView(QChart *chart, QWidget *parent);
+
+    /// All but the runs, which the chart's series hold.
+    void setFrame(const ChartContent &content, bool anyRun);
+    const ChartContent &frame() const { return m_frame; }
+    void setUnit(const QString &unit) { m_unit = unit; }
+    /// Seconds at a place in the view, held to the plot.
+    double timeAt(qreal x) const;
+    qreal placeOf(double time) const;
+    ChartCursor *cursorLayer() const { return m_cursor; }
+    QRectF plot() const;
+    /// Seconds that one pixel stands for.
+    double secondsPerPixel() const;
+
+Q_SIGNALS:
+    void hovered(double x);
+    void hoverEnded();
+    void zoomWanted(int steps);
+    void rangeWanted(double from, double to);
+    void liveWanted();
+
+protected:
+    void drawBackground(QPainter *painter, const QRectF &rect) override;
+    void drawForeground(QPainter *painter, const QRectF &rect) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+
+private:
+    QFont labelFont() const;
+    void placePlot();
+    void drawTimeLabels(QPainter &painter, const QRectF &area) const;
+    void drawValueLabels(QPainter &painter, const QRectF &area) const;
+    void drawMarks(QPainter &painter, const QRectF &area) const;
+    void drawBars(QPainter &painter, const QRectF &area) const;
+    QRectF barAt(std::size_t index, const QRectF &area) const;
+    QString barWords(qreal x) const;
+
+    ChartContent m_frame; ///< without runs
+    QString m_unit;
+    ChartCursor *m_cursor;
+    bool m_anyRun = false;
+    int m_bars = -1; ///< for which the plot was placed
+    qreal m_pressed = -1, m_dragged = -1;
+};
+
+} // namespace skyseal::ui

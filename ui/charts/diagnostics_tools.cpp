@@ -1,0 +1,96 @@
+#include "ui/charts/diagnostics_tools.h"
+
+#include "ui/charts/chart_range.h"
+#include "ui/charts/suite_legend.h"
+#include "ui/text/units.h"
+#include "ui/theme/grid.h"
+
+#include <QtCore/QSignalBlocker>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QToolButton>
+
+namespace skyseal::ui {
+
+namespace {
+
+QString spanWords(double seconds)
+{
+    return seconds < 120 ? DiagnosticsTools::tr("%1 s").arg(number(seconds, 0))
+                         : DiagnosticsTools::tr("%1 min").arg(number(seconds / 60, 0));
+}
+
+} // namespace
+
+DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(quantityGroups())
+{
+    m_legend = new SuiteLegend(this);
+    m_view = addChoice("chartView", tr("How it is shown"));
+    m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table")});
+    m_view->setToolTip(tr("Over time; or each suite from the beginning of its use, over one another; or means in numbers"));
+    m_group = addChoice("chartGroup", tr("What is shown"));
+    for (const QuantityGroup &group : m_groups)
+        m_group->addItem(group.title);
+    m_span = addChoice("chartSpan", tr("Time shown"));
+    for (const double seconds : ChartRange::kSpans)
+        m_span->addItem(spanWords(seconds), seconds);
+    m_freeze = new QCheckBox(tr("Freeze"), this);
+    m_freeze->setObjectName(QStringLiteral("chartFreeze"));
+    m_freeze->setAccessibleName(tr("Freeze the charts"));
+    m_freeze->setToolTip(tr("Stops the picture, not the measurement (Space). Drag over a chart or turn the wheel to look "
+                            "closer; a double click, Home or Esc goes back to now."));
+    m_save = new QToolButton(this);
+    m_save->setText(tr("Save"));
+    m_save->setObjectName(QStringLiteral("chartSave"));
+    m_save->setAccessibleName(tr("Save the measurements"));
+    m_save->setPopupMode(QToolButton::InstantPopup);
+    m_save->setFocusPolicy(Qt::StrongFocus);
+    auto *menu = new QMenu(m_save);
+    menu->addAction(tr("Samples as &CSV …"), this, &DiagnosticsTools::csvWanted)->setObjectName(QStringLiteral("chartCsv"));
+    menu->addAction(tr("&Picture as PNG or SVG …"), this, &DiagnosticsTools::pictureWanted)
+        ->setObjectName(QStringLiteral("chartPicture"));
+    m_save->setMenu(menu);
+
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(kGrid);
+    row->addWidget(m_legend, 1);
+    for (QWidget *tool : std::initializer_list<QWidget *>{m_view, m_group, m_span, m_freeze, m_save})
+        row->addWidget(tool, 0, Qt::AlignTop);
+
+    connect(m_view, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::viewChanged);
+    connect(m_group, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::groupChanged);
+    connect(m_span, &QComboBox::activated, this, [this] { Q_EMIT spanChosen(m_span->currentData().toDouble()); });
+    connect(m_freeze, &QCheckBox::toggled, this, &DiagnosticsTools::freezeChosen);
+}
+
+QComboBox *DiagnosticsTools::addChoice(const char *objectName, const QString &accessible)
+{
+    auto *box = new QComboBox(this);
+    box->setObjectName(QLatin1String(objectName));
+    box->setAccessibleName(accessible);
+    return box;
+}
+
+DiagnosticsView DiagnosticsTools::view() const
+{
+    return static_cast<DiagnosticsView>(m_view->currentIndex());
+}
+
+const QuantityGroup &DiagnosticsTools::group() const
+{
+    return m_groups[static_cast<std::size_t>(m_group->currentIndex())];
+}
+
+void DiagnosticsTools::showRange(const ChartRange &range)
+{
+    const QSignalBlocker quietSpan(m_span), quietFreeze(m_freeze);
+    m_span->setCurrentIndex(m_span->findData(range.span()));
+    if (m_span->currentIndex() < 0)
+        m_span->setPlaceholderText(spanWords(range.span()));
+    m_freeze->setChecked(range.frozen());
+}
+
+} // namespace skyseal::ui

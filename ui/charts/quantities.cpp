@@ -1,0 +1,139 @@
+#include "ui/charts/quantities.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::ui {
+
+using engine::MetricsSample;
+
+namespace {
+
+/// The translations' context of the free functions below.
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::Quantities)
+};
+
+/// Only while a vehicle is heard: nothing was measured otherwise.
+template<double MetricsSample::*member> double whileUp(const MetricsSample &s)
+{
+    return s.linkUp ? s.*member : vehicle::kUnknown;
+}
+
+template<double MetricsSample::*member> double kilo(const MetricsSample &s)
+{
+    return s.linkUp ? s.*member / 1000 : vehicle::kUnknown;
+}
+
+/// Nanoseconds as microseconds; 0 means that there was no record.
+template<double MetricsSample::*member> double micro(const MetricsSample &s)
+{
+    return s.linkUp && s.*member > 0 ? s.*member / 1000 : vehicle::kUnknown;
+}
+
+template<double MetricsSample::*member> double milli(const MetricsSample &s)
+{
+    return s.linkUp ? s.*member * 1000 : vehicle::kUnknown;
+}
+
+double megabytes(const MetricsSample &s)
+{
+    return s.residentBytes > 0 ? static_cast<double>(s.residentBytes) / 1e6 : vehicle::kUnknown;
+}
+
+double processCpu(const MetricsSample &s)
+{
+    return s.processCpuPercent;
+}
+
+double ioCpu(const MetricsSample &s)
+{
+    return s.ioCpuPercent;
+}
+
+std::vector<Quantity> rates()
+{
+    return {
+        {"frameRate", Words::tr("Decryption rate"), Words::tr("frames/s"),
+         Words::tr("MAVLink frames that were opened and believed, over the last second."), 1, 10,
+         {{{}, Stroke::Solid, whileUp<&MetricsSample::openedFramesPerSecond>}}, true},
+        {"byteRate", Words::tr("Bytes"), Words::tr("kB/s"),
+         Words::tr("Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers)."), 2, 1,
+         {{Words::tr("opened"), Stroke::Solid, kilo<&MetricsSample::openedBytesPerSecond>},
+          {Words::tr("received"), Stroke::Dashed, kilo<&MetricsSample::rxBytesPerSecond>}}, true},
+        {"overhead", Words::tr("Wire overhead"), Words::tr("%"),
+         Words::tr("Bytes of the channel's datagrams beyond those of the frames in them: headers, tags, handshakes and reports. "
+                   "0 on a plain link."), 1, 50,
+         {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::rxOverheadPercent>},
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::txOverheadPercent>}}, true},
+    };
+}
+
+std::vector<Quantity> links()
+{
+    return {
+        {"channelLoss", Words::tr("Packet loss, channel"), Words::tr("%"),
+         Words::tr("Records that never arrived, by their counters, over the last second; the other end reports its direction "
+                   "once a second. On a plain link: MAVLink's."), 2, 1,
+         {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::lossPercent>},
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}}, true},
+        {"mavlinkLoss", Words::tr("Packet loss, MAVLink"), Words::tr("%"),
+         Words::tr("Frames to us that never arrived, by their sequence numbers for each sender, over the last second. Loss "
+                   "between autopilot and agent counts here and not in the channel."), 2, 1,
+         {{{}, Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>}}, true},
+        {"latency", Words::tr("Latency"), Words::tr("ms"),
+         Words::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."), 2, 1,
+         {{Words::tr("TIMESYNC"), Stroke::Solid, milli<&MetricsSample::latency>},
+          {Words::tr("channel"), Stroke::Dashed, milli<&MetricsSample::roundTrip>}}, true},
+    };
+}
+
+std::vector<Quantity> costs()
+{
+    return {
+        {"cpu", Words::tr("CPU load"), Words::tr("% of a core"),
+         Words::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in seal and "
+                   "open (elapsed time of each call, added up), over the last second."), 2, 5,
+         {{Words::tr("process"), Stroke::Solid, processCpu},
+          {Words::tr("link"), Stroke::Dashed, ioCpu},
+          {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true},
+        {"openCost", Words::tr("Time to open a record"), Words::tr("µs"),
+         Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after the "
+                   "thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records that "
+                   "follow in the same wake-up, which come closer to the suite itself."), 2, 1,
+         {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::openNsP50>},
+          {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::openNsP99>},
+          {Words::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}}, true},
+        {"sealCost", Words::tr("Time to seal a record"), Words::tr("µs"),
+         Words::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."), 2, 1,
+         {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::sealNsP50>},
+          {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::sealNsP99>}}, true},
+        {"memory", Words::tr("Memory"), Words::tr("MB resident"),
+         Words::tr("Of the whole process, as the system counts it. It does not belong to a suite."), 1, 50,
+         {{{}, Stroke::Solid, megabytes}}, false},
+    };
+}
+
+} // namespace
+
+std::vector<Quantity> allQuantities()
+{
+    std::vector<Quantity> out = rates();
+    for (auto &&more : {links(), costs()})
+        out.insert(out.end(), more.begin(), more.end());
+    return out;
+}
+
+std::vector<QuantityGroup> quantityGroups()
+{
+    QuantityGroup all{Words::tr("All"), {}};
+    for (const Quantity &quantity : allQuantities())
+        all.keys.push_back(quantity.key);
+    return {{Words::tr("Overview"), {"frameRate", "channelLoss", "cpu"}},
+            {Words::tr("Rates"), {"frameRate", "byteRate", "overhead"}},
+            {Words::tr("Link"), {"channelLoss", "mavlinkLoss", "latency"}},
+            {Words::tr("Cost"), {"openCost", "sealCost", "cpu", "memory"}},
+            all};
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,43 @@
+// What the diagnostics can show: each quantity with its unit, its lines, and a sentence on how it is measured. One table for
+// charts, bars, the comparison table and the CSV.
+#pragma once
+
+#include "core/engine/snapshot.h"
+#include "ui/charts/chart.h"
+
+#include <vector>
+
+namespace skyseal::ui {
+
+using SampleValue = double (*)(const engine::MetricsSample &);
+
+struct QuantityLine
+{
+    QString name;    ///< "to us"; empty where the quantity has one line
+    Stroke stroke = Stroke::Solid;
+    SampleValue value; ///< NaN where it is not known
+};
+
+struct Quantity
+{
+    const char *key;   ///< for object names, settings and CSV
+    QString title, unit, note;
+    int decimals = 1;
+    double least = 1;  ///< the least end of its axis
+    std::vector<QuantityLine> lines;
+    bool perSuite = true; ///< false: the figure says nothing about a suite, so that bars would mislead
+};
+
+/// All of them, in the order in which they are shown.
+std::vector<Quantity> allQuantities();
+
+/// A choice of quantities for the place that there is.
+struct QuantityGroup
+{
+    QString title;
+    std::vector<const char *> keys;
+};
+
+std::vector<QuantityGroup> quantityGroups();
+
+} // namespace skyseal::ui
