@@ -71,6 +71,7 @@ private Q_SLOTS:
         QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("skyseal-air")));
         QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("udpout:127.0.0.1:14550")));
         engine::Snapshot elsewhere = waitingSnapshot();
+        elsewhere.time = 1;
         elsewhere.links.front().localAddress = "0.0.0.0:14661";
         m_station->show(elsewhere);
         QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("14661")));
