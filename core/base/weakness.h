@@ -39,6 +39,12 @@ enum class Weakness : std::uint8_t {
     AnswerTwice,        ///< more goes out than came in
     TellEverything,     ///< each refused handshake is an event
     TrustAnnouncements, ///< an announcement starts a handshake even while a session lives
+    NoCookie,           ///< an agent under load computes for whoever comes first
+    RetryUnproven,      ///< a first message is repeated by timer to wherever an announcement claimed to come from
+    // pairing
+    PairOnOneYes,       ///< the other person's yes is enough
+    NoPassphrase,       ///< a passphrase is not mixed into the handshake
+    ShowNewest,         ///< another device takes the place of the one that is compared
     // the owners of the channel
     NoRoleCheck,        ///< observers may command
     NoSenderCheck,      ///< a sealed peer may speak as any system

@@ -156,7 +156,7 @@ bool Agent::mayCompute(TimePoint now, const Path &from, ByteView datagram, bool 
 {
     if (weakened(Weakness::NoRateLimit))
         return true;
-    if (proven || !m_limit.underLoad(now))
+    if (proven || !m_limit.underLoad(now) || weakened(Weakness::NoCookie))
         return m_limit.admit(now, from, !proven ? Standing::Claimed : expects(from) ? Standing::Expected : Standing::Proven);
     // Room is left for what matters more.
     if (m_core.around.outbox.size() < Outbox::kSlots / 2)

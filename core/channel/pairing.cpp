@@ -62,7 +62,7 @@ void Pairing::State::takeUp(TimePoint at, std::optional<PairingTalk> &&next)
 {
     if (!next)
         return;
-    if (talk && talk->peer().key != next->peer().key) {
+    if (talk && talk->peer().key != next->peer().key && !weakened(Weakness::ShowNewest)) {
         if (at >= otherTold) {
             core.events.push_back(PairingOtherTried{next->peer()});
             otherTold = at + std::chrono::seconds(1);

@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
+#include "core/base/weakness.h"
 #include "core/crypto/kdf.h"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ std::optional<PairingHandshake> PairingHandshake::begin(noise::Role role, const 
     config.pattern = noise::kPairing;
     config.prologue = prologue;
     config.localStatic = identity.clone();
-    config.psks.push_back(passphraseKey ? passphraseKey->clone() : Key32());
+    config.psks.push_back(passphraseKey && !weakened(Weakness::NoPassphrase) ? passphraseKey->clone() : Key32());
     auto noise = noise::HandshakeState::initialize(std::move(config));
     if (!noise)
         return std::nullopt;

@@ -2,6 +2,7 @@
 // repeated until the other end has heard them.
 #pragma once
 
+#include "core/base/weakness.h"
 #include "core/channel/pairing_core.h"
 
 namespace skyseal::channel {
@@ -15,7 +16,10 @@ public:
     bool isOf(const Path &from, PairingId id) const { return from == m_peer.path && id == m_voice.id(); }
     Decision mine() const { return m_mine; }
     Decision theirs() const { return m_theirs; }
-    bool paired() const { return m_mine == Decision::Yes && m_theirs == Decision::Yes; }
+    bool paired() const
+    {
+        return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes;
+    }
     /// The other end knows that both said yes, or nothing was heard of it for long after.
     bool settled(TimePoint now) const;
     bool silent(TimePoint now) const;

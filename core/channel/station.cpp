@@ -206,7 +206,9 @@ TimePoint Station::deadline(TimePoint now)
 
 void Station::send(TimePoint now, Attempt &attempt)
 {
-    const auto maySend = [](const Place &place) { return place.proven || place.owed; };
+    const auto maySend = [](const Place &place) {
+        return place.proven || place.owed || weakened(Weakness::RetryUnproven);
+    };
     if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !ready(now, attempt)) {
         attempt.due = now + kLongestPause; // Until it is announced again.
         return;

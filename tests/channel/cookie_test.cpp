@@ -1,10 +1,8 @@
-// The cookie under load: what it is bound to, how long it lives, and that a station gets its session in a flood of first
-// messages whose mac1 is right, from forged addresses and from real ones.
+// The cookie under load: what it is bound to, how long it lives, and what false ones do.
 #include "core/channel/cookie.h"
-#include "core/channel/handshake.h"
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
-#include "pair.h"
+#include "first_message_flood.h"
 
 #include <QtTest/QTest>
 
@@ -22,98 +20,11 @@ private Q_SLOTS:
     void isBoundToAddressAndMessage();
     void livesTwoToFourMinutes();
     void limitIsShared();
-    void floodFromForgedAddresses();
-    void floodFromRealAddresses();
-    void floodFromRealAddressesOfAStranger();
     void floodForMinutes();
     void sessionThatIsUpDoesNotNotice();
     void strangeCookiesChangeNothing();
     void forgedCookieCostsATurn();
-    void announcementsAreNoAmplifier();
 };
-
-namespace {
-
-constexpr int kFloodPerMillisecond = 20;
-
-Path addressNumber(std::uint32_t number)
-{
-    Path path{LinkId{1}, {}};
-    path.remote.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, 0};
-    for (unsigned i = 0; i < 3; ++i)
-        path.remote.ip[13 + i] = static_cast<std::uint8_t>(number >> 8 * i);
-    path.remote.port = static_cast<std::uint16_t>(1024 + number);
-    return path;
-}
-
-/// Someone who knows the agent's public key: first messages with a right mac1 and nothing behind it.
-class Flood
-{
-public:
-    Flood(Pair &pair, std::uint32_t addresses)
-        : m_pair(pair), m_addresses(addresses), m_mac(pair.air().identity->publicKey)
-    {
-    }
-
-    void sendOne()
-    {
-        FirstMessage message;
-        m_random.fill(message);
-        message[0] = firstByte(HandshakeMessage::First);
-        m_mac.sign(message);
-        const std::uint32_t from = ++m_next % m_addresses;
-        const bool real = m_answersCookies && m_cookies.contains(from);
-        if (real)
-            signWithCookie(m_cookies[from], message);
-        give(from, message);
-        while (const auto out = m_pair.air().endpoint->pollTransmit()) {
-            if (out->to != addressNumber(from)) { // Not to us: the agent's usual business.
-                m_pair.link.send(m_pair.now, {Air, m_pair.air().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
-                continue;
-            }
-            bytesOut += out->bytes.size();
-            const auto cookie = openCookie(m_pair.air().identity->publicKey, ByteView(message).last(16), out->bytes);
-            if (cookie && m_answersCookies)
-                m_cookies[from] = *cookie;
-            cookies += cookie.has_value();
-        }
-    }
-    void answerCookies() { m_answersCookies = true; }
-
-    std::uint64_t bytesIn = 0;
-    std::uint64_t bytesOut = 0;
-    std::uint64_t cookies = 0;
-
-private:
-    void give(std::uint32_t from, FirstMessage message)
-    {
-        bytesIn += message.size();
-        m_pair.air().endpoint->handleDatagram(m_pair.now, addressNumber(from), message);
-    }
-
-    Pair &m_pair;
-    std::uint32_t m_addresses;
-    Mac1 m_mac;
-    SeededRandom m_random{99};
-    std::uint32_t m_next = 0;
-    bool m_answersCookies = false;
-    std::map<std::uint32_t, Cookie> m_cookies;
-};
-
-/// The agent alone, flooded for two seconds; then the station comes. Whether it has its session within three.
-bool connectsIn(Pair &pair, Flood &flood, Duration before = 2s)
-{
-    pair.every(1ms, [&flood] {
-        for (int i = 0; i < kFloodPerMillisecond; ++i)
-            flood.sendOne();
-    });
-    pair.kill(Ground);
-    pair.run(before);
-    pair.start(Ground);
-    return pair.run(3s, [&] { return pair.bothUp(); });
-}
-
-} // namespace
 
 void CookieTest::opensForItsMessageAlone()
 {
@@ -221,57 +132,6 @@ void CookieTest::limitIsShared()
     QVERIFY(!limit.underLoad(now + 1s));
 }
 
-void CookieTest::floodFromForgedAddresses()
-{
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        PairOptions options;
-        options.seed = seed;
-        options.link.delay = 20ms;
-        options.link.loss = 0.05;
-        Pair pair(options);
-        Flood flood(pair, 1u << 20);
-        const TimePoint start = pair.now;
-        const bool connected = connectsIn(pair, flood);
-        QVERIFY2(connected, qPrintable(QStringLiteral("seed %1").arg(seed)));
-        // What was computed was refused as forged: at most 50 a second, 20 at once.
-        const double computed = static_cast<double>(pair.air().endpoint->strays().forged);
-        QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
-        QVERIFY(flood.bytesOut <= flood.bytesIn);
-        QVERIFY(flood.cookies > 1000);
-        const auto told = pair.air().all<HandshakeRefused>();
-        QCOMPARE(std::count_if(told.begin(), told.end(), [](const auto &e) { return e.reason == RefusalReason::Flood; }), 1);
-    }
-}
-
-void CookieTest::floodFromRealAddresses()
-{
-    // A thousand hosts that receive what is sent to them. The station is where the agent announces itself to.
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        PairOptions options;
-        options.seed = seed;
-        options.link.delay = 20ms;
-        Pair pair(options);
-        Flood flood(pair, 1000);
-        flood.answerCookies();
-        QVERIFY2(connectsIn(pair, flood), qPrintable(QStringLiteral("seed %1").arg(seed)));
-    }
-}
-
-void CookieTest::floodFromRealAddressesOfAStranger()
-{
-    // The agent expects nobody at any address; some hosts take their shares and leave the rest.
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-        PairOptions options;
-        options.seed = seed;
-        options.link.delay = 20ms;
-        options.announceToAddress = false;
-        Pair pair(options);
-        Flood flood(pair, 15);
-        flood.answerCookies();
-        QVERIFY2(connectsIn(pair, flood), qPrintable(QStringLiteral("seed %1").arg(seed)));
-    }
-}
-
 void CookieTest::floodForMinutes()
 {
     // Secrets change, stations come and go.
@@ -357,33 +217,6 @@ void CookieTest::forgedCookieCostsATurn()
     };
     QVERIFY(pair.run(3s, [&] { return pair.bothUp(); }));
     QVERIFY(copies >= 3);
-}
-
-void CookieTest::announcementsAreNoAmplifier()
-{
-    // One recorded announcement, given from many addresses: each is answered once, and not more.
-    Pair pair;
-    std::optional<Flight> announcement;
-    std::uint64_t in = 0, out = 0;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        if (flight.bytes[0] == 0x58 && flight.from == Air)
-            announcement = flight;
-        if (flight.from == Ground)
-            out += flight.bytes.size();
-        return false;
-    };
-    pair.run(1ms);
-    QVERIFY(announcement);
-    pair.kill(Air);
-    for (std::uint32_t i = 0; i < 40; ++i) {
-        Bytes copy = announcement->bytes;
-        in += copy.size();
-        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(i % 3), copy);
-        pair.run(200ms);
-    }
-    pair.run(20s);
-    QVERIFY(out > 0);
-    QVERIFY2(out <= in, qPrintable(QStringLiteral("%1 out, %2 in").arg(out).arg(in)));
 }
 
 QTEST_GUILESS_MAIN(CookieTest)

@@ -16,7 +16,6 @@ class PairingTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void bothSayYes();
-    void oneYesIsNotEnough();
     void noIsTold();
     void eitherOrder();
     void presharedKeyOnlyWhenBothWant();
@@ -71,20 +70,6 @@ void PairingTest::bothSayYes()
         QCOMPARE(end.over()->reason, channel::PairingEnd::Paired);
         QVERIFY(std::holds_alternative<PairingOver>(end.events.back()));
         QCOMPARE(end.pairing->nextDeadline(), kNever);
-    }
-}
-
-void PairingTest::oneYesIsNotEnough()
-{
-    for (const Side side : {Ground, Air}) {
-        PairingPair pair;
-        pair.openBoth();
-        QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
-        pair.confirm(side);
-        pair.run(200s);
-        QVERIFY(isNothing(pair.ground()) && isNothing(pair.air()));
-        QVERIFY(pair.ground().pairing->finished() && pair.air().pairing->finished());
-        QCOMPARE(pair.ends[side].over()->reason, channel::PairingEnd::TimedOut);
     }
 }
 

@@ -65,6 +65,17 @@ inline constexpr Proof kProofs[] = {
     {"NoOfferRecheck", "channel_attack_handshake_test", "weakerChoice", "no other choice is taken"},
     {"NoPrologue", "channel_attack_handshake_test", "otherVersionOrCarrier", "no message of another version or carrier is read"},
 
+    {"NoCookie", "channel_attack_cookie_test", "floodFromForgedAddresses", "a station gets its session"},
+    {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddresses", "a station gets its session"},
+    {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddressesOfAStranger", "a station gets its session"},
+    {"RetryUnproven", "channel_attack_cookie_test", "announcementsAreNoAmplifier", "no more goes out than came in"},
+
+    {"PairOnOneYes", "channel_attack_pairing_test", "inBetween", "nothing is kept without both yeses"},
+    {"PairOnOneYes", "channel_attack_pairing_test", "oneYesIsNotEnough", "nothing is kept without both yeses"},
+    {"NoPassphrase", "channel_attack_pairing_test", "inBetweenWithoutThePassphrase", "nobody is shown without the passphrase"},
+    {"NoPassphrase", "channel_attack_pairing_test", "passphraseMustBeTheSame", "nobody is shown without the passphrase"},
+    {"ShowNewest", "channel_attack_pairing_test", "anotherWhileComparing", "who came first stays"},
+
     {"CommitEarly", "channel_attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
     {"CommitEarly", "channel_attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},
 };

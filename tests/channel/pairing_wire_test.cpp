@@ -1,4 +1,4 @@
-// Somebody on the wire while two people pair: in between, beside, with a recording, or with a flood.
+// What strangers put on the wire while two people pair: recordings, reflections, changed bits and floods.
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
@@ -9,16 +9,12 @@ using namespace skyseal;
 using namespace skyseal::test;
 using namespace std::chrono_literals;
 
-class PairingAttackTest : public QObject
+class PairingWireTest : public QObject
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void inBetween();
-    void inBetweenWithoutThePassphrase();
-    void passphraseMustBeTheSame();
-    void anotherWhileComparing();
     void replayOfAWholePairing();
     void reflection();
     void everyBitFlipped();
@@ -32,154 +28,14 @@ private Q_SLOTS:
 
 namespace {
 
-std::shared_ptr<const Key32> secret(std::uint8_t first)
-{
-    Key32 key;
-    key.mutableView()[0] = first;
-    return std::make_shared<const Key32>(std::move(key));
-}
-
 std::shared_ptr<const crypto::X25519KeyPair> newKey(RandomSource &random)
 {
     return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
 }
 
-/// Who is in between: an agent of its own towards the station, and a station of its own towards the agent, at the true
-/// ends' addresses. Everything that either end sends goes to it alone.
-struct InBetween
-{
-    explicit InBetween(PairingPair &victims, std::shared_ptr<const Key32> passphraseKey = {}) : pair(victims)
-    {
-        for (const Side as : {Ground, Air}) {
-            auto config = PairingPair::configOf(as, newKey(random));
-            config.passphraseKey = passphraseKey;
-            faces[as].emplace(config, random, pair.now);
-            keys[as] = config.identity->publicKey;
-        }
-        pair.link.attacker = [this](TimePoint, Flight &flight) {
-            const Side as = flight.from == Ground ? Air : Ground;
-            faces[as]->handleDatagram(pair.now, PairingPair::pathOf(flight.from), flight.bytes);
-            pump();
-            return false;
-        };
-    }
-    void pump()
-    {
-        for (const Side as : {Ground, Air}) {
-            faces[as]->handleDeadline(pair.now);
-            while (const auto out = faces[as]->pollTransmit())
-                pair.link.inject(pair.now + 1ms, {as, 0, 0, Bytes(out->bytes.begin(), out->bytes.end())});
-            if (faces[as]->peer())
-                faces[as]->confirm(pair.now, faces[as]->peer()->key);
-            while (const auto event = faces[as]->pollEvent())
-                hints += std::holds_alternative<PairingPassphraseDiffers>(*event);
-        }
-    }
-
-    PairingPair &pair;
-    SeededRandom random{666};
-    std::array<std::optional<Pairing>, 2> faces;
-    std::array<channel::PublicKey, 2> keys;
-    int hints = 0;
-};
-
 } // namespace
 
-void PairingAttackTest::inBetween()
-{
-    PairingPair pair;
-    InBetween attacker(pair);
-    pair.openBoth();
-    pair.run(5s);
-    // It gets through, and what the two people see are two keys, neither of them the other one's.
-    QVERIFY(pair.ground().pairing->peer() && pair.air().pairing->peer());
-    QCOMPARE(pair.ground().pairing->peer()->key, attacker.keys[Air]);
-    QCOMPARE(pair.air().pairing->peer()->key, attacker.keys[Ground]);
-    QVERIFY(!pair.shown());
-    pair.confirm(Ground); // "Yes, if it is the key of the drone": it is not.
-    pair.confirm(Air);
-    QVERIFY(!pair.ground().pairing->confirmedHere() && !pair.air().pairing->confirmedHere());
-    pair.ground().pairing->refuse(pair.now);
-    pair.air().pairing->refuse(pair.now);
-    pair.run(30s);
-    QVERIFY(pair.ground().all<Paired>().empty() && pair.air().all<Paired>().empty());
-    QVERIFY(!pair.ground().pairing->peer() && !pair.air().pairing->peer()); // Not shown again.
-}
-
-void PairingAttackTest::inBetweenWithoutThePassphrase()
-{
-    for (const bool guesses : {false, true}) {
-        PairingPair pair;
-        pair.ground().config.passphraseKey = pair.air().config.passphraseKey = secret(7);
-        InBetween attacker(pair, guesses ? secret(8) : nullptr);
-        pair.openBoth();
-        pair.run(100s);
-        QVERIFY(pair.ground().all<PairingPeerSeen>().empty());
-        QVERIFY(pair.air().all<PairingPeerSeen>().empty());
-        QVERIFY(!pair.ground().all<PairingPassphraseDiffers>().empty());
-        QVERIFY(!pair.air().all<PairingPassphraseDiffers>().empty());
-    }
-}
-
-void PairingAttackTest::passphraseMustBeTheSame()
-{
-    const std::shared_ptr<const Key32> keys[] = {nullptr, secret(1), secret(2)};
-    for (const auto &here : keys) {
-        for (const auto &there : keys) {
-            PairingPair pair;
-            pair.ground().config.passphraseKey = here;
-            pair.air().config.passphraseKey = there;
-            pair.openBoth();
-            QCOMPARE(pair.run(20s, [&] { return pair.shown(); }), here == there);
-            QCOMPARE(pair.ground().all<PairingPeerSeen>().size(), here == there ? 1u : 0u);
-            QCOMPARE(pair.air().all<PairingPeerSeen>().size(), here == there ? 1u : 0u);
-            QCOMPARE(pair.ground().all<PairingPassphraseDiffers>().empty(), here == there);
-            QCOMPARE(pair.air().all<PairingPassphraseDiffers>().empty(), here == there);
-        }
-    }
-}
-
-void PairingAttackTest::anotherWhileComparing()
-{
-    // A second device that hears the calls does the whole handshake while the first is on the screen.
-    PairingPair pair;
-    PairingToken token{};
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        if (const auto called = calledToken(flight.bytes))
-            token = *called;
-        return true;
-    };
-    pair.openBoth();
-    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
-    Path elsewhere = PairingPair::pathOf(Ground);
-    elsewhere.remote.ip[15] = 99;
-    SeededRandom random(5);
-    const auto other = newKey(random);
-    std::optional<PairingVoice> voice;
-    Bytes answer;
-    pair.elsewhere = [&](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
-    for (std::uint32_t id = 1; id <= 30; ++id) {
-        auto handshake = PairingHandshake::begin(noise::Role::Initiator, *other, nullptr, PairingId{id}, token);
-        pair.air().pairing->handleDatagram(pair.now, elsewhere, *handshake->first(random));
-        pair.pump();
-        QVERIFY(handshake->takeAnswer(answer));
-        pair.air().pairing->handleDatagram(pair.now, elsewhere, *handshake->third({}, random));
-        pair.pump();
-        QVERIFY(pair.shown()); // Who came first stays.
-        pair.run(500ms);
-    }
-    const auto told = pair.air().all<PairingOtherTried>();
-    QVERIFY(!told.empty() && told.size() <= 16);
-    QCOMPARE(told[0].peer.key, other->publicKey);
-    pair.air().pairing->confirm(pair.now, other->publicKey);
-    QVERIFY(!pair.air().pairing->confirmedHere());
-    pair.confirm(Air);
-    pair.confirm(Ground);
-    QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
-    QCOMPARE(pair.air().all<Paired>()[0].peer.key, pair.ground().identity->publicKey);
-}
-
-void PairingAttackTest::replayOfAWholePairing()
+void PairingWireTest::replayOfAWholePairing()
 {
     PairingPair pair;
     std::vector<Flight> recorded;
@@ -206,7 +62,7 @@ void PairingAttackTest::replayOfAWholePairing()
         QVERIFY(side.all<PairingPeerSeen>().empty() && side.all<Paired>().empty());
 }
 
-void PairingAttackTest::reflection()
+void PairingWireTest::reflection()
 {
     // What an end sends comes back to it, from the other end's address; and two roles of one key do not pair.
     PairingPair pair;
@@ -230,7 +86,7 @@ void PairingAttackTest::reflection()
     QVERIFY(same.ground().all<PairingPeerSeen>().empty() && same.air().all<PairingPeerSeen>().empty());
 }
 
-void PairingAttackTest::everyBitFlipped()
+void PairingWireTest::everyBitFlipped()
 {
     SeededRandom random(9);
     const auto station = newKey(random), agent = newKey(random);
@@ -276,7 +132,7 @@ void PairingAttackTest::everyBitFlipped()
     QVERIFY(mouth.presharedKey()->equals(*ear.presharedKey()));
 }
 
-void PairingAttackTest::wordsOfElsewhere()
+void PairingWireTest::wordsOfElsewhere()
 {
     // Words of one pairing, repeated in the next between the same devices.
     PairingPair pair;
@@ -305,7 +161,7 @@ void PairingAttackTest::wordsOfElsewhere()
     QCOMPARE(pair.ground().all<Paired>().size(), 1u);
 }
 
-void PairingAttackTest::lateAnswerOfAnother()
+void PairingWireTest::lateAnswerOfAnother()
 {
     // Somebody reads the station's first message and is quicker than the agent: its own key is all that it can show.
     PairingPair pair;
@@ -334,7 +190,7 @@ void PairingAttackTest::lateAnswerOfAnother()
     QVERIFY(pair.run(30s, [&] { return pair.shown(); }));
 }
 
-void PairingAttackTest::floodWithoutTheToken()
+void PairingWireTest::floodWithoutTheToken()
 {
     PairingPair pair;
     SeededRandom random(21);
@@ -367,7 +223,7 @@ void PairingAttackTest::floodWithoutTheToken()
     QVERIFY(shown);
 }
 
-void PairingAttackTest::floodWithTheToken()
+void PairingWireTest::floodWithTheToken()
 {
     // Somebody hears the calls and has a thousand addresses. The agent computes little, and first for those it calls.
     PairingPair pair;
@@ -420,7 +276,7 @@ void PairingAttackTest::floodWithTheToken()
     QVERIFY(out <= in);
 }
 
-void PairingAttackTest::forgedCalls()
+void PairingWireTest::forgedCalls()
 {
     // Calls from ten addresses where nobody is: each has its turn, and so has the true one.
     PairingPair pair;
@@ -450,7 +306,7 @@ void PairingAttackTest::forgedCalls()
     QVERIFY(out <= in);
 }
 
-void PairingAttackTest::noMoreOutThanIn()
+void PairingWireTest::noMoreOutThanIn()
 {
     // What was recorded, given to either end alone in a new window, again and again.
     PairingPair pair;
@@ -484,5 +340,5 @@ void PairingAttackTest::noMoreOutThanIn()
     }
 }
 
-QTEST_GUILESS_MAIN(PairingAttackTest)
-#include "pairing_attack_test.moc"
+QTEST_GUILESS_MAIN(PairingWireTest)
+#include "pairing_wire_test.moc"

@@ -1,0 +1,101 @@
+// A flood of first messages whose mac1 is right, from forged addresses and from real ones: a station gets its session all
+// the same.
+#include "attack.h"
+#include "core/channel/handshake_limit.h"
+#include "core/crypto/init_crypto.h"
+#include "first_message_flood.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class AttackCookieTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void floodFromForgedAddresses();
+    void floodFromRealAddresses();
+    void floodFromRealAddressesOfAStranger();
+    void announcementsAreNoAmplifier();
+};
+
+void AttackCookieTest::floodFromForgedAddresses()
+{
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        options.link.loss = 0.05;
+        Pair pair(options);
+        Flood flood(pair, 1u << 20);
+        const TimePoint start = pair.now;
+        HOLDS(connectsIn(pair, flood), "a station gets its session");
+        // What was computed was refused as forged: at most 50 a second, 20 at once.
+        const double computed = static_cast<double>(pair.air().endpoint->strays().forged);
+        QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
+        QVERIFY(flood.bytesOut <= flood.bytesIn);
+        QVERIFY(flood.cookies > 1000);
+        const auto told = pair.air().all<HandshakeRefused>();
+        QCOMPARE(std::count_if(told.begin(), told.end(), [](const auto &e) { return e.reason == RefusalReason::Flood; }), 1);
+    }
+}
+
+void AttackCookieTest::floodFromRealAddresses()
+{
+    // A thousand hosts that receive what is sent to them. The station is where the agent announces itself to.
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        Pair pair(options);
+        Flood flood(pair, 1000);
+        flood.answerCookies();
+        HOLDS(connectsIn(pair, flood), "a station gets its session");
+    }
+}
+
+void AttackCookieTest::floodFromRealAddressesOfAStranger()
+{
+    // The agent expects nobody at any address; some hosts take their shares and leave the rest.
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+        PairOptions options;
+        options.seed = seed;
+        options.link.delay = 20ms;
+        options.announceToAddress = false;
+        Pair pair(options);
+        Flood flood(pair, 15);
+        flood.answerCookies();
+        HOLDS(connectsIn(pair, flood), "a station gets its session");
+    }
+}
+
+void AttackCookieTest::announcementsAreNoAmplifier()
+{
+    // One recorded announcement, given from many addresses: each is answered once, and not more.
+    Pair pair;
+    std::optional<Flight> announcement;
+    std::uint64_t in = 0, out = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x58 && flight.from == Air)
+            announcement = flight;
+        if (flight.from == Ground)
+            out += flight.bytes.size();
+        return false;
+    };
+    pair.run(1ms);
+    QVERIFY(announcement);
+    pair.kill(Air);
+    for (std::uint32_t i = 0; i < 40; ++i) {
+        Bytes copy = announcement->bytes;
+        in += copy.size();
+        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(i % 3), copy);
+        pair.run(200ms);
+    }
+    pair.run(20s);
+    QVERIFY(out > 0);
+    HOLDS(out <= in, "no more goes out than came in");
+}
+
+QTEST_GUILESS_MAIN(AttackCookieTest)
+#include "attack_cookie_test.moc"
