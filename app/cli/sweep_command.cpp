@@ -1,5 +1,6 @@
 // skyseal-cli sweep: what does each suite cost, measured unattended.
 #include "app/cli/commands.h"
+#include "app/cli/sweep_files.h"
 #include "app/cli/sweep_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
@@ -14,22 +15,12 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDateTime>
 #include <QtCore/QDir>
-#include <QtCore/QSaveFile>
-#include <QtCore/QStandardPaths>
-
-#include <algorithm>
 
 namespace skyseal::app {
 
 namespace {
 
 const QString kName = QStringLiteral("skyseal-cli sweep");
-
-QString programPath(const QString &name)
-{
-    const QString beside = QCoreApplication::applicationDirPath() + QLatin1Char('/') + name;
-    return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
-}
 
 experiment::Setting describeSetting(const QStringList &arguments)
 {
@@ -41,15 +32,6 @@ experiment::Setting describeSetting(const QStringList &arguments)
         out.push_back(std::move(entry));
     out.emplace_back("qt", qVersion());
     return out;
-}
-
-bool writeFile(const QString &path, const std::string &content)
-{
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit())
-        return true;
-    complain(kName, path.toStdString() + ": " + file.errorString().toStdString());
-    return false;
 }
 
 /// What is done with a finished sweep; the exit status.
@@ -70,9 +52,10 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         hold = hold && verdict.outcome.holds;
     }
     if (!options.folder.isEmpty()) {
-        const QDir folder(options.folder);
-        if (!writeFile(folder.filePath(QStringLiteral("sweep.json")), experiment::sweepJson(results, verdicts) + "\n")
-            || !writeFile(folder.filePath(QStringLiteral("sweep.csv")), experiment::sweepCsv(results)))
+        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts);
+        if (!files.problem.empty())
+            complain(kName, files.problem);
+        if (!files.written)
             return kCannotOpen;
         if (!options.json)
             remark("written to " + options.folder.toStdString());

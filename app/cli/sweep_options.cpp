@@ -30,7 +30,8 @@ void declare(Options &options)
                      "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
                      "commas. May be given several times.");
     options.addFlag("no-noise", "Do not measure one suite twice to see the machine's noise (A/A).");
-    options.addValue("out", "DIR", "Folder for sweep.json and sweep.csv.");
+    options.addValue("out", "DIR", "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF where "
+                                   "skyseal-figures is installed.");
     options.addValue("expect", "TEXT",
                      "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. May be given several times.");
     options.addFlag("json", "One JSON object a line on stdout.");

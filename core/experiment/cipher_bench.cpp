@@ -152,6 +152,16 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
     return out;
 }
 
+std::optional<double> sessionBytes(crypto::SuiteId suite)
+{
+    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
+    if (!pair || !pair->heapBytes())
+        return std::nullopt;
+    return static_cast<double>(*pair->heapBytes()) / 2;
+}
+
+} // namespace
+
 std::optional<double> contextBytes(crypto::SuiteId suite)
 {
     std::vector<std::unique_ptr<crypto::RecordCipher>> contexts;
@@ -165,16 +175,6 @@ std::optional<double> contextBytes(crypto::SuiteId suite)
         return std::nullopt;
     return static_cast<double>(*after - *before) / kContexts;
 }
-
-std::optional<double> sessionBytes(crypto::SuiteId suite)
-{
-    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
-    if (!pair || !pair->heapBytes())
-        return std::nullopt;
-    return static_cast<double>(*pair->heapBytes()) / 2;
-}
-
-} // namespace
 
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes)
 {

@@ -45,6 +45,9 @@ struct SuiteCosts
 /// Some tenths of a second for each size. `sizes` at most 1100.
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes);
 
+/// Heap of one direction's keyed cipher.
+std::optional<double> contextBytes(crypto::SuiteId suite);
+
 /// One JSON object for each size, {"event":"bench",…}; `aes` is whether AES instructions were used.
 std::vector<std::string> benchEvents(const SuiteCosts &costs, bool aes);
 /// A table for people; the first line of all is benchHeader().

@@ -147,6 +147,17 @@ void SweepTest::filesAgree()
     }
     checkSummaries(report);
     checkCsv(report, contentOf(folder.filePath(q("out/sweep.csv"))));
+    const QByteArray page = contentOf(folder.filePath(q("out/report.html")));
+    QVERIFY(page.contains("<svg") && page.contains("rc4 (insecure)"));
+    for (const char *figure : {"packets-natural", "packets-saturated", "memory-natural", "cpu-natural", "latency-saturated"}) {
+        QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.svg").arg(q(figure)))).startsWith("<svg"), figure);
+#ifdef SKYSEAL_HAVE_FIGURES
+        QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.png").arg(q(figure)))).startsWith("\x89PNG"), figure);
+#endif
+    }
+#ifdef SKYSEAL_HAVE_FIGURES
+    QVERIFY(contentOf(folder.filePath(q("out/report.pdf"))).startsWith("%PDF"));
+#endif
     QCOMPARE(report[QLatin1String("comparisons")].toArray().isEmpty(), false);
     QCOMPARE(report[QLatin1String("noise")].toArray().isEmpty(), false);
 }

@@ -1,0 +1,85 @@
+#include "app/cli/sweep_files.h"
+
+#include "core/experiment/cipher_bench.h"
+#include "core/experiment/html_report.h"
+#include "core/experiment/sweep_json.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QDir>
+#include <QtCore/QFileInfo>
+#include <QtCore/QProcess>
+#include <QtCore/QSaveFile>
+#include <QtCore/QStandardPaths>
+
+#include <limits>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr int kDrawingMs = 120000;
+
+/// Empty when it went well.
+std::string write(const QString &path, const std::string &content)
+{
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit())
+        return {};
+    return path.toStdString() + ": " + file.errorString().toStdString();
+}
+
+/// PNG and PDF by the program that knows how to draw; empty when it went well.
+std::string draw(const QDir &folder, const QStringList &figures, const std::string &report)
+{
+    const QString program = programPath(QStringLiteral("skyseal-figures"));
+    if (program.isEmpty())
+        return "no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files hold the same";
+    const QString printable = folder.filePath(QStringLiteral("report-print.html"));
+    if (std::string problem = write(printable, report); !problem.empty())
+        return problem;
+    QProcess process;
+    process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    process.start(program, QStringList{QStringLiteral("--report"), printable, QStringLiteral("--pdf"),
+                                       folder.filePath(QStringLiteral("report.pdf"))}
+                               + figures);
+    const bool drawn = process.waitForFinished(kDrawingMs) && process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0;
+    QFile::remove(printable);
+    return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
+}
+
+} // namespace
+
+QString programPath(const QString &name)
+{
+    const QString beside = QCoreApplication::applicationDirPath() + QLatin1Char('/') + name;
+    return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
+}
+
+SweepFiles writeSweepFiles(const QString &path, const experiment::Results &results,
+                           const std::vector<experiment::Verdict> &verdicts)
+{
+    const QDir folder(path);
+    const auto claims = experiment::paperClaims(results, [](crypto::SuiteId suite) {
+        return experiment::contextBytes(suite).value_or(std::numeric_limits<double>::quiet_NaN());
+    });
+    const std::vector<experiment::Figure> figures = experiment::figuresOf(results);
+    const experiment::ReportParts parts{results, figures, verdicts, claims};
+    std::vector<std::pair<QString, std::string>> files{
+        {QStringLiteral("sweep.json"), experiment::sweepJson(results, verdicts) + "\n"},
+        {QStringLiteral("sweep.csv"), experiment::sweepCsv(results)},
+        {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
+    QStringList drawings;
+    for (const experiment::Figure &figure : figures) {
+        files.emplace_back(QStringLiteral("figures/%1.svg").arg(QString::fromStdString(figure.name)), figure.svg);
+        drawings << folder.filePath(files.back().first);
+    }
+    if (!folder.mkpath(QStringLiteral("figures")))
+        return {false, path.toStdString() + ": no folder can be made there"};
+    for (const auto &[name, content] : files) {
+        if (std::string problem = write(folder.filePath(name), content); !problem.empty())
+            return {false, std::move(problem)};
+    }
+    return {true, draw(folder, drawings, experiment::printReport(parts))};
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,144 @@
+// skyseal-figures: draws a sweep's figures as PNG and its report as PDF, without a display. Started by `skyseal-cli sweep`
+// where it is installed.
+#include "app/common/exit_status.h"
+#include "app/common/options.h"
+#include "app/figures/figure_painter.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtGui/QAbstractTextDocumentLayout>
+#include <QtGui/QGuiApplication>
+#include <QtGui/QImage>
+#include <QtGui/QPainter>
+#include <QtGui/QPdfWriter>
+#include <QtGui/QTextDocument>
+#include <QtGui/QTextObjectInterface>
+
+#include <algorithm>
+
+using namespace skyseal::app;
+
+namespace {
+
+const QString kName = QStringLiteral("skyseal-figures");
+constexpr int kPictureScale = 2;
+constexpr int kDotsPerInch = 96;
+constexpr double kGap = 8; ///< around a figure, of two beside each other
+
+bool drawPicture(const QString &file)
+{
+    const QString picture = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral(".png");
+    FigurePainter figure;
+    if (figure.load(file)) {
+        QImage image((figure.size() * kPictureScale).toSize(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.scale(kPictureScale, kPictureScale);
+        figure.draw(painter);
+        painter.end();
+        if (image.save(picture))
+            return true;
+    }
+    complain(kName, file.toStdString() + ": cannot be drawn");
+    return false;
+}
+
+/// Draws the report's figures as lines and letters, not as pixels.
+class FigureDrawer : public QObject, public QTextObjectInterface
+{
+    Q_OBJECT
+    Q_INTERFACES(QTextObjectInterface)
+
+public:
+    /// `width` is what a figure may take of the page.
+    FigureDrawer(QString folder, double width) : m_folder(std::move(folder)), m_width(width) {}
+
+    QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &format) override
+    {
+        FigurePainter figure;
+        return figure.load(file(format)) ? figure.size() * std::min(1.0, m_width / figure.size().width()) : QSizeF();
+    }
+    void drawObject(QPainter *painter, const QRectF &rect, QTextDocument *, int, const QTextFormat &format) override
+    {
+        FigurePainter figure;
+        if (!figure.load(file(format)))
+            return;
+        painter->save();
+        painter->translate(rect.topLeft());
+        painter->scale(rect.width() / figure.size().width(), rect.height() / figure.size().height());
+        figure.draw(*painter);
+        painter->restore();
+    }
+
+private:
+    QString file(const QTextFormat &format) const { return m_folder + QLatin1Char('/') + format.toImageFormat().name(); }
+
+    QString m_folder;
+    double m_width;
+};
+
+bool writePages(const QString &report, const QString &pages)
+{
+    QFile file(report);
+    if (!file.open(QIODevice::ReadOnly)) {
+        complain(kName, report.toStdString() + ": " + file.errorString().toStdString());
+        return false;
+    }
+    QPdfWriter writer(pages);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageOrientation(QPageLayout::Landscape); // tables have a column for each suite
+    writer.setPageMargins(QMarginsF(12, 12, 12, 12), QPageLayout::Millimeter);
+    writer.setResolution(kDotsPerInch);
+    writer.setTitle(QStringLiteral("Skyseal sweep"));
+    const QSizeF page(writer.width(), writer.height());
+    FigureDrawer drawer(QFileInfo(report).path(), page.width() / 2 - kGap);
+    QTextDocument document;
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(9);
+    document.documentLayout()->setPaintDevice(&writer);
+    document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawer);
+    document.setDefaultFont(font);
+    document.setDocumentMargin(0);
+    document.setPageSize(page);
+    document.setDefaultStyleSheet(QStringLiteral("table{border-color:#cccccc} th{background-color:#f0f3f7} .bad{color:#c00000} "
+                                                 ".insecure{color:#a33c10} h1{font-size:20px} h2{font-size:14px} h3{font-size:11px}"));
+    document.setHtml(QString::fromUtf8(file.readAll()));
+    QPainter painter(&writer);
+    for (int i = 0; i < document.pageCount(); ++i) {
+        if (i > 0)
+            writer.newPage();
+        painter.save();
+        painter.translate(0, -i * page.height());
+        document.drawContents(&painter, QRectF(0, i * page.height(), page.width(), page.height()));
+        painter.restore();
+    }
+    return painter.end();
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    Options options(kName, QStringLiteral("Draws figures (FILE.svg to FILE.png) and a report (--report, --pdf)."));
+    options.addValue("report", "FILE", "A report that skyseal-cli sweep wrote for printing; its figures lie beside it.");
+    options.addValue("pdf", "FILE", "The PDF that is made of it.");
+    options.addArgument("FILE.svg", "Figures.");
+    if (const auto status = options.parse(application.arguments().mid(1)))
+        return *status;
+    const QStringList figures = options.arguments(0, 10000);
+    if (options.has("report") != options.has("pdf"))
+        options.fail("--report and --pdf belong together");
+    if (const auto status = options.finish())
+        return *status;
+    bool ok = true;
+    for (const QString &figure : figures)
+        ok = drawPicture(figure) && ok;
+    if (options.has("report"))
+        ok = writePages(QString::fromStdString(options.text("report")), QString::fromStdString(options.text("pdf"))) && ok;
+    return ok ? kDone : kCannotOpen;
+}
+
+#include "main.moc"

@@ -1,0 +1,211 @@
+#include "core/experiment/bar_chart.h"
+
+#include "core/experiment/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr int kWidth = 760, kLeft = 190, kRight = 140, kTop = 62, kRow = 30, kBar = 16, kBottom = 48;
+
+struct Scale
+{
+    double factor = 1;
+    std::string unit;
+};
+
+Scale scaleFor(std::string_view unit, double highest)
+{
+    if (unit == "B" && highest >= 1e6)
+        return {1e-6, "MB"};
+    if (unit == "B" && highest >= 1e4)
+        return {1e-3, "kB"};
+    if (unit == "B/s" && highest >= 1e6)
+        return {1e-6, "MB/s"};
+    if (unit == "B/s" && highest >= 1e4)
+        return {1e-3, "kB/s"};
+    if (unit == "ns" && highest >= 1e4)
+        return {1e-3, "µs"};
+    return {1, std::string(unit)};
+}
+
+__attribute__((format(printf, 2, 3))) void put(std::string &out, const char *pattern, ...)
+{
+    char line[512];
+    va_list arguments;
+    va_start(arguments, pattern);
+    std::vsnprintf(line, sizeof line, pattern, arguments);
+    va_end(arguments);
+    out += line;
+}
+
+double highestOf(const std::vector<Bar> &bars)
+{
+    double highest = 0;
+    for (const Bar &bar : bars) {
+        for (const double value : {bar.mean, bar.high})
+            highest = std::isfinite(value) ? std::max(highest, value) : highest;
+        for (const double value : bar.samples)
+            highest = std::isfinite(value) ? std::max(highest, value) : highest;
+    }
+    return highest;
+}
+
+struct Axis
+{
+    double step, end;
+    double x(double value) const { return kLeft + (kWidth - kLeft - kRight) * std::clamp(value / end, 0.0, 1.0); }
+};
+
+void drawAxis(std::string &out, const Axis &axis, const BarChart &chart, double bottom)
+{
+    for (int i = 0; i * axis.step <= axis.end * 1.0001; ++i) {
+        const double x = axis.x(i * axis.step);
+        put(out, "<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\"/>\n", x, kTop - 6, x, bottom,
+            i == 0 ? "#333333" : "#dddddd");
+        put(out, "<text x=\"%.1f\" y=\"%.1f\" font-size=\"11\" text-anchor=\"middle\" fill=\"#444444\">", x, bottom + 16);
+        out += readable(i * axis.step) + "</text>\n";
+    }
+    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"middle\" fill=\"#222222\">",
+        kLeft + (kWidth - kLeft - kRight) / 2, bottom + 36);
+    out += escaped(chart.axis) + "</text>\n";
+}
+
+void drawLine(std::string &out, double x1, double y1, double x2, double y2)
+{
+    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#111111\" stroke-width=\"1.4\"/>\n", x1, y1, x2, y2);
+}
+
+/// Strokes of 45 degrees by lines of our own: the profile of SVG that Qt draws knows no patterns.
+void hatch(std::string &out, double left, double top, double right)
+{
+    constexpr double kSpacing = 6;
+    for (double x = left - kBar + kSpacing; x < right; x += kSpacing) {
+        const double from = std::max(x, left), to = std::min(x + kBar, right);
+        if (to > from)
+            put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#b5532a\" stroke-width=\"1.1\"/>\n", from,
+                top + kBar - (from - x), to, top + kBar - (to - x));
+    }
+}
+
+void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
+{
+    const double middle = kTop + kRow * (row + 0.5);
+    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"end\" fill=\"#222222\">", kLeft - 8, middle + 4);
+    out += escaped(bar.label + (bar.insecure ? " (insecure)" : "")) + "</text>\n";
+    if (!std::isfinite(bar.mean)) {
+        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">not measured</text>\n",
+            kLeft + 6, middle + 4);
+        return;
+    }
+    put(out, "<rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" fill=\"%s\" stroke=\"%s\"/>\n", kLeft, middle - kBar / 2.0,
+        std::max(0.0, axis.x(bar.mean) - kLeft), kBar, bar.insecure ? "#f3d9cc" : "#8fb3d9",
+        bar.insecure ? "#b5532a" : "#5b86b5");
+    if (bar.insecure)
+        hatch(out, kLeft, middle - kBar / 2.0, axis.x(bar.mean));
+    if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
+        const double low = axis.x(bar.low), high = axis.x(bar.high);
+        drawLine(out, low, middle, high, middle);
+        drawLine(out, low, middle - 5, low, middle + 5);
+        drawLine(out, high, middle - 5, high, middle + 5);
+    }
+    for (std::size_t i = 0; i < bar.samples.size(); ++i) {
+        if (!std::isfinite(bar.samples[i]))
+            continue;
+        put(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.6\" fill=\"%s\" stroke=\"%s\"/>\n", axis.x(bar.samples[i]), middle,
+            bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
+    }
+    put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" fill=\"#222222\">", kWidth - kRight + 8, middle + 4);
+    out += readable(bar.mean);
+    if (std::isfinite(bar.high))
+        out += " ± " + readable(bar.high - bar.mean);
+    out += "</text>\n";
+}
+
+} // namespace
+
+std::string escaped(std::string_view text)
+{
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&': out += "&amp;"; break;
+        case '<': out += "&lt;"; break;
+        case '>': out += "&gt;"; break;
+        case '"': out += "&quot;"; break;
+        default: out += c;
+        }
+    }
+    return out;
+}
+
+double axisStep(double highest)
+{
+    if (!(highest > 0) || !std::isfinite(highest))
+        return 0.2;
+    const double decade = std::pow(10, std::floor(std::log10(highest / 4)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (highest / (step * decade) <= 8)
+            return step * decade;
+    }
+    return 10 * decade;
+}
+
+BarChart chartOf(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+{
+    const Plan &plan = results.plan;
+    BarChart out;
+    out.title = info(metric).title;
+    out.subtitle = "link: " + plan.conditions[condition].name + "; load: " + std::string(name(plan.loads[load])) + "; "
+                   + std::to_string(plan.repeats) + " runs of " + readable(seconds(plan.measure))
+                   + " s each; bar: mean, whisker: 95 % confidence interval, dots: single runs";
+    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+        Bar bar;
+        bar.label = name(plan.arms[arm]);
+        bar.insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
+        bar.samples = valuesOf(results, {condition, load, arm}, metric);
+        const Summary summary = summarise(bar.samples);
+        bar.mean = summary.mean;
+        bar.low = summary.low();
+        bar.high = summary.high();
+        bar.outlier.assign(bar.samples.size(), false);
+        for (const std::size_t index : summary.outliers)
+            bar.outlier[index] = true;
+        out.bars.push_back(std::move(bar));
+    }
+    const Scale scale = scaleFor(info(metric).unit, highestOf(out.bars));
+    for (Bar &bar : out.bars) {
+        for (double *value : {&bar.mean, &bar.low, &bar.high})
+            *value *= scale.factor;
+        for (double &value : bar.samples)
+            value *= scale.factor;
+    }
+    out.axis = out.title + (scale.unit.empty() ? "" : ", " + scale.unit);
+    return out;
+}
+
+std::string svg(const BarChart &chart)
+{
+    const double bottom = kTop + kRow * static_cast<double>(chart.bars.size()) + 4;
+    const double step = axisStep(highestOf(chart.bars));
+    const Axis axis{step, step * std::max(1.0, std::ceil(highestOf(chart.bars) / step - 1e-9))};
+    std::string out;
+    put(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
+             "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n", kWidth, bottom + kBottom, kWidth, bottom + kBottom);
+    put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, bottom + kBottom);
+    put(out, "<text x=\"12\" y=\"24\" font-size=\"16\" font-weight=\"bold\" fill=\"#111111\">");
+    out += escaped(chart.title) + "</text>\n";
+    put(out, "<text x=\"12\" y=\"42\" font-size=\"10\" fill=\"#555555\">");
+    out += escaped(chart.subtitle) + "</text>\n";
+    drawAxis(out, axis, chart, bottom);
+    for (std::size_t i = 0; i < chart.bars.size(); ++i)
+        drawBar(out, axis, chart.bars[i], static_cast<int>(i));
+    return out + "</svg>\n";
+}
+
+} // namespace skyseal::experiment

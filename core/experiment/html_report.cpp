@@ -1,0 +1,266 @@
+#include "core/experiment/html_report.h"
+
+#include "core/experiment/analysis.h"
+#include "core/experiment/bar_chart.h"
+#include "core/experiment/sweep_text.h"
+
+#include <array>
+#include <cmath>
+
+namespace skyseal::experiment {
+
+namespace {
+
+constexpr std::array kFigures{Metric::Packets,     Metric::Memory,           Metric::AgentMemory, Metric::Cpu,
+                              Metric::AgentCpu,    Metric::CpuPerFrame,      Metric::AgentCpuPerFrame, Metric::FrameRate,
+                              Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss};
+/// Of which differences are told.
+constexpr std::array kCompared{Metric::Packets, Metric::CpuPerFrame, Metric::AgentCpuPerFrame, Metric::OpenP50,
+                               Metric::Memory,  Metric::AgentMemory, Metric::Latency,          Metric::WirePerFrame};
+
+constexpr const char *kStyle =
+    "body{font-family:'DejaVu Sans',Verdana,sans-serif;font-size:14px;line-height:1.45;max-width:1180px;margin:2em auto;"
+    "padding:0 1em;color:#111;background:#fff}h1{font-size:24px}h2{font-size:19px;margin-top:2em;border-bottom:1px solid #ccc}"
+    "h3{font-size:15px}table{border-collapse:collapse;font-size:12px;margin:.6em 0}th,td{border:1px solid #ccc;padding:3px 7px;"
+    "text-align:right;white-space:nowrap}th:first-child,td:first-child{text-align:left}td.text{text-align:left;white-space:normal}"
+    "th{background:#f0f3f7}.insecure{color:#a33c10}.bad{color:#c00000;font-weight:bold}.wide{overflow-x:auto}"
+    "figure{margin:1em 0}svg{max-width:100%;height:auto}";
+
+std::string row(const std::vector<std::string> &cells, const char *tag = "td")
+{
+    std::string out = "<tr>";
+    for (const std::string &cell : cells)
+        out += std::string("<") + tag + ">" + cell + "</" + tag + ">";
+    return out + "</tr>\n";
+}
+
+std::string armText(const Arm &arm)
+{
+    const bool insecure = crypto::suiteInfo(arm.suite).research;
+    return insecure ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
+}
+
+std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
+{
+    return "link " + escaped(plan.conditions[condition].name) + ", " + std::string(name(plan.loads[load])) + " load";
+}
+
+template<typename Each> void forEachPlace(const Plan &plan, Each each)
+{
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load)
+            each(condition, load);
+    }
+}
+
+std::string summaryTable(const Results &results, std::size_t condition, std::size_t load)
+{
+    const Plan &plan = results.plan;
+    std::vector<std::string> head{"metric"};
+    for (const Arm &arm : plan.arms)
+        head.push_back(armText(arm));
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th");
+    for (const MetricInfo &metric : metrics()) {
+        std::vector<std::string> cells{escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
+        bool any = false;
+        for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+            cells.push_back(meanText(results, {condition, load, arm}, metric.metric));
+            any = any || cells.back() != "–";
+        }
+        if (any)
+            out += row(cells);
+    }
+    return out + "</table>\n";
+}
+
+/// "aes-256-gcm is 12 % lower than chacha20 (p = 0.003)"
+std::string pairText(const Plan &plan, const ArmComparison &pair)
+{
+    const double second = pair.firstMean + pair.comparison.test.difference;
+    const bool lower = second < pair.firstMean;
+    const double percent = 100 * std::abs(second / pair.firstMean - 1);
+    std::string out = escaped(name(plan.arms[pair.second])) + (lower ? " lower than " : " higher than ") + escaped(name(plan.arms[pair.first]));
+    if (std::isfinite(percent))
+        out += " by " + readable(percent) + " %";
+    const double p = pair.comparison.adjusted;
+    return out + (p < 0.001 ? " (p &lt; 0.001)" : " (p = " + readable(p) + ")");
+}
+
+std::string differences(const Results &results, std::size_t condition, std::size_t load)
+{
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+                      + row({"metric", "pairs compared", "significant differences (Welch, Holm-corrected, 5 %)"}, "th");
+    for (const Metric metric : kCompared) {
+        const auto pairs = compareArms(results, condition, load, metric);
+        if (pairs.empty())
+            continue;
+        std::string list;
+        for (const ArmComparison &pair : pairs) {
+            if (pair.comparison.significant())
+                list += (list.empty() ? "" : "; ") + pairText(results.plan, pair);
+        }
+        out += "<tr><td>" + escaped(info(metric).title) + "</td><td>" + std::to_string(pairs.size()) + "</td><td class=\"text\">"
+               + (list.empty() ? "none" : list) + "</td></tr>\n";
+    }
+    return out + "</table>\n";
+}
+
+std::string noiseTable(const Results &results)
+{
+    std::string rows;
+    forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
+        for (const Metric metric : kCompared) {
+            if (const auto noise = noiseOf(results, condition, load, metric))
+                rows += row({placeText(results.plan, condition, load) + ": " + escaped(info(metric).title), readable(noise->mean),
+                             readable(noise->meanAgain), readable(100 * (noise->meanAgain / noise->mean - 1)) + " %",
+                             readable(noise->test.p), noise->differs() ? "differs" : "no difference"});
+        }
+    });
+    if (rows.empty())
+        return "<p>No suite was measured twice.</p>\n";
+    return "<p>One suite was measured under two names. What differs between the two is noise; smaller differences between "
+           "suites mean nothing. One in twenty of these tests says \"differs\" by chance.</p>\n"
+           "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+           + row({"metric", "mean", "mean again", "difference", "p", "A/A"}, "th") + rows + "</table>\n";
+}
+
+std::string claimsTable(const std::vector<Claim> &claims)
+{
+    std::string out = "<p>A. Allouch et al., <i>MAVSec: Securing the MAVLink Protocol for Ardupilot/PX4 Unmanned Aerial Systems</i>, "
+                      "2019, arXiv:1905.00265.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+                      + row({"claim", "finding", "because"}, "th");
+    for (const Claim &claim : claims)
+        out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>" + std::string(words(claim.finding))
+               + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
+    return out + "</table>\n";
+}
+
+std::string expectationList(const Results &results, const std::vector<Verdict> &verdicts)
+{
+    if (verdicts.empty())
+        return {};
+    std::string out = "<h2>Assertions</h2>\n<ul>\n";
+    for (const Verdict &verdict : verdicts)
+        out += std::string("<li") + (verdict.outcome.holds ? ">" : " class=\"bad\">") + escaped(sentence(verdict, results.plan))
+               + "</li>\n";
+    return out + "</ul>\n";
+}
+
+std::string settingTable(const Results &results)
+{
+    const Plan &plan = results.plan;
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n";
+    const auto line = [&out](const std::string &key, const std::string &value) {
+        out += "<tr><td>" + escaped(key) + "</td><td class=\"text\">" + escaped(value) + "</td></tr>\n";
+    };
+    line("seed", std::to_string(plan.seed));
+    line("runs", std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
+                     + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
+    line("framing", "whole frames sealed in records");
+    for (const auto &[key, value] : results.setting)
+        line(key, value);
+    return out + "</table>\n";
+}
+
+std::string rawTable(const Results &results)
+{
+    constexpr std::array kRaw{Metric::Packets, Metric::Loss,    Metric::Cpu,     Metric::CpuPerFrame, Metric::AgentCpu,
+                              Metric::Memory,  Metric::OpenP50, Metric::OpenP99, Metric::Latency,     Metric::WirePerFrame};
+    std::vector<std::string> head{"run", "place", "suite", "repeat"};
+    for (const Metric metric : kRaw)
+        head.emplace_back(info(metric).key);
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
+    for (const Sample &sample : results.samples) {
+        std::vector<std::string> cells{std::to_string(sample.order + 1),
+                                       placeText(results.plan, sample.run.condition, sample.run.load),
+                                       armText(results.plan.arms[sample.run.arm]), std::to_string(sample.run.repeat + 1)};
+        for (const Metric metric : kRaw)
+            cells.push_back(readable(sample.values[metric]));
+        out += row(cells);
+        if (!sample.problem.empty())
+            out += "<tr><td colspan=\"14\" class=\"bad\">" + escaped(sample.problem) + "</td></tr>\n";
+    }
+    return out + "</table>\n";
+}
+
+std::string metricList()
+{
+    std::string out = "<ul>\n";
+    for (const MetricInfo &metric : metrics())
+        out += "<li><b>" + escaped(metric.title) + "</b> (" + escaped(metric.key) + "): " + escaped(metric.what) + "</li>\n";
+    return out + "</ul>\n";
+}
+
+std::string inlined(const std::vector<Figure> &figures)
+{
+    std::string out;
+    for (const Figure &figure : figures)
+        out += "<figure>" + figure.svg + "</figure>\n";
+    return out;
+}
+
+/// Two beside each other, on paper.
+std::string inPairs(const std::vector<Figure> &figures)
+{
+    std::string out;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        out += i % 2 == 0 ? "<table><tr><td>" : "<td>";
+        out += "<img src=\"figures/" + figures[i].name + ".svg\"/></td>";
+        out += i % 2 == 1 || i + 1 == figures.size() ? "</tr></table>\n" : "";
+    }
+    return out;
+}
+
+std::string body(const ReportParts &parts, bool inlineFigures)
+{
+    const Results &results = parts.results;
+    std::string out = "<h1>What each cipher suite costs on a MAVLink link</h1>\n";
+    if (!results.complete)
+        out += "<p class=\"bad\">This sweep was not carried out whole.</p>\n";
+    out += "<p>Means of " + std::to_string(results.plan.repeats)
+           + " runs each, in random order, ± half of the 95 % confidence interval (Student's t); * marks outliers by Tukey's "
+             "fences, which stay in.</p>\n<h2>Figures</h2>\n";
+    out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
+    forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
+        out += "<h2>Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
+               + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
+               + differences(results, condition, load);
+    });
+    out += "<h2>The machine's noise (A/A)</h2>\n" + noiseTable(results);
+    out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
+    out += expectationList(results, parts.verdicts);
+    out += "<h2>Setting</h2>\n" + settingTable(results);
+    out += "<h2>What was measured</h2>\n" + metricList();
+    return out + "<h2>Every run</h2>\n<div class=\"wide\">" + rawTable(results) + "</div>\n";
+}
+
+} // namespace
+
+std::vector<Figure> figuresOf(const Results &results)
+{
+    std::vector<Figure> out;
+    for (const Metric metric : kFigures) {
+        if (!wasMeasured(results, metric))
+            continue;
+        forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
+            std::string file = std::string(info(metric).key) + "-" + std::string(name(results.plan.loads[load]));
+            if (results.plan.conditions.size() > 1)
+                file += "-" + std::to_string(condition + 1);
+            out.push_back({file, svg(chartOf(results, condition, load, metric))});
+        });
+    }
+    return out;
+}
+
+std::string htmlReport(const ReportParts &parts)
+{
+    return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>Skyseal sweep</title>\n<style>")
+           + kStyle + "</style>\n</head>\n<body>\n" + body(parts, true) + "</body>\n</html>\n";
+}
+
+std::string printReport(const ReportParts &parts)
+{
+    return "<html><body>" + body(parts, false) + "</body></html>";
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,194 @@
+// Figures and report: what is drawn is what was measured, text is safe to show, claims are judged by significance alone.
+#include "core/experiment/analysis.h"
+#include "core/experiment/bar_chart.h"
+#include "core/experiment/html_report.h"
+#include "core/experiment/sweep_json.h"
+
+#include <QtCore/QXmlStreamReader>
+#include <QtTest/QTest>
+
+#include <cmath>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+using crypto::SuiteId;
+
+namespace {
+
+/// Every suite, five repeats under the saturated load; `of` gives the mean of a suite, the noise is ±1 %.
+template<typename Mean> Results resultsWith(Metric metric, Mean of)
+{
+    Results out;
+    for (const crypto::SuiteInfo &info : crypto::suites())
+        out.plan.arms.push_back({info.id, false});
+    out.plan.arms.push_back({SuiteId::ChaCha20, true});
+    out.plan.loads = {Load::Saturated};
+    out.plan.repeats = 5;
+    out.complete = true;
+    for (const Run &run : schedule(out.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.order = static_cast<unsigned>(out.samples.size());
+        sample.seconds = 5;
+        const double noise = (static_cast<double>((run.repeat * 3 + run.arm) % 5) - 2) * 0.005;
+        sample.values[metric] = of(out.plan.arms[run.arm].suite) * (1 + noise);
+        out.samples.push_back(sample);
+    }
+    return out;
+}
+
+Finding findingOf(const Results &results, std::size_t claim)
+{
+    return paperClaims(results, [](SuiteId) { return 100.0; }).at(claim).finding;
+}
+
+bool isXml(const std::string &text)
+{
+    QXmlStreamReader xml(QString::fromStdString(text));
+    while (!xml.atEnd())
+        xml.readNext();
+    if (xml.hasError())
+        qWarning("%s in line %lld", qPrintable(xml.errorString()), static_cast<long long>(xml.lineNumber()));
+    return !xml.hasError();
+}
+
+double attribute(const QXmlStreamReader &xml, const char *name)
+{
+    return xml.attributes().value(QLatin1String(name)).toDouble();
+}
+
+} // namespace
+
+class ReportTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void barsAreTheMeans();
+    void axisSteps_data();
+    void axisSteps();
+    void insecureIsSaidSo();
+    void unmeasuredIsSaidSo();
+    void claimsFollowSignificance();
+    void unharmedNeedsAsManyPackets();
+    void noiseIsNoDifference();
+    void reportIsWholeAndSafe();
+};
+
+void ReportTest::barsAreTheMeans()
+{
+    const Results results =
+        resultsWith(Metric::CpuPerFrame, [](SuiteId suite) { return 1000.0 + 100 * static_cast<double>(suite); });
+    const BarChart chart = chartOf(results, 0, 0, Metric::CpuPerFrame);
+    QCOMPARE(chart.bars.size(), results.plan.arms.size());
+    QXmlStreamReader xml(QString::fromStdString(svg(chart)));
+    std::vector<double> widths, dots;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement)
+            continue;
+        if (xml.name() == QLatin1String("rect") && xml.attributes().hasAttribute(QLatin1String("stroke")))
+            widths.push_back(attribute(xml, "width"));
+        if (xml.name() == QLatin1String("circle"))
+            dots.push_back(attribute(xml, "cx"));
+    }
+    QVERIFY(!xml.hasError());
+    QCOMPARE(widths.size(), chart.bars.size());
+    QCOMPARE(dots.size(), results.samples.size()); // every single run is shown
+    for (std::size_t arm = 0; arm < widths.size(); ++arm) {
+        const double mean = summarise(valuesOf(results, {0, 0, arm}, Metric::CpuPerFrame)).mean;
+        QCOMPARE(chart.bars[arm].mean, mean);
+        QVERIFY(std::abs(widths[arm] / widths[0] - mean / chart.bars[0].mean) < 0.002); // from zero, in proportion
+    }
+}
+
+void ReportTest::axisSteps_data()
+{
+    QTest::addColumn<double>("highest");
+    QTest::addColumn<double>("step");
+    QTest::newRow("nothing") << 0.0 << 0.2;
+    QTest::newRow("one") << 1.0 << 0.2;
+    QTest::newRow("7") << 7.0 << 1.0;
+    QTest::newRow("9") << 9.0 << 2.0;
+    QTest::newRow("38") << 38.0 << 5.0;
+    QTest::newRow("120000") << 120000.0 << 20000.0;
+}
+
+void ReportTest::axisSteps()
+{
+    QFETCH(double, highest);
+    QFETCH(double, step);
+    QVERIFY2(std::abs(axisStep(highest) / step - 1) < 1e-9, qPrintable(QString::number(axisStep(highest))));
+}
+
+void ReportTest::insecureIsSaidSo()
+{
+    const std::string text = svg(chartOf(resultsWith(Metric::Packets, [](SuiteId) { return 50.0; }), 0, 0, Metric::Packets));
+    QVERIFY(text.find("rc4 (insecure)") != std::string::npos);
+    QVERIFY(text.find("aes-256-gcm (insecure)") == std::string::npos);
+}
+
+void ReportTest::unmeasuredIsSaidSo()
+{
+    const Results results = resultsWith(Metric::OpenP50, [](SuiteId suite) { return suite == SuiteId::None ? std::nan("") : 5.0; });
+    const std::string text = svg(chartOf(results, 0, 0, Metric::OpenP50));
+    QVERIFY(text.find("not measured") != std::string::npos);
+    QVERIFY(text.find("nan") == std::string::npos);
+}
+
+void ReportTest::claimsFollowSignificance()
+{
+    const auto cpu = [](double chacha) {
+        return resultsWith(Metric::CpuPerFrame, [chacha](SuiteId suite) { return suite == SuiteId::ChaCha20 ? chacha : 1000.0; });
+    };
+    QCOMPARE(findingOf(cpu(800), 1), Finding::Confirmed);
+    QCOMPARE(findingOf(cpu(1200), 1), Finding::NotConfirmed);
+    QCOMPARE(findingOf(cpu(1000), 1), Finding::CannotBeSaid);
+    QCOMPARE(findingOf(cpu(800), 0), Finding::CannotBeSaid); // packets were not measured there
+    const auto packets = resultsWith(Metric::Packets, [](SuiteId suite) { return suite == SuiteId::ChaCha20 ? 1200.0 : 1000.0; });
+    QCOMPARE(findingOf(packets, 0), Finding::Confirmed); // more is better
+    for (const double chacha : {800.0, 1000.0, 1200.0}) {
+        QCOMPARE(findingOf(cpu(chacha), 4), Finding::CannotBeSaid); // energy
+        QCOMPARE(findingOf(cpu(chacha), 5), Finding::CannotBeSaid); // confidentiality
+    }
+}
+
+void ReportTest::unharmedNeedsAsManyPackets()
+{
+    const auto packets = [](double chacha) {
+        return resultsWith(Metric::Packets, [chacha](SuiteId suite) { return suite == SuiteId::ChaCha20 ? chacha : 1000.0; });
+    };
+    QCOMPARE(findingOf(packets(1001), 3), Finding::Confirmed);
+    QCOMPARE(findingOf(packets(900), 3), Finding::NotConfirmed);
+}
+
+void ReportTest::noiseIsNoDifference()
+{
+    const Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
+    const auto noise = noiseOf(results, 0, 0, Metric::Packets);
+    QVERIFY(noise && !noise->differs());
+    QCOMPARE(results.plan.arms[noise->arm].suite, SuiteId::ChaCha20);
+    QVERIFY(!noiseOf(results, 0, 0, Metric::Latency));
+    QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(21)); // the repeated arm is no suite
+}
+
+void ReportTest::reportIsWholeAndSafe()
+{
+    Results results = resultsWith(Metric::Packets, [](SuiteId suite) { return 1000.0 + static_cast<double>(suite); });
+    results.setting = {{"command_line", "sweep --expect '1<2' <script>alert(1)</script>"}};
+    const auto figures = figuresOf(results);
+    QCOMPARE(figures.size(), std::size_t(1)); // nothing else was measured
+    QVERIFY(isXml(figures[0].svg));
+    const auto claims = paperClaims(results, [](SuiteId) { return std::nan(""); });
+    const auto verdicts = judge(*Expectation::parse("packets>=1"), results);
+    const std::string html = htmlReport({results, figures, verdicts, claims});
+    QVERIFY(isXml(html.substr(html.find("<html"))));
+    QVERIFY(html.find("<script") == std::string::npos);
+    QVERIFY(html.find("http") == html.find("http://www.w3.org/2000/svg")); // loads nothing
+    QVERIFY(html.find("<svg") != std::string::npos);
+    for (const char *part : {"Packets transmitted", "The machine's noise", "The paper's claims", "Every run", "packets&gt;=1"})
+        QVERIFY2(html.find(part) != std::string::npos, part);
+    QVERIFY(printReport({results, figures, verdicts, claims}).find("figures/packets-saturated.svg") != std::string::npos);
+}
+
+QTEST_APPLESS_MAIN(ReportTest)
+#include "report_test.moc"
