@@ -15,8 +15,9 @@ QString contentOf(const QString &path)
 /// The source of a test program or fuzzer as the document names it: attack_record is tests/…/attack_record_test.cpp.
 QString sourceOf(const QString &program)
 {
-    QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"), {program + QStringLiteral("_test.cpp"), program + QStringLiteral(".cpp")},
-                      QDir::Files, QDirIterator::Subdirectories);
+    QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"),
+                      {program + QStringLiteral("_test.cpp"), program + QStringLiteral(".cpp")}, QDir::Files,
+                      QDirIterator::Subdirectories);
     return walk.hasNext() ? contentOf(walk.next()) : QString();
 }
 
@@ -32,7 +33,8 @@ QList<Mention> mentions()
 {
     QList<Mention> out;
     static const QRegularExpression remark(QStringLiteral("\\([^)]*\\)"));
-    for (const QString &line : contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md")).split(QLatin1Char('\n'))) {
+    for (const QString &line :
+         contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md")).split(QLatin1Char('\n'))) {
         if (!line.startsWith(QStringLiteral("| ")))
             continue;
         const QStringList cells = line.split(QLatin1Char('|'));

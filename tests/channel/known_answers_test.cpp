@@ -52,7 +52,8 @@ Bytes sealedByStation(SuiteId suite, Key32 &&secret, std::uint8_t epochBits, std
     const auto cipher = crypto::makeRecordCipher(suite, std::move(secret));
     Bytes out(kRecordHeaderLength + cipher->sealedSize(plaintext.size()));
     RecordHeader{DatagramKind::Record, epochBits, kAgents, counter}.write(out);
-    const AssociatedData associated(ByteView(out).first(kRecordHeaderLength), suite, Direction::FromInitiator, Carrier::Datagram);
+    const AssociatedData associated(ByteView(out).first(kRecordHeaderLength), suite, Direction::FromInitiator,
+                                    Carrier::Datagram);
     cipher->seal(counter, associated.view(), plaintext, MutableByteView(out).subspan(kRecordHeaderLength));
     return out;
 }
@@ -97,8 +98,8 @@ private:
     KnownAnswers m_answers = KnownAnswers::read(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md");
     X25519KeyPair m_station, m_agent;
     const engine::DialectFacts m_facts{mavlink::Dialect::builtin()};
-    const SuiteOffer m_stationsOffer{{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20,
-                                      SuiteId::Rc4},
+    const SuiteOffer m_stationsOffer{{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc,
+                                      SuiteId::ChaCha20, SuiteId::Rc4},
                                      true};
     const SuiteOffer m_agentsOffer{{SuiteId::Aes256Ctr, SuiteId::Aes256Gcm}};
 };
@@ -142,7 +143,8 @@ void KnownAnswersTest::handshake()
     COMPARE_WITH("first message", initiator->message());
     auto responder = Responder::read(m_agent, m_answers["first message"]);
     QVERIFY(responder);
-    const auto answered = std::move(*responder).answer(known(m_station.publicKey, psk), kAgents, m_agentsOffer, agentsEphemeral);
+    const auto answered =
+        std::move(*responder).answer(known(m_station.publicKey, psk), kAgents, m_agentsOffer, agentsEphemeral);
     QVERIFY(answered);
     COMPARE_WITH("answer", answered->message);
     const auto agreement = initiator->takeAnswer(m_answers["answer"]);
@@ -199,7 +201,8 @@ void KnownAnswersTest::number()
     const auto number = std::move(*responder).tellNumber(known(m_station.publicKey, psk), 41, agentsEphemeral);
     QVERIFY(number);
     COMPARE_WITH("number", *number);
-    auto initiator = Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7}, stationsEphemeral);
+    auto initiator =
+        Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7}, stationsEphemeral);
     QVERIFY(initiator);
     QCOMPARE(initiator->takeNumber(m_answers["number"]), std::optional<std::uint64_t>(41));
 }
@@ -227,7 +230,8 @@ void KnownAnswersTest::epochs()
     next[next.size() - 33] = 2;
     COMPARE_WITH("chain(1)", crypto::hkdfExpandKey(secretOf(m_answers["chain(0)"]), next).view());
 
-    COMPARE_WITH("record of the session", sealedByStation(SuiteId::Aes256Gcm, std::move(zero.fromInitiator), 0, 0, m_answers["frame"]));
+    COMPARE_WITH("record of the session",
+                 sealedByStation(SuiteId::Aes256Gcm, std::move(zero.fromInitiator), 0, 0, m_answers["frame"]));
 }
 
 void KnownAnswersTest::records_data()
@@ -248,7 +252,8 @@ void KnownAnswersTest::records()
                  sealedByStation(suite, secretOf(m_answers["direction secret"]), 5, kCounter, m_answers["frame"]));
 
     Bytes record = m_answers[name + " record"];
-    const AssociatedData associated(ByteView(record).first(kRecordHeaderLength), suite, Direction::FromInitiator, Carrier::Datagram);
+    const AssociatedData associated(ByteView(record).first(kRecordHeaderLength), suite, Direction::FromInitiator,
+                                    Carrier::Datagram);
     const auto cipher = crypto::makeRecordCipher(suite, secretOf(m_answers["direction secret"]));
     const auto opened = cipher->open(kCounter, associated.view(), MutableByteView(record).subspan(kRecordHeaderLength));
     QVERIFY(opened);

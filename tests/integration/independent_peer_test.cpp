@@ -88,7 +88,9 @@ void IndependentPeerTest::initTestCase()
 
 QStringList IndependentPeerTest::script(const QStringList &arguments) const
 {
-    return QStringList{QStringLiteral("-B"), QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/independent_peer/peer.py")} + arguments;
+    return QStringList{QStringLiteral("-B"),
+                       QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/independent_peer/peer.py")}
+           + arguments;
 }
 
 bool IndependentPeerTest::introduce(const Flight &flight) const
@@ -107,19 +109,21 @@ bool IndependentPeerTest::introduce(const Flight &flight) const
     return true;
 }
 
-QStringList IndependentPeerTest::arguments(const Flight &flight, const char *role, const char *otherKey, const QStringList &more) const
+QStringList IndependentPeerTest::arguments(const Flight &flight, const char *role, const char *otherKey,
+                                           const QStringList &more) const
 {
-    Program show(QStringLiteral("skyseal-cli"),
-                 {QStringLiteral("keys"), QStringLiteral("show"), flight.path(QLatin1String(otherKey)), QStringLiteral("--json")});
+    Program show(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("show"),
+                                                 flight.path(QLatin1String(otherKey)), QStringLiteral("--json")});
     const QString other = show.waitFor(QStringLiteral("key"), 10000)[QLatin1String("public")].toString();
-    return script({QLatin1String(role), QStringLiteral("--research"), QStringLiteral("--key"), flight.path(QStringLiteral("python.key")),
-                   QStringLiteral("--peer"), other})
-        + more;
+    return script({QLatin1String(role), QStringLiteral("--research"), QStringLiteral("--key"),
+                   flight.path(QStringLiteral("python.key")), QStringLiteral("--peer"), other})
+           + more;
 }
 
 void IndependentPeerTest::agreesWithTheDocument()
 {
-    Program check(m_python, script({QStringLiteral("--check"), QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md")}));
+    Program check(m_python,
+                  script({QStringLiteral("--check"), QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md")}));
     const int status = check.waitForExit(20000);
     QVERIFY2(status == 0, check.otherLines().join('\n') + check.errors());
 }
@@ -130,7 +134,8 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
     QVERIFY(flight.ready() && introduce(flight));
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
-    Program station(m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+    Program station(
+        m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
     const QJsonObject session = station.waitFor(QStringLiteral("session"), 20000);
     QVERIFY2(!session.isEmpty(), station.errors().constData());
     QCOMPARE(session[QLatin1String("suite")].toInt(), 1);
@@ -144,7 +149,9 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
         QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
     }
     station.tell(QStringLiteral("beat 5"));
-    const auto fiveOpened = [](const QJsonObject &status) { return number(within(status, "peer"), "opened_bytes") == 5 * 21; };
+    const auto fiveOpened = [](const QJsonObject &status) {
+        return number(within(status, "peer"), "opened_bytes") == 5 * 21;
+    };
     const QJsonObject status = statusWhere(station, fiveOpened);
     QVERIFY2(!status.isEmpty(), station.errors().constData());
     for (const char *counter : {"lost", "replayed", "forged", "malformed", "plaintext_dropped"}) {
@@ -169,11 +176,13 @@ void IndependentPeerTest::stationSwitchesOverABadLink()
     QVERIFY(flight.ready() && introduce(flight));
     const quint16 relay = freeUdpPort();
     Program impair(QStringLiteral("skyseal-cli"),
-                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay), QStringLiteral("--to"),
-                    QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort), QStringLiteral("--loss"), QStringLiteral("0.2"),
-                    QStringLiteral("--jitter"), QStringLiteral("50"), QStringLiteral("--duplicate"), QStringLiteral("0.1"),
-                    QStringLiteral("--reorder"), QStringLiteral("0.1"), QStringLiteral("--seed"), QStringLiteral("5"), QStringLiteral("--json")});
-    Program station(m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay),
+                    QStringLiteral("--to"), QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort),
+                    QStringLiteral("--loss"), QStringLiteral("0.2"), QStringLiteral("--jitter"), QStringLiteral("50"),
+                    QStringLiteral("--duplicate"), QStringLiteral("0.1"), QStringLiteral("--reorder"), QStringLiteral("0.1"),
+                    QStringLiteral("--seed"), QStringLiteral("5"), QStringLiteral("--json")});
+    Program station(
+        m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
     QVERIFY2(!station.waitFor(QStringLiteral("listening"), 20000).isEmpty(), station.errors().constData());
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
@@ -231,11 +240,13 @@ void IndependentPeerTest::stationRoamsClosesAndComesBack()
     QCOMPARE(number(within(after, "counts"), "lost"), 0);
 
     station.tell(QStringLiteral("propose 2")); // not in the agent's offer
-    QCOMPARE(station.waitFor(QStringLiteral("switch-failed"), 10000)[QLatin1String("why")].toString(), QStringLiteral("refused"));
+    QCOMPARE(station.waitFor(QStringLiteral("switch-failed"), 10000)[QLatin1String("why")].toString(),
+             QStringLiteral("refused"));
 
     station.tell(QStringLiteral("close"));
     const auto down = has("state", "down");
-    QCOMPARE(air.waitFor(QStringLiteral("session"), 5000, down)[QLatin1String("reason")].toString(), QStringLiteral("peer-closed"));
+    QCOMPARE(air.waitFor(QStringLiteral("session"), 5000, down)[QLatin1String("reason")].toString(),
+             QStringLiteral("peer-closed"));
     QVERIFY(!air.waitFor(QStringLiteral("session"), 10000, has("state", "up")).isEmpty());
     QCOMPARE(station.waitFor(QStringLiteral("session"), 10000)[QLatin1String("suite")].toInt(), 4);
 }
@@ -244,11 +255,13 @@ void IndependentPeerTest::agentServesTheMonitor()
 {
     Flight flight;
     QVERIFY(flight.ready() && introduce(flight));
-    Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("0.4"),
-                                             QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
+    Program monitor(
+        QStringLiteral("skyseal-cli"),
+        flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
+                                 QStringLiteral("0.4"), QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
     QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
-    Program agent(m_python, arguments(flight, "--agent", "ground.key", {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
+    Program agent(m_python, arguments(flight, "--agent", "ground.key",
+                                      {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
     const QJsonObject up = monitor.waitFor(QStringLiteral("session"), 20000);
     QCOMPARE(up[QLatin1String("peer")].toString(), QStringLiteral("python"));
     QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());
@@ -265,7 +278,8 @@ void IndependentPeerTest::agentServesTheMonitor()
     const auto own = has("proposal", "own");
     QCOMPARE(agent.waitFor(QStringLiteral("switched"), 10000, own)[QLatin1String("suite")].toInt(), 5);
     const auto byPeer = [](const QJsonObject &event) { return event[QLatin1String("by_peer")].toBool(); };
-    QCOMPARE(monitor.waitFor(QStringLiteral("switch"), 10000, byPeer)[QLatin1String("to")].toString(), QStringLiteral("chacha20"));
+    QCOMPARE(monitor.waitFor(QStringLiteral("switch"), 10000, byPeer)[QLatin1String("to")].toString(),
+             QStringLiteral("chacha20"));
 
     const auto allArrived = [](const QJsonObject &status) {
         return number(within(status, "peer"), "opened_bytes") == kSuites * 10 * 21;
@@ -336,7 +350,8 @@ void IndependentPeerTest::agentAsksForACookie()
                     flight.monitorArguments({QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
     QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
     Program agent(m_python, arguments(flight, "--agent", "ground.key",
-                                      {QStringLiteral("--suspicious"), QStringLiteral("--announce"), QString::number(flight.groundPort)}));
+                                      {QStringLiteral("--suspicious"), QStringLiteral("--announce"),
+                                       QString::number(flight.groundPort)}));
     QVERIFY2(!agent.waitFor(QStringLiteral("cookie"), 20000).isEmpty(), agent.errors().constData());
     QVERIFY(!monitor.waitFor(QStringLiteral("session"), 10000).isEmpty());
     QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());

@@ -1,4 +1,7 @@
-"""The first byte, and the datagrams before a session: announcement, first message, answer, cookie, number (PROTOCOL.md 2 to 4)."""
+"""The first byte, and the datagrams before a session: announcement, first message, answer, cookie, number.
+
+PROTOCOL.md 2 to 4.
+"""
 
 import hashlib
 import hmac
