@@ -11,8 +11,7 @@ namespace skyseal::channel {
 namespace {
 
 constexpr std::size_t kNonceLength = 16;
-constexpr std::size_t kSealedLength = kCookieLength - 1 - kNonceLength;
-static_assert(kSealedLength == std::tuple_size_v<Cookie> + crypto_aead_chacha20poly1305_ietf_ABYTES);
+constexpr std::size_t kSealedLength = std::tuple_size_v<Cookie> + crypto_aead_chacha20poly1305_ietf_ABYTES;
 /// Each key seals one cookie, so the cipher's own nonce need not change.
 constexpr std::array<std::uint8_t, crypto_aead_chacha20poly1305_ietf_NPUBBYTES> kZeroNonce{};
 
@@ -102,7 +101,10 @@ std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView
     if (datagram.size() != kCookieLength || datagram[0] != firstByte(HandshakeMessage::Cookie))
         return std::nullopt;
     const Key32 key = messageKey(sealKeyOf(agent), datagram.subspan(1, kNonceLength), mac1);
-    const ByteView sealed = datagram.last(kSealedLength);
+    const ByteView sealed = datagram.subspan(1 + kNonceLength, kSealedLength);
+    const ByteView padding = datagram.subspan(1 + kNonceLength + kSealedLength);
+    if (sodium_is_zero(padding.data(), padding.size()) == 0)
+        return std::nullopt;
     Cookie cookie;
     if (crypto_aead_chacha20poly1305_ietf_decrypt(cookie.data(), nullptr, nullptr, sealed.data(), sealed.size(), nullptr, 0,
                                                   kZeroNonce.data(), key.view().data())

@@ -2,7 +2,7 @@
 // and saw the first message can open it. Whoever sends it back has shown that datagrams to its address reach it. The agent
 // keeps nothing for it: the cookie is a function of the address and a secret that changes every 120 s.
 //
-//   0x5B | nonce 16 | sealed cookie 16 + 16                                                             49 bytes
+//   0x5B | nonce 16 | sealed cookie 16 + 16 | zeros 78                                                 127 bytes
 //
 // A first message under a cookie has the same 127 bytes, with a MAC keyed by the cookie where mac1 stood.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace skyseal::channel {
 
-inline constexpr std::size_t kCookieLength = 49;
+inline constexpr std::size_t kCookieLength = 127; ///< as long as the first message that it asks for
 inline constexpr Duration kCookieSecretLife = std::chrono::seconds(120); ///< and as long again as the previous one
 
 using Cookie = std::array<std::uint8_t, 16>;

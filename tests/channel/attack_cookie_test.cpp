@@ -1,6 +1,7 @@
 // A flood of first messages whose mac1 is right, from forged addresses and from real ones: a station gets its session all
 // the same.
 #include "attack.h"
+#include "core/channel/cookie.h"
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
@@ -18,6 +19,7 @@ private Q_SLOTS:
     void floodFromRealAddresses();
     void floodFromRealAddressesOfAStranger();
     void announcementsAreNoAmplifier();
+    void forgedCookiesAreNoAmplifier();
 };
 
 void AttackCookieTest::floodFromForgedAddresses()
@@ -90,6 +92,40 @@ void AttackCookieTest::announcementsAreNoAmplifier()
         Bytes copy = announcement->bytes;
         in += copy.size();
         pair.ground().endpoint->handleDatagram(pair.now, addressNumber(i % 3), copy);
+        pair.run(200ms);
+    }
+    pair.run(20s);
+    QVERIFY(out > 0);
+    HOLDS(out <= in, "no more goes out than came in");
+}
+
+void AttackCookieTest::forgedCookiesAreNoAmplifier()
+{
+    // Who knows the public key gets the first message at his own address, and makes cookies for it in another's name.
+    Pair pair;
+    SeededRandom random(7);
+    CookieMaker imitator(pair.air().identity->publicKey, random);
+    const Announcement announcement(pair.air().identity->publicKey);
+    pair.kill(Air);
+    std::optional<Bytes> first;
+    std::uint64_t in = 0, out = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == Ground) {
+            out += flight.bytes.size();
+            first = flight.bytes;
+        }
+        return false;
+    };
+    const Path victim = addressNumber(2);
+    for (int i = 0; i < 20; ++i) {
+        auto call = announcement.make(random);
+        in += call.size();
+        pair.ground().endpoint->handleDatagram(pair.now, addressNumber(1), call);
+        pair.run(60ms);
+        QVERIFY(first);
+        CookieMessage cookie = imitator.make(pair.now, victim, *first);
+        in += cookie.size();
+        pair.ground().endpoint->handleDatagram(pair.now, victim, cookie);
         pair.run(200ms);
     }
     pair.run(20s);

@@ -69,6 +69,7 @@ inline constexpr Proof kProofs[] = {
     {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddresses", "a station gets its session"},
     {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddressesOfAStranger", "a station gets its session"},
     {"RetryUnproven", "channel_attack_cookie_test", "announcementsAreNoAmplifier", "no more goes out than came in"},
+    {"RetryUnproven", "channel_attack_cookie_test", "forgedCookiesAreNoAmplifier", "no more goes out than came in"},
 
     {"PairOnOneYes", "channel_attack_pairing_test", "inBetween", "nothing is kept without both yeses"},
     {"PairOnOneYes", "channel_attack_pairing_test", "oneYesIsNotEnough", "nothing is kept without both yeses"},

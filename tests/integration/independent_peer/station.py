@@ -23,7 +23,6 @@ class Place:
     address: tuple
     proven: bool = False
     last_copy: float = float("-inf")
-    unanswered: int = 0  # copies with mac1 that a cookie may still answer
     cookie: bytes = None
     cookie_until: float = 0.0
     cookies_turn: bool = False
@@ -37,6 +36,7 @@ class Attempt:
     message: bytes = b""
     made: float = 0.0
     copies_of_this: int = 0
+    uncookied: int = 0  # copies with mac1 that a cookie may still answer
     copies: int = 0
     next_copy: float = 0.0
     wanted_until: float = 0.0
@@ -144,9 +144,7 @@ class Station:
         attempt.handshake = wire.station_handshake(self._static, agent.public, agent.psk)
         attempt.offer = wire.Offer(self._flags, self._new_connection(), self._suites)
         attempt.message = wire.write_first(attempt.handshake, agent.public, attempt.offer, self._counter.next())
-        attempt.made, attempt.copies_of_this = now, 0
-        for place in attempt.places:
-            place.unanswered = 0
+        attempt.made, attempt.copies_of_this, attempt.uncookied = now, 0, 0
 
     def _send_first(self, agent, place, now):
         message = agent.attempt.message
@@ -154,7 +152,7 @@ class Station:
         if has_cookie and place.cookies_turn:
             message = wire.under_cookie(message, place.cookie)
         else:
-            place.unanswered += 1
+            agent.attempt.uncookied += 1
         place.cookies_turn = has_cookie and not place.cookies_turn
         place.last_copy = now
         agent.attempt.copies_of_this += 1
@@ -162,17 +160,17 @@ class Station:
 
     def _take_cookie(self, datagram, address, now):
         for agent in self.agents:
-            for place in agent.attempt.places if agent.attempt else ():
-                if place.address != address or not place.unanswered:
-                    continue
-                cookie = wire.open_cookie(agent.public, datagram, agent.attempt.message)
-                if cookie is None:
-                    continue
-                place.unanswered -= 1
-                place.cookie, place.cookie_until = cookie, now + COOKIE_LIFE
-                place.proven = place.cookies_turn = True
-                self.events.append({"event": "cookie"})
-                self._send_first(agent, place, now)
+            attempt = agent.attempt
+            if not attempt or not attempt.uncookied:
+                continue
+            cookie = wire.open_cookie(agent.public, datagram, attempt.message)
+            if cookie is None:
+                continue
+            attempt.uncookied -= 1
+            place = attempt.place(address)
+            place.cookie, place.cookie_until, place.cookies_turn = cookie, now + COOKIE_LIFE, True
+            self.events.append({"event": "cookie"})
+            self._send_first(agent, place, now)
 
     def _take_number(self, datagram, address, now):
         """The agent remembers a greater counter than ours."""

@@ -16,7 +16,7 @@ from suites import NAMES, RESEARCH
 ANNOUNCEMENT, FIRST, ANSWER, COOKIE = 0x58, 0x59, 0x5A, 0x5B
 ANNOUNCEMENT_LENGTH = FIRST_LENGTH = 127
 ANSWER_LENGTH = 74
-COOKIE_LENGTH, NUMBER_LENGTH = 49, 75
+COOKIE_LENGTH, NUMBER_LENGTH = 127, 75
 MOST_BELIEVED = (1 << 48) - 1
 PROLOGUE_DATAGRAMS = b"skyseal channel v1\x01"
 NO_PSK = bytes(32)
@@ -139,13 +139,16 @@ def _cookie_cipher(agent_public, nonce, mac):
 def cookie_message(agent_public, cookie, first, nonce=None):
     """A cookie in answer to a first message whose mac1 is right."""
     nonce = nonce or os.urandom(16)
-    return bytes([COOKIE]) + nonce + _cookie_cipher(agent_public, nonce, first[-16:]).encrypt(bytes(12), cookie, b"")
+    sealed = _cookie_cipher(agent_public, nonce, first[-16:]).encrypt(bytes(12), cookie, b"")
+    return (bytes([COOKIE]) + nonce + sealed).ljust(COOKIE_LENGTH, b"\0")
 
 
 def open_cookie(agent_public, datagram, first):
     """The cookie that answers this first message; None when it answers another."""
+    if any(datagram[49:]):
+        return None
     try:
-        return _cookie_cipher(agent_public, datagram[1:17], first[-16:]).decrypt(bytes(12), datagram[17:], b"")
+        return _cookie_cipher(agent_public, datagram[1:17], first[-16:]).decrypt(bytes(12), datagram[17:49], b"")
     except InvalidTag:
         return None
 
