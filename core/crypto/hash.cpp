@@ -4,6 +4,9 @@
 
 namespace skyseal::crypto {
 
+/// libsodium leaves what a hash gave, here always a key, in a frame that is no longer in use.
+static constexpr std::size_t kLibraryStack = 2048;
+
 static void hashWithKey(MutableByteView out, ByteView key, std::initializer_list<ByteView> parts)
 {
     crypto_generichash_state state;
@@ -54,6 +57,7 @@ void hmacBlake2b(std::span<std::uint8_t, kBlake2bLength> out, ByteView key, std:
     sodium_memzero(&state, sizeof state);
     xorPad(0x36 ^ 0x5c);
     hashWithKey(out, {}, {pad.view(), inner.view()});
+    sodium_stackzero(kLibraryStack);
 }
 
 } // namespace skyseal::crypto

@@ -2,10 +2,18 @@
 
 namespace skyseal::crypto {
 
+namespace {
+
+/// What the library's arithmetic may leave of a secret in frames that are no longer in use.
+constexpr std::size_t kLibraryStack = 4096;
+
+} // namespace
+
 X25519KeyPair X25519KeyPair::fromSecret(Key32 &&secret)
 {
     X25519KeyPair pair{std::move(secret), {}};
     crypto_scalarmult_base(pair.publicKey.data(), pair.secret.view().data());
+    sodium_stackzero(kLibraryStack);
     return pair;
 }
 
@@ -20,6 +28,7 @@ std::optional<Key32> x25519(const Key32 &secret, const PublicKey &publicKey)
 {
     Key32 shared;
     const int failed = crypto_scalarmult(shared.mutableView().data(), secret.view().data(), publicKey.data());
+    sodium_stackzero(kLibraryStack);
     if (failed != 0 || shared.isZero())
         return std::nullopt;
     return shared;
