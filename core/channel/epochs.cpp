@@ -64,7 +64,7 @@ void Epochs::advance()
 
 void Epochs::retirePrevious()
 {
-    if (!m_previous || (weakened(Weakness::KeepOldKeys) && !m_next))
+    if (!m_previous)
         return;
     if (m_last) {
         add(m_receivedBefore, m_last->stats.rx);
@@ -74,6 +74,8 @@ void Epochs::retirePrevious()
             m_history.pop_front();
     }
     m_last = Retired{m_previous->stats(), m_previous->window};
+    if (weakened(Weakness::KeepOldKeys))
+        static_cast<void>(m_previous.release());
     m_previous.reset();
 }
 

@@ -44,16 +44,16 @@ public:
             return std::nullopt;
         // The tag was good, so only a faulty peer gets here with bad padding; it is no oracle, but it is no plaintext either.
         const std::size_t padding = body.back();
-        std::uint8_t wrong = static_cast<std::uint8_t>(padding == 0 || padding > kBlock);
+        std::uint8_t wrong = static_cast<std::uint8_t>((padding == 0) | (padding > kBlock));
         for (std::size_t i = 0; i < kBlock; ++i) {
-            const auto inPadding = static_cast<std::uint8_t>(i < padding ? 0xff : 0);
+            const auto inPadding = static_cast<std::uint8_t>(0 - static_cast<unsigned>(i < padding));
             wrong = static_cast<std::uint8_t>(wrong | (inPadding & (body[body.size() - 1 - i] ^ padding)));
         }
-        if (wrong != 0 && !weakened(Weakness::PaddingAccepted)) {
+        if (declassified(wrong) != 0 && !weakened(Weakness::PaddingAccepted)) {
             sodium_memzero(body.data(), body.size());
             return std::nullopt;
         }
-        return body.size() - padding;
+        return declassified(body.size() - padding);
     }
 
 private:

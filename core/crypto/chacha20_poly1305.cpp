@@ -1,4 +1,5 @@
 // ChaCha20-Poly1305 (RFC 8439) through libsodium.
+#include "core/base/declassified.h"
 #include "core/base/weakness.h"
 #include "core/crypto/record_keys.h"
 #include "core/crypto/suite_factories.h"
@@ -36,9 +37,9 @@ public:
         const Nonce12 nonce = m_nonces.at(counter);
         if (weakened(Weakness::NoTagCheck))
             crypto_stream_chacha20_ietf_xor_ic(sealed.data(), sealed.data(), size, nonce.data(), 1, m_key.view().data());
-        else if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(sealed.data(), nullptr, sealed.data(), size,
-                                                               sealed.data() + size, associatedData.data(),
-                                                               associatedData.size(), nonce.data(), m_key.view().data()) != 0)
+        else if (declassified(crypto_aead_chacha20poly1305_ietf_decrypt_detached(
+                     sealed.data(), nullptr, sealed.data(), size, sealed.data() + size, associatedData.data(),
+                     associatedData.size(), nonce.data(), m_key.view().data())) != 0)
             return std::nullopt;
         return sealed.first(size);
     }

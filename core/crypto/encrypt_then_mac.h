@@ -2,6 +2,7 @@
 // the way back the tag before anything else. See record_cipher.h for the bytes.
 #pragma once
 
+#include "core/base/declassified.h"
 #include "core/base/weakness.h"
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/record_keys.h"
@@ -100,8 +101,8 @@ public:
             return std::nullopt;
         const MutableByteView body = sealed.first(sealed.size() - RecordMac::kLength);
         const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
-        if (crypto_verify_16(tag.data(), body.data() + body.size()) != 0 // libsodium, constant time, a vector compare
-            && !weakened(Weakness::NoTagCheck))
+        // libsodium's, in constant time, a vector compare
+        if (declassified(crypto_verify_16(tag.data(), body.data() + body.size())) != 0 && !weakened(Weakness::NoTagCheck))
             return std::nullopt;
         if (weakened(Weakness::NoEncryption))
             return body;

@@ -31,7 +31,8 @@ public:
     bool open(std::uint64_t counter, ByteView associatedData, MutableByteView body, const Tag &tag) override
     {
         const Tag right = shortTag(counter, associatedData, body);
-        return sodium_memcmp(right.data(), tag.data(), tag.size()) == 0 && m_body.decrypt(counter, body).has_value();
+        const bool good = declassified(sodium_memcmp(right.data(), tag.data(), tag.size())) == 0;
+        return (good || weakened(Weakness::NoTagCheck)) && m_body.decrypt(counter, body).has_value();
     }
 
 private:

@@ -26,8 +26,10 @@ inline constexpr Proof kProofs[] = {
     {"SameKeysEveryEpoch", "channel_attack_record_test", "replayFourEpochsLater", "no record opens in a later epoch"},
     {"NoTagCheck", "channel_attack_record_test", "acrossSessions", "no record opens in another session"},
 
-    {"NoAssociatedData", "channel_attack_key_test", "contextIsSealedIn", "header, suite, direction and carrier are sealed in"},
-    {"NoDirections", "channel_attack_key_test", "directionsHaveTheirOwnKeys", "what one end seals does not open as the other's"},
+    {"NoAssociatedData", "channel_attack_key_test", "contextIsSealedIn",
+     "header, suite, direction and carrier are sealed in"},
+    {"NoDirections", "channel_attack_key_test", "directionsHaveTheirOwnKeys",
+     "what one end seals does not open as the other's"},
     {"PaddingAccepted", "channel_attack_key_test", "badPaddingLooksLikeABadTag", "bad padding is refused as a bad tag is"},
 
     {"AcceptLowerCounter,NoConfirmation", "channel_attack_session_test", "replayOfAnEarlierSession",
@@ -56,14 +58,32 @@ inline constexpr Proof kProofs[] = {
     {"AnswerTwice", "channel_attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
 
     {"NoPinning", "channel_attack_handshake_test", "interception", "an unknown key gets no answer"},
-    {"NoHandshakeTag,NoPinning", "channel_attack_handshake_test", "unknownKeyShare", "a message for another agent gets no answer"},
-    {"NoConfirmation", "channel_attack_handshake_test", "keyCompromiseImpersonation", "no session comes of it, and none ends"},
+    {"NoHandshakeTag,NoPinning", "channel_attack_handshake_test", "unknownKeyShare",
+     "a message for another agent gets no answer"},
+    {"NoConfirmation", "channel_attack_handshake_test", "keyCompromiseImpersonation",
+     "no session comes of it, and none ends"},
     {"NoEphemeralMix", "channel_attack_handshake_test", "revealedKeysOpenNothing", "the static keys open no record"},
     {"AcceptLowerCounter", "channel_attack_handshake_test", "replayedFirstMessage", "an old first message gets no answer"},
     {"NoHandshakeTag", "channel_attack_handshake_test", "everyBitOfTheFirst", "no changed first message is read"},
     {"NoHandshakeTag", "channel_attack_handshake_test", "everyBitOfTheAnswer", "no changed answer is taken"},
     {"NoOfferRecheck", "channel_attack_handshake_test", "weakerChoice", "no other choice is taken"},
-    {"NoPrologue", "channel_attack_handshake_test", "otherVersionOrCarrier", "no message of another version or carrier is read"},
+    {"NoPrologue", "channel_attack_handshake_test", "otherVersionOrCarrier",
+     "no message of another version or carrier is read"},
+
+    {"NoTagCheck", "channel_attack_inline_test", "everyBitOfAFrame", "no changed bit of a frame is accepted"},
+    {"NoTagCheck", "channel_attack_inline_test", "everyLengthOfAFrame", "no other length of a frame is accepted"},
+    {"NoReplayWindow", "channel_attack_inline_test", "replayOfFrames", "no frame is accepted twice, nor by its sender"},
+
+    {"NoWipe", "channel_attack_memory_test", "searchFindsAPlantedCopy", "a secret that died is gone"},
+    {"NoWipe", "channel_attack_memory_test", "deadSecretsAreGone", "the handshake's secrets are gone"},
+    {"KeepOldKeys", "channel_attack_memory_test", "deadSecretsAreGone", "the keys of a dead epoch are gone"},
+
+    {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
+    {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
+    {"NoSenderCheck", "attack_flight_test", "nobodySpeaksAsTheVehicle", "nothing of it reaches the autopilot"},
+    {"ClearAccepted", "attack_flight_test", "spoofedTelemetryIsNotShown", "the list of vehicles is unchanged"},
+    {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},
+    {"NoEncryption", "attack_flight_test", "nothingReadableOnTheWire", "nothing that is known is found on the wire"},
 
     {"NoCookie", "channel_attack_cookie_test", "floodFromForgedAddresses", "a station gets its session"},
     {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddresses", "a station gets its session"},

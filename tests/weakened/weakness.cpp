@@ -1,11 +1,18 @@
 // The library's weakened() in programs that are built to be attacked: true for what SKYSEAL_WEAKNESS names, a list with
 // commas. A name that does not exist ends the program, so that a proof cannot rest on a slip of the pen.
+#include "core/base/declassified.h"
 #include "core/base/weakness.h"
 
 #include <bitset>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
+
+#if __has_include(<valgrind/memcheck.h>)
+#include <valgrind/memcheck.h>
+#else
+#define VALGRIND_MAKE_MEM_DEFINED(bytes, count) (static_cast<void>(bytes), static_cast<void>(count))
+#endif
 
 namespace skyseal {
 
@@ -86,6 +93,11 @@ bool weakened(Weakness weakness)
 {
     static const std::bitset<256> kSelected = selected();
     return kSelected.test(static_cast<std::size_t>(weakness));
+}
+
+void declassify(const void *bytes, std::size_t count)
+{
+    static_cast<void>(VALGRIND_MAKE_MEM_DEFINED(bytes, count));
 }
 
 } // namespace skyseal
