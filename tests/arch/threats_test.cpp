@@ -1,8 +1,13 @@
-// Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks.
+// Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; and each attack
+// test is named there, and proven to be able to fail.
+#include "tests/weakened/proofs.h"
+
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
+
+#include <algorithm>
 
 namespace {
 
@@ -12,9 +17,12 @@ QString contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-/// The source of a test program or fuzzer as the document names it: attack_record is tests/…/attack_record_test.cpp.
+/// The source of a test program or fuzzer as the document names it: attack_record is tests/…/attack_record_test.cpp, and
+/// channel/allocation is that of one folder.
 QString sourceOf(const QString &program)
 {
+    if (program.contains(QLatin1Char('/')))
+        return contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/%1_test.cpp").arg(program));
     QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"),
                       {program + QStringLiteral("_test.cpp"), program + QStringLiteral(".cpp")}, QDir::Files,
                       QDirIterator::Subdirectories);
@@ -64,6 +72,7 @@ class ThreatsTest : public QObject
 
 private Q_SLOTS:
     void namedTestsExist();
+    void attacksAreNamedAndProven();
 };
 
 void ThreatsTest::namedTestsExist()
@@ -78,6 +87,26 @@ void ThreatsTest::namedTestsExist()
             missing << QStringLiteral("%1: %2: %3").arg(mention.row, mention.program, mention.function);
     }
     QVERIFY2(missing.isEmpty(), qPrintable(QLatin1Char('\n') + missing.join(QLatin1Char('\n'))));
+}
+
+void ThreatsTest::attacksAreNamedAndProven()
+{
+    const QList<Mention> all = mentions();
+    for (const skyseal::test::Proof &proof : skyseal::test::kProofs) {
+        const auto named = [&proof](const Mention &mention) { return mention.function == QLatin1String(proof.function); };
+        QVERIFY2(std::any_of(all.begin(), all.end(), named), proof.function);
+    }
+    // proof_test sees to the functions of these programs.
+    QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/tests"), {QStringLiteral("attack_*_test.cpp")}, QDir::Files,
+                      QDirIterator::Subdirectories);
+    int programs = 0;
+    for (; walk.hasNext(); ++programs) {
+        walk.next();
+        const QString name = walk.fileInfo().completeBaseName();
+        const auto proven = [&name](const auto &proof) { return QLatin1String(proof.program).endsWith(name); };
+        QVERIFY2(std::any_of(std::begin(skyseal::test::kProofs), std::end(skyseal::test::kProofs), proven), qPrintable(name));
+    }
+    QVERIFY(programs >= 8);
 }
 
 QTEST_APPLESS_MAIN(ThreatsTest)

@@ -52,7 +52,8 @@ void AttackKeyTest::contextIsSealedIn()
         return reader->open(7, AssociatedData(head, named, direction, carrier).view(), copy).has_value();
     };
     QVERIFY(opens(header, id, Direction::FromResponder, Carrier::Datagram));
-    HOLDS(!opens(header, id, Direction::FromInitiator, Carrier::Datagram), "header, suite, direction and carrier are sealed in");
+    HOLDS(!opens(header, id, Direction::FromInitiator, Carrier::Datagram),
+          "header, suite, direction and carrier are sealed in");
     for (const Carrier carrier : {Carrier::Tunnel, Carrier::Serial})
         HOLDS(!opens(header, id, Direction::FromResponder, carrier), "header, suite, direction and carrier are sealed in");
     for (const SuiteInfo &other : suites())

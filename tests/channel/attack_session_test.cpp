@@ -247,7 +247,8 @@ void AttackSessionTest::deletion()
     pair.link.model.loss = 0;
     pair.sendFrame(Air);
     pair.run(100ms);
-    HOLDS(received(pair.ground()).good + received(pair.ground()).lost == pair.air().endpoint->stats(pair.air().session())->tx.records,
+    HOLDS(received(pair.ground()).good + received(pair.ground()).lost
+              == pair.air().endpoint->stats(pair.air().session())->tx.records,
           "lost is exactly what was dropped");
     HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "each frame arrives once");
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
@@ -279,7 +280,9 @@ void AttackSessionTest::jammedThenBad()
     Pair &pair = *owner;
     traffic(pair);
     pair.run(5s);
-    const auto silent = [&] { return pair.ground().up() && pair.ground().endpoint->sessionInfo(pair.ground().session())->silent; };
+    const auto silent = [&] {
+        return pair.ground().up() && pair.ground().endpoint->sessionInfo(pair.ground().session())->silent;
+    };
     swallowEverything(pair);
     QVERIFY(pair.run(3500ms, silent)); // Long enough for a display that says "link lost" after 3.5 s.
     pair.run(30s);

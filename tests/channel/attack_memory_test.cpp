@@ -1,0 +1,188 @@
+// Somebody gets hold of a process's memory: what has died must be gone from it. A second process, forked for that, computes
+// from the same seed every secret of a session's beginning and hands them over masked; this one looks for them in its own
+// memory, while the first epoch lives and after it died.
+#include "attack.h"
+#include "core/crypto/hmac_sha256.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/record_keys.h"
+#include "process_image.h"
+#include "reconstruction.h"
+
+#include <memory>
+
+#include <sys/wait.h>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+struct Secret
+{
+    QByteArray name;
+    Bytes masked;
+    bool livesWithTheEpoch = false; ///< otherwise it must be gone as soon as the session is up
+};
+
+/// Whose public key is `wanted`, among all runs of 32 bytes that a seed gives.
+crypto::X25519KeyPair ephemeralWith(const crypto::PublicKey &wanted, const Bytes &stream)
+{
+    for (std::size_t at = 0; at + 32 <= stream.size(); ++at) {
+        auto pair = crypto::X25519KeyPair::fromSecret(Key32(ByteView(stream).subspan(at).first<32>()));
+        if (pair.publicKey == wanted)
+            return pair;
+    }
+    qFatal("the seed does not give this key");
+}
+
+/// In the forked process: writes one line for each secret.
+void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
+{
+    const Bytes first = tap.ofKind(0x59).at(0).bytes, answer = tap.ofKind(0x5a).at(0).bytes;
+    Bytes stream(4096);
+    SeededRandom(kAttackSeed).fill(stream);
+    const auto e = Reconstruction::asKey(ByteView(first).subspan(1, 32)),
+               re = Reconstruction::asKey(ByteView(answer).subspan(3, 32));
+    const auto stations = ephemeralWith(e, stream), agents = ephemeralWith(re, stream);
+    const auto shared = crypto::x25519(stations.secret, re);
+    const auto &ends = pair.ends;
+    const auto session =
+        Reconstruction(*ends[Ground].identity, *ends[Air].identity, first, answer).withGuess(shared->clone());
+    if (!session)
+        qFatal("the handshake cannot be reconstructed");
+    const auto write = [&](const char *name, ByteView secret, bool lives) {
+        const Bytes bytes = masked(secret);
+        const QByteArray line = QByteArray(name) + ' ' + (lives ? '1' : '0') + ' '
+            + QByteArray(reinterpret_cast<const char *>(bytes.data()), static_cast<int>(bytes.size())).toHex() + '\n';
+        if (::write(out, line.constData(), static_cast<std::size_t>(line.size())) != line.size())
+            qFatal("the pipe is full");
+    };
+    // Without the first and the last byte, which X25519 changes in its own copy.
+    write("station's-ephemeral", ByteView(stations.secret.view()).subspan(1, 30), false);
+    write("agent's-ephemeral", ByteView(agents.secret.view()).subspan(1, 30), false);
+    write("shared-secret", shared->view(), false);
+    write("transport-key-1", session->initiators.view(), false);
+    write("transport-key-2", session->responders.view(), false);
+    const auto epoch = session->epochZero(suite);
+    for (const Key32 *direction : {&epoch.fromInitiator, &epoch.fromResponder}) {
+        write("direction-secret", direction->view(), false);
+        const auto keys = crypto::RecordKeys::derive(*direction, suite);
+        write("mac-key", keys.mac.view(), false); // only what HMAC makes of it is kept
+        write("record-key", keys.key.view(), true);
+    }
+}
+
+std::vector<Secret> secretsOf(const Pair &pair, const Tap &tap, SuiteId suite)
+{
+    int ends[2];
+    if (::pipe(ends) != 0)
+        qFatal("no pipe");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        computeSecrets(ends[1], pair, tap, suite);
+        ::_exit(0);
+    }
+    ::close(ends[1]);
+    QByteArray text;
+    char buffer[4096];
+    for (ssize_t got = 0; (got = ::read(ends[0], buffer, sizeof buffer)) > 0;)
+        text.append(buffer, static_cast<int>(got));
+    ::close(ends[0]);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    std::vector<Secret> out;
+    for (const QByteArray &line : text.split('\n')) {
+        const auto words = line.split(' ');
+        if (words.size() != 3)
+            continue;
+        const QByteArray bytes = QByteArray::fromHex(words[2]);
+        out.push_back({words[0], Bytes(bytes.begin(), bytes.end()), words[1] == "1"});
+    }
+    return out;
+}
+
+/// Names of those that lie in memory.
+QByteArrayList found(const std::vector<Secret> &secrets, bool alsoLiving)
+{
+    auto image = std::make_unique<ProcessImage>();
+    QByteArrayList out;
+    for (const Secret &secret : secrets) {
+        if ((alsoLiving || !secret.livesWithTheEpoch) && image->count(secret.masked) > 0)
+            out << secret.name;
+    }
+    return out;
+}
+
+} // namespace
+
+class AttackMemoryTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void searchFindsAPlantedCopy();
+    void deadSecretsAreGone_data();
+    void deadSecretsAreGone();
+};
+
+void AttackMemoryTest::searchFindsAPlantedCopy()
+{
+    Bytes hidden(32);
+    SeededRandom(1).fill(hidden); // what lies there is known masked only
+    const Bytes wanted = hidden;
+    auto image = std::make_unique<ProcessImage>();
+    QCOMPARE(image->count(wanted), std::size_t(0));
+    {
+        SecretBytes<32> onTheStack;
+        auto onTheHeap = std::make_unique<SecretBytes<32>>();
+        for (std::size_t i = 0; i < 32; ++i)
+            onTheStack.mutableView()[i] = onTheHeap->mutableView()[i] = hidden[i] ^ kMask;
+        QCOMPARE(image->count(wanted), std::size_t(2));
+    }
+    HOLDS(image->count(wanted) == 0, "a secret that died is gone");
+}
+
+void AttackMemoryTest::deadSecretsAreGone_data()
+{
+    QTest::addColumn<int>("suite");
+    for (const auto &info : crypto::suites()) {
+        if (info.authenticated && !info.research)
+            QTest::newRow(info.name.data()) << static_cast<int>(info.id);
+    }
+}
+
+void AttackMemoryTest::deadSecretsAreGone()
+{
+    QFETCH(int, suite);
+    PairOptions options = attackOptions();
+    options.ground.suites = {static_cast<SuiteId>(suite), SuiteId::ChaCha20};
+    Pair pair(options);
+    Tap tap(pair);
+    pair.every(20ms, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground);
+    });
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(2s);
+    const auto secrets = secretsOf(pair, tap, static_cast<SuiteId>(suite));
+    QCOMPARE(secrets.size(), std::size_t(11));
+    const QByteArrayList early = found(secrets, false);
+    if (!early.isEmpty())
+        qInfo("found: %s", early.join(' ').constData());
+    HOLDS(early.isEmpty(), "the handshake's secrets are gone");
+    QVERIFY2(found(secrets, true).contains("record-key"), "the keys in use are not found: the search is blind");
+
+    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
+    QVERIFY(found(secrets, true).contains("record-key")); // for late records
+    pair.run(5s);
+    const QByteArrayList late = found(secrets, true);
+    if (!late.isEmpty())
+        qInfo("found: %s", late.join(' ').constData());
+    HOLDS(late.isEmpty(), "the keys of a dead epoch are gone");
+    QVERIFY(pair.bothUp());
+}
+
+QTEST_GUILESS_MAIN(AttackMemoryTest)
+#include "attack_memory_test.moc"

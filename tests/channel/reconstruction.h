@@ -1,0 +1,88 @@
+// What can be computed of a recorded handshake by somebody who has both static keys (and no psk was set): everything but the
+// secret of the two ephemeral keys, for which something has to be put in.
+#pragma once
+
+#include "core/channel/handshake.h"
+#include "core/noise/symmetric_state.h"
+
+#include <optional>
+#include <string_view>
+
+namespace skyseal::test {
+
+inline constexpr std::string_view kPrologueText("skyseal channel v1\x01");
+
+/// The end of a handshake, as the initiator has it.
+struct RevealedSession
+{
+    Key32 initiators, responders; ///< the transport keys of Noise
+    crypto::Hash64 hash{};
+
+    channel::EpochSecrets epochZero(crypto::SuiteId suite) const
+    {
+        return channel::KeyChain(initiators, responders, hash).derive(channel::Epoch{0}, suite, {}, {});
+    }
+};
+
+class Reconstruction
+{
+public:
+    Reconstruction(const crypto::X25519KeyPair &station, const crypto::X25519KeyPair &agent, ByteView first, ByteView answer)
+        : m_station(station), m_agent(agent), m_first(first), m_answer(answer)
+    {
+    }
+
+    /// `guess`: for the shared secret of the ephemeral keys; nullopt mixes nothing in. nullopt when the answer does not open.
+    std::optional<RevealedSession> withGuess(const std::optional<Key32> &guess)
+    {
+        noise::SymmetricState state;
+        state.initializeSymmetric("Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b");
+        state.mixHash(asBytes(kPrologueText));
+        state.mixHash(m_agent.publicKey);
+        const ByteView e = m_first.subspan(1, 32), s = m_first.subspan(33, 48), payload = m_first.subspan(81, 30);
+        std::array<std::uint8_t, 64> plain;
+        mixEphemeral(state, e);
+        mix(state, m_agent, e);
+        if (!state.decryptAndHash(s, plain))
+            return std::nullopt;
+        mix(state, m_agent, m_station.publicKey);
+        firstPayloadRead = state.decryptAndHash(payload, plain).has_value();
+        const ByteView re = m_answer.subspan(3, 32), answered = m_answer.subspan(35, 23);
+        mixEphemeral(state, re);
+        if (guess)
+            state.mixKey(guess->view());
+        mix(state, m_station, re);
+        state.mixKeyAndHash(Key32().view());
+        if (!state.decryptAndHash(answered, plain))
+            return std::nullopt;
+        auto [initiators, responders] = state.split();
+        return RevealedSession{std::move(initiators), std::move(responders), state.handshakeHash()};
+    }
+
+    /// The first message's own payload was read with the agent's key alone: Noise IK gives it no forward secrecy.
+    bool firstPayloadRead = false;
+
+    static crypto::PublicKey asKey(ByteView bytes)
+    {
+        crypto::PublicKey key{};
+        std::copy(bytes.begin(), bytes.end(), key.begin());
+        return key;
+    }
+
+private:
+    static void mixEphemeral(noise::SymmetricState &state, ByteView key)
+    {
+        state.mixHash(key);
+        state.mixKey(key);
+    }
+    static void mix(noise::SymmetricState &state, const crypto::X25519KeyPair &own, ByteView key)
+    {
+        if (const auto shared = crypto::x25519(own.secret, asKey(key)))
+            state.mixKey(shared->view());
+    }
+
+    const crypto::X25519KeyPair &m_station, &m_agent;
+    ByteView m_first, m_answer;
+};
+
+} // namespace skyseal::test

@@ -1,0 +1,274 @@
+// Attacks on a whole flight over real sockets: station, agent and a simulated autopilot behind it, with somebody on the wire
+// between them who speaks MAVLink as well as they do. What reaches the autopilot and what the station shows stay what they
+// were.
+#include "core/base/weakness.h"
+#include "core/mavlink/enums.h"
+#include "core/mavlink/frame_scanner.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/flight_rig.h"
+#include "tests/support/udp_attacker.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+#define HOLDS(condition, words) QVERIFY2(condition, words)
+
+namespace {
+
+/// A station that listens on a port of its own.
+struct Ground
+{
+    explicit Ground(engine::StationConfig config)
+    {
+        auto made = engine::Station::create(std::move(config));
+        if (!made)
+            qFatal("%s", made.error().text().c_str());
+        station = std::move(*made);
+        ears = std::make_unique<StationEars>(*station);
+        station->addLink(urlOf("udpin:127.0.0.1:0"));
+        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
+            qFatal("no link");
+    }
+    quint16 port() const
+    {
+        const std::string address = ears->listening();
+        return static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
+    }
+    bool up() const { return !ears->all<channel::SessionUp>().empty(); }
+
+    std::unique_ptr<engine::Station> station;
+    std::unique_ptr<StationEars> ears;
+};
+
+/// A flight with an attacker between agent and station.
+struct AttackedFlight
+{
+    explicit AttackedFlight(channel::PeerRole role = channel::PeerRole::Pilot,
+                            engine::StationConfig (*adjust)(engine::StationConfig) = nullptr)
+        : rig(role), ground(adjust ? adjust(rig.stationConfig()) : rig.stationConfig()), attacker(ground.port())
+    {
+        rig.startAgent("127.0.0.1:" + std::to_string(attacker.port()));
+        vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
+    }
+    bool flying() const { return ground.up() && vehicle->sent > 20; }
+    sim::FlightMode mode() const { return vehicle->vehicle.autopilot().modes().current(); }
+    bool untouched() const { return mode() == sim::FlightMode::Stabilize && !vehicle->vehicle.autopilot().armed(); }
+
+    FlightRig rig;
+    Ground ground;
+    UdpAttacker attacker;
+    std::unique_ptr<VehicleOnUdp> vehicle;
+};
+
+template<typename Message> QByteArray frameOf(const Message &message, std::uint8_t systemId, std::uint8_t componentId = 190)
+{
+    mavlink::FrameWriter writer(systemId, componentId);
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const ByteView frame = writer.write(message, buffer);
+    return QByteArray(reinterpret_cast<const char *>(frame.data()), static_cast<qsizetype>(frame.size()));
+}
+
+/// Arm by force, another mode, full throttle.
+std::vector<QByteArray> hostileCommands(std::uint8_t systemId)
+{
+    using namespace mavlink;
+    return {frameOf(CommandLong{.target_system = 1,
+                                .target_component = 1,
+                                .command = MAV_CMD_COMPONENT_ARM_DISARM,
+                                .param1 = 1,
+                                .param2 = 21196},
+                    systemId),
+            frameOf(SetMode{.target_system = 1, .base_mode = MAV_MODE_FLAG_CUSTOM_MODE_ENABLED, .custom_mode = 2}, systemId),
+            frameOf(
+                RcChannelsOverride{
+                    .target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan2_raw = 1100, .chan3_raw = 2000},
+                systemId)};
+}
+
+std::size_t framesIn(const QByteArray &bytes)
+{
+    mavlink::FrameScanner scanner(
+        ByteView(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size())),
+        mavlink::Dialect::builtin());
+    std::size_t frames = 0;
+    while (const auto item = scanner.next())
+        frames += item->frame.has_value();
+    return frames;
+}
+
+} // namespace
+
+class AttackFlightTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void injectionReachesNoAutopilot();
+    void observerCommandsNothing();
+    void nobodySpeaksAsTheVehicle();
+    void spoofedTelemetryIsNotShown();
+    void blockedHandshakesOpenNoClearWay();
+    void nothingReadableOnTheWire();
+};
+
+void AttackFlightTest::injectionReachesNoAutopilot()
+{
+    AttackedFlight flight;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    const std::uint64_t before = flight.rig.agent->snapshot().counters.clearRefused;
+    // In clear, under the station's own system id and others, and inside what looks like a record of this session.
+    QByteArray record;
+    for (const UdpAttacker::Seen &seen : flight.attacker.seen) {
+        if (!seen.toGround && (seen.bytes[0] & 0xfc) == 0x50)
+            record = seen.bytes;
+    }
+    QVERIFY(!record.isEmpty());
+    std::uint64_t sent = 0, forged = 0;
+    for (int round = 0; round < 50; ++round) {
+        for (const std::uint8_t systemId : {255, 254, 1, 42}) {
+            for (const QByteArray &command : hostileCommands(systemId)) {
+                flight.attacker.toAgent(command);
+                flight.attacker.toAgent(record.left(6) + command);
+                ++sent, ++forged;
+            }
+        }
+        QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.clearRefused - before == sent || !flight.untouched(),
+                                 10000);
+        if (!flight.untouched())
+            break;
+    }
+    HOLDS(flight.untouched(), "the autopilot's state never changes");
+    const engine::AgentSnapshot agent = flight.rig.agent->snapshot();
+    QCOMPARE(agent.counters.clearRefused - before, sent);
+    QCOMPARE(agent.channel.rx.forged + agent.channel.rx.replayed, forged);
+    QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
+    // And the station's own command still arrives.
+    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
+}
+
+void AttackFlightTest::observerCommandsNothing()
+{
+    AttackedFlight flight(channel::PeerRole::Observer);
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    const auto refused = [&] { return flight.rig.agent->snapshot().counters.observerRefused; };
+    const std::uint64_t before = refused();
+    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    flight.ground.station->command(1, vehicle::Arm{true});
+    QTRY_VERIFY_WITH_TIMEOUT(!flight.untouched() || refused() >= before + 10, 30000); // repeated, with heartbeats among them
+    HOLDS(flight.untouched(), "an observer moves nothing");
+    QCOMPARE(flight.rig.agent->snapshot().counters.toVehicle, std::uint64_t(0));
+}
+
+void AttackFlightTest::nobodySpeaksAsTheVehicle()
+{
+    // A station that is known and sealed, and speaks as the vehicle's own system.
+    AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
+        config.systemId = 1;
+        return config;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.spoofRefused > 0
+                                 || flight.rig.agent->snapshot().counters.toVehicle > 0,
+                             10000);
+    HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");
+    QVERIFY(flight.untouched());
+}
+
+void AttackFlightTest::spoofedTelemetryIsNotShown()
+{
+    AttackedFlight flight;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    const std::uint64_t before = flight.ground.ears->snapshot->plaintextRefused;
+    mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA,
+                                 .base_mode = 0x81, .system_status = mavlink::MAV_STATE_ACTIVE};
+    for (const std::uint8_t systemId : {1, 2, 77}) {
+        for (int i = 0; i < 20; ++i) {
+            flight.attacker.toGround(frameOf(heartbeat, systemId, 1));
+            flight.attacker.toGround(frameOf(mavlink::Attitude{.roll = 3}, systemId, 1));
+        }
+    }
+    const auto shown = [&] { return flight.ground.ears->snapshot->vehicles.size() != 1; };
+    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->plaintextRefused - before == 120 || shown(), 10000);
+    HOLDS(!shown(), "the list of vehicles is unchanged");
+    QVERIFY(!flight.ground.ears->snapshot->vehicles[0].state.armed);
+    QVERIFY(!flight.ground.ears->all<engine::PlaintextRefused>().empty()); // told, not only counted
+}
+
+void AttackFlightTest::blockedHandshakesOpenNoClearWay()
+{
+    // Sealed where it can be; the attacker lets no handshake through and offers the pinned vehicle's telemetry in clear.
+    FlightRig rig(channel::PeerRole::Pilot, {1});
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    UdpAttacker attacker(ground.port());
+    attacker.passes = [](const UdpAttacker::Seen &) { return false; };
+    rig.startAgent("127.0.0.1:" + std::to_string(attacker.port()));
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    VehicleOnUdp impostor(ground.ears->listening(), 1);
+    const auto shown = [&] { return !ground.ears->snapshot->vehicles.empty(); };
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 20 || shown(), 20000);
+    HOLDS(!shown(), "no telemetry without an explicit act");
+    // The agent does not give in either: what its vehicle says stays here.
+    QTRY_VERIFY_WITH_TIMEOUT(rig.agent->snapshot().counters.undelivered > 20, 10000);
+    for (const UdpAttacker::Seen &seen : attacker.seen)
+        QCOMPARE(framesIn(seen.bytes), std::size_t(0));
+}
+
+void AttackFlightTest::nothingReadableOnTheWire()
+{
+    // A whole conversation with an ear on the wire, as a router has that copies to whoever sent it a heartbeat: telemetry,
+    // all parameters, a mission.
+    AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
+        config.preferredSuite = crypto::SuiteId::Aes256Ctr;
+        return config;
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->channel.suite == crypto::SuiteId::Aes256Ctr, 10000);
+    flight.attacker.seen.clear();
+    flight.attacker.toGround(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_GCS}, 42));
+    flight.ground.station->requestParameters(1);
+    std::vector<vehicle::MissionItem> mission(5);
+    for (std::size_t i = 0; i < mission.size(); ++i) {
+        mission[i].sequence = static_cast<std::uint16_t>(i);
+        mission[i].latitude = -35.363261;
+        mission[i].longitude = 149.16523;
+        mission[i].altitude = 20;
+    }
+    flight.ground.station->writeMission(1, mission);
+    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->all<engine::MissionTransferDone>().empty(), 20000);
+    QVERIFY(flight.ground.ears->all<engine::MissionTransferDone>()[0].ok);
+    QTRY_VERIFY_WITH_TIMEOUT(flight.attacker.seen.size() > 400, 20000);
+
+    const auto coordinate = [](std::int32_t value) { return QByteArray(reinterpret_cast<const char *>(&value), 4); };
+    const QByteArrayList known{coordinate(-353632610),
+                               coordinate(1491652300),
+                               "ARMING_CHECK",
+                               "WPNAV_SPEED",
+                               "STABILIZE",
+                               "ArduCopter",
+                               "EKF3 IMU0",
+                               QByteArray::fromHex("fd09000000"),
+                               QByteArray::fromHex("fd1c0000")};
+    std::size_t readable = 0;
+    for (const UdpAttacker::Seen &seen : flight.attacker.seen) {
+        readable += framesIn(seen.bytes);
+        for (const QByteArray &word : known)
+            readable += seen.bytes.contains(word);
+    }
+    HOLDS(readable == 0, "nothing that is known is found on the wire");
+    // The same search finds what an unsealed wire would carry.
+    std::size_t found = framesIn(frameOf(mavlink::Heartbeat{}, 1));
+    mavlink::MissionItemInt item{};
+    item.x = -353632610;
+    item.y = 1491652300;
+    for (const QByteArray &word : known)
+        found += frameOf(item, 255).contains(word);
+    QCOMPARE(found, std::size_t(3));
+}
+
+QTEST_GUILESS_MAIN(AttackFlightTest)
+#include "attack_flight_test.moc"

@@ -1,0 +1,84 @@
+// Two hundred times kill -9 of an agent or its station in traffic, with an ear on the wire: no life repeats a key of
+// another, and no counter is sealed twice under one.
+#include "tests/support/flight.h"
+#include "tests/support/udp_attacker.h"
+
+#include <QtCore/QHash>
+#include <QtTest/QTest>
+
+#include <memory>
+
+using namespace skyseal::test;
+
+class KillTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void everyLifeHasKeysOfItsOwn();
+};
+
+void KillTest::everyLifeHasKeysOfItsOwn()
+{
+    const int asked = qEnvironmentVariableIntValue("SKYSEAL_KILLS");
+    const int kills = asked > 0 ? asked : 200;
+    Flight flight;
+    QVERIFY(flight.ready());
+    UdpAttacker tap(flight.groundPort);
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    const auto startAir = [&] {
+        return std::make_unique<Program>(QStringLiteral("skyseal-air"), flight.airArguments(tap.port()));
+    };
+    const auto startMonitor = [&] {
+        return std::make_unique<Program>(QStringLiteral("skyseal-cli"), flight.monitorArguments());
+    };
+    auto air = startAir(), monitor = startMonitor();
+
+    const auto count = [&tap](bool toGround, int kind) {
+        return std::count_if(tap.seen.begin(), tap.seen.end(), [=](const UdpAttacker::Seen &seen) {
+            return seen.toGround == toGround && !seen.bytes.isEmpty()
+                   && (seen.bytes[0] & (kind == 0x50 ? 0xfc : 0xff)) == kind;
+        });
+    };
+    for (int life = 0; life < kills; ++life) {
+        // Until both ends have sealed a few under the keys of this life.
+        const auto answers = count(true, 0x5a), fromAir = count(true, 0x50), fromGround = count(false, 0x50);
+        if (life > 0) {
+            auto &victim = life % 2 ? air : monitor;
+            victim->kill();
+            victim = life % 2 ? startAir() : startMonitor();
+        }
+        QTRY_VERIFY2_WITH_TIMEOUT(count(true, 0x5a) > answers, qPrintable(QStringLiteral("life %1").arg(life)), 20000);
+        QTRY_VERIFY2_WITH_TIMEOUT(count(true, 0x50) > fromAir + 5 && count(false, 0x50) > fromGround + 2,
+                                  qPrintable(QStringLiteral("life %1").arg(life)), 20000);
+    }
+
+    // A session's keys come from the ephemeral key in its answer and in the first message that was answered.
+    QHash<QByteArray, QByteArray> ephemeral;
+    QHash<QByteArray, QByteArray> sealed;
+    QByteArray session;
+    int repeated = 0, records = 0, sessions = 0;
+    const auto take = [&repeated](QHash<QByteArray, QByteArray> &known, const QByteArray &key, const QByteArray &bytes) {
+        repeated += known.contains(key) && known.value(key) != bytes;
+        known.insert(key, bytes);
+    };
+    for (const UdpAttacker::Seen &seen : tap.seen) {
+        const QByteArray &bytes = seen.bytes;
+        if (bytes.size() == 127 && bytes[0] == 0x59) {
+            take(ephemeral, "station" + bytes.mid(1, 32), bytes.mid(1, 110));
+        } else if (bytes.size() == 74 && bytes[0] == 0x5a) {
+            sessions += session != bytes.mid(3, 32);
+            session = bytes.mid(3, 32);
+            take(ephemeral, "agent" + session, bytes);
+        } else if (bytes.size() >= 22 && (bytes[0] & 0xfc) == 0x50) {
+            ++records;
+            take(sealed, session + (seen.toGround ? '>' : '<') + bytes.left(6), bytes);
+        }
+    }
+    qInfo("%d kills, %d sessions, %d records, %d repeated", kills, sessions, records, repeated);
+    QVERIFY(sessions >= kills);
+    QCOMPARE(repeated, 0);
+}
+
+QTEST_GUILESS_MAIN(KillTest)
+#include "kill_test.moc"
