@@ -10,6 +10,7 @@ namespace {
 // Several round trips, so that a slow link is not asked to carry more because it is slow.
 constexpr Duration kLeastPatience = std::chrono::milliseconds(100);
 constexpr Duration kMostPatience = std::chrono::seconds(3);
+constexpr unsigned kLostAfter = 3; // as in TCP (RFC 5681)
 }
 
 Duration Saturator::patience() const
@@ -31,12 +32,12 @@ void Saturator::handleFrame(TimePoint now, const mavlink::Frame &frame)
     const auto found = std::find_if(m_open.begin(), m_open.end(), [&](const Ticket &t) { return t.number == answer.ts1; });
     if (answer.tc1 == 0 || found == m_open.end())
         return;
-    if (found == m_open.begin())
-        m_window = std::min(kWidest, m_window + 1 / m_window);
-    else
-        missed();
     m_trip = (m_trip * 7 + (now - found->sent)) / 8;
-    m_open.erase(m_open.begin(), found + 1);
+    m_window = std::min(kWidest, m_window + 1 / m_window);
+    std::for_each(m_open.begin(), found, [](Ticket &earlier) { ++earlier.overtaken; });
+    m_open.erase(found);
+    if (std::erase_if(m_open, [](const Ticket &ticket) { return ticket.overtaken >= kLostAfter; }) > 0)
+        missed();
 }
 
 bool Saturator::advance(TimePoint now, sim::SimulatedVehicle &vehicle)
@@ -49,7 +50,7 @@ bool Saturator::advance(TimePoint now, sim::SimulatedVehicle &vehicle)
         m_open.clear();
     }
     for (std::size_t i = 0; i < kAtOnce && m_open.size() < static_cast<std::size_t>(m_window); ++i) {
-        m_open.push_back({m_next, now});
+        m_open.push_back({m_next, now, 0});
         vehicle.sendBurst(now, kBurst, m_next++);
     }
     return m_open.size() < static_cast<std::size_t>(m_window);

@@ -16,7 +16,7 @@ public:
     static constexpr double kWidest = 32;     ///< bursts unanswered; what a socket's buffer holds
     static constexpr std::size_t kAtOnce = 4; ///< bursts that fit the vehicle's outbox
 
-    /// A frame from a station; the answer to a burst says that the ones before it are over as well.
+    /// A frame from a station. A burst is taken as lost once three later ones were answered: links reorder.
     void handleFrame(TimePoint now, const mavlink::Frame &frame);
     /// Lets the vehicle send what is due; true when there is more to come once its outbox is empty.
     bool advance(TimePoint now, sim::SimulatedVehicle &vehicle);
@@ -28,6 +28,7 @@ private:
     {
         std::int64_t number = 0;
         TimePoint sent{};
+        unsigned overtaken = 0; ///< by answers to later ones
     };
 
     Duration patience() const;

@@ -17,6 +17,7 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr int kStopMs = 3000;
+constexpr int kFlightRate = 20; ///< so that the vehicle knows where it is within seconds; telemetry keeps its rates
 
 Result<void, InputError> introduce(const QString &peersFile, const char *name, const crypto::X25519KeyPair &peer)
 {
@@ -126,7 +127,8 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
             file("air.key"), QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"),
             QStringLiteral("--allow-plain"), QStringLiteral("--json")});
     QStringList simulator{QStringLiteral("--link"), loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
-                          QString::number(seed), QStringLiteral("--json")};
+                          QString::number(seed), QStringLiteral("--json"),
+                          QStringLiteral("--rate"), QString::number(kFlightRate)};
     if (load == Load::Saturated)
         simulator << QStringLiteral("--saturate");
     launch(m_simulator, m_programs.simulator, simulator);

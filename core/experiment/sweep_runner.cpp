@@ -24,10 +24,12 @@ const engine::SessionSnapshot *liveSession(const engine::Snapshot &snapshot)
     return found == snapshot.sessions.end() ? nullptr : &*found;
 }
 
-bool vehicleSpeaks(const engine::Snapshot &snapshot)
+/// `settled`: it also knows where it is; while it starts it says more, and is asked for more, than later.
+bool vehicleSpeaks(const engine::Snapshot &snapshot, bool settled)
 {
-    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(),
-                       [](const engine::VehicleSnapshot &vehicle) { return !vehicle.state.lost; });
+    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), [settled](const engine::VehicleSnapshot &vehicle) {
+        return !vehicle.state.lost && (!settled || (vehicle.state.ekfOk.value_or(false) && vehicle.state.home.known()));
+    });
 }
 
 } // namespace
@@ -175,7 +177,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
     const engine::SessionSnapshot *session = liveSession(snapshot);
     switch (m_stage) {
     case Stage::Connecting:
-        if (vehicleSpeaks(snapshot) && (m_plain || session))
+        if (vehicleSpeaks(snapshot, m_config.lab != nullptr) && (m_plain || session))
             enter(Stage::Settling, kConnectPatience);
         break;
     case Stage::Settling:
