@@ -141,7 +141,7 @@ void MainMenus::fillSecurity(QMenu &menu)
     for (QAction *action : m_window.m_suites->actions())
         menu.addAction(action);
     menu.addSeparator();
-    add(menu, tr("&Own key …"), QStringLiteral("actionOwnKey"), Qt::CTRL | Qt::Key_K, [this] { m_window.openKeys(); });
+    add(menu, tr("&Keys and peers …"), QStringLiteral("actionKeys"), Qt::CTRL | Qt::Key_K, [this] { m_window.openKeys(); });
 }
 
 void MainMenus::fillView(QMenu &menu)

@@ -1,11 +1,12 @@
 #include "ui/main_window.h"
 
 #include "ui/dialogs/help_dialog.h"
-#include "ui/dialogs/key_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/flight_panel.h"
 #include "ui/flight/take_off_dialog.h"
 #include "ui/flight/vehicle_commands.h"
+#include "ui/keys/keys_dialog.h"
+#include "ui/keys/pairing_dialog.h"
 #include "ui/links/link_dialog.h"
 #include "ui/links/links_panel.h"
 #include "ui/links/problem_banner.h"
@@ -239,8 +240,18 @@ void MainWindow::openHelp(const QString &page)
 
 void MainWindow::openKeys()
 {
-    auto *dialog = new KeyDialog(m_station.publicKey(), m_facts.identityFile, m_facts.peersFile, this);
+    if (!m_keyring)
+        return;
+    auto *dialog = new KeysDialog(*m_keyring, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (m_pairing) {
+        dialog->offerPairing();
+        connect(dialog, &KeysDialog::pairWanted, dialog, [this, dialog] {
+            auto *pairing = new PairingDialog(*m_pairing, *m_keyring, dialog);
+            pairing->setAttribute(Qt::WA_DeleteOnClose);
+            pairing->open();
+        });
+    }
     dialog->open();
 }
 

@@ -15,6 +15,8 @@ class QSettings;
 namespace skyseal::ui {
 
 class EmptyState;
+class KeyringPort;
+class PairingPort;
 class MapView;
 class ProblemBanner;
 class StatusStrip;
@@ -27,7 +29,6 @@ class WindowDocks;
 struct ProgramFacts
 {
     QString version;
-    QString identityFile, peersFile; ///< empty: a station that can only do plain links
     QString recordFolder;
     QString demoCommand;             ///< words of the empty state; unused when empty
     bool demoAvailable = false;
@@ -47,6 +48,8 @@ public:
     void tellProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
     /// Adds a link by its URL; a bad URL is told in the window.
     void addLink(const QString &url);
+    /// What the dialog of keys and peers works on; without it that dialog does not open. They must outlive the window.
+    void setKeyring(KeyringPort &keyring, PairingPort *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
     const Settings &settings() const { return m_settings; }
     const Scene &scene() const { return m_scene; }
     SuiteActions &suites() { return *m_suites; }
@@ -77,6 +80,8 @@ private:
     void applySettings(const Settings &settings);
 
     StationPort &m_station;
+    KeyringPort *m_keyring = nullptr;
+    PairingPort *m_pairing = nullptr;
     QSettings &m_store;
     ProgramFacts m_facts;
     Settings m_settings;

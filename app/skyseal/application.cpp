@@ -3,6 +3,7 @@
 #include "app/common/options.h"
 #include "core/channel/policy.h"
 #include "app/skyseal/own_files.h"
+#include "app/skyseal/passphrase_question.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>
@@ -45,13 +46,73 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
 
 engine::KeyPaths Application::chooseKeys()
 {
+    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : &askInDialog;
     if (!m_options.identityFile.empty())
-        return {m_options.identityFile, m_options.peersFile};
+        return {m_options.identityFile, m_options.peersFile, ask};
     auto own = ownKeys(m_random);
     if (own)
-        return *own;
+        return {own->identity, own->peers, ask};
     m_keyProblem = QString::fromStdString(own.error().text());
     return {};
+}
+
+/// From now on the windows show these files, and what is changed in them is in force at once.
+void Application::useKeys(const engine::KeyPaths &keys)
+{
+    m_keys = keys;
+    m_keyring.use(keys);
+    m_keyring.setProblem(m_keyProblem);
+    m_pairing.use(*m_station, keys.peers);
+    m_peersWatch.reset();
+    if (keys.peers.empty())
+        return;
+    m_peersWatch = std::make_unique<PeersWatch>(keys.peers, [this] { return m_station->reloadPeers(); });
+    connect(m_peersWatch.get(), &PeersWatch::reloaded, &m_keyring, &Keyring::touched);
+    connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
+        m_keyring.touched();
+        m_window->tellProblem(tr("The changed list of peers is refused, the old one stays: %1").arg(problem));
+    });
+}
+
+void Application::reloadPeers()
+{
+    if (const auto peers = m_station->reloadPeers(); !peers)
+        m_window->tellProblem(QString::fromStdString(peers.error().text()));
+}
+
+void Application::tellKeyProblem()
+{
+    const auto facts = keys::readIdentityFacts(m_keys.identity);
+    const QString words = tr("No sealed links: %1").arg(m_keyProblem);
+    if (facts && facts->sealed)
+        m_window->tellProblem(words, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
+    else
+        m_window->tellProblem(words);
+}
+
+void Application::tryKeysAgain()
+{
+    std::shared_ptr<const crypto::Passphrase> last;
+    const auto opened = keys::loadIdentity(m_keys.identity, [&](const std::string &file, int attempt) {
+        auto typed = askInDialog(file, attempt);
+        if (typed)
+            last = std::make_shared<const crypto::Passphrase>(typed->clone());
+        return typed;
+    });
+    m_keyProblem = opened ? QString() : QString::fromStdString(opened.error().text());
+    if (!opened) {
+        tellKeyProblem();
+        return;
+    }
+    engine::KeyPaths keys = m_keys;
+    keys.askPassphrase = [last](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
+        if (attempt == 0 && last)
+            return last->clone();
+        return tl::unexpected(InputError{"was changed meanwhile", file});
+    };
+    m_station->exchange(configOf(m_window->settings(), keys));
+    useKeys(m_keys);
+    openLinks();
 }
 
 bool Application::start()
@@ -81,12 +142,13 @@ bool Application::start()
     }
     m_station = std::make_unique<StationAdapter>(std::move(*station));
     makeWindow();
+    useKeys(keys);
     m_window->show();
     openLinks();
     if (m_demo)
         beginDemo();
     if (!m_keyProblem.isEmpty())
-        m_window->tellProblem(tr("No sealed links: %1").arg(m_keyProblem));
+        tellKeyProblem();
     if (!m_options.screenshot.isEmpty())
         QTimer::singleShot(qRound(m_options.screenshotAfter * 1000), this, &Application::takeScreenshot);
     return true;
@@ -96,16 +158,15 @@ void Application::makeWindow()
 {
     ui::ProgramFacts facts;
     facts.version = QCoreApplication::applicationVersion();
-    facts.identityFile = m_options.identityFile.empty() ? dataFolder() + QStringLiteral("/identity.key")
-                                                        : QString::fromStdString(m_options.identityFile);
-    facts.peersFile =
-        m_options.peersFile.empty() ? dataFolder() + QStringLiteral("/peers") : QString::fromStdString(m_options.peersFile);
     facts.recordFolder = defaultRecordFolder();
     facts.demoAvailable = Demo::isAvailable();
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
     connect(m_station.get(), &StationAdapter::failed, m_window.get(),
             [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
+    m_window->setKeyring(m_keyring, &m_pairing);
+    connect(m_station.get(), &StationAdapter::happened, &m_keyring, &Keyring::take);
+    connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);
     connect(m_window.get(), &ui::MainWindow::demoWanted, this, [this] {
         if (m_demo)
             return;
@@ -116,6 +177,8 @@ void Application::makeWindow()
         }
         m_demo = std::move(*demo);
         m_station->exchange(configOf(m_window->settings(), m_demo->stationKeys()));
+        m_keyProblem.clear();
+        useKeys(m_demo->stationKeys());
         openLinks();
         beginDemo();
     });

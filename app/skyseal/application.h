@@ -3,8 +3,11 @@
 
 #include "core/base/random_source.h"
 #include "app/skyseal/demo.h"
+#include "app/common/peers_watch.h"
 #include "app/skyseal/demo_flight.h"
+#include "app/skyseal/keyring.h"
 #include "app/skyseal/station_adapter.h"
+#include "app/skyseal/window_pairing.h"
 #include "ui/main_window.h"
 #include "app/skyseal/window_options.h"
 
@@ -27,6 +30,10 @@ public:
 private:
     engine::StationConfig configOf(const ui::Settings &settings, engine::KeyPaths keys) const;
     engine::KeyPaths chooseKeys();
+    void useKeys(const engine::KeyPaths &keys);
+    void tellKeyProblem();
+    void tryKeysAgain();
+    void reloadPeers();
     void makeWindow();
     void openLinks();
     void beginDemo();
@@ -37,7 +44,11 @@ private:
     RandomSource &m_random;
     QSettings m_store;
     QString m_keyProblem;
+    Keyring m_keyring{m_store};
+    WindowPairing m_pairing;
+    engine::KeyPaths m_keys;
     std::unique_ptr<StationAdapter> m_station;
+    std::unique_ptr<PeersWatch> m_peersWatch;
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;
     std::unique_ptr<DemoFlight> m_demoFlight;

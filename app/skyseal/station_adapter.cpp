@@ -15,6 +15,7 @@ void StationAdapter::listen()
 {
     connect(m_station.get(), &Station::snapshotReady, this, &StationPort::snapshotReady);
     connect(m_station.get(), &Station::happened, this, &StationPort::happened);
+    connect(m_station.get(), &Station::pairing, this, &StationAdapter::pairing);
 }
 
 void StationAdapter::exchange(const engine::StationConfig &config)
@@ -28,6 +29,11 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station = std::move(*created);
     listen();
     m_station->setInspecting(m_inspecting);
+}
+
+Result<std::size_t, InputError> StationAdapter::reloadPeers()
+{
+    return m_station ? m_station->reloadPeers() : std::size_t(0);
 }
 
 Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)

@@ -19,6 +19,8 @@ public:
     /// Ends the old station first, so that its ports are free.
     void exchange(const engine::StationConfig &config);
     engine::Station &station() { return *m_station; }
+    /// See engine::Station.
+    Result<std::size_t, InputError> reloadPeers();
 
     Result<LinkId, InputError> addLink(const std::string &url) override;
     void removeLink(LinkId link) override;
@@ -36,6 +38,7 @@ public:
 Q_SIGNALS:
     /// A new station could not be made; the old one is gone.
     void failed(const QString &problem);
+    void pairing(const skyseal::channel::PairingEvent &event);
     void linkAdded(const skyseal::link::LinkUrl &url);
 
 private:

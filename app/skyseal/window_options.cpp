@@ -14,6 +14,7 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
     options.addFlag("demo", "Fly a simulated vehicle behind an agent of its own, with fresh keys.");
     options.addValue("identity", "FILE", "Private key of this station, instead of the user's own.");
     options.addValue("peers", "FILE", "The known peers that go with it.");
+    PassphraseInput::declare(options);
     options.addValue("screenshot", "FILE", "Save a picture of the window and leave.");
     options.addValue("after", "S", "Take the picture after so many seconds.", "3");
     if (const auto status = options.parse(arguments))
@@ -26,6 +27,7 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
     out.screenshotAfter = options.number("after", 0, kDay);
     out.identityFile = options.text("identity");
     out.peersFile = options.text("peers");
+    out.passphrase = PassphraseInput::read(options);
     if (out.identityFile.empty() != out.peersFile.empty())
         options.fail("--identity and --peers go together");
     if (out.demo && !out.identityFile.empty())

@@ -1,6 +1,7 @@
 // The command line of the window.
 #pragma once
 
+#include "app/common/passphrase_input.h"
 #include "core/link/link_url.h"
 
 #include <QtCore/QStringList>
@@ -19,6 +20,7 @@ struct WindowOptions
     QString screenshot;         ///< file to save a picture of the window to; empty = none
     double screenshotAfter = 3; ///< seconds
     std::string identityFile, peersFile; ///< empty = the user's own
+    PassphraseInput passphrase;          ///< none given = a dialog asks
 };
 
 /// `arguments` without the program's name. An exit status when there is nothing more to do: help or version was printed, or

@@ -1,0 +1,174 @@
+#include "app/skyseal/keyring.h"
+
+#include "core/base/hex.h"
+#include "core/keys/file_io.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/public_key_text.h"
+#include "core/keys/secret_file.h"
+
+#include <QtCore/QFile>
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+using keys::PeerEntry;
+using keys::PeersFile;
+
+namespace {
+
+QString seenKey(const channel::PublicKey &key)
+{
+    return QStringLiteral("seen/") + QString::fromStdString(toHex(key));
+}
+
+/// What a person decides; the rest of the entry stays.
+void decide(PeerEntry &entry, const ui::KnownPeer &peer)
+{
+    entry.peer.name = peer.name.toStdString();
+    entry.peer.role = peer.role;
+    entry.peer.systemIds = peer.systems;
+    entry.peer.key = peer.key;
+}
+
+} // namespace
+
+Keyring::Keyring(QSettings &store, QObject *parent) : KeyringPort(parent), m_store(store) {}
+
+void Keyring::use(const engine::KeyPaths &paths)
+{
+    m_paths = paths;
+    m_problem.clear();
+    m_sessions.clear();
+    Q_EMIT changed();
+}
+
+void Keyring::setProblem(const QString &problem)
+{
+    m_problem = problem;
+    Q_EMIT changed();
+}
+
+void Keyring::take(const engine::Happening &happening)
+{
+    if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
+        m_sessions[up->session] = up->peer;
+        m_store.setValue(seenKey(up->peer), QDateTime::currentDateTime());
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
+        const auto found = m_sessions.find(down->session);
+        if (found == m_sessions.end())
+            return;
+        m_store.setValue(seenKey(found->second), QDateTime::currentDateTime());
+        m_sessions.erase(found);
+    } else {
+        return;
+    }
+    Q_EMIT changed();
+}
+
+ui::OwnKey Keyring::ownKey() const
+{
+    ui::OwnKey out;
+    out.file = QString::fromStdString(m_paths.identity);
+    out.problem = m_problem;
+    if (m_paths.identity.empty() || !m_problem.isEmpty())
+        return out;
+    const auto facts = keys::readIdentityFacts(m_paths.identity);
+    if (facts) {
+        out.publicKey = facts->publicKey;
+        out.sealed = facts->sealed;
+    } else {
+        out.problem = QString::fromStdString(facts.error().text());
+    }
+    return out;
+}
+
+ui::PeerList Keyring::peerList() const
+{
+    ui::PeerList out;
+    out.file = QString::fromStdString(m_paths.peers);
+    if (m_paths.peers.empty())
+        return out;
+    const auto file = PeersFile::load(m_paths.peers);
+    if (!file) {
+        out.problem = QString::fromStdString(file.error().text());
+        return out;
+    }
+    for (const PeerEntry &entry : file->entries()) {
+        ui::KnownPeer peer;
+        peer.name = QString::fromStdString(entry.peer.name);
+        peer.role = entry.peer.role;
+        peer.systems = entry.peer.systemIds;
+        peer.key = entry.peer.key;
+        peer.hasPresharedKey = !entry.presharedKeyFile.empty();
+        peer.connected = std::ranges::any_of(m_sessions, [&](const auto &session) { return session.second == entry.peer.key; });
+        peer.lastSeen = m_store.value(seenKey(entry.peer.key)).toDateTime();
+        out.peers.push_back(std::move(peer));
+    }
+    return out;
+}
+
+Result<void, InputError> Keyring::note(Result<void, InputError> result)
+{
+    if (result) {
+        Q_EMIT edited();
+        Q_EMIT changed();
+    }
+    return result;
+}
+
+Result<void, InputError> Keyring::addPeer(const ui::KnownPeer &peer)
+{
+    return note(keys::editPeers(m_paths.peers, [&](PeersFile &file) {
+        PeerEntry entry;
+        decide(entry, peer);
+        return file.add(std::move(entry));
+    }));
+}
+
+Result<void, InputError> Keyring::changePeer(const QString &name, const ui::KnownPeer &changed)
+{
+    const std::string old = name.toStdString();
+    return note(keys::editPeers(m_paths.peers, [&](PeersFile &file) -> Result<void, InputError> {
+        const PeerEntry *known = file.find(old);
+        if (!known)
+            return tl::unexpected(InputError{"there is no peer named \"" + old + "\" any more", {}});
+        PeerEntry entry = *known;
+        decide(entry, changed);
+        if (auto renamed = file.rename(old, entry.peer.name); !renamed)
+            return renamed;
+        return file.replace(std::move(entry));
+    }));
+}
+
+Result<void, InputError> Keyring::removePeer(const QString &name)
+{
+    return note(keys::editPeers(m_paths.peers, [&](PeersFile &file) -> Result<void, InputError> {
+        if (!file.remove(name.toStdString()))
+            return tl::unexpected(InputError{"there is no peer named \"" + name.toStdString() + "\" any more", {}});
+        return {};
+    }));
+}
+
+Result<QString, InputError> Keyring::readKeyText(const QString &name) const
+{
+    constexpr qint64 kLongest = 1024;
+    QFile file(name);
+    if (!file.open(QIODevice::ReadOnly))
+        return tl::unexpected(InputError{"cannot be read: " + file.errorString().toStdString(), name.toStdString()});
+    const QByteArray content = file.read(kLongest);
+    const auto key = keys::publicKeyFromText(content.toStdString());
+    if (!key) // not its words: whoever picks a private key by mistake must not see it on the screen
+        return tl::unexpected(InputError{"holds no public key of Skyseal", name.toStdString()});
+    return QString::fromStdString(keys::publicKeyText(*key));
+}
+
+Result<void, InputError> Keyring::exportPublicKey(const QString &file) const
+{
+    const auto facts = keys::readIdentityFacts(m_paths.identity);
+    if (!facts)
+        return tl::unexpected(facts.error());
+    return keys::replaceFile(file.toStdString(), asBytes(keys::publicKeyText(facts->publicKey) + "\n"));
+}
+
+} // namespace skyseal::app

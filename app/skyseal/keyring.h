@@ -1,0 +1,52 @@
+// The key files of this station behind the windows' seam, and since when each peer was seen.
+#pragma once
+
+#include "core/engine/happening.h"
+#include "core/engine/station_config.h"
+#include "ui/keys/keyring_port.h"
+
+#include <QtCore/QSettings>
+
+#include <map>
+
+namespace skyseal::app {
+
+class Keyring : public ui::KeyringPort
+{
+    Q_OBJECT
+
+public:
+    /// `store` remembers when peers were seen; it must outlive this.
+    explicit Keyring(QSettings &store, QObject *parent = nullptr);
+
+    /// Other files: at the start, and when the demo brings its own.
+    void use(const engine::KeyPaths &paths);
+    /// Why the key is not in use; empty when it is.
+    void setProblem(const QString &problem);
+    /// Sessions that begin and end.
+    void take(const engine::Happening &happening);
+    /// Somebody else changed the files.
+    void touched() { Q_EMIT changed(); }
+
+    ui::OwnKey ownKey() const override;
+    ui::PeerList peerList() const override;
+    Result<void, InputError> addPeer(const ui::KnownPeer &peer) override;
+    Result<void, InputError> changePeer(const QString &name, const ui::KnownPeer &changed) override;
+    Result<void, InputError> removePeer(const QString &name) override;
+    Result<QString, InputError> readKeyText(const QString &file) const override;
+    Result<void, InputError> exportPublicKey(const QString &file) const override;
+
+Q_SIGNALS:
+    /// The list of peers was changed here.
+    void edited();
+
+private:
+    Result<void, InputError> note(Result<void, InputError> result);
+
+    QSettings &m_store;
+    engine::KeyPaths m_paths;
+    QString m_problem;
+    std::map<channel::SessionId, channel::PublicKey> m_sessions;
+};
+
+} // namespace skyseal::app

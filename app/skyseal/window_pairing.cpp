@@ -1,0 +1,77 @@
+#include "app/skyseal/window_pairing.h"
+
+#include "app/common/pairing_news.h"
+#include "core/keys/paired_peer.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QSysInfo>
+
+namespace skyseal::app {
+
+void WindowPairing::use(StationAdapter &station, const std::string &peersFile)
+{
+    m_peersFile = peersFile;
+    if (m_station == &station)
+        return;
+    m_station = &station;
+    connect(&station, &StationAdapter::pairing, this, &WindowPairing::take);
+}
+
+void WindowPairing::open(channel::PeerRole roleAsked)
+{
+    m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked);
+}
+
+void WindowPairing::confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey)
+{
+    m_name = name.toStdString();
+    m_replace = replaceKnownKey;
+    m_station->station().confirmPairing(key);
+}
+
+void WindowPairing::refuse()
+{
+    m_station->station().refusePairing();
+}
+
+void WindowPairing::cancel()
+{
+    m_station->station().cancelPairing();
+}
+
+void WindowPairing::take(const channel::PairingEvent &event)
+{
+    if (const auto *paired = std::get_if<channel::Paired>(&event)) {
+        keep(paired->peer);
+        return;
+    }
+    const auto known = keys::PeersFile::loadOrEmpty(m_peersFile);
+    const auto news = newsOf(event, known ? *known : keys::PeersFile());
+    if (!news)
+        return;
+    const QString reason = QString::fromStdString(news->reason);
+    switch (news->state) {
+    case PairingNews::State::Seen: Q_EMIT seen({news->key, QString::fromStdString(news->name)}); return;
+    case PairingNews::State::Confirmed: Q_EMIT confirmedThere(); return;
+    case PairingNews::State::Gone: Q_EMIT gone(reason); return;
+    case PairingNews::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(news->key))); return;
+    case PairingNews::State::Over:
+        if (!reason.isEmpty()) // empty: both said yes
+            Q_EMIT failed(reason);
+        return;
+    default: return;
+    }
+}
+
+void WindowPairing::keep(channel::Peer peer)
+{
+    peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
+    peer.role = channel::PeerRole::Pilot; // the agent is no observer of ours
+    const auto kept = keys::keepPairedPeer(m_peersFile, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    if (kept)
+        Q_EMIT paired(QString::fromStdString(peer.name));
+    else
+        Q_EMIT failed(QString::fromStdString(kept.error().text()));
+}
+
+} // namespace skyseal::app

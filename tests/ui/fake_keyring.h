@@ -1,0 +1,56 @@
+// Keys without files: remembers what the windows changed and shows them what a test (or the gallery) wants.
+#pragma once
+
+#include "ui/keys/keyring_port.h"
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+class FakeKeyring : public KeyringPort
+{
+    Q_OBJECT
+
+public:
+    using KeyringPort::KeyringPort;
+
+    OwnKey ownKey() const override { return own; }
+    PeerList peerList() const override { return list; }
+    Result<void, InputError> addPeer(const KnownPeer &peer) override
+    {
+        return commit([&] { list.peers.push_back(peer); });
+    }
+    Result<void, InputError> changePeer(const QString &name, const KnownPeer &changed) override
+    {
+        return commit([&] {
+            for (KnownPeer &peer : list.peers)
+                if (peer.name == name)
+                    peer = changed;
+        });
+    }
+    Result<void, InputError> removePeer(const QString &name) override
+    {
+        return commit([&] { std::erase_if(list.peers, [&](const KnownPeer &peer) { return peer.name == name; }); });
+    }
+    Result<QString, InputError> readKeyText(const QString &) const override { return fileText; }
+    Result<void, InputError> exportPublicKey(const QString &) const override { return {}; }
+
+    void tell() { Q_EMIT changed(); }
+
+    OwnKey own;
+    PeerList list;
+    QString fileText;
+    QString refusal; ///< what a change meets with; empty = it succeeds
+
+private:
+    template<typename Act> Result<void, InputError> commit(Act act)
+    {
+        if (!refusal.isEmpty())
+            return tl::unexpected(InputError{refusal.toStdString(), {}});
+        act();
+        Q_EMIT changed();
+        return {};
+    }
+};
+
+} // namespace skyseal::ui

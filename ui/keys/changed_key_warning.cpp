@@ -1,0 +1,61 @@
+#include "ui/keys/changed_key_warning.h"
+
+#include "ui/keys/fingerprint_text.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/icons.h"
+#include "ui/theme/palettes.h"
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QGridLayout>
+
+namespace skyseal::ui {
+
+ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
+{
+    setObjectName(QStringLiteral("changedKey"));
+    setFrameShape(QFrame::StyledPanel);
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::AlternateBase);
+    m_icon = new QLabel(this);
+    m_icon->setPixmap(iconPixmap(QStringLiteral("warning"), 3 * kGrid, stateColors(palette()).alarm, devicePixelRatioF()));
+    m_words = new QLabel(this);
+    m_words->setObjectName(QStringLiteral("changedKeyWords"));
+    m_words->setTextFormat(Qt::PlainText);
+    m_words->setWordWrap(true);
+    m_known = fixedWidthLabel({}, "knownFingerprint", tr("Fingerprint known until now"), this);
+    m_offered = fixedWidthLabel({}, "offeredFingerprint", tr("Fingerprint of the new key"), this);
+    m_accept = new QCheckBox(tr("I compared the new fingerprint at the device itself: &replace the key"), this);
+    m_accept->setObjectName(QStringLiteral("replaceKey"));
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, kGrid);
+    grid->setHorizontalSpacing(2 * kGrid);
+    grid->setVerticalSpacing(kGrid);
+    grid->addWidget(m_icon, 0, 0, Qt::AlignTop);
+    grid->addWidget(m_words, 0, 1, 1, 2);
+    grid->addWidget(new QLabel(tr("known until now"), this), 1, 1, Qt::AlignTop);
+    grid->addWidget(m_known, 1, 2);
+    grid->addWidget(new QLabel(tr("new"), this), 2, 1, Qt::AlignTop);
+    grid->addWidget(m_offered, 2, 2);
+    grid->addWidget(m_accept, 3, 1, 1, 2);
+    grid->setColumnStretch(2, 1);
+    connect(m_accept, &QCheckBox::toggled, this, &ChangedKeyWarning::acceptedChanged);
+    hide();
+}
+
+void ChangedKeyWarning::showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered)
+{
+    m_words->setText(tr("The key of %1 has changed. Either it was made anew there, or somebody pretends to be %1.").arg(name));
+    m_known->setText(fingerprintLines(known));
+    m_offered->setText(fingerprintLines(offered));
+    if (offered != m_shown) // what was said of another key does not count
+        m_accept->setChecked(false);
+    m_shown = offered;
+    show();
+}
+
+bool ChangedKeyWarning::isAccepted() const
+{
+    return m_accept->isChecked();
+}
+
+} // namespace skyseal::ui

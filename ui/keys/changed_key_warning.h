@@ -1,0 +1,34 @@
+// The warning that a known peer comes with another key: both fingerprints, and a box that must be ticked before the key is
+// replaced.
+#pragma once
+
+#include "core/channel/policy.h"
+
+#include <QtWidgets/QFrame>
+
+class QCheckBox;
+class QLabel;
+
+namespace skyseal::ui {
+
+class ChangedKeyWarning : public QFrame
+{
+    Q_OBJECT
+
+public:
+    explicit ChangedKeyWarning(QWidget *parent = nullptr);
+
+    void showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered);
+    /// The person said knowingly that the key is to be replaced.
+    bool isAccepted() const;
+
+Q_SIGNALS:
+    void acceptedChanged();
+
+private:
+    QLabel *m_icon, *m_words, *m_known, *m_offered;
+    QCheckBox *m_accept;
+    channel::PublicKey m_shown{};
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,48 @@
+// Keys and peers: this station's own key, and whom it talks to. All that skyseal-cli keys does with them, by mouse or keys.
+#pragma once
+
+#include "ui/keys/keyring_port.h"
+#include "ui/keys/peer_model.h"
+
+#include <QtWidgets/QDialog>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QTreeView;
+
+namespace skyseal::ui {
+
+class OwnKeyBox;
+
+class KeysDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit KeysDialog(KeyringPort &keyring, QWidget *parent = nullptr);
+
+    /// Shows the button that pairs; without it the dialog does not speak of pairing.
+    void offerPairing();
+
+Q_SIGNALS:
+    void pairWanted();
+
+private:
+    void refresh();
+    void addPeer();
+    void changePeer();
+    void revokePeer();
+    void tell(const QString &problem);
+    const KnownPeer *chosen() const;
+
+    KeyringPort &m_keyring;
+    OwnKeyBox *m_own;
+    PeerModel m_model;
+    QTreeView *m_view;
+    QStackedWidget *m_pages;
+    QLabel *m_empty, *m_file, *m_problem;
+    QPushButton *m_add, *m_pair, *m_change, *m_revoke;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,31 @@
+// This station's own public key: fingerprint, text and QR code, to be copied, exported and compared.
+#pragma once
+
+#include "ui/keys/keyring_port.h"
+
+#include <QtWidgets/QGroupBox>
+
+class QLabel;
+class QPushButton;
+
+namespace skyseal::ui {
+
+class OwnKeyBox : public QGroupBox
+{
+    Q_OBJECT
+
+public:
+    explicit OwnKeyBox(KeyringPort &keyring, QWidget *parent = nullptr);
+
+    void refresh();
+
+private:
+    void exportKey();
+
+    KeyringPort &m_keyring;
+    QString m_text;
+    QLabel *m_intro, *m_fingerprint, *m_key, *m_file, *m_result, *m_code;
+    QPushButton *m_copy, *m_export;
+};
+
+} // namespace skyseal::ui

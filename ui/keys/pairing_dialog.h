@@ -1,0 +1,52 @@
+// Pairs this station with an agent: waits for it, shows both fingerprints, and keeps it once the persons at both ends have
+// said that they are the same.
+#pragma once
+
+#include "ui/keys/keyring_port.h"
+#include "ui/keys/pairing_port.h"
+
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QTimer>
+#include <QtWidgets/QDialog>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace skyseal::ui {
+
+class ChangedKeyWarning;
+
+class PairingDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    PairingDialog(PairingPort &pairing, const KeyringPort &keyring, QWidget *parent = nullptr);
+    ~PairingDialog() override;
+
+private:
+    enum class Step { Waiting, Comparing, Confirmed, Paired, Failed };
+
+    void begin();
+    void showStep(Step step, const QString &words);
+    void showQuestion(const PairingQuestion &question);
+    void showTime();
+    void check();
+    void agree();
+
+    PairingPort &m_pairing;
+    const KeyringPort &m_keyring;
+    Step m_step = Step::Waiting;
+    std::optional<PairingQuestion> m_question;
+    QElapsedTimer m_clock;
+    QTimer m_tick;
+    QLabel *m_words, *m_time, *m_theirs, *m_theirTitle, *m_nameTitle, *m_roleTitle, *m_problem;
+    QLineEdit *m_name;
+    QComboBox *m_role;
+    ChangedKeyWarning *m_warning;
+    QPushButton *m_agree, *m_differ, *m_again, *m_close;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,193 @@
+#include "ui/keys/peer_dialog.h"
+
+#include "core/keys/peer_line.h"
+#include "core/keys/public_key_text.h"
+#include "ui/keys/changed_key_warning.h"
+#include "ui/keys/fingerprint_text.h"
+#include "ui/keys/peer_model.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+PeerDialog::PeerDialog(KeyringPort &keyring, QWidget *parent) : PeerDialog(keyring, nullptr, parent) {}
+
+PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent) {}
+
+PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *parent)
+    : QDialog(parent), m_keyring(keyring), m_peers(keyring.peerList().peers)
+{
+    if (peer)
+        m_changing = *peer;
+    setObjectName(QStringLiteral("peerDialog"));
+    setWindowTitle(peer ? tr("Peer %1").arg(peer->name) : tr("Add a peer"));
+    m_key = new QLineEdit(this);
+    m_key->setObjectName(QStringLiteral("peerKey"));
+    m_key->setAccessibleName(tr("Public key"));
+    m_key->setPlaceholderText(QStringLiteral("skyseal:…"));
+    auto *browse = new QPushButton(tr("From a &file …"), this);
+    browse->setObjectName(QStringLiteral("peerKeyFile"));
+    browse->setAutoDefault(false);
+    m_fingerprint = fixedWidthLabel({}, "peerFingerprint", tr("Fingerprint"), this);
+    m_name = new QLineEdit(this);
+    m_name->setObjectName(QStringLiteral("peerName"));
+    m_name->setAccessibleName(tr("Name"));
+    m_role = new QComboBox(this);
+    m_role->setObjectName(QStringLiteral("peerRole"));
+    m_role->setAccessibleName(tr("Role"));
+    m_role->addItem(tr("pilot: may command"), static_cast<int>(channel::PeerRole::Pilot));
+    m_role->addItem(tr("observer: may only look"), static_cast<int>(channel::PeerRole::Observer));
+    m_systems = new QLineEdit(this);
+    m_systems->setObjectName(QStringLiteral("peerSystems"));
+    m_systems->setAccessibleName(tr("MAVLink system ids"));
+    m_systems->setPlaceholderText(tr("any; or e.g. 1,2"));
+    m_warning = new ChangedKeyWarning(this);
+    m_problem = new QLabel(this);
+    m_problem->setObjectName(QStringLiteral("peerProblem"));
+    m_problem->setTextFormat(Qt::PlainText);
+    m_problem->setWordWrap(true);
+    m_problem->setMinimumHeight(2 * kRow); // the dialog does not jump while somebody types
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+
+    auto *keyRow = new QHBoxLayout;
+    keyRow->setSpacing(kGrid);
+    keyRow->addWidget(m_key, 1);
+    keyRow->addWidget(browse);
+    auto *form = new QFormLayout;
+    form->setHorizontalSpacing(2 * kGrid);
+    form->setVerticalSpacing(kGrid);
+    if (!peer)
+        form->addRow(tr("&Public key"), keyRow);
+    form->addRow(tr("Fingerprint"), m_fingerprint);
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("&Role"), m_role);
+    form->addRow(tr("&Systems"), m_systems);
+    if (auto *buddy = qobject_cast<QLabel *>(form->labelForField(keyRow)))
+        buddy->setBuddy(m_key);
+    m_key->setVisible(!peer);
+    browse->setVisible(!peer);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
+    column->setSpacing(kGrid);
+    column->addLayout(form);
+    column->addWidget(m_warning);
+    column->addWidget(m_problem);
+    column->addWidget(m_buttons);
+
+    if (peer) {
+        m_name->setText(peer->name);
+        m_role->setCurrentIndex(m_role->findData(static_cast<int>(peer->role)));
+        m_systems->setText(peer->systems.empty() ? QString() : fromStd(keys::systemIdsText(peer->systems)));
+    }
+    for (const QLineEdit *edit : {m_key, m_name, m_systems})
+        connect(edit, &QLineEdit::textChanged, this, &PeerDialog::check);
+    connect(m_warning, &ChangedKeyWarning::acceptedChanged, this, &PeerDialog::check);
+    connect(browse, &QPushButton::clicked, this, &PeerDialog::readKeyFile);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &PeerDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    setMinimumWidth(78 * kGrid);
+    check();
+}
+
+void PeerDialog::readKeyFile()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Public key of a peer"), {}, tr("Public keys (*.pub);;All files (*)"));
+    if (file.isEmpty())
+        return;
+    const auto text = m_keyring.readKeyText(file);
+    m_key->setText(text ? *text : QString());
+    if (!text)
+        m_problem->setText(fromStd(text.error().text()));
+}
+
+const KnownPeer *PeerDialog::knownByName(const QString &name) const
+{
+    const auto found = std::ranges::find(m_peers, name, &KnownPeer::name);
+    return found == m_peers.end() ? nullptr : &*found;
+}
+
+QString PeerDialog::problem(KnownPeer &out) const
+{
+    if (m_changing)
+        out = *m_changing;
+    out.name = m_name->text().trimmed();
+    out.role = static_cast<channel::PeerRole>(m_role->currentData().toInt());
+    QString wrong;
+    const auto note = [&wrong](const std::string &words) {
+        if (wrong.isEmpty())
+            wrong = fromStd(words);
+    };
+    if (!m_changing) {
+        const auto key = keys::publicKeyFromText(m_key->text().toStdString());
+        if (key)
+            out.key = *key;
+        else
+            note(m_key->text().isEmpty() ? tr("Paste the public key that keys show prints at the other end.").toStdString()
+                                         : key.error().message);
+    }
+    keys::PeerEntry entry;
+    entry.peer.name = out.name.toStdString();
+    if (const auto fits = keys::checkPeerEntry(entry); !fits)
+        note(out.name.isEmpty() ? tr("Give it a name.").toStdString() : fits.error().message);
+    const QString systems = m_systems->text().trimmed();
+    auto ids = keys::systemIdsFromText(systems.isEmpty() ? "any" : systems.toStdString());
+    if (ids)
+        out.systems = std::move(*ids);
+    else
+        note(ids.error().message);
+    return wrong;
+}
+
+void PeerDialog::check()
+{
+    KnownPeer peer;
+    QString wrong = problem(peer);
+    const bool hasKey = peer.key != channel::PublicKey{};
+    m_fingerprint->setText(hasKey ? fingerprintLines(peer.key) : QStringLiteral("–\n"));
+    const KnownPeer *known = knownByName(peer.name);
+    const bool changed = !m_changing && hasKey && known && known->key != peer.key;
+    if (changed)
+        m_warning->showKeys(peer.name, known->key, peer.key);
+    else
+        m_warning->hide();
+    if (wrong.isEmpty() && changed && !m_warning->isAccepted())
+        wrong = tr("Replace the key knowingly, or choose another name.");
+    QPalette colors = palette();
+    const bool started = m_changing || !m_key->text().isEmpty();
+    colors.setColor(QPalette::WindowText, started ? stateColors(palette()).alarm : stateColors(palette()).dim);
+    m_problem->setPalette(colors);
+    m_problem->setText(wrong);
+    QPushButton *ok = m_buttons->button(QDialogButtonBox::Ok);
+    ok->setEnabled(wrong.isEmpty());
+    ok->setText(m_changing ? tr("Change") : changed ? tr("Replace the key") : tr("Add"));
+}
+
+void PeerDialog::accept()
+{
+    KnownPeer peer;
+    if (!problem(peer).isEmpty())
+        return;
+    const KnownPeer *known = knownByName(peer.name);
+    const bool replaces = !m_changing && known && known->key != peer.key;
+    if (replaces && !m_warning->isAccepted())
+        return;
+    const auto done = m_changing ? m_keyring.changePeer(m_changing->name, peer)
+                      : replaces ? m_keyring.changePeer(peer.name, peer)
+                                 : m_keyring.addPeer(peer);
+    if (done)
+        QDialog::accept();
+    else
+        m_problem->setText(fromStd(done.error().text()));
+}
+
+} // namespace skyseal::ui
