@@ -157,8 +157,10 @@ void PairingDialog::showStep(Step step, const QString &words)
     m_problem->clear();
     const bool over = step == Step::Paired || step == Step::Failed;
     m_close->setText(over ? tr("Close") : tr("Cancel"));
-    if (over)
+    if (over) {
         m_tick.stop();
+        resize(width(), sizeHint().height());
+    }
     showTime();
     check();
 }

@@ -1,0 +1,192 @@
+// The dialog that pairs: what it asks, what it shows in each step, and that nobody says yes by accident.
+#include "fake_keyring.h"
+#include "fake_pairing.h"
+#include "ui/keys/changed_key_warning.h"
+#include "ui/keys/fingerprint_text.h"
+#include "ui/keys/pairing_dialog.h"
+
+#include <QtTest/QTest>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+channel::PublicKey key(std::uint8_t first)
+{
+    channel::PublicKey out{};
+    out.fill(first);
+    return out;
+}
+
+} // namespace
+
+class PairingDialogTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_keyring = std::make_unique<FakeKeyring>();
+        m_keyring->own.publicKey = key(1);
+        m_pairing = std::make_unique<FakePairing>();
+        m_dialog = std::make_unique<PairingDialog>(*m_pairing, *m_keyring);
+        m_dialog->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
+        m_dialog->activateWindow();
+    }
+    void cleanup() { m_dialog.reset(); }
+
+    void waitsAndSaysWhatToDo();
+    void comparedAndConfirmed();
+    void returnSaysNothing();
+    void refusedByTheEye();
+    void goneTakesTheQuestionAway();
+    void changedKeyNeedsTheTick();
+    void anotherNameAvoidsTheWarning();
+    void badNameIsNoYes();
+    void failureCanBeTriedAgain();
+    void anotherRoleBeginsAnew();
+    void leavingCancels();
+
+private:
+    template<typename W> W *find(const char *name) const { return m_dialog->findChild<W *>(QLatin1String(name)); }
+    QString words() const { return find<QLabel>("pairingWords")->text(); }
+    void see(std::uint8_t first, const char *name) { Q_EMIT m_pairing->seen({key(first), QLatin1String(name)}); }
+
+    std::unique_ptr<FakeKeyring> m_keyring;
+    std::unique_ptr<FakePairing> m_pairing;
+    std::unique_ptr<PairingDialog> m_dialog;
+};
+
+void PairingDialogTest::waitsAndSaysWhatToDo()
+{
+    QCOMPARE(m_pairing->opened.size(), std::size_t(1));
+    QVERIFY(words().contains(QStringLiteral("skyseal-air --pair")));
+    QCOMPARE(find<QLabel>("pairingOwn")->text(), fingerprintLines(key(1)));
+    QVERIFY(find<QLabel>("pairingTime")->text().contains(QStringLiteral("s left")));
+    QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
+}
+
+void PairingDialogTest::comparedAndConfirmed()
+{
+    see(5, "heron");
+    QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(5)));
+    QCOMPARE(find<QLineEdit>("pairingName")->text(), QStringLiteral("heron"));
+    Q_EMIT m_pairing->confirmedThere();
+    QVERIFY(words().contains(QStringLiteral("said yes")));
+    find<QLineEdit>("pairingName")->setText(QStringLiteral("scout-1"));
+    QTest::mouseClick(find<QPushButton>("pairingAgree"), Qt::LeftButton);
+    QCOMPARE(m_pairing->confirmations.size(), std::size_t(1));
+    QCOMPARE(m_pairing->confirmations[0].name, QStringLiteral("scout-1"));
+    QVERIFY(m_pairing->confirmations[0].key == key(5) && !m_pairing->confirmations[0].replace);
+    QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
+    Q_EMIT m_pairing->paired(QStringLiteral("scout-1"));
+    QVERIFY(words().contains(QStringLiteral("Paired with scout-1")));
+    QVERIFY(find<QLabel>("pairingTime")->text().isEmpty());
+}
+
+void PairingDialogTest::returnSaysNothing()
+{
+    see(5, "heron");
+    for (QWidget *at : std::initializer_list<QWidget *>{m_dialog.get(), find<QLineEdit>("pairingName")}) {
+        QTest::keyClick(at, Qt::Key_Return);
+        QTest::keyClick(at, Qt::Key_Enter);
+    }
+    QVERIFY(m_pairing->confirmations.empty());
+}
+
+void PairingDialogTest::refusedByTheEye()
+{
+    see(5, "heron");
+    QTest::mouseClick(find<QPushButton>("pairingDiffer"), Qt::LeftButton);
+    QCOMPARE(m_pairing->refusals, 1);
+    QVERIFY(words().contains(QStringLiteral("Waiting")));
+    QVERIFY(!find<QLabel>("pairingTheirs")->isVisible());
+}
+
+void PairingDialogTest::goneTakesTheQuestionAway()
+{
+    see(5, "heron");
+    Q_EMIT m_pairing->gone(QStringLiteral("it fell silent"));
+    QVERIFY(words().contains(QStringLiteral("it fell silent")));
+    QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
+    see(6, "other");
+    QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(6)));
+}
+
+void PairingDialogTest::changedKeyNeedsTheTick()
+{
+    KnownPeer known;
+    known.name = QStringLiteral("heron");
+    known.key = key(4);
+    m_keyring->list.peers = {known};
+    see(5, "heron");
+    QVERIFY(m_dialog->findChild<ChangedKeyWarning *>()->isVisible());
+    QVERIFY(!find<QPushButton>("pairingAgree")->isEnabled());
+    QTest::mouseClick(find<QPushButton>("pairingAgree"), Qt::LeftButton);
+    QVERIFY(m_pairing->confirmations.empty());
+    find<QCheckBox>("replaceKey")->setFocus();
+    QTest::keyClick(find<QCheckBox>("replaceKey"), Qt::Key_Space);
+    QTest::mouseClick(find<QPushButton>("pairingAgree"), Qt::LeftButton);
+    QVERIFY(m_pairing->confirmations.at(0).replace);
+}
+
+void PairingDialogTest::anotherNameAvoidsTheWarning()
+{
+    KnownPeer known;
+    known.name = QStringLiteral("heron");
+    known.key = key(4);
+    m_keyring->list.peers = {known};
+    see(5, "heron");
+    find<QLineEdit>("pairingName")->setText(QStringLiteral("heron-2"));
+    QVERIFY(!m_dialog->findChild<ChangedKeyWarning *>()->isVisible());
+    QVERIFY(find<QPushButton>("pairingAgree")->isEnabled());
+    // A key that is known is no changed one, whatever it is called.
+    m_keyring->list.peers[0].key = key(5);
+    find<QLineEdit>("pairingName")->setText(QStringLiteral("heron"));
+    QVERIFY(find<QPushButton>("pairingAgree")->isEnabled());
+}
+
+void PairingDialogTest::badNameIsNoYes()
+{
+    see(5, "heron");
+    find<QLineEdit>("pairingName")->setText(QStringLiteral("two words"));
+    QVERIFY(!find<QPushButton>("pairingAgree")->isEnabled());
+    QVERIFY(find<QLabel>("pairingProblem")->text().contains(QStringLiteral("is not a peer's name")));
+}
+
+void PairingDialogTest::failureCanBeTriedAgain()
+{
+    Q_EMIT m_pairing->failed(QStringLiteral("the vehicle was armed"));
+    QVERIFY(words().contains(QStringLiteral("the vehicle was armed")));
+    QTest::mouseClick(find<QPushButton>("pairingAgain"), Qt::LeftButton);
+    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
+    QVERIFY(words().contains(QStringLiteral("skyseal-air --pair")));
+}
+
+void PairingDialogTest::anotherRoleBeginsAnew()
+{
+    QTest::keyClick(find<QComboBox>("pairingRole"), Qt::Key_Down);
+    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
+    QVERIFY(m_pairing->opened.back() == channel::PeerRole::Observer);
+}
+
+void PairingDialogTest::leavingCancels()
+{
+    m_dialog.reset();
+    QCOMPARE(m_pairing->cancels, 1);
+    PairingDialog done(*m_pairing, *m_keyring);
+    Q_EMIT m_pairing->paired(QStringLiteral("heron"));
+    done.reject();
+    QCOMPARE(m_pairing->cancels, 1);
+}
+
+QTEST_MAIN(PairingDialogTest)
+#include "pairing_dialog_test.moc"
