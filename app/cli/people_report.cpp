@@ -41,6 +41,8 @@ std::string sealText(const engine::Snapshot &snapshot)
                           static_cast<unsigned long long>(session.forgedLastMinute),
                           static_cast<unsigned long long>(session.replayedLastMinute));
     }
+    for (const engine::UnansweringAgent &agent : snapshot.unanswering)
+        out += (out.empty() ? "" : "; ") + agent.peerName + " does not answer";
     if (out.empty())
         out = snapshot.security == engine::Security::Plain ? "NOT SEALED" : "no session";
     return out;

@@ -94,6 +94,12 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
             },
+            [](const engine::AgentUnanswering &e) {
+                if (e.over)
+                    return std::string(); // the session that is up, or the silence, says enough
+                return "agent " + e.agent.peerName + " at " + e.agent.remoteAddress
+                    + " is there but does not answer: does it know this station's key? " + e.agent.ownFingerprint;
+            },
             [](const engine::RecordingProblem &e) { return "not recording: " + e.file + ": " + e.problem; },
             [](const engine::MissionTransferDone &) { return std::string(); },
             [](const engine::ParameterWritten &) { return std::string(); },

@@ -162,6 +162,11 @@ std::optional<SessionStats> Endpoint::stats(SessionId session) const
     return entry->session->stats();
 }
 
+std::vector<Unanswered> Endpoint::unanswered() const
+{
+    return m_state->station ? m_state->station->unanswered() : std::vector<Unanswered>();
+}
+
 const ReceiveCounters &Endpoint::strays() const
 {
     return m_state->core.strays;

@@ -126,6 +126,17 @@ struct SessionInfo
     TimePoint lastReceived{};
 };
 
+/// A known agent that announces itself and has not answered the handshake: it does not know our key, or it is deaf.
+struct Unanswered
+{
+    PublicKey peer{};
+    std::string peerName;
+    Path path;             ///< where its newest announcement came from
+    TimePoint since{};     ///< of the first message that it did not answer
+    TimePoint announced{}; ///< when it was heard last
+    unsigned sent = 0;     ///< first messages
+};
+
 class Endpoint
 {
 public:
@@ -139,6 +150,8 @@ public:
     std::vector<SessionId> sessions() const;
     std::optional<SessionInfo> sessionInfo(SessionId) const;
     std::optional<SessionStats> stats(SessionId) const;
+    /// A station's handshakes with agents that were heard and have not answered yet.
+    std::vector<Unanswered> unanswered() const;
     /// Datagrams that belong to no session. malformed: no message of this version, or of an unknown connection; forged: a
     /// handshake message that is not meant for our key; replayed: one that came before.
     const ReceiveCounters &strays() const;

@@ -77,6 +77,8 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
         session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
     Attempt &attempt = want(now, known->key, due);
+    attempt.announced = now;
+    attempt.announcedFrom = from;
     Place &place = placeAt(attempt, from);
     place.owed = true;
     // It is there, so waiting is of no use; but never more than one answer to one announcement, and only to where it came
@@ -112,6 +114,7 @@ void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
         if (!cookie)
             continue;
         --attempt.uncookied;
+        attempt.unanswered = 0;
         Place &place = placeAt(attempt, from);
         place.cookie = cookie;
         place.cookieUntil = now + kCookieSecretLife;
@@ -170,6 +173,18 @@ void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
     auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
+}
+
+std::vector<Unanswered> Station::unanswered() const
+{
+    std::vector<Unanswered> out;
+    for (const Attempt &attempt : m_attempts) {
+        const Peer *peer = m_core.peer(attempt.peer);
+        if (peer && attempt.announced && attempt.unanswered > 0)
+            out.push_back({peer->key, peer->name, attempt.announcedFrom, attempt.unansweredSince, *attempt.announced,
+                           attempt.unanswered});
+    }
+    return out;
 }
 
 void Station::sessionLives(const PublicKey &peer)
@@ -233,6 +248,8 @@ void Station::sendTo(TimePoint now, Attempt &attempt, Place &place)
     place.owed = false;
     place.lastSent = now;
     ++attempt.copies;
+    if (attempt.unanswered++ == 0)
+        attempt.unansweredSince = now;
     m_core.around.outbox.send(place.path, message);
 }
 

@@ -20,6 +20,7 @@ public:
     /// An authentic record of a session came: its peer is there and still has it, so no other is needed.
     void sessionLives(const PublicKey &peer);
     bool idle() const { return m_attempts.empty(); }
+    std::vector<Unanswered> unanswered() const;
     void handleDeadline(TimePoint now);
     TimePoint deadline(TimePoint now);
 
@@ -51,6 +52,10 @@ private:
         unsigned copies = 0;      ///< of the present first message
         unsigned uncookied = 0;   ///< of these without a cookie, and not answered by one
         TimePoint begun{};        ///< when it was made
+        unsigned unanswered = 0;  ///< of all, since the last cookie
+        TimePoint unansweredSince{};
+        std::optional<TimePoint> announced; ///< none while it is only a session that fell silent
+        Path announcedFrom;
         std::optional<Initiator> handshake;
     };
 

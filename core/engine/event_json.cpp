@@ -130,6 +130,14 @@ std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
     return end(json);
 }
 
+std::string unansweringEvent(const AgentUnanswering &event)
+{
+    JsonWriter json = begin("unanswered");
+    json.field("state", event.over ? "over" : "begun").field("peer", event.agent.peerName);
+    json.field("address", event.agent.remoteAddress).field("own_fingerprint", event.agent.ownFingerprint);
+    return end(json);
+}
+
 std::string plaintextEvent(const PlaintextRefused &refused)
 {
     JsonWriter json = begin("plaintext");

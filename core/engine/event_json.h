@@ -24,6 +24,7 @@ std::string peerMovedEvent(const std::string &peer, const std::string &from, con
 std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
                          const std::string &fingerprint);
 std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
+std::string unansweringEvent(const AgentUnanswering &event);
 std::string plaintextEvent(const PlaintextRefused &refused);
 /// One step of a flight script.
 std::string commandEvent(const vehicle::StepReport &report);

@@ -130,6 +130,15 @@ struct Snapshot
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     channel::ReceiveCounters strays;
+/// A known agent that is there, as its announcements show, and answers none of our handshakes.
+struct UnansweringAgent
+{
+    std::string peerName;
+    std::string remoteAddress;
+    std::string ownFingerprint; ///< of this station's key, which the agent has to know
+    double seconds = 0;         ///< since the first message that it did not answer
+};
+
     std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
@@ -138,6 +147,7 @@ struct Snapshot
     std::uint64_t plaintextRefused = 0; ///< clear frames of a pinned vehicle, never shown as telemetry
     std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
     MavlinkTotals mavlink;   ///< since the start, all links
+    std::vector<UnansweringAgent> unanswering;
     ChannelTotals channel;   ///< since the start, ended sessions included
     std::shared_ptr<const Probe> probe; ///< null unless the station is being measured
 };

@@ -1,5 +1,7 @@
 #include "core/engine/station_core.h"
 
+#include "core/channel/suite_strength.h"
+#include "core/keys/public_key_text.h"
 #include "core/mavlink/frame_writer.h"
 
 #include <algorithm>
@@ -40,6 +42,7 @@ StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secr
       m_lastSnapshot(TimePoint::min()), m_nextQuarter(m_start), m_timer([this] { handleDeadline(); })
 {
     if (m_secrets && m_config.secure != SecureMode::Off) {
+        m_unanswering = UnansweringAgents(keys::fingerprint(m_secrets->identity->publicKey));
         m_policy.setPeers(m_secrets->peers);
         m_policy.rememberSealed(m_secrets->sealedSystems);
         channel::Endpoint endpoint(channelConfig(m_config, *m_secrets), m_secrets->random, *m_secrets->counters, m_start);
@@ -273,6 +276,7 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         m_sessionWatches.erase(down->session);
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
         m_policy.sessionMoved(moved->session, moved->to);
+        noteUnanswering(now);
     }
     std::visit([this](const auto &value) { tell(value); }, event);
 }
@@ -382,6 +386,8 @@ void StationCore::everySecond(TimePoint now)
     }
     if (m_recorder) {
         if (const auto problem = m_recorder->takeProblem())
+        noteUnanswering(now);
+    }
             tell(RecordingProblem{problem->file, problem->problem});
     }
 }
@@ -395,6 +401,12 @@ void StationCore::keepSealedSystems()
     if (const auto written = writeSealedSystems(file, m_secrets->sealedSystems); !written)
         tell(RecordingProblem{file, written.error().message}); // in force for this run all the same
 }
+void StationCore::noteUnanswering(TimePoint now)
+{
+    for (AgentUnanswering &news : m_unanswering.update(now, m_channel->endpoint().unanswered()))
+        tell(std::move(news));
+}
+
 
 void StationCore::publish(TimePoint now)
 {

@@ -19,6 +19,7 @@
 #include "core/engine/secret_files.h"
 #include "core/engine/sender_policy.h"
 #include "core/engine/station_config.h"
+#include "core/engine/unanswering_agents.h"
 #include "core/metrics/sequence_table.h"
 #include "core/vehicle/gcs_heartbeat.h"
 #include "core/vehicle/vehicle_set.h"
@@ -113,6 +114,7 @@ private:
     void everyQuarterSecond(TimePoint now);
     void everySecond(TimePoint now);
     void keepSealedSystems();
+    void noteUnanswering(TimePoint now);
     void tell(Happening happening) { m_sinks.happening(std::move(happening)); }
 
     void publish(TimePoint now);
@@ -144,6 +146,7 @@ private:
     Refusals m_refusals;
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
     std::uint64_t m_spoofed = 0;      ///< sealed frames of a system that their peer may not speak as
+    UnansweringAgents m_unanswering{std::string()};
     bool m_readerAlive = true;
     bool m_measuring = false;
     bool m_stopped = false;

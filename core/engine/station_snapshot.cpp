@@ -87,6 +87,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
                 out->sessions.push_back(describe(now, *info));
         }
         out->strays = m_channel->endpoint().strays();
+        out->unanswering = m_unanswering.all();
     }
     for (const auto &[systemId, vehicle] : m_vehicles.all())
         out->vehicles.push_back(describe(now, vehicle));

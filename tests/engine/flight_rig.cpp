@@ -67,6 +67,7 @@ void VehicleOnUdp::advance()
 }
 
 FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned)
+    : m_stationRole(stationRole)
 {
     if (!crypto::initCrypto())
         qFatal("no randomness");
@@ -76,7 +77,16 @@ FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pi
     if (!ground || !air)
         qFatal("cannot write keys");
     introduce(file("ground.peers"), "air-1", air->publicKey, channel::PeerRole::Pilot, std::move(pinned));
-    introduce(file("air.peers"), "ground", ground->publicKey, stationRole, {});
+    m_groundKey = ground->publicKey;
+    introduceStation(true);
+}
+
+void FlightRig::introduceStation(bool known)
+{
+    // Otherwise somebody else's key stands there.
+    crypto::PublicKey key = m_groundKey;
+    key[0] ^= known ? 0 : 1;
+    introduce(file("air.peers"), "ground", key, m_stationRole, {});
 }
 
 engine::StationConfig FlightRig::stationConfig(engine::SecureMode mode) const

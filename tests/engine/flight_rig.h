@@ -41,6 +41,8 @@ public:
     engine::StationConfig stationConfig(engine::SecureMode mode = engine::SecureMode::Required) const;
     /// A fresh agent, as after a restart of its program, that announces itself to `ground` ("127.0.0.1:port").
     void startAgent(const std::string &ground);
+    /// Whether agents that start from now on know the station's key.
+    void introduceStation(bool known);
     /// As kill -9: nobody is told.
     void killAgent() { agent.reset(); }
     std::string vehicleAddress(); ///< where a vehicle sends to
@@ -52,6 +54,8 @@ private:
     std::string file(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }
 
     QTemporaryDir m_folder;
+    crypto::PublicKey m_groundKey{};
+    channel::PeerRole m_stationRole;
     std::string m_vehiclePort = "0"; ///< kept over restarts
 };
 

@@ -2,6 +2,8 @@
 // after a restart, and lets through only what is allowed.
 #include "tests/engine/flight_rig.h"
 
+#include "core/keys/public_key_text.h"
+
 #include <QtCore/QElapsedTimer>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
@@ -46,6 +48,7 @@ private Q_SLOTS:
     void observerCannotCommand();
     void pilotCanCommand();
     void unknownStationGetsNothing();
+    void agentThatDoesNotKnowUsIsNamed();
     void lastSnapshotKeepsTheCounts();
 };
 
@@ -202,6 +205,33 @@ void SealedStationTest::unknownStationGetsNothing()
     QVERIFY(!ground.up());
     QVERIFY(ground.ears->snapshot->vehicles.empty());
     QCOMPARE(rig.agent->snapshot().counters.toGround, std::uint64_t(0));
+}
+
+void SealedStationTest::agentThatDoesNotKnowUsIsNamed()
+{
+    FlightRig rig;
+    rig.introduceStation(false);
+    Ground ground(rig.stationConfig());
+    rig.startAgent(ground.ears->listening());
+    const auto told = [&ground] { return ground.ears->all<engine::AgentUnanswering>(); };
+    QTRY_VERIFY_WITH_TIMEOUT(!told().empty(), 20000);
+    QVERIFY(!told()[0].over);
+    QCOMPARE(told()[0].agent.peerName, std::string("air-1"));
+    QVERIFY(told()[0].agent.remoteAddress.starts_with("127.0.0.1:"));
+    QTRY_COMPARE(ground.ears->snapshot->unanswering.size(), std::size_t(1));
+    // The fingerprint is the one that the agent itself said when it refused us.
+    QVERIFY(std::any_of(rig.agentEvents.begin(), rig.agentEvents.end(), [&](const engine::AgentEvent &event) {
+        const auto *channelEvent = std::get_if<channel::Event>(&event);
+        const auto *refused = channelEvent ? std::get_if<channel::HandshakeRefused>(channelEvent) : nullptr;
+        return refused && keys::fingerprint(refused->peer) == told()[0].agent.ownFingerprint;
+    }));
+    rig.introduceStation(true);
+    rig.killAgent();
+    rig.startAgent(ground.ears->listening());
+    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 20000);
+    QTRY_VERIFY(ground.ears->snapshot->unanswering.empty());
+    QCOMPARE(told().size(), std::size_t(2));
+    QVERIFY(told()[1].over);
 }
 
 void SealedStationTest::lastSnapshotKeepsTheCounts()

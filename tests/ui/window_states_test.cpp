@@ -86,6 +86,22 @@ private Q_SLOTS:
         QVERIFY(find<HoldButton>("armButton")->isEnabled());
     }
 
+    void silentAgentIsNamed()
+    {
+        engine::Snapshot snapshot = waitingSnapshot();
+        snapshot.unanswering.push_back({"air-1", "192.0.2.7:40000", "SHA256:own", 4});
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("air-1 does not answer")));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("SHA256:own")));
+        const auto *lock = find<StripItem>("stripLock");
+        QCOMPARE(lock->text(), QStringLiteral("air-1 does not answer"));
+        QVERIFY(lock->toolTip().contains(QStringLiteral("SHA256:own")));
+        QVERIFY(lock->toolTip().contains(QStringLiteral("192.0.2.7:40000")));
+        m_station->show(sealedSnapshot(1));
+        QVERIFY(!lock->text().contains(QStringLiteral("answer")));
+        QVERIFY(!find<QWidget>("emptyState")->isVisible());
+    }
+
     void valuesAreThoseOfTheVehicle()
     {
         engine::Snapshot snapshot = plainSnapshot(1);

@@ -91,6 +91,13 @@ void EmptyState::showScene(const Scene &scene)
     if (scene.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
         text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
+    } else if (scene.snapshot && !scene.snapshot->unanswering.empty()) {
+        const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
+        title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));
+        text = tr("It is there, at %1, but it answers no handshake. Does it know this station's key?\n\n"
+                  "Its list of peers needs the key with the fingerprint\n%2\n\n"
+                  "It is as silent when it permits none of the suites that are offered here.")
+                   .arg(fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
     } else if (replaying) {
         title = tr("Replaying a log");
         text = tr("No vehicle in it so far.");

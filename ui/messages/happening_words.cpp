@@ -45,6 +45,15 @@ public:
         return HappeningLine{tr("Refused %1 clear frames from %2 that claim to be this sealed vehicle")
                                  .arg(e.frames).arg(fromStd(e.remoteAddress)), kError, e.systemId};
     }
+    Line operator()(const engine::AgentUnanswering &e) const
+    {
+        const QString name = fromStd(e.agent.peerName);
+        if (e.over)
+            return {}; // the session that is up, or the silence, says enough
+        return HappeningLine{tr("The agent %1 at %2 is there but does not answer: does it know this station's key? %3")
+                                 .arg(name, fromStd(e.agent.remoteAddress), fromStd(e.agent.ownFingerprint)),
+                             kWarning};
+    }
     Line operator()(const engine::RecordingProblem &e) const
     {
         return HappeningLine{tr("Recording %1: %2").arg(fromStd(e.file), fromStd(e.problem)), kError};

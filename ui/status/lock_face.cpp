@@ -46,6 +46,15 @@ LockFace lockFaceOf(const Scene &scene)
     LockFace face;
     face.security = securityOf(scene);
     if (!scene.session) {
+        if (face.security == Security::Nothing && scene.snapshot && !scene.snapshot->unanswering.empty()) {
+            const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
+            face.icon = QStringLiteral("lock-none");
+            face.variants = {Words::tr("%1 does not answer").arg(fromStd(agent.peerName)), Words::tr("No answer")};
+            face.toolTip = Words::tr("The agent %1 at %2 is there but does not answer. Does it know this station's key?\n"
+                                     "Fingerprint %3")
+                               .arg(fromStd(agent.peerName), fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
+            return face;
+        }
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
             face.variants = {Words::tr("Nothing sealed"), Words::tr("Nothing sealed")};
