@@ -1,5 +1,6 @@
 #include "app/air/agent_report.h"
 
+#include "app/common/format.h"
 #include "app/common/happening_words.h"
 #include "app/common/output.h"
 #include "core/engine/agent_json.h"
@@ -27,6 +28,8 @@ void AgentReport::tell(const engine::AgentEvent &event)
 {
     if (const auto *changed = std::get_if<engine::AgentLinkChanged>(&event))
         linkChanged(*changed);
+    else if (const auto *refused = std::get_if<engine::FramesRefused>(&event))
+        framesRefused(*refused);
     else if (const auto *happened = std::get_if<channel::Event>(&event))
         channelEvent(*happened);
 }
@@ -36,6 +39,18 @@ void AgentReport::linkChanged(const engine::AgentLinkChanged &changed)
     const std::string side = changed.groundSide ? "ground" : "vehicle";
     const std::string words = linkWords(changed.link);
     say(engine::linkEvent(changed.link, side), words.empty() ? "" : side + " side: " + words);
+}
+
+void AgentReport::framesRefused(const engine::FramesRefused &refused)
+{
+    const bool observer = refused.reason == engine::FramesRefused::Reason::Observer;
+    std::string what = refused.messageName.empty() ? "a message that is not known here" : refused.messageName;
+    if (refused.command != 0)
+        what += format(" %u", unsigned(refused.command));
+    say(engine::framesRefusedEvent(refused),
+        format("refused %llu frames of %s, the last one %s: %s", static_cast<unsigned long long>(refused.frames),
+               refused.peer.c_str(), what.c_str(),
+               observer ? "it may only look" : "it may not speak as that system"));
 }
 
 void AgentReport::channelEvent(const channel::Event &event)

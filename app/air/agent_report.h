@@ -23,6 +23,7 @@ public:
 private:
     void say(const std::string &json, const std::string &sentence);
     void linkChanged(const engine::AgentLinkChanged &changed);
+    void framesRefused(const engine::FramesRefused &refused);
     void channelEvent(const channel::Event &event);
     std::string peer(channel::SessionId session) const;
 

@@ -1,9 +1,12 @@
 #include "core/engine/agent_core.h"
 
 #include "core/base/weakness.h"
+#include "core/engine/observer_rules.h"
 #include "core/mavlink/dialect.h"
+#include "core/mavlink/messages.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::engine {
 
@@ -34,6 +37,13 @@ bool isWhole(const mavlink::ScanItem &item)
 std::uint8_t systemOf(const mavlink::ScanItem &item)
 {
     return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
+}
+
+std::uint32_t messageIdOf(const mavlink::ScanItem &item)
+{
+    if (item.bytes[0] != mavlink::kMagic2)
+        return item.bytes[5];
+    return item.bytes[7] | item.bytes[8] << 8 | static_cast<std::uint32_t>(item.bytes[9]) << 16;
 }
 
 } // namespace
@@ -132,6 +142,8 @@ AgentSnapshot AgentCore::snapshot()
     const TimePoint now = steadyNow();
     m_channel.roll(now);
     m_ways.forgetSilent(now);
+    for (const auto &[key, refused] : std::exchange(m_refusedUntold, {}))
+        m_tell(refused);
     AgentSnapshot out;
     for (LinkSnapshot &link : m_links.snapshots(now))
         (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
@@ -227,12 +239,30 @@ void AgentCore::takeFromGround(TimePoint, channel::SessionId session, const mavl
     if (!isWhole(item))
         return;
     const std::uint8_t systemId = systemOf(item);
-    if (!m_policy.mayCommand(session))
-        ++m_counters.observerRefused;
+    if (!m_policy.mayCommand(session) && !(item.frame && observerMaySend(*item.frame, m_policy.pilotThere())))
+        refuse(session, item, FramesRefused::Reason::Observer);
     else if ((m_ways.isVehicle(systemId) && !weakened(Weakness::NoSenderCheck)) || !m_policy.acceptSealed(session, systemId))
-        ++m_counters.spoofRefused; // nobody on the ground speaks as the vehicle
+        refuse(session, item, FramesRefused::Reason::System); // nobody on the ground speaks as the vehicle
     else
         deliver(item);
+}
+
+void AgentCore::refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason)
+{
+    ++(reason == FramesRefused::Reason::Observer ? m_counters.observerRefused : m_counters.spoofRefused);
+    FramesRefused &refused = m_refusedUntold[{session, reason}];
+    if (refused.frames++ == 0) {
+        refused.reason = reason;
+        if (const auto info = m_channel.endpoint().sessionInfo(session))
+            refused.peer = info->peerName;
+    }
+    refused.messageId = messageIdOf(item);
+    refused.messageName = item.frame ? std::string(item.frame->info().name) : std::string();
+    refused.command = 0;
+    if (item.frame && refused.messageId == mavlink::CommandLong::kId)
+        refused.command = mavlink::CommandLong::decode(item.frame->payload()).command;
+    else if (item.frame && refused.messageId == mavlink::CommandInt::kId)
+        refused.command = mavlink::CommandInt::decode(item.frame->payload()).command;
 }
 
 void AgentCore::takeClearFromGround(const mavlink::ScanItem &item)

@@ -17,6 +17,7 @@
 #include "core/metrics/sequence_table.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <variant>
 
@@ -36,8 +37,19 @@ struct AgentLinkChanged
     bool groundSide = false;
     LinkSnapshot link;
 };
+/// Frames of an authenticated peer that did not reach the vehicle; told once a snapshot and peer.
+struct FramesRefused
+{
+    enum class Reason : std::uint8_t { Observer, System };
+    Reason reason{};
+    std::string peer;
+    std::uint32_t messageId = 0; ///< of the newest of them
+    std::string messageName;     ///< empty when it is not known here
+    std::uint16_t command = 0;   ///< of a COMMAND_LONG or COMMAND_INT
+    std::uint64_t frames = 0;
+};
 /// What the owner is told, as it happens.
-using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent>;
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused>;
 
 /// Why the window for pairing was not opened.
 enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
@@ -45,7 +57,7 @@ enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 struct AgentCounters
 {
     std::uint64_t toGround = 0, toVehicle = 0;  ///< frames carried
-    std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look
+    std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look, but for harmless questions
     std::uint64_t spoofRefused = 0; ///< frames of a system that their peer may not speak as, or of the vehicle itself
     std::uint64_t clearRefused = 0;             ///< clear frames from the ground
     std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
@@ -101,6 +113,7 @@ private:
     void takeRecord(const link::ReceivedBlock &block);
     void takeFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
     void takeClearFromGround(const mavlink::ScanItem &item);
+    void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
     void deliver(const mavlink::ScanItem &item);
     void noteArmed(TimePoint now, const mavlink::Frame &frame);
     void handleEvents();
@@ -119,6 +132,7 @@ private:
     metrics::SequenceTable m_sequences;
     metrics::CpuSampler m_cpu;
     AgentCounters m_counters;
+    std::map<std::pair<channel::SessionId, FramesRefused::Reason>, FramesRefused> m_refusedUntold;
     std::vector<channel::SessionId> m_sessions;
     std::uint64_t m_garbage = 0;
     bool m_armed = false; ///< as the autopilot said last

@@ -4,6 +4,19 @@
 
 namespace skyseal::engine {
 
+std::string framesRefusedEvent(const FramesRefused &refused)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "frames_refused");
+    json.field("reason", refused.reason == FramesRefused::Reason::Observer ? "observer" : "system");
+    json.field("peer", refused.peer).field("frames", refused.frames);
+    json.field("message_id", refused.messageId).field("message", refused.messageName);
+    if (refused.command != 0)
+        json.field("command", std::uint32_t(refused.command));
+    json.endObject();
+    return json.text();
+}
+
 std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time)
 {
     JsonWriter json;

@@ -7,6 +7,9 @@
 
 namespace skyseal::engine {
 
+/// {"event":"frames_refused"}: what an authenticated peer sent and the vehicle never saw.
+std::string framesRefusedEvent(const FramesRefused &refused);
+
 /// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx is what went
 /// to the ground.
 std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time);

@@ -80,6 +80,11 @@ bool SenderPolicy::mayCommand(channel::SessionId session) const
     return found != m_speakers.end() && (found->second.pilot || weakened(Weakness::NoRoleCheck));
 }
 
+bool SenderPolicy::pilotThere() const
+{
+    return std::any_of(m_speakers.begin(), m_speakers.end(), [](const auto &entry) { return entry.second.pilot; });
+}
+
 bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemId)
 {
     const auto found = m_speakers.find(session);

@@ -37,8 +37,10 @@ public:
     void sessionMoved(channel::SessionId session, const Path &path);
     void sessionDown(channel::SessionId session);
 
-    /// What it sends may reach an autopilot. False for observers.
+    /// What it sends may reach an autopilot, whatever it is. False for observers.
     bool mayCommand(channel::SessionId session) const;
+    /// A peer that may command has a session.
+    bool pilotThere() const;
     /// Whether a frame that came sealed may speak as this system id. A system that is bound to peers by the list is theirs
     /// alone; with Speakers::OnePerSystem any other belongs to the first peer that spoke as it, for as long as that peer
     /// has a session.

@@ -1,0 +1,273 @@
+// What an observer may say to the vehicle: of all messages and commands only harmless questions, on the list and on the
+// wire, where a simulated vehicle and a bare socket show what really arrived.
+#include "core/engine/agent_core.h"
+#include "core/engine/observer_rules.h"
+#include "core/mavlink/dialect.h"
+#include "core/mavlink/enums.h"
+#include "core/mavlink/frame_scanner.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/bare_end.h"
+#include "tests/engine/flight_rig.h"
+
+#include <QtTest/QTest>
+
+#include <set>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+using Frames = std::vector<Bytes>;
+
+Bytes frameOf(std::uint32_t id, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload)
+{
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    mavlink::FrameWriter writer(255, 190);
+    const ByteView frame = writer.write(id, crcExtra, minLength, payload, buffer);
+    return Bytes(frame.begin(), frame.end());
+}
+
+template<typename Message> Bytes frameOf(const Message &message)
+{
+    std::array<std::uint8_t, Message::kMaxLength> payload;
+    message.encode(payload);
+    return frameOf(Message::kId, Message::kCrcExtra, Message::kMinLength, payload);
+}
+
+bool maySend(const Bytes &bytes, bool pilotThere = false)
+{
+    mavlink::FrameScanner scanner(bytes, mavlink::Dialect::builtin());
+    const auto item = scanner.next();
+    if (!item || !item->frame)
+        qFatal("no frame");
+    return engine::observerMaySend(*item->frame, pilotThere);
+}
+
+Bytes commandLong(std::uint16_t command, std::array<float, 7> p = {})
+{
+    return frameOf(mavlink::CommandLong{.target_system = 1, .target_component = 1, .command = command, .param1 = p[0],
+                                        .param2 = p[1], .param3 = p[2], .param4 = p[3], .param5 = p[4], .param6 = p[5],
+                                        .param7 = p[6]});
+}
+
+Bytes commandInt(std::uint16_t command, float first = 0, float second = 0)
+{
+    return frameOf(mavlink::CommandInt{.target_system = 1, .target_component = 1, .command = command, .param1 = first,
+                                       .param2 = second});
+}
+
+/// What would fly the vehicle, or take the pilot's instruments away.
+Frames acts()
+{
+    using namespace mavlink;
+    ParamSet failsafe{.target_system = 1, .target_component = 1};
+    setText(failsafe.param_id, "FS_GCS_ENABLE");
+    return {
+        commandLong(MAV_CMD_COMPONENT_ARM_DISARM, {1, 2989}),
+        commandInt(MAV_CMD_COMPONENT_ARM_DISARM, 1, 2989),
+        commandLong(MAV_CMD_DO_SET_MODE, {1, 9}),
+        commandLong(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, 10}),
+        commandLong(MAV_CMD_SET_MESSAGE_INTERVAL, {30, -1}),
+        commandLong(MAV_CMD_DO_MOTOR_TEST, {1, 0, 50, 5}),
+        commandLong(MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}),
+        frameOf(SetMode{.target_system = 1, .base_mode = 1, .custom_mode = 9}),
+        frameOf(RcChannelsOverride{.target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan3_raw = 1900}),
+        frameOf(ManualControl{.target = 1, .x = 1000, .z = 1000}),
+        frameOf(failsafe),
+        frameOf(MissionCount{.target_system = 1, .target_component = 1, .count = 3}),
+        frameOf(MissionClearAll{.target_system = 1, .target_component = 1}),
+        frameOf(MissionSetCurrent{.target_system = 1, .target_component = 1, .seq = 1}),
+        frameOf(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_OPERATION_CANCELLED}),
+        frameOf(SetPositionTargetLocalNed{.target_system = 1, .target_component = 1, .x = 100}),
+        frameOf(SetHomePosition{.target_system = 1}),
+        frameOf(Heartbeat{.type = MAV_TYPE_GCS, .autopilot = MAV_AUTOPILOT_INVALID}),
+        frameOf(SystemTime{.time_unix_usec = 1}),
+        frameOf(SetupSigning{.target_system = 1, .target_component = 1}),
+        frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .start_stop = 0}),
+        frameOf(180'000, 77, 4, Bytes(4, 1)), // of no dialect that is known here
+    };
+}
+
+Frames questions()
+{
+    using namespace mavlink;
+    return {
+        frameOf(Ping{.time_usec = 5}),
+        frameOf(Timesync{.ts1 = 5}),
+        frameOf(ParamRequestRead{.target_system = 1, .target_component = 1, .param_index = 3}),
+        frameOf(MissionRequestList{.target_system = 1, .target_component = 1}),
+        frameOf(MissionRequestInt{.target_system = 1, .target_component = 1, .seq = 0}),
+        frameOf(MissionAck{.target_system = 1, .target_component = 1, .type = MAV_MISSION_ACCEPTED}),
+        commandLong(MAV_CMD_REQUEST_MESSAGE, {148}),
+        commandInt(MAV_CMD_GET_HOME_POSITION),
+        frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .req_message_rate = 4, .start_stop = 1}),
+    };
+}
+
+/// An agent with a vehicle's side and a ground's, and what it told.
+struct AgentWithOneStation
+{
+    explicit AgentWithOneStation(channel::PeerRole role)
+        : ground(keys, channel::Role::Station, {channel::defaultSuites(), false, false})
+    {
+        auto secrets = keys.secrets(channel::Role::Agent);
+        secrets->peers[0].role = role;
+        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())),
+                                   {channel::defaultSuites(), false, false}, false};
+        agent = std::make_unique<engine::AgentCore>(
+            std::move(config), std::move(secrets), [this](const engine::AgentEvent &event) { events.push_back(event); });
+        agent->start();
+    }
+
+    bool wait(const std::function<bool()> &until)
+    {
+        return QTest::qWaitFor([&] { return ground.pump(), until(); }, 20000);
+    }
+    void send(const Frames &frames)
+    {
+        std::vector<ByteView> views(frames.begin(), frames.end());
+        ground.sendEach(views);
+    }
+    std::vector<engine::FramesRefused> refused() const
+    {
+        std::vector<engine::FramesRefused> out;
+        for (const engine::AgentEvent &event : events) {
+            if (const auto *one = std::get_if<engine::FramesRefused>(&event))
+                out.push_back(*one);
+        }
+        return out;
+    }
+
+    Introduced keys;
+    BareEnd ground;
+    std::vector<engine::AgentEvent> events;
+    std::unique_ptr<engine::AgentCore> agent;
+};
+
+} // namespace
+
+class ObserverTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void ofAllMessagesOnlyQuestions();
+    void ofAllCommandsOnlyQuestions();
+    void streamsAreThePilotsWhileThereIsOne();
+    void onlyQuestionsReachTheVehiclesSocket();
+    void actsChangeNothing_data();
+    void actsChangeNothing();
+};
+
+void ObserverTest::ofAllMessagesOnlyQuestions()
+{
+    // Whatever is in the payload; those whose content decides stand below.
+    const std::set<std::uint32_t> always{4, 20, 21, 40, 43, 51, 111, 320, 321}, depends{47, 66, 75, 76};
+    int passed = 0;
+    for (const mavlink::MessageInfo &info : mavlink::Dialect::builtin().messages()) {
+        for (const std::uint8_t filling : {0x00, 0xff}) {
+            const Bytes payload(info.maxLength, filling);
+            const bool may = maySend(frameOf(info.id, info.crcExtra, info.minLength, payload));
+            if (!depends.contains(info.id))
+                QVERIFY2(may == always.contains(info.id), std::string(info.name).c_str());
+            passed += may;
+        }
+    }
+    QVERIFY(passed >= 2 * int(always.size()));
+    for (const Bytes &frame : questions())
+        QVERIFY(maySend(frame));
+}
+
+void ObserverTest::ofAllCommandsOnlyQuestions()
+{
+    const std::set<int> allowed{410, 510, 512, 519, 520};
+    for (int command = 0; command < 65536; ++command) {
+        QCOMPARE(maySend(commandLong(std::uint16_t(command), {1, 1, 1, 1, 1, 1, 1})), allowed.contains(command));
+        QCOMPARE(maySend(commandInt(std::uint16_t(command), 1, 1)), allowed.contains(command));
+    }
+}
+
+void ObserverTest::streamsAreThePilotsWhileThereIsOne()
+{
+    const Bytes start = frameOf(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 1});
+    QVERIFY(maySend(start, false));
+    QVERIFY(!maySend(start, true));
+    QVERIFY(!maySend(frameOf(mavlink::RequestDataStream{.target_system = 1, .start_stop = 0}), false));
+}
+
+void ObserverTest::onlyQuestionsReachTheVehiclesSocket()
+{
+    AgentWithOneStation rig(channel::PeerRole::Observer);
+    BareSocket vehicle;
+    const std::string address = rig.agent->snapshot().vehicle.localAddress;
+    const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+    const Bytes heartbeat = [] {
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        mavlink::FrameWriter writer(1, 1);
+        const ByteView frame = writer.write(mavlink::Heartbeat{.type = 2, .autopilot = 3}, buffer);
+        return Bytes(frame.begin(), frame.end());
+    }();
+    vehicle.send(port, std::array{ByteView(heartbeat)});
+    QVERIFY(rig.wait([&] { return rig.ground.up() && rig.agent->snapshot().mavlink.frames > 0; }));
+
+    Frames all = acts();
+    const Frames good = questions();
+    all.insert(all.end(), good.begin(), good.end());
+    rig.send(all);
+    Frames arrived;
+    QVERIFY(rig.wait([&] {
+        while (const std::size_t count = vehicle.receive()) {
+            for (std::size_t i = 0; i < count; ++i) {
+                const ByteView bytes = vehicle.received(i);
+                mavlink::FrameScanner scanner(bytes, mavlink::Dialect::builtin());
+                while (const auto item = scanner.next())
+                    arrived.emplace_back(item->bytes.begin(), item->bytes.end());
+            }
+        }
+        return arrived.size() >= good.size();
+    }));
+    QCOMPARE(arrived, good);
+    const engine::AgentSnapshot snapshot = rig.agent->snapshot();
+    QCOMPARE(snapshot.counters.observerRefused, std::uint64_t(acts().size()));
+    QCOMPARE(snapshot.counters.toVehicle, std::uint64_t(good.size()));
+    std::uint64_t told = 0;
+    for (const engine::FramesRefused &refused : rig.refused()) {
+        QCOMPARE(int(refused.reason), int(engine::FramesRefused::Reason::Observer));
+        QCOMPARE(refused.peer, std::string("ground"));
+        told += refused.frames;
+    }
+    QCOMPARE(told, std::uint64_t(acts().size()));
+}
+
+void ObserverTest::actsChangeNothing_data()
+{
+    QTest::addColumn<bool>("pilot");
+    QTest::newRow("observer") << false;
+    QTest::newRow("pilot, so that the acts are real ones") << true;
+}
+
+void ObserverTest::actsChangeNothing()
+{
+    QFETCH(bool, pilot);
+    AgentWithOneStation rig(pilot ? channel::PeerRole::Pilot : channel::PeerRole::Observer);
+    VehicleOnUdp sim(rig.agent->snapshot().vehicle.localAddress);
+    QVERIFY(rig.wait([&] { return rig.ground.up() && rig.agent->snapshot().counters.toGround > 20; }));
+    const sim::FlightMode before = sim.vehicle.autopilot().modes().current();
+    const Frames all = acts();
+    for (int round = 0; round < 5; ++round) {
+        // Without the reboot, which would undo the others.
+        for (const Bytes &frame : all) {
+            if (frame != commandLong(mavlink::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, {1}))
+                rig.send({frame});
+        }
+        const std::uint64_t seen = rig.agent->snapshot().counters.toGround;
+        QVERIFY(rig.wait([&] { return rig.agent->snapshot().counters.toGround > seen + 5; }));
+    }
+    const bool changed = sim.vehicle.autopilot().armed() || sim.vehicle.autopilot().modes().current() != before;
+    QCOMPARE(changed, pilot);
+}
+
+QTEST_GUILESS_MAIN(ObserverTest)
+#include "observer_test.moc"
