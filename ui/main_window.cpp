@@ -267,11 +267,13 @@ void MainWindow::applySettings(const Settings &settings)
     applyTheme(settings.theme);
     m_docks->flight->setUnits(settings.units);
     m_suites->setResearchAllowed(settings.allowResearch);
+    m_suites->setWeakest(settings.weakestSuite);
     showNumbers();
     if (!changed)
         return;
     storeSettings(m_store, settings);
     m_station.setAllowResearch(settings.allowResearch);
+    m_station.setWeakestSuite(settings.weakestSuite);
     m_station.setRecording(settings.record);
     Q_EMIT settingsChanged(settings);
 }

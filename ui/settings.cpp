@@ -34,6 +34,9 @@ Settings loadSettings(const QSettings &store)
     s.record = store.value(QStringLiteral("log/record"), s.record).toBool();
     s.recordFolder = store.value(QStringLiteral("log/folder")).toString();
     s.allowResearch = store.value(QStringLiteral("security/allowResearch"), s.allowResearch).toBool();
+    const std::string weakest = store.value(QStringLiteral("security/weakestSuite")).toString().toStdString();
+    if (const auto suite = crypto::suiteFromName(weakest); suite && *suite != crypto::SuiteId::None)
+        s.weakestSuite = *suite;
     s.requireSealed = store.value(QStringLiteral("security/requireSealed"), s.requireSealed).toBool();
     s.takeOffAltitude = inRange(store, "flight/takeOffAltitude", kLowestTakeOff, kHighestTakeOff, s.takeOffAltitude);
     const QString link = store.value(QStringLiteral("link/default")).toString();
@@ -51,6 +54,9 @@ void storeSettings(QSettings &store, const Settings &settings)
     store.setValue(QStringLiteral("log/record"), settings.record);
     store.setValue(QStringLiteral("log/folder"), settings.recordFolder);
     store.setValue(QStringLiteral("security/allowResearch"), settings.allowResearch);
+    const std::string_view weakest = crypto::suiteInfo(settings.weakestSuite).name;
+    store.setValue(QStringLiteral("security/weakestSuite"),
+                   QString::fromLatin1(weakest.data(), static_cast<qsizetype>(weakest.size())));
     store.setValue(QStringLiteral("security/requireSealed"), settings.requireSealed);
     store.setValue(QStringLiteral("flight/takeOffAltitude"), settings.takeOffAltitude);
     store.setValue(QStringLiteral("link/default"), settings.defaultLink);

@@ -2,6 +2,7 @@
 // panel gets what it needs passed in.
 #pragma once
 
+#include "core/crypto/suite.h"
 #include "ui/text/units.h"
 #include "ui/theme/palettes.h"
 
@@ -20,6 +21,7 @@ struct Settings
     bool record = true;
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;
+    crypto::SuiteId weakestSuite = crypto::SuiteId::Rc4; ///< of those that are offered; RC4 = any sealed one
     bool requireSealed = false; ///< clear MAVLink is never shown
     double takeOffAltitude = 10; ///< metres above home, the last one that was chosen
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");

@@ -9,6 +9,7 @@
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
 #include "core/channel/policy.h"
+#include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
 
 #include <QtCore/QCoreApplication>
@@ -34,6 +35,7 @@ void declare(Options &options)
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
+    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addFlag("allow-plain",
                     "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
@@ -80,6 +82,8 @@ int main(int argc, char **argv)
     const engine::KeyPaths paths{options.required("identity"), options.required("peers"),
                                  PassphraseInput::read(options).ask()};
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
+    if (const auto weakest = options.suite("weakest-suite"))
+        policy.suites = channel::notWeakerThan(*weakest, policy.suites);
     if (ground && ground->scheme() != link::LinkScheme::UdpOut)
         options.fail("--ground " + ground->toText()
                      + ": the agent announces itself to the station, so this is udpout:HOST:PORT");

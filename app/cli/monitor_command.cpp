@@ -8,6 +8,7 @@
 #include "app/common/passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
+#include "core/channel/suite_strength.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QStandardPaths>
@@ -30,6 +31,7 @@ void declare(Options &options)
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Vehicles' agents whose keys are confirmed.");
     options.addValue("suite", "NAME", "Suite that every session begins with.");
+    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to walk through, again and again.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
@@ -60,6 +62,8 @@ void checkSuite(Options &options, const engine::StationConfig &config, const cha
         options.fail(what + "a sealed link has no plain suite");
     else if (info.research && !config.policy.allowResearch)
         options.fail(what + "insecure, for research only; --allow-research");
+    else if (std::find(config.policy.suites.begin(), config.policy.suites.end(), suite) == config.policy.suites.end())
+        options.fail(what + "weaker than --weakest-suite allows");
 }
 
 void readSecurity(Options &options, engine::StationConfig &config)
@@ -72,6 +76,8 @@ void readSecurity(Options &options, engine::StationConfig &config)
     if (config.secure == engine::SecureMode::Required) {
         config.keys = {options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
         config.policy.suites = channel::defaultSuites();
+        if (const auto weakest = options.suite("weakest-suite"))
+            config.policy.suites = channel::notWeakerThan(*weakest, config.policy.suites);
         config.policy.allowResearch = options.has("allow-research");
     }
     if (options.has("suite") && (config.preferredSuite = options.suite("suite")))

@@ -2,6 +2,7 @@
 
 #include "app/common/options.h"
 #include "core/channel/policy.h"
+#include "core/channel/suite_strength.h"
 #include "app/skyseal/own_files.h"
 #include "app/skyseal/passphrase_question.h"
 
@@ -37,7 +38,7 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
     config.componentId = static_cast<std::uint8_t>(settings.componentId);
     config.secure = settings.requireSealed ? engine::SecureMode::Required : engine::SecureMode::Preferred;
     config.keys = std::move(keys);
-    config.policy.suites = channel::defaultSuites();
+    config.policy.suites = channel::notWeakerThan(settings.weakestSuite, channel::defaultSuites());
     config.policy.allowResearch = settings.allowResearch;
     config.record = settings.record;
     config.recordFolder = (settings.recordFolder.isEmpty() ? defaultRecordFolder() : settings.recordFolder).toStdString();

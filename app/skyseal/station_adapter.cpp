@@ -66,6 +66,12 @@ void StationAdapter::setAllowResearch(bool allow)
         m_station->setAllowResearch(allow);
 }
 
+void StationAdapter::setWeakestSuite(crypto::SuiteId weakest)
+{
+    if (m_station)
+        m_station->setWeakestSuite(weakest);
+}
+
 vehicle::CommandId StationAdapter::command(std::uint8_t systemId, vehicle::VehicleCommand command)
 {
     return m_station ? m_station->command(systemId, std::move(command)) : vehicle::CommandId{};

@@ -267,8 +267,14 @@ bool Session::permittedByPeer(crypto::SuiteId suite) const
 void Session::policyChanged(TimePoint now)
 {
     const auto suites = permitted();
-    if (!holds(suites, currentSuite()) && !suites.empty())
+    m_leaveBy.reset();
+    if (suites.empty()) {
+        m_finished = DownReason::Closed;
+    } else if (!holds(suites, currentSuite())) {
+        // No session is better than one that goes on for ever under what is no longer allowed.
+        m_leaveBy = now + 2 * m_around.timing.switchConfirm;
         switchSuite(now, suites.front());
+    }
 }
 
 bool Session::previousDispensable(TimePoint now) const
@@ -324,6 +330,8 @@ void Session::commitNext(TimePoint now)
     m_chain = std::move(*m_chainAfterNext);
     m_chainAfterNext.reset();
     m_epochSince = now;
+    if (!permittedHere(currentSuite()))
+        m_leaveBy = now + 2 * m_around.timing.switchConfirm; // It was agreed before the policy changed.
     m_rekeyNotBefore = now;
     m_peerMovedOn.reset();
     m_previousComplete = false;

@@ -153,6 +153,7 @@ private:
     TimePoint m_reportDue;
     TimePoint m_epochSince;
     TimePoint m_rekeyNotBefore;
+    std::optional<TimePoint> m_leaveBy; ///< the suite in use is no longer permitted; it ends then at the latest
     std::optional<TimePoint> m_peerMovedOn; ///< since when the peer sends under the current epoch; none = not yet
     bool m_previousComplete = false;        ///< the peer has said how many records the previous epoch had
     std::uint32_t m_sentBefore = 0;

@@ -17,6 +17,8 @@ TimePoint Session::deadline() const
         return TimePoint::min();
     const Timing &timing = m_around.timing;
     TimePoint due = std::min({m_reportDue, m_switch.deadline(), m_lastReceived + timing.forgetAfter});
+    if (m_leaveBy)
+        due = std::min(due, *m_leaveBy);
     if (m_closingUntil)
         due = std::min(due, *m_closingUntil);
     if (m_epochs.previous() && m_peerMovedOn)
@@ -36,6 +38,13 @@ void Session::handleDeadline(TimePoint now)
     if (now >= m_lastReceived + timing.forgetAfter) {
         m_finished = DownReason::TimedOut;
         return;
+    }
+    if (m_leaveBy && now >= *m_leaveBy) {
+        m_leaveBy.reset();
+        if (!permittedHere(currentSuite())) {
+            m_finished = DownReason::Closed;
+            return;
+        }
     }
     if (m_closingUntil && now >= *m_closingUntil) {
         m_finished = DownReason::PeerClosed;

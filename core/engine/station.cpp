@@ -211,6 +211,11 @@ void Station::setPreferredSuite(crypto::SuiteId suite)
     d->post([suite](StationCore &core) { core.setPreferredSuite(suite); });
 }
 
+void Station::setWeakestSuite(crypto::SuiteId weakest)
+{
+    d->post([weakest](StationCore &core) { core.setWeakestSuite(weakest); });
+}
+
 void Station::setAllowResearch(bool allow)
 {
     d->post([allow](StationCore &core) { core.setAllowResearch(allow); });

@@ -40,6 +40,8 @@ public:
     /// Every session that is up now or comes up later begins with this suite.
     void setPreferredSuite(crypto::SuiteId);
     void setAllowResearch(bool);
+    /// Suites weaker than this one are no longer offered; see channel::strengthOf. Sessions that use one are switched.
+    void setWeakestSuite(crypto::SuiteId weakest);
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
     /// force; otherwise the number of peers.
     Result<std::size_t, InputError> reloadPeers();

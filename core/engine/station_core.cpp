@@ -36,7 +36,7 @@ channel::Config channelConfig(const StationConfig &config, const SecretFiles &se
 } // namespace
 
 StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secrets, StationSinks sinks)
-    : m_config(std::move(config)), m_sinks(std::move(sinks)), m_secrets(std::move(secrets)),
+    : m_config(std::move(config)), m_suites(m_config.policy.suites), m_sinks(std::move(sinks)), m_secrets(std::move(secrets)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_policy(m_config.secure),
       m_intake(mavlink::Dialect::builtin()), m_vehicles(vehicleConfig(m_config)), m_start(steadyNow()),
       m_lastSnapshot(TimePoint::min()), m_nextQuarter(m_start), m_timer([this] { handleDeadline(); })
@@ -91,6 +91,14 @@ void StationCore::setPreferredSuite(crypto::SuiteId suite)
 void StationCore::setAllowResearch(bool allow)
 {
     m_config.policy.allowResearch = allow;
+    if (m_channel)
+        m_channel->endpoint().setPolicy(steadyNow(), m_config.policy);
+    finishWake();
+}
+
+void StationCore::setWeakestSuite(crypto::SuiteId weakest)
+{
+    m_config.policy.suites = channel::notWeakerThan(weakest, m_suites);
     if (m_channel)
         m_channel->endpoint().setPolicy(steadyNow(), m_config.policy);
     finishWake();

@@ -51,6 +51,7 @@ public:
     void switchSuite(channel::SessionId session, crypto::SuiteId suite);
     void setPreferredSuite(crypto::SuiteId suite);
     void setAllowResearch(bool allow);
+    void setWeakestSuite(crypto::SuiteId weakest);
     void setPeers(std::vector<channel::Peer> peers);
     /// Waits for an agent that is open for pairing; false without an identity. `name` is what we call ourselves.
     bool openPairing(std::string name, channel::PeerRole roleAsked);
@@ -127,6 +128,7 @@ private:
     TimePoint nextDeadline() const;
 
     StationConfig m_config;
+    std::vector<crypto::SuiteId> m_suites; ///< as they were configured, before the weak ones were taken out
     StationSinks m_sinks;
     std::unique_ptr<SecretFiles> m_secrets;
     LinkPool m_links;

@@ -90,6 +90,8 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure off --suite chacha20", "--secure required");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --suite rc4", "--allow-research");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --switch-to none", "plain");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --suite aes-256-cbc --weakest-suite aes-256-gcm",
+        "--weakest-suite");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing inline", "inline");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --do dance", "dance");
     row("skyseal-cli", "impair --listen udpin:127.0.0.1:0 --to udpout:127.0.0.1:9 --loss 1.5", "1.5");
@@ -123,6 +125,8 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4",
         "secure");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites chacha20 "
+                       "--weakest-suite aes-256-gcm", "secure");
 }
 
 void CommandLineTest::usageErrors()

@@ -2,6 +2,7 @@
 // no way to a choice that the initiator would not compute from the offers it sees.
 #include "core/channel/handshake_payload.h"
 #include "core/channel/negotiation.h"
+#include "core/channel/suite_strength.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -25,6 +26,7 @@ private Q_SLOTS:
     void unknownNumbersAreSkipped();
     void payloadsOfOtherLengthsAreRefused();
     void policyWithDuplicatesAndNone();
+    void weakestAllowedHoldsWhateverTheOtherEndOffers();
 };
 
 namespace {
@@ -165,6 +167,30 @@ void NegotiationTest::policyWithDuplicatesAndNone()
     const Policy policy{{None, Aes256Gcm, Aes256Gcm, Rc4, ChaCha20, None}, false, true};
     QCOMPARE(offerOf(policy).suites, (std::vector<SuiteId>{Aes256Gcm, ChaCha20}));
     QVERIFY(offerOf(policy).allowPlain);
+}
+
+void NegotiationTest::weakestAllowedHoldsWhateverTheOtherEndOffers()
+{
+    using enum SuiteId;
+    QCOMPARE(notWeakerThan(Rc4, kAll), kAll);
+    QCOMPARE(notWeakerThan(Aes256Gcm, kAll), (std::vector{ChaCha20Poly1305, Aes256Gcm}));
+    QCOMPARE(notWeakerThan(ChaCha20, kAll), (std::vector{ChaCha20Poly1305, Aes256Gcm, Aes256Ctr, ChaCha20}));
+    // No research suite and no plain is ever as strong as a sound one.
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        if (info.id != None)
+            QCOMPARE(strengthOf(info.id) <= strengthOf(Rc4), info.research);
+    }
+    for (const SuiteId weakest : kAll) {
+        for (unsigned bits = 0; bits < 64; ++bits) {
+            const SuiteOffer here = offerOf(Policy{notWeakerThan(weakest, kAll), true, false});
+            const SuiteOffer there = offerOf(Policy{subset(bits), true, true});
+            for (const bool initiator : {true, false}) {
+                const auto both = initiator ? permittedSuites(here, there) : permittedSuites(there, here);
+                for (const SuiteId suite : both)
+                    QVERIFY(strengthOf(suite) >= strengthOf(weakest));
+            }
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(NegotiationTest)

@@ -1,5 +1,6 @@
 // The live switch over links that lose, repeat, reorder and delay, with both ends proposing: whatever happens, each frame
 // that the link let through is delivered, once.
+#include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 
@@ -15,6 +16,7 @@ class SwitchTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void stricterPolicyMovesOrEndsTheSession();
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void everySecondOnABadLink();
     void every50MillisecondsOnAGoodLink();
@@ -342,6 +344,25 @@ void SwitchTest::endsWithTheSession()
     const auto done = pair.ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
     QCOMPARE(done[0].failure, SwitchFailure::SessionEnded);
+}
+
+void SwitchTest::stricterPolicyMovesOrEndsTheSession()
+{
+    Pair pair;
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Cbc);
+    QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 1; }));
+    const Policy strict{notWeakerThan(SuiteId::Aes256Gcm, defaultSuites()), false, false};
+    pair.run(10s);
+    pair.ground().endpoint->setPolicy(pair.now, strict);
+    QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 2; }));
+    const SuiteId now = pair.ground().endpoint->sessionInfo(pair.ground().session())->suite;
+    QVERIFY(strengthOf(now) >= strengthOf(SuiteId::Aes256Gcm));
+    // Nothing that both allow is left.
+    pair.air().endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Cbc}, false, false});
+    QVERIFY(pair.run(20s, [&] { return !pair.air().up() && !pair.ground().up(); }));
+    pair.run(10s);
+    QVERIFY(!pair.air().up());
 }
 
 QTEST_GUILESS_MAIN(SwitchTest)

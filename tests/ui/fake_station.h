@@ -24,6 +24,7 @@ public:
     void removeLink(LinkId link) override { removedLinks.push_back(link); }
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
     void setAllowResearch(bool allow) override { allowResearch = allow; }
+    void setWeakestSuite(crypto::SuiteId suite) override { weakest = suite; }
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override
     {
         commands.emplace_back(systemId, std::move(command));
@@ -54,6 +55,7 @@ public:
     std::vector<std::pair<std::string, double>> written;
     std::vector<std::vector<vehicle::MissionItem>> missionWrites;
     bool allowResearch = false, inspecting = false, recording = false;
+    crypto::SuiteId weakest = crypto::SuiteId::Rc4;
     std::optional<channel::PublicKey> key;
 };
 

@@ -154,6 +154,20 @@ private Q_SLOTS:
         QVERIFY(m_station->switches.empty());
     }
 
+    void suitesWeakerThanAllowedSaySo()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        auto &info = snapshot.sessions.front().info;
+        info.permitted = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm};
+        m_window->suites().setWeakest(SuiteId::Aes256Gcm);
+        m_station->show(snapshot);
+        for (const SuiteId suite : {SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4}) {
+            QVERIFY(!action(suite)->isEnabled());
+            QVERIFY(action(suite)->text().contains(QStringLiteral("weaker than allowed")));
+        }
+        QVERIFY(action(SuiteId::Aes256Gcm)->isEnabled());
+    }
+
     void rc4IsCalledInsecureWherever()
     {
         engine::Snapshot snapshot = sealedSnapshot(1, SuiteId::Rc4);

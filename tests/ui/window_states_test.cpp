@@ -322,6 +322,7 @@ private Q_SLOTS:
         QVERIFY(research->text().contains(QStringLiteral("insecure")));
         QTest::mouseClick(research, Qt::LeftButton, {}, QPoint(8, research->height() / 2));
         dialog->findChild<QSpinBox *>(QStringLiteral("settingSystemId"))->setValue(250);
+        dialog->findChild<QComboBox *>(QStringLiteral("settingWeakest"))->setCurrentIndex(3);
         QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
         QCOMPARE(find<FigureLabel>("valueAltitude")->unit(), QStringLiteral("ft"));
         QVERIFY(m_station->allowResearch);
@@ -331,6 +332,8 @@ private Q_SLOTS:
         QCOMPARE(static_cast<int>(kept.units), static_cast<int>(UnitSystem::Imperial));
         QCOMPARE(kept.systemId, 250);
         QVERIFY(kept.allowResearch);
+        QVERIFY(kept.weakestSuite == crypto::SuiteId::ChaCha20Poly1305);
+        QVERIFY(m_station->weakest == crypto::SuiteId::ChaCha20Poly1305);
         applyTheme(Theme::Light);
     }
 
@@ -339,10 +342,12 @@ private Q_SLOTS:
         m_store->setValue(QStringLiteral("station/systemId"), QStringLiteral("many"));
         m_store->setValue(QStringLiteral("station/componentId"), 4711);
         m_store->setValue(QStringLiteral("view/theme"), -3);
+        m_store->setValue(QStringLiteral("security/weakestSuite"), QStringLiteral("des"));
         m_store->setValue(QStringLiteral("window/docks"), QByteArray("garbage"));
         const Settings loaded = loadSettings(*m_store);
         QCOMPARE(loaded.systemId, 255);
         QCOMPARE(loaded.componentId, 190);
+        QVERIFY(loaded.weakestSuite == crypto::SuiteId::Rc4);
         QCOMPARE(static_cast<int>(loaded.theme), static_cast<int>(Theme::Desktop));
         m_window.reset();
         open();

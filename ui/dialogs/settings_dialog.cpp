@@ -1,7 +1,9 @@
 #include "ui/dialogs/settings_dialog.h"
 
+#include "core/channel/suite_strength.h"
 #include "core/link/link_url.h"
 #include "ui/theme/grid.h"
+#include "ui/theme/suite_style.h"
 
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
@@ -125,6 +127,29 @@ QWidget *SettingsDialog::makeSecurity()
     column->addWidget(m_required);
     column->addWidget(
         smallPrint(tr("Plain MAVLink is then never shown and never answered. Takes effect at the next start."), box));
+    m_weakest = named(new QComboBox(box), "settingWeakest", tr("Weakest suite"));
+    const auto level = [this](const QString &text, crypto::SuiteId suite) {
+        m_weakest->addItem(text, static_cast<int>(suite));
+    };
+    level(tr("Any sealed suite"), crypto::SuiteId::Rc4);
+    level(tr("%1 or stronger").arg(suiteName(crypto::SuiteId::Aes256Cbc)), crypto::SuiteId::Aes256Cbc);
+    level(tr("%1, %2 or stronger").arg(suiteName(crypto::SuiteId::Aes256Ctr), suiteName(crypto::SuiteId::ChaCha20)),
+          crypto::SuiteId::Aes256Ctr);
+    level(tr("%1 and %2 only")
+              .arg(suiteName(crypto::SuiteId::ChaCha20Poly1305), suiteName(crypto::SuiteId::Aes256Gcm)),
+          crypto::SuiteId::ChaCha20Poly1305);
+    // One name stands for all that are as strong.
+    for (int i = 0; i < m_weakest->count(); ++i) {
+        const auto suite = static_cast<crypto::SuiteId>(m_weakest->itemData(i).toInt());
+        if (channel::strengthOf(suite) == channel::strengthOf(m_start.weakestSuite))
+            m_weakest->setCurrentIndex(i);
+    }
+    auto *weakest = new QHBoxLayout;
+    auto *label = new QLabel(tr("&Weakest suite"), box);
+    label->setBuddy(m_weakest);
+    weakest->addWidget(label);
+    weakest->addWidget(m_weakest, 1);
+    column->addLayout(weakest);
     column->addWidget(m_research);
     column->addWidget(smallPrint(
         tr("RC4 is broken: who records the link may read it. It is here to be measured against the others, is never "
@@ -145,6 +170,7 @@ Settings SettingsDialog::settings() const
     out.record = m_record->isChecked();
     out.recordFolder = m_folder->text();
     out.allowResearch = m_research->isChecked();
+    out.weakestSuite = static_cast<crypto::SuiteId>(m_weakest->currentData().toInt());
     out.requireSealed = m_required->isChecked();
     return out;
 }

@@ -31,6 +31,7 @@ private:
     QSpinBox *m_systemId, *m_componentId;
     QLineEdit *m_link, *m_folder;
     QCheckBox *m_record, *m_research, *m_required;
+    QComboBox *m_weakest;
 };
 
 } // namespace skyseal::ui

@@ -1,5 +1,6 @@
 #include "ui/security/suite_actions.h"
 
+#include "core/channel/suite_strength.h"
 #include "ui/text/words.h"
 
 #include <QtGui/QAction>
@@ -48,6 +49,8 @@ QString SuiteActions::whyNot(SuiteId suite) const
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
+    if (channel::strengthOf(suite) < channel::strengthOf(m_weakest))
+        return tr("weaker than allowed");
     if (crypto::suiteInfo(suite).research && !m_researchAllowed)
         return tr("research is off");
     if (std::ranges::find(m_info->peerOffered, suite) == m_info->peerOffered.end())
@@ -103,6 +106,12 @@ void SuiteActions::take(const engine::Happening &happening)
 void SuiteActions::setResearchAllowed(bool allowed)
 {
     m_researchAllowed = allowed;
+    refresh();
+}
+
+void SuiteActions::setWeakest(SuiteId suite)
+{
+    m_weakest = suite;
     refresh();
 }
 

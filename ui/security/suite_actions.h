@@ -30,6 +30,8 @@ public:
     void showScene(const Scene &scene);
     void take(const engine::Happening &happening);
     void setResearchAllowed(bool allowed);
+    /// Suites weaker than this one stay grey; see channel::strengthOf.
+    void setWeakest(crypto::SuiteId suite);
 
     /// Why `suite` cannot be chosen now; empty when it can.
     QString whyNot(crypto::SuiteId suite) const;
@@ -54,6 +56,7 @@ private:
     std::optional<channel::SessionInfo> m_info;
     std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered
     bool m_researchAllowed = false;
+    crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;
     bool m_plain = false;
     QString m_note;
     bool m_noteIsProblem = false;
