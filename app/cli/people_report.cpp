@@ -36,8 +36,8 @@ std::string sealText(const engine::Snapshot &snapshot)
                       session.info.peerName.c_str());
         if (session.info.pending)
             out += ", switching to " + suiteText(*session.info.pending);
-        if (session.forgedLastMinute > 0 || session.replayedLastMinute > 0)
-            out += format(", %llu FORGED and %llu replayed in a minute",
+        if (engine::isAttacked(session))
+            out += format(", UNDER ATTACK: %llu forged and %llu replayed in a minute",
                           static_cast<unsigned long long>(session.forgedLastMinute),
                           static_cast<unsigned long long>(session.replayedLastMinute));
     }

@@ -8,7 +8,7 @@ Security securityOf(const Snapshot &snapshot)
 {
     const auto any = [&](auto &&is) { return std::any_of(snapshot.sessions.begin(), snapshot.sessions.end(), is); };
     if (!snapshot.sessions.empty()) {
-        if (any([](const SessionSnapshot &s) { return s.forgedLastMinute > 0 || s.replayedLastMinute > 0; }))
+        if (any(isAttacked))
             return Security::UnderAttack;
         if (any([](const SessionSnapshot &s) { return s.info.pending.has_value(); }))
             return Security::Switching;

@@ -42,7 +42,7 @@ enum class Security : std::uint8_t {
     Plain,       ///< clear MAVLink: "not sealed"
     Sealed,
     Switching,   ///< sealed, another suite is being agreed
-    UnderAttack  ///< sealed, and forged or replayed records came in within the last minute
+    UnderAttack  ///< sealed, and somebody forges or replays records; see isAttacked()
 };
 
 struct SessionSnapshot
@@ -53,10 +53,19 @@ struct SessionSnapshot
     std::string fingerprint;   ///< of the peer's key
     std::string remoteAddress;
     double age = 0;            ///< seconds since the session is up
-    std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0;
+    std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0, goodLastMinute = 0;
     double lossPercent = 0;    ///< to us, over the last second
     double peerLossPercent = 0; ///< to the peer, over the last second
 };
+
+/// Whether what was refused within the last minute is the work of an attacker. A wrong tag is: damage on the way is caught
+/// by checksums below us. A record that came before is not by itself: networks deliver datagrams twice, and a copy looks
+/// the same whoever made it. But a network does not make more copies than there were records, so beyond that somebody
+/// replays. Slower replays are refused and counted all the same.
+inline bool isAttacked(const SessionSnapshot &session)
+{
+    return session.forgedLastMinute > 0 || session.replayedLastMinute > session.goodLastMinute;
+}
 
 struct VehicleSnapshot
 {
@@ -121,15 +130,6 @@ struct RecordingSnapshot
     std::string problem;
 };
 
-struct Snapshot
-{
-    std::uint64_t number = 0;
-    double time = 0; ///< seconds since the station started
-    Security security{};
-    std::vector<LinkSnapshot> links;
-    std::vector<SessionSnapshot> sessions;
-    std::vector<VehicleSnapshot> vehicles;
-    channel::ReceiveCounters strays;
 /// A known agent that is there, as its announcements show, and answers none of our handshakes.
 struct UnansweringAgent
 {
@@ -139,6 +139,16 @@ struct UnansweringAgent
     double seconds = 0;         ///< since the first message that it did not answer
 };
 
+struct Snapshot
+{
+    std::uint64_t number = 0;
+    double time = 0; ///< seconds since the station started
+    Security security{};
+    std::vector<LinkSnapshot> links;
+    std::vector<SessionSnapshot> sessions;
+    std::vector<VehicleSnapshot> vehicles;
+    std::vector<UnansweringAgent> unanswering;
+    channel::ReceiveCounters strays;
     std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
@@ -147,7 +157,6 @@ struct UnansweringAgent
     std::uint64_t plaintextRefused = 0; ///< clear frames of a pinned vehicle, never shown as telemetry
     std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
     MavlinkTotals mavlink;   ///< since the start, all links
-    std::vector<UnansweringAgent> unanswering;
     ChannelTotals channel;   ///< since the start, ended sessions included
     std::shared_ptr<const Probe> probe; ///< null unless the station is being measured
 };

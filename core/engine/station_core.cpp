@@ -276,6 +276,7 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         m_policy.sessionUp(up->session, up->peer, up->path);
         m_outlets.ofSession(up->session);
         m_sessionWatches.try_emplace(up->session);
+        noteUnanswering(now);
         if (m_config.preferredSuite && *m_config.preferredSuite != up->suite)
             m_channel->endpoint().switchSuite(now, up->session, *m_config.preferredSuite);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
@@ -284,7 +285,6 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         m_sessionWatches.erase(down->session);
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
         m_policy.sessionMoved(moved->session, moved->to);
-        noteUnanswering(now);
     }
     std::visit([this](const auto &value) { tell(value); }, event);
 }
@@ -384,20 +384,27 @@ void StationCore::everySecond(TimePoint now)
     m_outlets.forgetSilent(now);
     tellRefusals(now);
     keepSealedSystems();
-    if (m_channel)
+    if (m_channel) {
         m_channel->roll(now);
+        noteUnanswering(now);
+    }
     for (auto &[session, watch] : m_sessionWatches) {
         if (const auto stats = m_channel->endpoint().stats(session)) {
             watch.forged.note(stats->rx.forged);
             watch.replayed.note(stats->rx.replayed);
+            watch.good.note(stats->rx.good);
         }
     }
     if (m_recorder) {
         if (const auto problem = m_recorder->takeProblem())
-        noteUnanswering(now);
-    }
             tell(RecordingProblem{problem->file, problem->problem});
     }
+}
+
+void StationCore::noteUnanswering(TimePoint now)
+{
+    for (AgentUnanswering &news : m_unanswering.update(now, m_channel->endpoint().unanswered()))
+        tell(std::move(news));
 }
 
 void StationCore::keepSealedSystems()
@@ -409,12 +416,6 @@ void StationCore::keepSealedSystems()
     if (const auto written = writeSealedSystems(file, m_secrets->sealedSystems); !written)
         tell(RecordingProblem{file, written.error().message}); // in force for this run all the same
 }
-void StationCore::noteUnanswering(TimePoint now)
-{
-    for (AgentUnanswering &news : m_unanswering.update(now, m_channel->endpoint().unanswered()))
-        tell(std::move(news));
-}
-
 
 void StationCore::publish(TimePoint now)
 {

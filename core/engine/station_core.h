@@ -81,7 +81,7 @@ private:
     struct SessionWatch
     {
         LossMeter loss, peerLoss;
-        Growth<60> forged, replayed; ///< a reading a second
+        Growth<60> forged, replayed, good; ///< a reading a second
     };
     struct VehicleWatch
     {
@@ -114,8 +114,8 @@ private:
     void send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message);
     void everyQuarterSecond(TimePoint now);
     void everySecond(TimePoint now);
-    void keepSealedSystems();
     void noteUnanswering(TimePoint now);
+    void keepSealedSystems();
     void tell(Happening happening) { m_sinks.happening(std::move(happening)); }
 
     void publish(TimePoint now);
@@ -146,9 +146,9 @@ private:
     std::map<channel::SessionId, SessionWatch> m_sessionWatches;
     std::map<std::uint8_t, VehicleWatch> m_vehicleWatches;
     Refusals m_refusals;
+    UnansweringAgents m_unanswering{std::string()};
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
     std::uint64_t m_spoofed = 0;      ///< sealed frames of a system that their peer may not speak as
-    UnansweringAgents m_unanswering{std::string()};
     bool m_readerAlive = true;
     bool m_measuring = false;
     bool m_stopped = false;

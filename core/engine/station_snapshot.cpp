@@ -36,6 +36,7 @@ SessionSnapshot StationCore::describe(TimePoint now, const channel::SessionInfo 
     if (const auto found = m_sessionWatches.find(info.session); found != m_sessionWatches.end()) {
         const SessionWatch &watch = found->second;
         out.forgedLastMinute = static_cast<std::uint64_t>(watch.forged.value());
+        out.goodLastMinute = static_cast<std::uint64_t>(watch.good.value());
         out.replayedLastMinute = static_cast<std::uint64_t>(watch.replayed.value());
         out.lossPercent = watch.loss.percent();
         out.peerLossPercent = watch.peerLoss.percent();
@@ -86,8 +87,8 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
             if (const auto info = m_channel->endpoint().sessionInfo(session))
                 out->sessions.push_back(describe(now, *info));
         }
-        out->strays = m_channel->endpoint().strays();
         out->unanswering = m_unanswering.all();
+        out->strays = m_channel->endpoint().strays();
     }
     for (const auto &[systemId, vehicle] : m_vehicles.all())
         out->vehicles.push_back(describe(now, vehicle));

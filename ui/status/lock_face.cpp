@@ -36,7 +36,7 @@ Security securityOf(const Scene &scene)
 {
     if (!scene.session)
         return scene.vehicle ? Security::Plain : scene.snapshot ? scene.snapshot->security : Security::Nothing;
-    if (scene.session->forgedLastMinute + scene.session->replayedLastMinute > 0)
+    if (engine::isAttacked(*scene.session))
         return scene.snapshot->sessions.size() == 1 ? scene.snapshot->security : Security::UnderAttack;
     return scene.session->info.pending ? Security::Switching : Security::Sealed;
 }
