@@ -5,6 +5,7 @@
 #include "core/link/steady_now.h"
 
 #include <QtCore/QVariant>
+#include <QtNetwork/QNetworkProxy>
 
 #if defined(__linux__)
 #include "core/link/batch_socket.h"
@@ -21,6 +22,7 @@ struct QtDatagramSocket::Buffers
 
 QtDatagramSocket::QtDatagramSocket() : m_buffers(std::make_unique<Buffers>())
 {
+    m_socket.setProxy(QNetworkProxy::NoProxy); // see TcpLink
     connect(&m_socket, &QUdpSocket::readyRead, this, &DatagramSocket::readable);
 }
 

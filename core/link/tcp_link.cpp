@@ -4,6 +4,7 @@
 #include "core/link/socket_error.h"
 
 #include <QtCore/QVariant>
+#include <QtNetwork/QNetworkProxy>
 
 namespace skyseal::link {
 
@@ -12,6 +13,8 @@ static constexpr qint64 kReadBuffer = 256 << 10; // bounds what one wake-up can 
 TcpLink::TcpLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions), m_backoff(options().retryFirst, options().retryMax)
 {
+    // A desktop's proxy is for its browser: it must neither get to see a vehicle's MAVLink nor to lose it.
+    m_socket.setProxy(QNetworkProxy::NoProxy);
     m_socket.setReadBufferSize(kReadBuffer);
     m_retryTimer.setSingleShot(true);
     connect(&m_retryTimer, &QTimer::timeout, this, &TcpLink::connectNow);

@@ -5,6 +5,7 @@
 #include "core/link/socket_error.h"
 
 #include <QtCore/QVariant>
+#include <QtNetwork/QNetworkProxy>
 
 #include <algorithm>
 
@@ -16,6 +17,7 @@ TcpServerLink::TcpServerLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkL
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions)
 {
     m_clients.reserve(kMostClients);
+    m_server.setProxy(QNetworkProxy::NoProxy); // see TcpLink
     connect(&m_server, &QTcpServer::newConnection, this, &TcpServerLink::accept);
 }
 

@@ -4,6 +4,8 @@
 #include "core/link/tcp_server_link.h"
 #include "tests/link/recorder.h"
 
+#include <QtNetwork/QNetworkProxy>
+#include <QtNetwork/QTcpServer>
 #include <QtNetwork/QTcpSocket>
 #include <QtTest/QTest>
 
@@ -30,6 +32,7 @@ private Q_SLOTS:
     void fullQueueDropsWholeBlocks();
     void listenerMayCloseEitherEnd();
     void closeSendsWhatWasQueued();
+    void desktopsProxyIsNotAsked();
 };
 
 static LinkOptions quick()
@@ -283,6 +286,25 @@ void TcpLinkTest::closeSendsWhatWasQueued()
     out->close();
     QTRY_COMPARE(server.left.size(), std::size_t(1));
     QCOMPARE(server.stream(), std::string("goodbye"));
+}
+
+void TcpLinkTest::desktopsProxyIsNotAsked()
+{
+    QTcpServer proxy;
+    QVERIFY(proxy.listen(QHostAddress::LocalHost));
+    QNetworkProxy::setApplicationProxy(
+        {QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
+    const auto back = qScopeGuard([] { QNetworkProxy::setApplicationProxy(QNetworkProxy::NoProxy); });
+    Recorder server;
+    Recorder client;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    QCOMPARE(in->state(), LinkState::Listening);
+    const auto out = openLink("tcp:" + in->localAddress(), client, quick());
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    out->send({}, asBytes("hello"));
+    out->flush();
+    QTRY_COMPARE(server.stream(), std::string("hello"));
+    QVERIFY(!proxy.hasPendingConnections());
 }
 
 QTEST_GUILESS_MAIN(TcpLinkTest)

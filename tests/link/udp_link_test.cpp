@@ -4,6 +4,8 @@
 #include "tests/link/recorder.h"
 
 #include <QtNetwork/QHostInfo>
+#include <QtNetwork/QNetworkProxy>
+#include <QtNetwork/QTcpServer>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
@@ -33,6 +35,7 @@ private Q_SLOTS:
     void listenerMayCloseTheLink();
     void receivedBytesMayBeChangedInPlace();
     void sendWithoutPeerIsCounted();
+    void desktopsProxyIsNotAsked();
 
 private:
     static LinkOptions options()
@@ -345,6 +348,25 @@ void UdpLinkTest::sendWithoutPeerIsCounted()
     in->close();
     in->send(ipv4(0x7f000001, 9), text("closed"));
     QCOMPARE(in->counters().txDropped, std::uint64_t(2));
+}
+
+void UdpLinkTest::desktopsProxyIsNotAsked()
+{
+    QTcpServer proxy;
+    QVERIFY(proxy.listen(QHostAddress::LocalHost));
+    QNetworkProxy::setApplicationProxy(
+        {QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
+    const auto back = qScopeGuard([] { QNetworkProxy::setApplicationProxy(QNetworkProxy::NoProxy); });
+    Recorder station;
+    Recorder vehicle;
+    const auto in = openLink("udpin:127.0.0.1:0", station, options());
+    QCOMPARE(in->state(), LinkState::Listening);
+    const auto out = openLink("udpout:" + in->localAddress(), vehicle, options());
+    QTRY_COMPARE(out->state(), LinkState::Connected);
+    out->send({}, text("hello"));
+    out->flush();
+    QTRY_COMPARE(station.stream(), std::string("hello"));
+    QVERIFY(!proxy.hasPendingConnections());
 }
 
 QTEST_GUILESS_MAIN(UdpLinkTest)
