@@ -1,5 +1,7 @@
 #include "core/channel/epochs.h"
 
+#include "core/channel/counter_sums.h"
+
 #include "core/base/weakness.h"
 
 namespace skyseal::channel {
@@ -7,24 +9,6 @@ namespace skyseal::channel {
 namespace {
 
 constexpr std::size_t kHistory = 16;
-
-void add(ReceiveCounters &sum, const ReceiveCounters &part)
-{
-    sum.good += part.good;
-    sum.late += part.late;
-    sum.lost += part.lost;
-    sum.replayed += part.replayed;
-    sum.forged += part.forged;
-    sum.malformed += part.malformed;
-    sum.plaintextDropped += part.plaintextDropped;
-    sum.openedBytes += part.openedBytes;
-}
-
-void add(SendCounters &sum, const SendCounters &part)
-{
-    sum.records += part.records;
-    sum.sealedBytes += part.sealedBytes;
-}
 
 } // namespace
 

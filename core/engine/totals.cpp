@@ -1,24 +1,18 @@
 #include "core/engine/totals.h"
 
+#include "core/channel/counter_sums.h"
+
 namespace skyseal::engine {
 
 channel::ReceiveCounters &operator+=(channel::ReceiveCounters &sum, const channel::ReceiveCounters &more)
 {
-    sum.good += more.good;
-    sum.late += more.late;
-    sum.lost += more.lost;
-    sum.replayed += more.replayed;
-    sum.forged += more.forged;
-    sum.malformed += more.malformed;
-    sum.plaintextDropped += more.plaintextDropped;
-    sum.openedBytes += more.openedBytes;
+    channel::add(sum, more);
     return sum;
 }
 
 channel::SendCounters &operator+=(channel::SendCounters &sum, const channel::SendCounters &more)
 {
-    sum.records += more.records;
-    sum.sealedBytes += more.sealedBytes;
+    channel::add(sum, more);
     return sum;
 }
 

@@ -50,6 +50,7 @@ private:
         Vector3 field;        ///< milligauss, body axes
     };
     Inertial inertial();
+    template<typename Message> static void writeInertial(const Inertial &read, Message &out);
     std::uint32_t bootMilliseconds() const { return static_cast<std::uint32_t>(m_autopilot.time() / 1000); }
     GeoPoint place(const Vector3 &ned) const { return m_autopilot.world().toGeo(ned); }
 

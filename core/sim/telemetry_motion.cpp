@@ -112,11 +112,8 @@ Telemetry::Inertial Telemetry::inertial()
             noisy(truth.attitude.toBody(kEarthField), 1.5)};
 }
 
-void Telemetry::rawImu()
+template<typename Message> void Telemetry::writeInertial(const Inertial &read, Message &out)
 {
-    const Inertial read = inertial();
-    mavlink::RawImu out;
-    out.time_usec = m_autopilot.time();
     out.xacc = scaled<std::int16_t>(read.acceleration.x, kMilligravity);
     out.yacc = scaled<std::int16_t>(read.acceleration.y, kMilligravity);
     out.zacc = scaled<std::int16_t>(read.acceleration.z, kMilligravity);
@@ -126,24 +123,22 @@ void Telemetry::rawImu()
     out.xmag = scaled<std::int16_t>(read.field.x);
     out.ymag = scaled<std::int16_t>(read.field.y);
     out.zmag = scaled<std::int16_t>(read.field.z);
+}
+
+void Telemetry::rawImu()
+{
+    mavlink::RawImu out;
+    out.time_usec = m_autopilot.time();
+    writeInertial(inertial(), out);
     out.temperature = 4500;
     m_outbox.send(out);
 }
 
 void Telemetry::scaledImu()
 {
-    const Inertial read = inertial();
     mavlink::ScaledImu2 out;
     out.time_boot_ms = bootMilliseconds();
-    out.xacc = scaled<std::int16_t>(read.acceleration.x, kMilligravity);
-    out.yacc = scaled<std::int16_t>(read.acceleration.y, kMilligravity);
-    out.zacc = scaled<std::int16_t>(read.acceleration.z, kMilligravity);
-    out.xgyro = scaled<std::int16_t>(read.rates.x, 1000);
-    out.ygyro = scaled<std::int16_t>(read.rates.y, 1000);
-    out.zgyro = scaled<std::int16_t>(read.rates.z, 1000);
-    out.xmag = scaled<std::int16_t>(read.field.x);
-    out.ymag = scaled<std::int16_t>(read.field.y);
-    out.zmag = scaled<std::int16_t>(read.field.z);
+    writeInertial(inertial(), out);
     out.temperature = 4480;
     m_outbox.send(out);
 }
