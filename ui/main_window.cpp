@@ -164,8 +164,10 @@ void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)
     }
     const QString other = url.left(colon + 1) + QString::number(port + 1);
     const LinkId id = link.id;
-    tellProblem(tr("Port %1 cannot be listened on: %2").arg(port).arg(fromStd(link.problem)),
-                tr("Listen on %1 instead").arg(port + 1), [this, other, id] {
+    QString problem = fromStd(link.problem);
+    if (!problem.isEmpty())
+        problem[0] = problem[0].toUpper();
+    tellProblem(problem, tr("Listen on %1 instead").arg(port + 1), [this, other, id] {
                     m_station.removeLink(id);
                     addLink(other);
                 });

@@ -276,7 +276,7 @@ private Q_SLOTS:
             QTest::keyClick(m_panel.get(), Qt::Key_Right);
         QCOMPARE(m_panel->chart(0)->plotted().to, 0.0); // the future is not shown
         QTest::keyClick(m_panel.get(), Qt::Key_Escape);
-        QCOMPARE(m_panel->chart(0)->plotted().from, -30.0);
+        QCOMPARE(m_panel->chart(0)->plotted().from, -120.0); // as wide as it was before
     }
 
     void csvHoldsWhatIsShown()

@@ -17,7 +17,14 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr int kTimeParts = 4;
+/// As many parts as give whole seconds.
+int timeParts(double span)
+{
+    for (const int parts : {4, 3, 5})
+        if (decimalsOf(span / parts) == 0)
+            return parts;
+    return 4;
+}
 
 qreal crisp(qreal at)
 {
@@ -38,8 +45,9 @@ void ChartView::drawBackground(QPainter *painter, const QRectF &rect)
         const qreal right = m_frame.bars.empty() ? area.right() : barAt(m_frame.bars.size() - 1, area).right() + 2;
         painter->drawLine(QPointF(area.left(), y), QPointF(right, y));
     }
-    for (int i = 0; i <= kTimeParts; ++i) {
-        const qreal x = crisp(area.left() + area.width() * i / kTimeParts);
+    const int spans = timeParts(m_frame.to - m_frame.from);
+    for (int i = 0; i <= spans; ++i) {
+        const qreal x = crisp(area.left() + area.width() * i / spans);
         painter->drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     }
 }
@@ -53,8 +61,11 @@ void ChartView::drawForeground(QPainter *painter, const QRectF &)
     drawBars(*painter, area);
     drawMarks(*painter, area);
     if (!m_anyRun) {
+        const QString words = tr("nothing measured yet");
+        const QRectF place = painter->boundingRect(area, Qt::AlignCenter, words);
+        painter->fillRect(place.adjusted(-kHalfGrid, 0, kHalfGrid, 0), palette().color(QPalette::Window));
         painter->setPen(stateColors(palette()).dim);
-        painter->drawText(area, Qt::AlignCenter, tr("nothing measured yet"));
+        painter->drawText(place, Qt::AlignCenter, words);
     }
     if (m_pressed >= 0 && m_frame.time != ChartTime::InUse) {
         QColor wash = palette().color(QPalette::Highlight);
@@ -82,17 +93,18 @@ void ChartView::drawValueLabels(QPainter &painter, const QRectF &area) const
 void ChartView::drawTimeLabels(QPainter &painter, const QRectF &area) const
 {
     const QFontMetricsF metrics(labelFont());
-    const double step = (m_frame.to - m_frame.from) / kTimeParts;
+    const int parts = timeParts(m_frame.to - m_frame.from);
+    const double step = (m_frame.to - m_frame.from) / parts;
     const int decimals = std::min(1, decimalsOf(step));
     qreal free = area.left() - 1; // labels that would touch are left away
-    for (int i = 0; i <= kTimeParts; ++i) {
+    for (int i = 0; i <= parts; ++i) {
         const double time = m_frame.from + step * i;
         const QString text = chartTimeWords(time, m_frame.time, decimals);
         const qreal wide = figuresWidth(metrics, text);
-        const qreal middle = area.left() + area.width() * i / kTimeParts;
+        const qreal middle = area.left() + area.width() * i / parts;
         const qreal last = area.right() - wide;
-        const qreal left = i == 0 ? middle : i == kTimeParts ? last : middle - wide / 2;
-        if (left < free || (i < kTimeParts && i > 0 && left + wide + kGrid > last))
+        const qreal left = i == 0 ? middle : i == parts ? last : middle - wide / 2;
+        if (left < free || (i < parts && i > 0 && left + wide + kGrid > last))
             continue;
         drawFigures(painter, QPointF(left, area.bottom() + metrics.height() + 2), text);
         free = left + wide + kGrid;

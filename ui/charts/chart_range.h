@@ -23,21 +23,18 @@ public:
     double from() const { return m_end - m_span; }
     double to() const { return m_end; }
 
-    void setSpan(double span) { m_span = std::max(kLeastSpan, span); }
+    void setSpan(double span) { m_span = m_chosen = std::max(kLeastSpan, span); }
     void freeze(double newest)
     {
         if (!m_stopped)
             m_stopped = newest;
     }
-    /// Shows what is new again; the span stays if it is one of kSpans.
+    /// Shows what is new again, as wide as it was before a part was looked at closer.
     void goLive()
     {
         m_stopped.reset();
         m_end = 0;
-        if (std::find(kSpans.begin(), kSpans.end(), m_span) == kSpans.end())
-            m_span = *std::min_element(kSpans.begin(), kSpans.end(), [this](double a, double b) {
-                return std::abs(a - m_span) < std::abs(b - m_span);
-            });
+        m_span = m_chosen;
     }
     /// Positive is closer.
     void zoom(int steps)
@@ -50,6 +47,8 @@ public:
             const auto wider = std::find_if(kSpans.begin(), kSpans.end(), [this](double s) { return s > m_span; });
             m_span = wider == kSpans.end() ? kSpans.back() : *wider;
         }
+        if (!frozen())
+            m_chosen = m_span;
     }
     /// A part of what is shown, which stops the charts.
     void select(double from, double to, double newest)
@@ -67,6 +66,7 @@ public:
 
 private:
     double m_span = 120, m_end = 0;
+    double m_chosen = m_span; ///< the span while the charts run
     std::optional<double> m_stopped;
 };
 

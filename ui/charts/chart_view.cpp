@@ -8,6 +8,8 @@
 #include <QtCharts/QChart>
 #include <QtGui/QMouseEvent>
 #include <QtGui/QPainter>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QScrollBar>
 #include <QtWidgets/QToolTip>
 
 #include <algorithm>
@@ -156,6 +158,14 @@ void ChartView::leaveEvent(QEvent *event)
 
 void ChartView::wheelEvent(QWheelEvent *event)
 {
+    // Where the charts are more than fit, the wheel scrolls them and zooms with Ctrl.
+    for (QWidget *around = parentWidget(); around; around = around->parentWidget()) {
+        const auto *scrolls = qobject_cast<const QScrollArea *>(around);
+        if (scrolls && scrolls->verticalScrollBar()->maximum() > 0 && !(event->modifiers() & Qt::ControlModifier)) {
+            event->ignore();
+            return;
+        }
+    }
     // Half a turn of a fine wheel is nothing yet; a click of a usual one is one step.
     const int steps = event->angleDelta().y() / 120;
     if (steps != 0)

@@ -33,6 +33,7 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     m_table->setAccessibleName(tr("Suites compared"));
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(kRow);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_pages->addWidget(m_grid);
