@@ -39,6 +39,8 @@ void declare(Options &options)
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addFlag("allow-plain",
                     "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
+    options.addFlag("allow-inline",
+                    "Also seal frames in place where the station asks for it: headers stay clear, tags are short.");
     options.addFlag("pair", "Open the window for pairing of the agent that runs here with this --identity, and confirm in it.");
     PairingTalk::declare(options); // with --json
 }
@@ -84,6 +86,7 @@ int main(int argc, char **argv)
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
     if (const auto weakest = options.suite("weakest-suite"))
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);
+    policy.allowInline = options.has("allow-inline");
     if (ground && ground->scheme() != link::LinkScheme::UdpOut)
         options.fail("--ground " + ground->toText()
                      + ": the agent announces itself to the station, so this is udpout:HOST:PORT");

@@ -9,6 +9,7 @@
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
 #include "core/channel/suite_strength.h"
+#include "core/crypto/inline_cipher.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QStandardPaths>
@@ -35,7 +36,9 @@ void declare(Options &options)
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to walk through, again and again.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
-    options.addValue("framing", "sealed", "How MAVLink is protected: whole frames sealed in records.", "sealed");
+    options.addValue("framing", "sealed|inline",
+                     "How MAVLink is protected: whole frames in records, or each frame in place with its header clear.",
+                     "sealed");
     options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
     options.addValue("duration", "S", "End after so many seconds.");
     options.addValue("do", "SCRIPT",
@@ -66,6 +69,22 @@ void checkSuite(Options &options, const engine::StationConfig &config, const cha
         options.fail(what + "weaker than --weakest-suite allows");
 }
 
+void readFraming(Options &options, engine::StationConfig &config)
+{
+    const std::string framing = options.text("framing");
+    if (framing == "mavsec2019")
+        return options.fail("--framing 'mavsec2019': not supported by this version; it knows sealed and inline");
+    if (framing != "sealed" && framing != "inline")
+        return options.fail("--framing '" + framing + "': sealed or inline is expected");
+    if (framing == "sealed")
+        return;
+    if (config.secure != engine::SecureMode::Required)
+        return options.fail("--framing 'inline': there is no sealed link; --secure required");
+    config.policy.allowInline = config.policy.preferInline = true;
+    // A session shall begin with a suite that can do it.
+    std::stable_partition(config.policy.suites.begin(), config.policy.suites.end(), crypto::mayBeInline);
+}
+
 void readSecurity(Options &options, engine::StationConfig &config)
 {
     const bool hasKeys = options.has("identity");
@@ -82,11 +101,7 @@ void readSecurity(Options &options, engine::StationConfig &config)
     }
     if (options.has("suite") && (config.preferredSuite = options.suite("suite")))
         checkSuite(options, config, "suite", *config.preferredSuite);
-    if (const std::string framing = options.text("framing"); framing != "sealed") {
-        const bool known = framing == "inline" || framing == "mavsec2019";
-        options.fail("--framing '" + framing
-                     + "': " + (known ? "not supported by this version; it knows sealed" : "sealed is expected"));
-    }
+    readFraming(options, config);
 }
 
 engine::StationConfig readConfig(Options &options)
@@ -104,6 +119,7 @@ engine::StationConfig readConfig(Options &options)
 engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
 {
     engine::RunPlan plan;
+    plan.inlineRequired = config.policy.preferInline;
     plan.sessionRequired = config.secure == engine::SecureMode::Required;
     const auto inSeconds = [](double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); };
     if (options.has("switch-to")) {

@@ -66,7 +66,7 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
     });
     entry.up = true;
     const SessionInfo info = session.info(now);
-    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path});
+    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path, session.agreedFraming()});
 }
 
 void EndpointCore::end(TimePoint now, Session &session, DownReason reason)
@@ -74,7 +74,7 @@ void EndpointCore::end(TimePoint now, Session &session, DownReason reason)
     const SessionTable::Entry *entry = table.find(session.id());
     if (entry && entry->up) {
         session.end(now, sayGoodbyeFor(reason));
-        around.events.push_back(SessionDown{session.id(), reason, session.stats()});
+        around.events.push_back(SessionDown{session.id(), reason, session.stats(), session.agreedFraming()});
     }
     table.erase(session.id());
 }

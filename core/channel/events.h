@@ -22,6 +22,7 @@ struct SessionUp
     std::string peerName;
     crypto::SuiteId suite{};
     Path path;
+    Framing framing = Framing::Sealed; ///< Inline: both ends agreed to it; frames go so under the suites that can do it
 };
 
 enum class DownReason : std::uint8_t { PeerRestarted, PeerClosed, TimedOut, Exhausted, Revoked, Closed };
@@ -31,6 +32,7 @@ struct SessionDown
     SessionId session{};
     DownReason reason{};
     SessionStats stats; ///< the last there will be
+    Framing framing = Framing::Sealed; ///< as agreed
 };
 
 /// The peer's authenticated records now come from elsewhere.

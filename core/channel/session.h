@@ -86,6 +86,7 @@ public:
     // command
     Result<std::size_t, SealError> seal(TimePoint now, ByteView plaintext, MutableByteView out);
     Result<std::size_t, SealError> sealInline(TimePoint now, ByteView frame, MutableByteView out);
+    Framing agreedFraming() const;
     /// How frames are to be sent now.
     Framing framing() const;
     void switchSuite(TimePoint now, crypto::SuiteId suite);

@@ -10,12 +10,16 @@ constexpr Carrier kCarrier = Carrier::Datagram;
 
 } // namespace
 
+Framing Session::agreedFraming() const
+{
+    return inlineAllowed() && inlineWanted(m_around.offer, m_setup.peerOffer) ? Framing::Inline : Framing::Sealed;
+}
+
 Framing Session::framing() const
 {
     // A peer that was not heard yet cannot find the session by our address, and an agent must be shown first that we are no
     // replay: both take a record.
-    const bool wanted = inlineAllowed() && m_confirmed && inlineWanted(m_around.offer, m_setup.peerOffer);
-    return wanted && m_epochs.current().inlineWriter ? Framing::Inline : Framing::Sealed;
+    return m_confirmed && m_epochs.current().inlineWriter ? agreedFraming() : Framing::Sealed;
 }
 
 Result<std::size_t, SealError> Session::sealInline(TimePoint now, ByteView frame, MutableByteView out)

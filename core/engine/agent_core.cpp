@@ -1,6 +1,7 @@
 #include "core/engine/agent_core.h"
 
 #include "core/base/weakness.h"
+#include "core/engine/dialect_facts.h"
 #include "core/engine/observer_rules.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/messages.h"
@@ -25,6 +26,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
     out.peers = secrets.peers;
     out.policy = config.policy;
     out.announceTo = {kGround};
+    out.frameFacts = std::make_shared<DialectFacts>(mavlink::Dialect::builtin());
     return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
 }
 
@@ -185,12 +187,7 @@ void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlo
         } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
             takeRecord(block);
         } else {
-            bool anyFrame = false;
-            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
-                anyFrame = anyFrame || isWhole(item);
-                takeClearFromGround(item);
-            });
-            m_garbage += !anyFrame;
+            takeUnowned(block);
         }
     }
     finishWake();
@@ -221,16 +218,34 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
 
 void AgentCore::takeRecord(const link::ReceivedBlock &block)
 {
-    const auto delivery = m_channel.receive(block.time, block.path, block.bytes);
-    if (!delivery)
-        return;
+    if (const auto delivery = m_channel.receive(block.time, block.path, block.bytes))
+        takeDelivery(block, *delivery);
+}
+
+/// Clear frames, and frames that are sealed in place.
+void AgentCore::takeUnowned(const link::ReceivedBlock &block)
+{
+    bool anyFrame = false;
+    m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+        anyFrame = anyFrame || isWhole(item) || isSealedInPlace(item);
+        if (!isSealedInPlace(item))
+            return takeClearFromGround(item);
+        const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
+        if (const auto delivery = m_channel.receiveInline(block.time, block.path, frame))
+            takeDelivery(block, *delivery);
+    });
+    m_garbage += !anyFrame;
+}
+
+void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery)
+{
     handleEvents(); // who it is comes before what it says
     std::uint64_t frames = 0;
-    m_intake.takeDatagram(delivery->frames, [&](const mavlink::ScanItem &item) {
+    m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
         frames += isWhole(item);
-        takeFromGround(block.time, delivery->session, item);
+        takeFromGround(block.time, delivery.session, item);
     });
-    m_channel.countFrames(delivery->session, frames);
+    m_channel.countFrames(delivery.session, frames);
     m_links.noteRemote(kGroundLink, block.path.remote);
 }
 

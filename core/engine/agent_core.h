@@ -111,6 +111,8 @@ private:
 
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     void takeRecord(const link::ReceivedBlock &block);
+    void takeUnowned(const link::ReceivedBlock &block);
+    void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
     void takeFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
     void takeClearFromGround(const mavlink::ScanItem &item);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);

@@ -1,6 +1,7 @@
 #include "core/engine/channel_driver.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::engine {
 
@@ -8,12 +9,29 @@ ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_en
 {
 }
 
+void ChannelDriver::Batch::add(ByteView bytes)
+{
+    std::copy(bytes.begin(), bytes.end(), frames.begin() + static_cast<std::ptrdiff_t>(size));
+    size += bytes.size();
+}
+
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
     const std::uint64_t begin = metrics::CycleClock::now();
-    std::optional<channel::Delivery> delivery = m_endpoint.handleDatagram(now, from, datagram);
+    return taken(begin, datagram.size(), m_endpoint.handleDatagram(now, from, datagram));
+}
+
+std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
+{
+    const std::uint64_t begin = metrics::CycleClock::now();
+    return taken(begin, frame.size(), m_endpoint.handleInlineFrame(now, from, frame));
+}
+
+std::optional<channel::Delivery> ChannelDriver::taken(std::uint64_t begin, std::size_t bytes,
+                                                      std::optional<channel::Delivery> delivery)
+{
     const std::uint64_t end = metrics::CycleClock::now();
-    m_wire.received += datagram.size();
+    m_wire.received += bytes;
     if (delivery) {
         const std::uint64_t taken = m_clock.between(begin, end);
         m_wire.receivedFrames += delivery->frames.size();
@@ -30,10 +48,32 @@ bool ChannelDriver::queue(TimePoint now, channel::SessionId session, ByteView fr
     if (frame.size() > channel::kMaxRecordPayload)
         return false;
     Batch &batch = m_batches[session];
-    if (batch.size + frame.size() > batch.frames.size())
+    if (m_endpoint.framing(session) == channel::Framing::Inline && queueInline(now, session, frame, batch))
+        return true;
+    if (batch.sealedInPlace || !batch.holds(frame.size()))
         sealBatch(now, session, batch);
-    std::copy(frame.begin(), frame.end(), batch.frames.begin() + static_cast<std::ptrdiff_t>(batch.size));
-    batch.size += frame.size();
+    batch.add(frame);
+    return true;
+}
+
+/// False when this frame has to travel in a record.
+bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch)
+{
+    if (frame[0] != 0xfd || frame.size() < 3 || frame[2] != 0)
+        return false;
+    if (!batch.sealedInPlace) // what came before goes first, counters rise
+        sealBatch(now, session, batch);
+    const std::uint64_t begin = metrics::CycleClock::now();
+    const auto size = m_endpoint.sealInline(now, session, frame, m_record);
+    const std::uint64_t end = metrics::CycleClock::now();
+    if (!size)
+        return false;
+    m_meters[session].sealed(m_sendSuites[session], m_clock.between(begin, end));
+    m_wire.sentFrames += frame.size();
+    if (!batch.holds(*size))
+        sealBatch(now, session, batch);
+    batch.sealedInPlace = true;
+    batch.add(ByteView(m_record).first(*size));
     return true;
 }
 
@@ -43,6 +83,11 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         return;
     const ByteView frames(batch.frames.data(), batch.size);
     batch.size = 0;
+    if (std::exchange(batch.sealedInPlace, false)) {
+        m_wire.sent += frames.size();
+        m_links.send(m_endpoint.recordPath(session), frames);
+        return;
+    }
     const std::uint64_t begin = metrics::CycleClock::now();
     const auto size = m_endpoint.seal(now, session, frames, m_record);
     if (!size)
@@ -127,6 +172,7 @@ ChannelTotals ChannelDriver::totals() const
             out.up = true;
             out.suite = info->suite;
             out.epoch = static_cast<std::uint32_t>(info->epoch);
+            out.framing = info->framing;
             out.cost = cost(session);
             if (const auto stats = m_endpoint.stats(session))
                 out.roundTrip = stats->roundTrip;

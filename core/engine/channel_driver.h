@@ -22,10 +22,13 @@ public:
 
     /// Takes a datagram whose first byte the channel owns; what it carried, opened in place.
     std::optional<channel::Delivery> receive(TimePoint now, const Path &from, MutableByteView datagram);
+    /// The same for one frame that was sealed in place.
+    std::optional<channel::Delivery> receiveInline(TimePoint now, const Path &from, MutableByteView frame);
     /// Tells how many frames a delivery held, for the rates.
     void countFrames(channel::SessionId session, std::uint64_t frames) { m_meters[session].openedFrames(frames); }
 
-    /// Adds a whole frame to the session's next record. False when there is no such session.
+    /// Adds a whole frame to the session's next datagram: to a record, or sealed in place where the session and the frame
+    /// allow it. False when it is too long.
     bool queue(TimePoint now, channel::SessionId session, ByteView frame);
     /// Seals what was queued and sends all that the endpoint has to say. At the end of each wake-up.
     void flush(TimePoint now);
@@ -47,9 +50,15 @@ private:
     struct Batch
     {
         std::size_t size = 0;
+        bool sealedInPlace = false; ///< the frames are sealed already, each by itself
         std::array<std::uint8_t, channel::kMaxRecordPayload> frames;
+
+        bool holds(std::size_t more) const { return size + more <= frames.size(); }
+        void add(ByteView bytes);
     };
 
+    std::optional<channel::Delivery> taken(std::uint64_t begin, std::size_t bytes, std::optional<channel::Delivery> delivery);
+    bool queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch);
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
 

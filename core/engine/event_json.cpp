@@ -25,6 +25,11 @@ std::string_view suiteName(crypto::SuiteId suite)
     return crypto::suiteInfo(suite).name;
 }
 
+std::string_view framingName(channel::Framing framing)
+{
+    return framing == channel::Framing::Inline ? "inline" : "sealed";
+}
+
 std::uint32_t number(std::uint8_t value)
 {
     return value;
@@ -58,7 +63,8 @@ std::string linkEvent(const LinkSnapshot &link, std::string_view side)
 std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress)
 {
     JsonWriter json = begin("session");
-    json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", "sealed").field("epoch", 0u);
+    json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", framingName(up.framing));
+    json.field("epoch", 0u);
     json.field("peer", up.peerName).field("address", remoteAddress);
     return end(json);
 }
@@ -66,7 +72,7 @@ std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remo
 std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer)
 {
     JsonWriter json = begin("session");
-    json.field("state", "down").field("framing", "sealed").field("peer", peer).field("reason", word(down.reason));
+    json.field("state", "down").field("framing", framingName(down.framing)).field("peer", peer).field("reason", word(down.reason));
     return end(json);
 }
 
@@ -173,6 +179,7 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
 {
     json.key("channel").beginObject();
     json.field("up", totals.up).field("suite", suiteName(totals.suite)).field("epoch", totals.epoch);
+    json.field("framing", framingName(totals.framing));
     json.key("rx").beginObject();
     writeReceived(json, totals.rx);
     json.endObject();

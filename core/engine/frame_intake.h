@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/path.h"
+#include "core/channel/endpoint.h"
 #include "core/mavlink/stream_parser.h"
 
 #include <map>
@@ -38,6 +39,13 @@ private:
     const mavlink::Dialect *m_dialect;
     std::map<Path, std::unique_ptr<mavlink::StreamParser>> m_streams;
 };
+
+/// True for a whole frame that claims to be sealed in place: no frame for anybody but the channel.
+inline bool isSealedInPlace(const mavlink::ScanItem &item)
+{
+    const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags || item.fault == mavlink::FrameFault::UnknownMessage;
+    return !item.frame && whole && channel::Endpoint::ownsFrame(item.bytes);
+}
 
 /// True when the damaged spot was a frame with a wrong checksum or cut short; noise between frames (the console text of an
 /// autopilot that boots) is not counted as damage.

@@ -63,6 +63,7 @@ void HeadlessRun::hear(const Happening &happening)
     const TimePoint now = steadyNow();
     if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
         m_sessionSeen = true;
+        m_inlineSeen = m_inlineSeen || up->framing == channel::Framing::Inline;
         m_switching.sessionUp(now, up->session);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
         m_switching.sessionDown(down->session);
@@ -159,6 +160,8 @@ void HeadlessRun::settle(const Snapshot &last)
         return end(RunOutcome::ScriptUnfinished, "the run ended before the flight script did");
     if (m_plan.sessionRequired && !m_sessionSeen)
         return end(RunOutcome::NoSession, "no sealed session came up");
+    if (m_plan.inlineRequired && !m_inlineSeen)
+        return end(RunOutcome::InlineNotReached, "the other end does not allow inline framing (skyseal-air --allow-inline)");
     if (const auto missed = m_switching.notReached(); !missed.empty())
         return end(RunOutcome::SuiteNotReached, "never came into use: " + listOf(missed));
     end(RunOutcome::Reached);

@@ -22,6 +22,7 @@ struct RunPlan
     Duration switchEvery = std::chrono::seconds(1);
     std::optional<Duration> duration;
     bool sessionRequired = false;
+    bool inlineRequired = false; ///< a session must agree to inline framing
 };
 
 /// Told on the run's thread, in the order of what happened.
@@ -42,6 +43,7 @@ enum class RunOutcome : std::uint8_t {
     ScriptFailed,   ///< a step failed
     ScriptUnfinished, ///< the run ended before it
     SuiteNotReached, ///< a suite of the list was refused or not confirmed, and never came into use
+    InlineNotReached, ///< the other end does not allow inline framing
     CannotOpen      ///< a link that cannot work: its port is taken, its host unknown, its file unreadable
 };
 
@@ -85,6 +87,7 @@ private:
     QTimer m_tick;
     int m_seconds = 0;
     bool m_sessionSeen = false;
+    bool m_inlineSeen = false;
     bool m_stopping = false;
     std::string m_brokenLink;
     std::string m_linkProblem; ///< the last one of a link that has never worked

@@ -1,6 +1,7 @@
 #include "core/engine/station_core.h"
 
 #include "core/channel/suite_strength.h"
+#include "core/engine/dialect_facts.h"
 #include "core/keys/public_key_text.h"
 #include "core/mavlink/frame_writer.h"
 
@@ -30,6 +31,7 @@ channel::Config channelConfig(const StationConfig &config, const SecretFiles &se
     out.identity = secrets.identity;
     out.peers = secrets.peers;
     out.policy = config.policy;
+    out.frameFacts = std::make_shared<DialectFacts>(mavlink::Dialect::builtin());
     return out;
 }
 

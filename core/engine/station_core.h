@@ -98,6 +98,7 @@ private:
     void linkChanged(link::Link &link);
 
     void takeRecord(TimePoint now, const link::ReceivedBlock &block);
+    void takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item);
     void takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery);
     void takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     void refuseClear(TimePoint now, const Path &from, std::uint8_t systemId);

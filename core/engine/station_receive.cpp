@@ -32,7 +32,10 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
             bool anyFrame = false;
             m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
                 anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
-                takeClear(block.time, block.path, item);
+                if (isSealedInPlace(item))
+                    takeInline(block, item);
+                else
+                    takeClear(block.time, block.path, item);
             });
             m_garbage += !anyFrame;
         }
@@ -51,6 +54,18 @@ void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
         // The session is told of by its event; what it may speak as must be known before its first frame is judged.
         handleEvents(now);
         takeSealed(now, block.path, *delivery);
+    }
+}
+
+/// A frame that is sealed in place; without keys it is nobody's telemetry.
+void StationCore::takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+{
+    if (!m_channel)
+        return;
+    const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
+    if (const auto delivery = m_channel->receiveInline(block.time, block.path, frame)) {
+        handleEvents(block.time);
+        takeSealed(block.time, block.path, *delivery);
     }
 }
 

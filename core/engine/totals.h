@@ -2,6 +2,7 @@
 // went. The station and the agent both keep them.
 #pragma once
 
+#include "core/channel/policy.h"
 #include "core/channel/stats.h"
 
 #include <cstdint>
@@ -46,6 +47,7 @@ struct ChannelTotals
     bool up = false;          ///< a session is up now
     crypto::SuiteId suite{};  ///< of that session; None without one
     std::uint32_t epoch = 0;
+    channel::Framing framing{}; ///< how its frames are sent now
     channel::ReceiveCounters rx;
     channel::SendCounters tx;
     channel::ReceiveCounters peerRx; ///< ours, as the other end counts them; at most a second old
