@@ -1,9 +1,11 @@
 // skyseal-cli decode: a recording or raw MAVLink as text, one message a line.
 #include "app/cli/commands.h"
 #include "app/cli/log_input.h"
+#include "app/cli/mavsec_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "core/engine/mavsec_stream.h"
 #include "core/log/decode.h"
 #include "core/mavlink/signing_key.h"
 #include "core/mavlink/user_dialect.h"
@@ -21,16 +23,18 @@ void declare(Options &options)
     options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
     options.addValue("signing-key", "FILE",
                      "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
-    options.addValue("framing", "plain", "How the frames are protected: not at all.", "plain");
+    options.addValue("framing", "plain|mavsec2019",
+                     "How the frames are protected: not at all, or as the published code of the paper MAVSec does it.", "plain");
+    MavsecOptions::declare(options);
 }
 
 void checkFraming(Options &options)
 {
     const std::string framing = options.text("framing");
-    if (framing == "mavsec2019")
-        options.fail("--framing 'mavsec2019': not supported by this version; it reads plain MAVLink");
-    else if (framing != "plain")
-        options.fail("--framing '" + framing + "': plain is expected");
+    if (framing != "plain" && framing != "mavsec2019")
+        options.fail("--framing '" + framing + "': plain or mavsec2019 is expected");
+    if (framing == "mavsec2019" && options.has("signing-key")) // there, signatures are over what was encrypted
+        options.fail("--signing-key: not with --framing mavsec2019");
 }
 
 /// The built-in dialect, with the user's further messages where there are some.
@@ -50,6 +54,7 @@ int runDecode(const QStringList &arguments)
         return *status;
     const QStringList files = options.arguments(1, 1);
     checkFraming(options);
+    const MavsecOptions mavsec = MavsecOptions::read(options);
     if (const auto status = options.finish())
         return *status;
 
@@ -68,6 +73,16 @@ int runDecode(const QStringList &arguments)
             return kCannotOpen;
         }
         how.signingKey = &*key;
+    }
+    std::optional<engine::MavsecStream> encrypted;
+    if (mavsec.isChosen()) {
+        auto cipher = mavsec.cipher();
+        if (!cipher) {
+            complain(name, cipher.error().text());
+            return kCannotOpen;
+        }
+        encrypted.emplace(std::move(*cipher), *dialect);
+        how.open = [&encrypted](const mavlink::Frame &frame) { return encrypted->open(frame); };
     }
     LogInput input;
     if (const auto problem = input.open(files[0])) {

@@ -1,6 +1,7 @@
 // skyseal-cli monitor: a station's run without a window.
 #include "app/cli/commands.h"
 #include "app/cli/json_report.h"
+#include "app/cli/mavsec_options.h"
 #include "app/cli/people_report.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
@@ -36,9 +37,11 @@ void declare(Options &options)
     options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to walk through, again and again.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
-    options.addValue("framing", "sealed|inline",
-                     "How MAVLink is protected: whole frames in records, or each frame in place with its header clear.",
+    options.addValue("framing", "sealed|inline|mavsec2019",
+                     "How MAVLink is protected: whole frames in records; each frame in place with its header clear; or, "
+                     "INSECURE and only read, as the published code of the paper MAVSec does it.",
                      "sealed");
+    MavsecOptions::declare(options);
     options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
     options.addValue("duration", "S", "End after so many seconds.");
     options.addValue("do", "SCRIPT",
@@ -72,11 +75,11 @@ void checkSuite(Options &options, const engine::StationConfig &config, const cha
 void readFraming(Options &options, engine::StationConfig &config)
 {
     const std::string framing = options.text("framing");
-    if (framing == "mavsec2019")
-        return options.fail("--framing 'mavsec2019': not supported by this version; it knows sealed and inline");
-    if (framing != "sealed" && framing != "inline")
-        return options.fail("--framing '" + framing + "': sealed or inline is expected");
-    if (framing == "sealed")
+    if (framing == "mavsec2019" && config.secure == engine::SecureMode::Required)
+        options.fail("--framing 'mavsec2019': nothing is sealed there; it goes with --secure off and without --identity");
+    if (framing != "sealed" && framing != "inline" && framing != "mavsec2019")
+        options.fail("--framing '" + framing + "': sealed, inline or mavsec2019 is expected");
+    if (framing != "inline")
         return;
     if (config.secure != engine::SecureMode::Required)
         return options.fail("--framing 'inline': there is no sealed link; --secure required");
@@ -119,6 +122,12 @@ engine::StationConfig readConfig(Options &options)
 engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
 {
     engine::RunPlan plan;
+    if (options.text("framing") == "mavsec2019") {
+        for (const char *sends : {"do", "stream-rate"}) {
+            if (options.has(sends))
+                options.fail(std::string("--") + sends + ": with --framing mavsec2019 nothing is ever sent");
+        }
+    }
     plan.inlineRequired = config.policy.preferInline;
     plan.sessionRequired = config.secure == engine::SecureMode::Required;
     const auto inSeconds = [](double s) { return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s)); };
@@ -165,9 +174,19 @@ int runMonitor(const QStringList &arguments)
     const std::vector<link::LinkUrl> links = options.urls("link");
     const engine::StationConfig config = readConfig(options);
     engine::RunPlan plan = readPlan(options, config);
+    const MavsecOptions mavsec = MavsecOptions::read(options);
     if (const auto status = options.finish())
         return *status;
 
+    if (mavsec.isChosen()) {
+        auto cipher = mavsec.cipher();
+        if (!cipher) {
+            complain(name, cipher.error().text());
+            return kCannotOpen;
+        }
+        plan.mavsec = std::move(*cipher);
+        complain(name, "INSECURE: frames encrypted as MAVSec's code does it can be read, changed and invented by anybody");
+    }
     auto station = engine::Station::create(config);
     if (!station) {
         complain(name, station.error().text());

@@ -55,6 +55,8 @@ std::string linkEvent(const LinkSnapshot &link, std::string_view side)
     if (!side.empty())
         json.field("side", side);
     json.field("url", link.url).field("state", word(link.phase)).field("address", link.localAddress);
+    if (link.listenOnly)
+        json.field("framing", "mavsec2019").field("insecure", true);
     if (!link.problem.empty())
         json.field("problem", link.problem);
     return end(json);

@@ -36,12 +36,17 @@ void HeadlessRun::start()
 {
     m_clock.start();
     for (const link::LinkUrl &url : m_urls) {
-        const LinkId id = m_station.addLink(url);
+        const LinkId id = addLink(url);
         m_links[id] = false;
         if (url.scheme() == link::LinkScheme::Tlog)
             m_played[id] = false;
     }
     m_tick.start(kTick);
+}
+
+LinkId HeadlessRun::addLink(const link::LinkUrl &url)
+{
+    return m_plan.mavsec ? m_station.addMavsecLink(url, m_plan.mavsec->clone()) : m_station.addLink(url);
 }
 
 void HeadlessRun::stop()

@@ -22,6 +22,8 @@ struct RunPlan
     Duration switchEvery = std::chrono::seconds(1);
     std::optional<Duration> duration;
     bool sessionRequired = false;
+    /// All links are read as MAVSec's published code encrypts them, and never sent to.
+    std::optional<crypto::MavsecCipher> mavsec;
     bool inlineRequired = false; ///< a session must agree to inline framing
 };
 
@@ -64,6 +66,7 @@ Q_SIGNALS:
     void finished(skyseal::engine::RunOutcome outcome, std::string problem);
 
 private:
+    LinkId addLink(const link::LinkUrl &url);
     void take(const std::shared_ptr<const Snapshot> &snapshot);
     void hear(const Happening &happening);
     void watchLinks(const LinkSnapshot &link);

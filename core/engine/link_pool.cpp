@@ -38,9 +38,10 @@ LinkPool::~LinkPool()
     }
 }
 
-link::Link &LinkPool::open(LinkId id, const link::LinkUrl &url)
+link::Link &LinkPool::open(LinkId id, const link::LinkUrl &url, LinkUse use)
 {
     Entry fresh;
+    fresh.use = use;
     fresh.link.reset(link::makeLink(url, id, m_listener, m_options).release());
     link::Link *link = fresh.link.get();
     m_entries.push_back(std::move(fresh));
@@ -81,7 +82,7 @@ link::Link *LinkPool::find(LinkId id) const
 
 void LinkPool::send(const Path &to, ByteView block)
 {
-    if (Entry *target = entry(to.link)) {
+    if (Entry *target = entry(to.link); target && target->use == LinkUse::Both) {
         target->link->send(to.remote, block);
         target->dirty = true;
     }
@@ -133,6 +134,7 @@ LinkSnapshot LinkPool::describe(const Entry &entry) const
         out.problem = link.error().sentence();
     out.addressInUse = link.error().code == link::LinkErrorCode::PortInUse;
     out.hostUnknown = link.error().code == link::LinkErrorCode::HostUnknown;
+    out.listenOnly = entry.use == LinkUse::ListenOnly;
     out.rxBytes = counters.rxBytes;
     out.txBytes = counters.txBytes;
     out.rxDatagrams = counters.rxBlocks;

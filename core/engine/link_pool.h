@@ -12,6 +12,12 @@
 
 namespace skyseal::engine {
 
+/// What a link is for.
+enum class LinkUse : std::uint8_t {
+    Both,
+    ListenOnly ///< nothing is ever sent on it, whoever asks
+};
+
 class LinkPool
 {
 public:
@@ -21,12 +27,12 @@ public:
     LinkPool(link::LinkListener &listener, StateChanged stateChanged, link::LinkOptions options = {});
     ~LinkPool();
 
-    link::Link &open(LinkId id, const link::LinkUrl &url);
+    link::Link &open(LinkId id, const link::LinkUrl &url, LinkUse use = LinkUse::Both);
     /// Closes it; the object dies when the event loop comes round, since it may be the caller.
     void remove(LinkId id);
     link::Link *find(LinkId id) const;
 
-    /// Queues one block for a remote; dropped when the link is gone.
+    /// Queues one block for a remote; dropped when the link is gone or only listens.
     void send(const Path &to, ByteView block);
     /// Sends what was queued since the last flush.
     void flush();
@@ -52,6 +58,7 @@ private:
     struct Entry
     {
         std::unique_ptr<link::Link, Later> link;
+        LinkUse use = LinkUse::Both;
         bool dirty = false;
         Address remote{};
         std::uint64_t badCrc = 0;

@@ -196,6 +196,15 @@ LinkId Station::addLink(const link::LinkUrl &url)
     return id;
 }
 
+LinkId Station::addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher)
+{
+    const LinkId id{d->nextLink++};
+    // The order is copied on its way; the cipher holds key material and is not.
+    const auto held = std::make_shared<crypto::MavsecCipher>(std::move(cipher));
+    d->post([id, url, held](StationCore &core) { core.addMavsecLink(id, url, std::move(*held)); });
+    return id;
+}
+
 void Station::removeLink(LinkId id)
 {
     d->post([id](StationCore &core) { core.removeLink(id); });

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/channel/pairing.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/happening.h"
 #include "core/engine/station_config.h"
 #include "core/engine/snapshot.h"
@@ -35,6 +36,8 @@ public:
     ~Station() override;
 
     LinkId addLink(const link::LinkUrl &url);
+    /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, read, and never sent to.
+    LinkId addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId);
     void switchSuite(channel::SessionId, crypto::SuiteId);
     /// Every session that is up now or comes up later begins with this suite.

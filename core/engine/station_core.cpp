@@ -65,8 +65,16 @@ void StationCore::addLink(LinkId id, const link::LinkUrl &url)
     finishWake();
 }
 
+void StationCore::addMavsecLink(LinkId id, const link::LinkUrl &url, crypto::MavsecCipher cipher)
+{
+    m_mavsec.emplace(id, MavsecStream(std::move(cipher), mavlink::Dialect::builtin()));
+    m_links.open(id, url, LinkUse::ListenOnly);
+    finishWake();
+}
+
 void StationCore::removeLink(LinkId id)
 {
+    m_mavsec.erase(id);
     m_links.remove(id);
     m_outlets.removeLink(id);
     m_changed = true;
@@ -215,7 +223,8 @@ void StationCore::linkChanged(link::Link &link)
     const link::LinkScheme scheme = link.url().scheme();
     const bool hasOneRemote =
         scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
-    if (state == link::LinkState::Connected && hasOneRemote && m_config.secure != SecureMode::Required)
+    const bool listensOnly = m_mavsec.contains(link.id());
+    if (state == link::LinkState::Connected && hasOneRemote && !listensOnly && m_config.secure != SecureMode::Required)
         m_outlets.addFixed({link.id(), link.remote()});
     else if (state == link::LinkState::Waiting || state == link::LinkState::Closed)
         m_outlets.removeLink(link.id());

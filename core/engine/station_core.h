@@ -12,6 +12,7 @@
 #include "core/engine/happening.h"
 #include "core/engine/inspector_table.h"
 #include "core/engine/link_pool.h"
+#include "core/engine/mavsec_stream.h"
 #include "core/engine/metrics_sampler.h"
 #include "core/engine/outlets.h"
 #include "core/engine/pairing_driver.h"
@@ -47,6 +48,8 @@ public:
     ~StationCore() override;
 
     void addLink(LinkId id, const link::LinkUrl &url);
+    /// A link whose frames are encrypted as by the published code of MAVSec: read, never sent to.
+    void addMavsecLink(LinkId id, const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId id);
     void switchSuite(channel::SessionId session, crypto::SuiteId suite);
     void setPreferredSuite(crypto::SuiteId suite);
@@ -137,6 +140,7 @@ private:
     std::unique_ptr<PairingDriver> m_pairing; ///< null as well then
     SenderPolicy m_policy;
     FrameIntake m_intake;
+    std::map<LinkId, MavsecStream> m_mavsec;
     Outlets m_outlets;
     vehicle::VehicleSet m_vehicles;
     vehicle::GcsHeartbeat m_heartbeat;

@@ -24,9 +24,9 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
         if (link.isStream()) {
             m_intake.takeStream(block.path, block.bytes,
                                 [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
-        } else if (m_pairing && m_pairing->take(block.time, block.path, block.bytes)) {
+        } else if (m_pairing && !m_mavsec.contains(link.id()) && m_pairing->take(block.time, block.path, block.bytes)) {
             continue; // an agent that is open for pairing
-        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
+        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0]) && !m_mavsec.contains(link.id())) {
             takeRecord(block.time, block);
         } else {
             bool anyFrame = false;
@@ -60,7 +60,7 @@ void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 /// A frame that is sealed in place; without keys it is nobody's telemetry.
 void StationCore::takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
-    if (!m_channel)
+    if (!m_channel || m_mavsec.contains(block.path.link))
         return;
     const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
     if (const auto delivery = m_channel->receiveInline(block.time, block.path, frame)) {
@@ -95,7 +95,8 @@ void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::Scan
             m_links.countBadFrame(from.link);
         return;
     }
-    const mavlink::Frame &frame = *item.frame;
+    const auto mavsec = m_mavsec.find(from.link);
+    const mavlink::Frame frame = mavsec == m_mavsec.end() ? *item.frame : mavsec->second.open(*item.frame);
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // our own, looped back
     if (!m_policy.acceptClear(from, frame.systemId()))
@@ -138,7 +139,7 @@ void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Fram
         m_recorder->record(wall, frame.bytes());
     if (session) {
         m_outlets.heardSealed(systemId, *session);
-    } else if (frame.messageId() == 0 && !replayed) {
+    } else if (frame.messageId() == 0 && !replayed && !m_mavsec.contains(from.link)) {
         m_outlets.heardClear(now, systemId, from);
         m_links.noteRemote(from.link, from.remote);
     }

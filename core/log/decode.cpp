@@ -43,6 +43,8 @@ DecodeCounts decode(std::istream &input, const mavlink::Dialect &dialect, const 
             item->frame.reset();
             item->fault = FrameFault::BadSignature;
         }
+        if (options.open && item->frame)
+            item->frame = options.open(*item->frame);
         ++(item->frame ? counts.messages : counts.bad);
         bool taken = false;
         if (options.json) {

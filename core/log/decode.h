@@ -16,6 +16,9 @@ struct DecodeOptions
     LogFormat format = LogFormat::Auto;
     /// When given, signed frames whose signature was not made with this key are bad; unsigned ones stay as they are.
     const Key32 *signingKey = nullptr;
+    /// When given, what each frame is shown as: for streams whose payloads are encrypted. The result lives until the next
+    /// call.
+    std::function<mavlink::Frame(const mavlink::Frame &)> open;
 };
 
 struct DecodeCounts

@@ -114,7 +114,13 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "bench --suites none", "seals nothing");
     row("skyseal-cli", "decode", "argument");
     row("skyseal-cli", "decode a b", "b");
-    row("skyseal-cli", "decode --framing mavsec2019 a", "mavsec2019");
+    row("skyseal-cli", "decode --framing rot13 a", "rot13");
+    row("skyseal-cli", "decode --nonce 00 a", "mavsec2019");
+    row("skyseal-cli", "decode --framing mavsec2019 --cipher rc4 a", "rc4");
+    row("skyseal-cli", "decode --framing mavsec2019 --key 00 a", "64 hex digits");
+    row("skyseal-cli", "decode --framing mavsec2019 --nonce 00 a", "24 hex digits");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing mavsec2019 --identity k --peers p", "--secure off");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing mavsec2019 --do arm", "nothing is ever sent");
     row("skyseal-cli", "keys", "new");
     row("skyseal-cli", "keys new", "--out");
     row("skyseal-cli", "keys peers add --peers p --name n nonsense", "public key");

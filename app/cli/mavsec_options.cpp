@@ -1,0 +1,58 @@
+#include "app/cli/mavsec_options.h"
+
+namespace skyseal::app {
+
+using crypto::MavsecCipher;
+
+void MavsecOptions::declare(Options &options)
+{
+    options.addValue("cipher", "NAME", "With mavsec2019: chacha20 or aes-256-ctr.", "chacha20");
+    options.addValue("key", "HEX",
+                     "With mavsec2019: the key, if it is not the published one. Every user of this machine can read a "
+                     "command line; a key that is a secret belongs into --key-file.");
+    options.addValue("key-file", "FILE",
+                     "With mavsec2019: a file that only its owner can read, with the key: 32 bytes, or 64 hex digits.");
+    options.addValue("nonce", "HEX",
+                     "With mavsec2019: nonce of ChaCha20 (12 bytes) or first counter block of AES-256-CTR (16).");
+    options.addValue("counter", "N", "With mavsec2019: number of ChaCha20's first block.", "1");
+}
+
+MavsecOptions MavsecOptions::read(Options &options)
+{
+    MavsecOptions out;
+    out.m_chosen = options.text("framing") == "mavsec2019";
+    if (!out.m_chosen) {
+        for (const char *name : {"cipher", "key", "key-file", "nonce", "counter"}) {
+            if (options.has(name))
+                options.fail(std::string("--") + name + ": only with --framing mavsec2019");
+        }
+        return out;
+    }
+    const std::string name = options.text("cipher");
+    if (name == "aes-256-ctr")
+        out.m_settings.kind = MavsecCipher::Kind::Aes256Ctr;
+    else if (name != "chacha20")
+        options.fail("--cipher '" + name + "': chacha20 or aes-256-ctr is expected");
+    if (out.m_settings.kind == MavsecCipher::Kind::Aes256Ctr && options.has("counter"))
+        options.fail("--counter: AES-256-CTR has its counter in --nonce");
+    out.m_settings.counter = static_cast<std::uint32_t>(options.wholeNumber("counter", 0, UINT32_MAX));
+    out.m_settings.keyFile = options.text("key-file");
+    out.m_settings.nonceHex = options.text("nonce");
+    if (const auto tried = engine::makeMavsecCipher(out.m_settings, Key32()); !tried)
+        options.fail("--nonce: " + tried.error().text());
+    if (options.has("key")) {
+        out.m_key = engine::mavsecKeyFromHex(options.text("key"));
+        if (!out.m_key)
+            options.fail("--key: 64 hex digits are expected");
+        if (options.has("key-file"))
+            options.fail("--key and --key-file: one of them");
+    }
+    return out;
+}
+
+Result<MavsecCipher, InputError> MavsecOptions::cipher() const
+{
+    return m_key ? engine::makeMavsecCipher(m_settings, *m_key) : engine::makeMavsecCipher(m_settings);
+}
+
+} // namespace skyseal::app

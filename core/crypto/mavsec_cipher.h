@@ -1,0 +1,44 @@
+// The payload encryption of the code published with the paper MAVSec (2019): ChaCha20 or AES-256-CTR with a fixed key and a
+// fixed nonce, begun anew for every frame, and no authentication. INSECURE: every frame is xored with the same bytes, so that
+// one known plaintext opens all others, and anybody can change or invent frames. It is here to read recordings and streams
+// of that code, for comparison; nothing of ours is ever protected by it.
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/secret_bytes.h"
+
+#include <array>
+#include <optional>
+
+namespace skyseal::crypto {
+
+class MavsecCipher
+{
+public:
+    enum class Kind : std::uint8_t { ChaCha20, Aes256Ctr };
+
+    /// Bytes of the nonce (ChaCha20, RFC 8439) or of the first counter block (AES-256-CTR).
+    static constexpr std::size_t nonceLength(Kind kind) { return kind == Kind::ChaCha20 ? 12 : 16; }
+
+    /// `counter`: the number of ChaCha20's first block; AES-256-CTR has it in its nonce and ignores it. nullopt for a nonce
+    /// of another length, and when the library fails.
+    static std::optional<MavsecCipher> make(Kind kind, const Key32 &key, ByteView nonce, std::uint32_t counter);
+
+    /// What the published code has built in: keys and nonces of test vectors.
+    static Key32 publishedKey(Kind kind);
+    static Bytes publishedNonce(Kind kind);
+    static constexpr std::uint32_t kPublishedCounter = 1;
+
+    /// For a second link under the same key.
+    MavsecCipher clone() const;
+
+    /// Decrypts, or encrypts, the payload of one frame in place: at most 255 bytes.
+    void apply(MutableByteView payload) const;
+
+private:
+    MavsecCipher() = default;
+
+    SecretBytes<256> m_stream; ///< the same for every frame
+};
+
+} // namespace skyseal::crypto

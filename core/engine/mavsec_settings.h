@@ -1,0 +1,28 @@
+// How a stream of MAVSec's published code (mavsec_stream.h) was encrypted, as a person says it, and the cipher of it. What is
+// not said is as the code has it built in.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/crypto/mavsec_cipher.h"
+
+#include <string>
+
+namespace skyseal::engine {
+
+struct MavsecSettings
+{
+    crypto::MavsecCipher::Kind kind = crypto::MavsecCipher::Kind::ChaCha20;
+    std::string keyFile;  ///< 32 bytes or 64 hex digits, for its owner alone; empty: the published key
+    std::string nonceHex; ///< empty: the published one
+    std::uint32_t counter = crypto::MavsecCipher::kPublishedCounter; ///< ChaCha20 only
+};
+
+/// 64 hex digits; nullopt for anything else.
+std::optional<Key32> mavsecKeyFromHex(std::string_view text);
+
+/// Reads the key file, if one is named. The error names the file, or says what is expected of the nonce.
+Result<crypto::MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings);
+/// The same with a key that is at hand already.
+Result<crypto::MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings, const Key32 &key);
+
+} // namespace skyseal::engine

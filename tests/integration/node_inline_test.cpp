@@ -1,0 +1,100 @@
+// What a reader that knows nothing of inline framing makes of a stream in which sealed frames stand between plain ones: the
+// npm package node-mavlink finds every plain frame, and hands out the sealed ones with flags that say that they must be
+// dropped and signatures that no key made.
+//
+// Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
+#include "core/channel/inline_frame.h"
+#include "core/crypto/init_crypto.h"
+#include "core/engine/dialect_facts.h"
+#include "core/mavlink/frame_writer.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QProcess>
+#include <QtCore/QStandardPaths>
+#include <QtTest/QTest>
+
+#include <random>
+
+using namespace skyseal;
+using namespace skyseal::channel;
+
+class NodeInlineTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void findsEveryPlainFrame_data();
+    void findsEveryPlainFrame();
+
+private:
+    QString m_node;
+};
+
+void NodeInlineTest::initTestCase()
+{
+    QVERIFY(crypto::initCrypto());
+    m_node = QStandardPaths::findExecutable(QStringLiteral("node"));
+    QString modules = qEnvironmentVariable("SKYSEAL_NODE_MODULES");
+    if (modules.isEmpty())
+        modules = QStringLiteral(SKYSEAL_SOURCE_DIR "/build/node/node_modules");
+    if (m_node.isEmpty())
+        QSKIP("node is not installed: the check against node-mavlink is skipped");
+    if (!QDir(modules).exists(QStringLiteral("node-mavlink")))
+        QSKIP("SKYSEAL_NODE_MODULES names no folder with node-mavlink: the check against it is skipped");
+    qputenv("NODE_PATH", modules.toUtf8());
+}
+
+void NodeInlineTest::findsEveryPlainFrame_data()
+{
+    QTest::addColumn<int>("suite");
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        if (crypto::mayBeInline(info.id))
+            QTest::newRow(info.name.data()) << static_cast<int>(info.id);
+    }
+}
+
+void NodeInlineTest::findsEveryPlainFrame()
+{
+    QFETCH(int, suite);
+    constexpr int kEach = 1000;
+    const engine::DialectFacts facts(mavlink::Dialect::builtin());
+    const auto cipher = crypto::makeInlineCipher(static_cast<crypto::SuiteId>(suite), Key32());
+    const char *names[] = {"ATTITUDE", "COMMAND_LONG", "GPS_RAW_INT", "STATUSTEXT", "HEARTBEAT", "SYS_STATUS"};
+    std::mt19937 random(31);
+    QByteArray stream;
+    const auto append = [&stream](ByteView bytes) {
+        stream.append(reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+    };
+    for (int i = 0; i < kEach; ++i) {
+        const mavlink::MessageInfo &info = *mavlink::Dialect::builtin().find(names[random() % std::size(names)]);
+        Bytes payload(info.maxLength);
+        for (auto &byte : payload)
+            byte = static_cast<std::uint8_t>(random());
+        Bytes buffer(mavlink::kMaxFrameLength), sealed(kMaxInlineFrame);
+        const auto frame = mavlink::writeFrame(buffer, 2, static_cast<std::uint8_t>(i), 1, 1, info.id, info.crcExtra, info.minLength, payload);
+        const auto sealable = SealableFrame::read(frame, facts);
+        QVERIFY(sealable);
+        const InlinePlace place{0, static_cast<std::uint32_t>(i), Direction::FromResponder, Carrier::Datagram};
+        QVERIFY(sealable->seal(place, *cipher, sealed));
+        append(ByteView(sealed).first(sealable->sealedSize()));
+        append(frame);
+    }
+
+    QProcess node;
+    node.start(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_inline_reader.cjs"), QString(64, QLatin1Char('5'))});
+    node.write(stream);
+    node.closeWriteChannel();
+    QVERIFY(node.waitForFinished(30000));
+    const QJsonObject seen = QJsonDocument::fromJson(node.readAllStandardOutput()).object();
+    qInfo("%s", QJsonDocument(seen).toJson(QJsonDocument::Compact).constData());
+    QCOMPARE(seen[QLatin1String("plain")].toInt(), kEach); // not one lost behind a sealed frame, none made of one
+    QCOMPARE(seen[QLatin1String("unknownFlags")].toInt(), kEach);
+    QCOMPARE(seen[QLatin1String("unknownFlagsSigned")].toInt(), 0);
+    QCOMPARE(seen[QLatin1String("signed")].toInt() + seen[QLatin1String("other")].toInt(), 0);
+}
+
+QTEST_GUILESS_MAIN(NodeInlineTest)
+#include "node_inline_test.moc"
