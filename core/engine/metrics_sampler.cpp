@@ -25,6 +25,11 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     m_mavlinkLoss.note(reading.mavlink.frames, reading.mavlink.lost);
     m_frames.note(reading.mavlink.frames);
     m_bytes.note(channel.rx.openedBytes);
+    m_good.note(channel.rx.good);
+    m_replayed.note(channel.rx.replayed);
+    if (m_replayed.value() > m_good.value())
+        m_attackingReplays += channel.rx.replayed - m_replayedBefore;
+    m_replayedBefore = channel.rx.replayed;
     m_rxBytes.note(reading.rxBytes);
     m_txBytes.note(reading.txBytes);
     m_wireReceived.note(channel.wire.received);
@@ -60,7 +65,7 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     one.openNextNsP99 = channel.cost.openNextNsP99;
     one.sealNsP50 = channel.cost.sealNsP50;
     one.sealNsP99 = channel.cost.sealNsP99;
-    one.refused = channel.rx.forged + channel.rx.replayed + channel.rx.plaintextDropped;
+    one.refused = channel.rx.forged + m_attackingReplays + channel.rx.plaintextDropped;
     one.residentBytes = m_memory.bytes();
     m_samples.push_back(one);
     if (m_samples.size() > kKept)

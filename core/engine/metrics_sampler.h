@@ -39,6 +39,9 @@ private:
     LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss;
     Growth<4> m_frames, m_bytes, m_rxBytes, m_txBytes;
     Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
+    Growth<4> m_good, m_replayed;
+    std::uint64_t m_replayedBefore = 0;
+    std::uint64_t m_attackingReplays = 0; ///< copies that came in greater number than originals; fewer a network makes, too
     std::deque<MetricsSample> m_samples;
 };
 

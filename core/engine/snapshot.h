@@ -120,7 +120,8 @@ struct MetricsSample
     double txOverheadPercent = vehicle::kUnknown;
     double rxBytesPerSecond = 0, txBytesPerSecond = 0; ///< all links, datagrams as they are
     std::uint64_t residentBytes = 0;
-    std::uint64_t refused = 0; ///< forged, replayed and clear records so far, that is: signs of an attack
+    /// Signs of an attack so far: forged records, clear frames, and replayed ones where they outnumber the good.
+    std::uint64_t refused = 0;
 };
 
 struct RecordingSnapshot

@@ -56,6 +56,23 @@ private Q_SLOTS:
         QVERIFY(last.residentBytes > 1'000'000);
     }
 
+    void copiesAreAnIncidentOnlyWhereTheyOutnumberOriginals()
+    {
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        reading.channel.up = true;
+        const auto pass = [&](std::uint64_t good, std::uint64_t replayed) {
+            for (int i = 0; i < 6; ++i) {
+                reading.channel.rx.good += good;
+                reading.channel.rx.replayed += replayed;
+                sampler.sample(TimePoint{}, 0, reading);
+            }
+            return sampler.samples().back().refused;
+        };
+        QCOMPARE(pass(20, 5), std::uint64_t(0)); // a network that delivers twice
+        QVERIFY(pass(2, 50) >= 150);             // somebody who plays back
+    }
+
     void aPlainLinkHasNoOverheadAndASilentOneNone()
     {
         MetricsSampler sampler;

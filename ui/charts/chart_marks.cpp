@@ -63,7 +63,8 @@ private:
         }
         m_attackSeen = sample.time;
         m_refused += count;
-        m_marks[static_cast<std::size_t>(m_attack)].text = Words::tr("%1 forged, replayed or clear, refused").arg(grouped(m_refused));
+        m_marks[static_cast<std::size_t>(m_attack)].text
+            = Words::tr("%1 forged, replayed or clear, refused").arg(grouped(m_refused));
     }
 
     double m_zero;

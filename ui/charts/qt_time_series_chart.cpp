@@ -61,7 +61,8 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
         m_titleText = tr("%1 · %2").arg(m_titleText, title.key);
     m_title = new QLabel(m_titleText, this);
     m_title->setContentsMargins(kGrid, 0, 0, 0);
-    m_title->setToolTip(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(m_titleText.toHtmlEscaped(), title.note.toHtmlEscaped()));
+    m_title->setToolTip(
+        QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(m_titleText.toHtmlEscaped(), title.note.toHtmlEscaped()));
     m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_view = new ChartView(m_chart, this);
     m_view->setUnit(title.unit);
