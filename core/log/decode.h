@@ -18,7 +18,7 @@ struct DecodeOptions
     const Key32 *signingKey = nullptr;
     /// When given, what each frame is shown as: for streams whose payloads are encrypted. The result lives until the next
     /// call.
-    std::function<mavlink::Frame(const mavlink::Frame &)> open;
+    std::function<mavlink::Frame(const mavlink::Frame &)> open = {};
 };
 
 struct DecodeCounts
