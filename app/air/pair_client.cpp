@@ -70,7 +70,8 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
     JsonWriter open;
     open.beginObject().field("do", "open").field("as", callIt).endObject();
-    order(socket, open);
+    // From inside the event loop: the agent may hang up at once, and an exit before the loop would be lost.
+    QMetaObject::invokeMethod(&socket, [&] { order(socket, open); }, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }
 

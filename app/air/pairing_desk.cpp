@@ -65,9 +65,12 @@ void PairingDesk::admit()
 {
     while (QLocalSocket *next = m_server.nextPendingConnection()) {
         if (m_visitor) {
-            write(*next, refusal("somebody else is pairing this agent"));
+            // Answered once it has asked: who is still writing when we hang up does not read why.
+            connect(next, &QLocalSocket::readyRead, next, [next] {
+                write(*next, refusal("somebody else is pairing this agent"));
+                next->disconnectFromServer();
+            });
             connect(next, &QLocalSocket::disconnected, next, &QObject::deleteLater);
-            next->disconnectFromServer();
             continue;
         }
         m_visitor = next;
