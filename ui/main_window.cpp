@@ -185,6 +185,15 @@ void MainWindow::addLink(const QString &url)
         tellProblem(fromStd(added.error().text()));
 }
 
+void MainWindow::addLink(const LinkDialog &dialog)
+{
+    const auto mavsec = dialog.mavsec();
+    if (!mavsec)
+        return addLink(dialog.url());
+    if (const auto added = m_station.addMavsecLink(dialog.url().toStdString(), *mavsec); !added)
+        tellProblem(fromStd(added.error().text()));
+}
+
 void MainWindow::chooseVehicle(std::uint8_t systemId)
 {
     m_chosenVehicle = systemId;
@@ -214,7 +223,7 @@ void MainWindow::openLinkDialog()
 {
     auto *dialog = new LinkDialog(m_settings.defaultLink, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog] { addLink(dialog->url()); });
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { addLink(*dialog); });
     dialog->open();
 }
 

@@ -16,8 +16,9 @@ namespace skyseal::ui {
 
 class EmptyState;
 class KeyringPort;
-class PairingPort;
+class LinkDialog;
 class MapView;
+class PairingPort;
 class ProblemBanner;
 class StatusStrip;
 class SuiteActions;
@@ -48,6 +49,8 @@ public:
     void tellProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
     /// Adds a link by its URL; a bad URL is told in the window.
     void addLink(const QString &url);
+    /// Of the link dialog, once it was accepted.
+    void addLink(const LinkDialog &dialog);
     /// What the dialog of keys and peers works on; without it that dialog does not open. They must outlive the window.
     void setKeyring(KeyringPort &keyring, PairingPort *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
     const Settings &settings() const { return m_settings; }

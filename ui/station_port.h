@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/engine/happening.h"
+#include "core/engine/mavsec_settings.h"
 #include "core/engine/snapshot.h"
 #include "core/vehicle/vehicle_command.h"
 
@@ -28,6 +29,8 @@ public:
 
     /// A link by its URL, or what is wrong with the text. Whether it opens shows in the snapshot's links.
     virtual Result<LinkId, InputError> addLink(const std::string &url) = 0;
+    /// The same for a stream of MAVSec's published code: insecure, only read. Also an error when its key cannot be read.
+    virtual Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) = 0;
     virtual void removeLink(LinkId link) = 0;
     virtual void switchSuite(channel::SessionId session, crypto::SuiteId suite) = 0;
     virtual void setAllowResearch(bool allow) = 0;

@@ -48,6 +48,19 @@ Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)
     return id;
 }
 
+Result<LinkId, InputError> StationAdapter::addMavsecLink(const std::string &url, const engine::MavsecSettings &settings)
+{
+    if (!m_station)
+        return tl::unexpected(InputError{"the station is not running", url});
+    const auto parsed = link::LinkUrl::parse(url);
+    if (!parsed)
+        return tl::unexpected(parsed.error());
+    auto cipher = engine::makeMavsecCipher(settings);
+    if (!cipher)
+        return tl::unexpected(cipher.error());
+    return m_station->addMavsecLink(*parsed, std::move(*cipher));
+}
+
 void StationAdapter::removeLink(LinkId link)
 {
     if (m_station)

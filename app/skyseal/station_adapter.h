@@ -23,6 +23,7 @@ public:
     Result<std::size_t, InputError> reloadPeers();
 
     Result<LinkId, InputError> addLink(const std::string &url) override;
+    Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) override;
     void removeLink(LinkId link) override;
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override;
     void setAllowResearch(bool allow) override;

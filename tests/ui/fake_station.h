@@ -21,6 +21,11 @@ public:
         addedLinks.push_back(url);
         return LinkId{static_cast<std::uint32_t>(addedLinks.size())};
     }
+    Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) override
+    {
+        mavsecLinks.emplace_back(url, settings);
+        return LinkId{1000 + static_cast<std::uint32_t>(mavsecLinks.size())};
+    }
     void removeLink(LinkId link) override { removedLinks.push_back(link); }
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
     void setAllowResearch(bool allow) override { allowResearch = allow; }
@@ -47,6 +52,7 @@ public:
     void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
     void tell(const engine::Happening &happening) { Q_EMIT happened(happening); }
 
+    std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;
     std::vector<std::string> addedLinks;
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;

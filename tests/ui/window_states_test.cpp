@@ -283,6 +283,31 @@ private Q_SLOTS:
         QCOMPARE(m_station->addedLinks, std::vector<std::string>{"udpin:127.0.0.1:14999"});
     }
 
+    void insecureStreamIsMarkedAsSuch()
+    {
+        QTest::keyClick(m_window.get(), Qt::Key_F12);
+        auto *dialog = m_window->findChild<LinkDialog *>();
+        QTRY_VERIFY(dialog && dialog->isVisible());
+        auto *protection = dialog->findChild<QComboBox *>(QStringLiteral("linkProtection"));
+        auto *nonce = dialog->findChild<QLineEdit *>(QStringLiteral("linkNonce"));
+        auto *result = dialog->findChild<QLabel *>(QStringLiteral("linkResult"));
+        auto *ok = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+        QVERIFY(!dialog->mavsec() && !nonce->isVisible());
+        QVERIFY(!result->text().contains(QStringLiteral("INSECURE")));
+        QTest::keyClick(protection, Qt::Key_Down);
+        QTRY_VERIFY(nonce->isVisible());
+        QVERIFY(protection->currentText().contains(QStringLiteral("INSECURE")));
+        QVERIFY(result->text().contains(QStringLiteral("INSECURE")));
+        QTest::keyClicks(nonce, QStringLiteral("00"));
+        QVERIFY(!ok->isEnabled());
+        nonce->clear();
+        QTest::mouseClick(ok, Qt::LeftButton);
+        QVERIFY(m_station->addedLinks.empty());
+        QCOMPARE(m_station->mavsecLinks.size(), std::size_t(1));
+        QCOMPARE(m_station->mavsecLinks[0].first, std::string("udpin:0.0.0.0:14550"));
+        QCOMPARE(m_station->mavsecLinks[0].second.kind, crypto::MavsecCipher::Kind::ChaCha20);
+    }
+
     void inspectorCollectsOnlyWhileSeen()
     {
         QVERIFY(!m_station->inspecting);

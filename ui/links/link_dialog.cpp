@@ -1,5 +1,6 @@
 #include "ui/links/link_dialog.h"
 
+#include "core/base/hex.h"
 #include "core/link/link_url.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
@@ -18,6 +19,7 @@ namespace skyseal::ui {
 
 using link::LinkScheme;
 using link::LinkUrl;
+using crypto::MavsecCipher;
 
 LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
 {
@@ -51,6 +53,19 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_baud->setEditable(true);
     m_baud->addItems({QStringLiteral("57600"), QStringLiteral("115200"), QStringLiteral("230400"), QStringLiteral("460800"),
                       QStringLiteral("921600")});
+    m_protection = new QComboBox(this);
+    m_protection->setObjectName(QStringLiteral("linkProtection"));
+    m_protection->addItem(tr("Sealed, or plain MAVLink"));
+    m_protection->addItem(tr("INSECURE: MAVSec 2019, ChaCha20, only read"), int(MavsecCipher::Kind::ChaCha20));
+    m_protection->addItem(tr("INSECURE: MAVSec 2019, AES-256-CTR, only read"), int(MavsecCipher::Kind::Aes256Ctr));
+    m_key = new QLineEdit(this);
+    m_key->setObjectName(QStringLiteral("linkKeyFile"));
+    m_key->setPlaceholderText(tr("the published key"));
+    m_nonce = new QLineEdit(this);
+    m_nonce->setObjectName(QStringLiteral("linkNonce"));
+    m_nonce->setPlaceholderText(tr("the published nonce"));
+    m_browseKey = new QPushButton(tr("Browse …"), this);
+    m_browseKey->setAccessibleName(tr("Browse for the key file"));
     m_result = new QLabel(this);
     m_result->setObjectName(QStringLiteral("linkResult"));
     m_result->setAccessibleName(tr("The link that this makes"));
@@ -76,6 +91,10 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_pathLabel = line(tr("&Device or file"), m_path, 1);
     grid->addWidget(m_browse, row - 1, 2);
     m_baudLabel = line(tr("&Baud"), m_baud);
+    line(tr("P&rotection"), m_protection);
+    m_keyLabel = line(tr("K&ey file"), m_key, 1);
+    grid->addWidget(m_browseKey, row - 1, 2);
+    m_nonceLabel = line(tr("&Nonce"), m_nonce);
     grid->addWidget(m_result, row++, 0, 1, 3);
     grid->addWidget(m_buttons, row, 0, 1, 3);
     setMinimumWidth(56 * kGrid);
@@ -85,11 +104,15 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     connect(m_path, &QLineEdit::textChanged, this, &LinkDialog::check);
     connect(m_port, &QSpinBox::valueChanged, this, &LinkDialog::check);
     connect(m_baud, &QComboBox::currentTextChanged, this, &LinkDialog::check);
+    connect(m_protection, &QComboBox::currentIndexChanged, this, &LinkDialog::showProtection);
+    connect(m_nonce, &QLineEdit::textChanged, this, &LinkDialog::check);
+    connect(m_browseKey, &QPushButton::clicked, this, &LinkDialog::browseKey);
     connect(m_browse, &QPushButton::clicked, this, &LinkDialog::browse);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     fill(url);
     showKind();
+    showProtection();
 }
 
 void LinkDialog::fill(const QString &url)
@@ -141,21 +164,55 @@ QString LinkDialog::url() const
         .arg(m_port->value());
 }
 
+std::optional<engine::MavsecSettings> LinkDialog::mavsec() const
+{
+    if (!m_protection->currentData().isValid())
+        return std::nullopt;
+    engine::MavsecSettings settings;
+    settings.kind = static_cast<MavsecCipher::Kind>(m_protection->currentData().toInt());
+    settings.keyFile = m_key->text().toStdString();
+    settings.nonceHex = m_nonce->text().remove(QLatin1Char(' ')).toStdString();
+    return settings;
+}
+
+void LinkDialog::showProtection()
+{
+    const bool asked = m_protection->currentData().isValid();
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_key, m_keyLabel, m_browseKey, m_nonce, m_nonceLabel})
+        widget->setVisible(asked);
+    check();
+}
+
 QString LinkDialog::problem() const
 {
     const auto parsed = LinkUrl::parse(url().toStdString());
-    return parsed ? QString() : fromStd(parsed.error().message);
+    if (!parsed)
+        return fromStd(parsed.error().message);
+    const auto settings = mavsec();
+    const auto digits = settings ? 2 * MavsecCipher::nonceLength(settings->kind) : 0;
+    const bool wrongNonce = settings && !settings->nonceHex.empty()
+        && (settings->nonceHex.size() != digits || !fromHex(settings->nonceHex));
+    return wrongNonce ? tr("The nonce has %1 hex digits").arg(digits) : QString();
 }
 
 void LinkDialog::check()
 {
     const QString wrong = problem();
-    m_result->setText(wrong.isEmpty() ? url() : wrong);
+    const bool insecure = mavsec().has_value();
+    const QString good = insecure ? tr("%1\nINSECURE: anybody can read, change and invent what comes. Nothing is sent.").arg(url()) : url();
+    m_result->setText(wrong.isEmpty() ? good : wrong);
     QPalette colors = palette();
-    if (!wrong.isEmpty())
+    if (!wrong.isEmpty() || insecure)
         colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
     m_result->setPalette(colors);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(wrong.isEmpty());
+}
+
+void LinkDialog::browseKey()
+{
+    const QString file = QFileDialog::getOpenFileName(this, tr("Key of the stream"));
+    if (!file.isEmpty())
+        m_key->setText(file);
 }
 
 void LinkDialog::browse()

@@ -1,8 +1,12 @@
 // Asks for a link: its kind, host and port (or device, or file), and shows the URL that comes of it, checked while typing.
 #pragma once
 
+#include "core/engine/mavsec_settings.h"
+
 #include <QtCore/QString>
 #include <QtWidgets/QDialog>
+
+#include <optional>
 
 class QComboBox;
 class QDialogButtonBox;
@@ -23,12 +27,16 @@ public:
 
     /// A well-formed URL once the dialog was accepted.
     QString url() const;
+    /// Set when the stream is one of MAVSec's published code, which is insecure and only read.
+    std::optional<engine::MavsecSettings> mavsec() const;
 
 private:
     void fill(const QString &url);
     void showKind();
+    void showProtection();
     void check();
     void browse();
+    void browseKey();
     QString problem() const;
 
     QComboBox *m_kind;
@@ -37,7 +45,10 @@ private:
     QLineEdit *m_path;
     QPushButton *m_browse;
     QComboBox *m_baud;
-    QLabel *m_hostLabel, *m_portLabel, *m_pathLabel, *m_baudLabel;
+    QComboBox *m_protection; ///< the cipher of MAVSec's stream; none first
+    QLineEdit *m_key, *m_nonce;
+    QPushButton *m_browseKey;
+    QLabel *m_hostLabel, *m_portLabel, *m_pathLabel, *m_baudLabel, *m_keyLabel, *m_nonceLabel;
     QLabel *m_result;
     QDialogButtonBox *m_buttons;
 };

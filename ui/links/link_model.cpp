@@ -47,7 +47,8 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
     switch (role) {
     case Qt::DisplayRole:
         switch (index.column()) {
-        case Url: return fromStd(link->url);
+        case Url:
+            return link->listenOnly ? tr("%1 · MAVSec 2019, INSECURE, only read").arg(fromStd(link->url)) : fromStd(link->url);
         case State:
             return link->problem.empty() ? linkPhaseWord(link->phase)
                                          : tr("%1: %2").arg(linkPhaseWord(link->phase), fromStd(link->problem));
