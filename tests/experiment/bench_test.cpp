@@ -44,7 +44,7 @@ void BenchTest::costsMakeSense()
     for (const SizeCosts &size : costs.sizes) {
         for (const StepCosts *step : {&size.seal, &size.open}) {
             QVERIFY(step->cipher.best > 5 && step->cipher.best < step->bare.best);
-            QVERIFY(step->record.best > step->suite.best);
+            QVERIFY(step->record.best > step->cipher.best); // by HMAC-SHA-256: far, whatever else the machine does
             for (const CallCost &cost : {step->cipher, step->bare, step->suite, step->record})
                 QVERIFY(cost.best <= cost.median && cost.median < 1e6);
         }
