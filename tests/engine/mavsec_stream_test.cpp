@@ -73,7 +73,8 @@ void MavsecStreamTest::otherKeysGiveOtherBytes()
     const auto frame = mavlink::readFrame(*bytes, mavlink::Dialect::builtin());
     const auto kind = MavsecCipher::Kind::ChaCha20;
     const Bytes right = [&] {
-        const ByteView payload = published(kind).open(*frame).payload();
+        MavsecStream stream = published(kind);
+        const ByteView payload = stream.open(*frame).payload();
         return Bytes(payload.begin(), payload.end());
     }();
     Bytes nonce = MavsecCipher::publishedNonce(kind);

@@ -55,7 +55,10 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     });
 }
 
-DiagnosticsPanel::~DiagnosticsPanel() = default;
+DiagnosticsPanel::~DiagnosticsPanel()
+{
+    delete m_pages; // the table in it looks at the history as long as it lives, and children would go after the members
+}
 
 void DiagnosticsPanel::makePlots()
 {

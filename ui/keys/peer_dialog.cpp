@@ -59,21 +59,22 @@ PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *par
     m_problem->setMinimumHeight(2 * kRow); // the dialog does not jump while somebody types
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
 
-    auto *keyRow = new QHBoxLayout;
-    keyRow->setSpacing(kGrid);
-    keyRow->addWidget(m_key, 1);
-    keyRow->addWidget(browse);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(2 * kGrid);
     form->setVerticalSpacing(kGrid);
-    if (!peer)
+    if (!peer) {
+        auto *keyRow = new QHBoxLayout;
+        keyRow->setSpacing(kGrid);
+        keyRow->addWidget(m_key, 1);
+        keyRow->addWidget(browse);
         form->addRow(tr("&Public key"), keyRow);
+        if (auto *buddy = qobject_cast<QLabel *>(form->labelForField(keyRow)))
+            buddy->setBuddy(m_key);
+    }
     form->addRow(tr("Fingerprint"), m_fingerprint);
     form->addRow(tr("&Name"), m_name);
     form->addRow(tr("&Role"), m_role);
     form->addRow(tr("&Systems"), m_systems);
-    if (auto *buddy = qobject_cast<QLabel *>(form->labelForField(keyRow)))
-        buddy->setBuddy(m_key);
     m_key->setVisible(!peer);
     browse->setVisible(!peer);
     auto *column = new QVBoxLayout(this);
