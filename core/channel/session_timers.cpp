@@ -106,6 +106,8 @@ SessionInfo Session::info(TimePoint now) const
     info.pending = m_switch.pending();
     info.permitted = permitted();
     info.peerOffered = m_setup.peerOffer.suites;
+    if (m_setup.peerOffer.allowPlain)
+        info.peerOffered.push_back(crypto::SuiteId::None);
     info.silent = silent(now);
     info.since = m_since;
     info.lastReceived = m_lastReceived;

@@ -68,7 +68,10 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
     const std::uint64_t end = metrics::CycleClock::now();
     if (!size)
         return false;
-    m_meters[session].sealed(m_sendSuites[session], m_clock.between(begin, end));
+    const std::uint64_t taken = m_clock.between(begin, end);
+    m_meters[session].sealed(m_sendSuites[session], taken);
+    if (m_measuring)
+        m_sealing.record(taken);
     m_wire.sentFrames += frame.size();
     if (!batch.holds(*size))
         sealBatch(now, session, batch);

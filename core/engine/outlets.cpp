@@ -70,6 +70,12 @@ void Outlets::forgetSilent(TimePoint now)
     removeIf([now](const Outlet &outlet) { return !outlet.session && !outlet.fixed && now - outlet.heard > kForgetAfter; });
 }
 
+void Outlets::forgetClear()
+{
+    removeIf([](const Outlet &outlet) { return !outlet.session; });
+    std::erase_if(m_ways, [](const auto &way) { return !way.second.session; });
+}
+
 Outlet *Outlets::find(const Path &path)
 {
     for (Outlet &outlet : m_outlets) {

@@ -41,6 +41,8 @@ public:
     /// After a valid heartbeat only.
     void heardClear(TimePoint now, std::uint8_t systemId, const Path &path);
     void forgetSilent(TimePoint now);
+    /// All clear targets, also those that the operator named.
+    void forgetClear();
 
     /// Null when the system was never heard or its way is gone.
     Outlet *leadingTo(std::uint8_t systemId);

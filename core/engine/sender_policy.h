@@ -26,6 +26,7 @@ public:
     explicit SenderPolicy(SecureMode mode, Speakers speakers = Speakers::OnePerSystem) : m_mode(mode), m_rule(speakers) {}
 
     SecureMode mode() const { return m_mode; }
+    void setMode(SecureMode mode) { m_mode = mode; }
 
     /// The known peers: the system ids that they are bound to are never again taken in clear.
     void setPeers(const std::vector<channel::Peer> &peers);
@@ -46,7 +47,7 @@ public:
     /// has a session.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
 
-    /// Whether a clear frame may be shown. Not when sealing is required, not for a system that is bound to a peer or was
+    /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing is required, not for a system that is bound to a peer or was
     /// ever heard sealed, and not from the very place where a session's records come from.
     bool acceptClear(const Path &from, std::uint8_t systemId) const;
     /// The session whose records come from there.

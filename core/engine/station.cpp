@@ -311,6 +311,11 @@ void Station::setMeasuring(bool measuring)
     d->post([measuring](StationCore &core) { core.setMeasuring(measuring); });
 }
 
+void Station::setProtection(std::optional<Protection> protection)
+{
+    d->post([protection](StationCore &core) { core.setProtection(protection); });
+}
+
 void Station::stop()
 {
     d->order([](StationWorker &worker) { worker.stop(); });

@@ -8,6 +8,7 @@
 #include "core/channel/pairing.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/engine/happening.h"
+#include "core/engine/protection.h"
 #include "core/engine/station_config.h"
 #include "core/engine/snapshot.h"
 #include "core/link/link_url.h"
@@ -64,6 +65,9 @@ public:
     void setRecording(bool);
     /// Snapshots carry a Probe from now on.
     void setMeasuring(bool);
+    /// How links carry MAVLink while they are measured, in place of what the configuration says; nullopt ends that. Sessions
+    /// that do not fit end and begin anew; links stay open.
+    void setProtection(std::optional<Protection>);
     /// Says goodbye to every peer, ends the recording and answers with stopped(); nothing is received after that.
     void stop();
     /// Our own public key; nullopt without an identity.

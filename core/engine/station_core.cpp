@@ -102,7 +102,7 @@ void StationCore::setAllowResearch(bool allow)
 {
     m_config.policy.allowResearch = allow;
     if (m_channel)
-        m_channel->endpoint().setPolicy(steadyNow(), m_config.policy);
+        m_channel->endpoint().setPolicy(steadyNow(), policy());
     finishWake();
 }
 
@@ -110,7 +110,7 @@ void StationCore::setWeakestSuite(crypto::SuiteId weakest)
 {
     m_config.policy.suites = channel::notWeakerThan(weakest, m_suites);
     if (m_channel)
-        m_channel->endpoint().setPolicy(steadyNow(), m_config.policy);
+        m_channel->endpoint().setPolicy(steadyNow(), policy());
     finishWake();
 }
 
@@ -217,17 +217,22 @@ std::shared_ptr<const Snapshot> StationCore::stop()
     return last;
 }
 
-void StationCore::linkChanged(link::Link &link)
+void StationCore::noteRemoteOf(link::Link &link)
 {
     const link::LinkState state = link.state();
     const link::LinkScheme scheme = link.url().scheme();
     const bool hasOneRemote =
         scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
     const bool listensOnly = m_mavsec.contains(link.id());
-    if (state == link::LinkState::Connected && hasOneRemote && !listensOnly && m_config.secure != SecureMode::Required)
+    if (state == link::LinkState::Connected && hasOneRemote && !listensOnly && secureMode() != SecureMode::Required)
         m_outlets.addFixed({link.id(), link.remote()});
     else if (state == link::LinkState::Waiting || state == link::LinkState::Closed)
         m_outlets.removeLink(link.id());
+}
+
+void StationCore::linkChanged(link::Link &link)
+{
+    noteRemoteOf(link);
     m_changed = true;
     tell(LinkChanged{m_links.snapshot(link)});
 }
@@ -252,7 +257,7 @@ void StationCore::finishWake()
 void StationCore::handleDeadline()
 {
     const TimePoint now = steadyNow();
-    if (m_channel && now >= m_channel->endpoint().nextDeadline())
+    if (isSealing() && now >= m_channel->endpoint().nextDeadline())
         m_channel->endpoint().handleDeadline(now);
     if (m_pairing)
         m_pairing->handleDeadline(now);
@@ -267,8 +272,10 @@ void StationCore::handleDeadline()
 TimePoint StationCore::nextDeadline() const
 {
     TimePoint next = std::min({m_nextQuarter, m_vehicles.nextDeadline(), m_heartbeat.nextDeadline()});
-    if (m_channel)
-        next = std::min({next, m_channel->endpoint().nextDeadline(), m_pairing->nextDeadline()});
+    if (isSealing())
+        next = std::min(next, m_channel->endpoint().nextDeadline());
+    if (m_pairing)
+        next = std::min(next, m_pairing->nextDeadline());
     if (m_changed)
         next = std::min(next, m_lastSnapshot + std::chrono::seconds(1) / std::clamp(m_config.snapshotsPerSecond, 1, 30));
     return next;
@@ -397,7 +404,8 @@ void StationCore::everySecond(TimePoint now)
     keepSealedSystems();
     if (m_channel) {
         m_channel->roll(now);
-        noteUnanswering(now);
+        if (isSealing())
+            noteUnanswering(now);
     }
     for (auto &[session, watch] : m_sessionWatches) {
         if (const auto stats = m_channel->endpoint().stats(session)) {

@@ -16,6 +16,7 @@
 #include "core/engine/metrics_sampler.h"
 #include "core/engine/outlets.h"
 #include "core/engine/pairing_driver.h"
+#include "core/engine/protection.h"
 #include "core/engine/recorder.h"
 #include "core/engine/secret_files.h"
 #include "core/engine/sender_policy.h"
@@ -67,6 +68,8 @@ public:
     void setInspecting(bool inspecting);
     void setRecording(bool recording);
     void setMeasuring(bool measuring);
+    /// In place of what the settings say, until it is called with nothing.
+    void setProtection(std::optional<Protection> protection);
     /// The reader of snapshots answered; see Station.
     void setReaderAlive(bool alive) { m_readerAlive = alive; }
     /// Closes sessions, links and recording; the last snapshot.
@@ -99,6 +102,7 @@ private:
     void linkPeerJoined(link::Link &link, const Path &path) override;
     void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
+    void noteRemoteOf(link::Link &link);
 
     void takeRecord(TimePoint now, const link::ReceivedBlock &block);
     void takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item);
@@ -130,8 +134,13 @@ private:
     MavlinkTotals mavlinkTotals() const;
     ChannelTotals channelTotals() const;
     TimePoint nextDeadline() const;
+    SecureMode secureMode() const; ///< in station_protection.cpp, as the next
+    channel::Policy policy() const;
+    bool isSealing(std::optional<Protection> protection) const { return m_channel && protection != Protection::Plain; }
+    bool isSealing() const { return isSealing(m_protection); }
 
     StationConfig m_config;
+    std::optional<Protection> m_protection; ///< of a measurement
     std::vector<crypto::SuiteId> m_suites; ///< as they were configured, before the weak ones were taken out
     StationSinks m_sinks;
     std::unique_ptr<SecretFiles> m_secrets;

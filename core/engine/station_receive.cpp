@@ -46,7 +46,7 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
 
 void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 {
-    if (!m_channel) {
+    if (!isSealing()) {
         ++m_garbage;
         return;
     }
@@ -60,7 +60,7 @@ void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 /// A frame that is sealed in place; without keys it is nobody's telemetry.
 void StationCore::takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item)
 {
-    if (!m_channel || m_mavsec.contains(block.path.link))
+    if (!isSealing() || m_mavsec.contains(block.path.link))
         return;
     const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
     if (const auto delivery = m_channel->receiveInline(block.time, block.path, frame)) {

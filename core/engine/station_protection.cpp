@@ -1,0 +1,42 @@
+// The part of StationCore that carries MAVLink for a while as a measurement wants it, on links that stay open. Both ends
+// agree on the framing when a session begins, so sessions that do not fit are ended and begin anew.
+#include "core/engine/station_core.h"
+
+namespace skyseal::engine {
+
+SecureMode StationCore::secureMode() const
+{
+    if (!m_protection)
+        return m_config.secure;
+    return *m_protection == Protection::Plain ? SecureMode::Off : SecureMode::Required;
+}
+
+channel::Policy StationCore::policy() const
+{
+    channel::Policy out = m_config.policy;
+    if (m_protection)
+        out.allowInline = out.preferInline = *m_protection == Protection::Inline;
+    return out;
+}
+
+void StationCore::setProtection(std::optional<Protection> protection)
+{
+    const bool inlineBefore = policy().allowInline;
+    const auto before = std::exchange(m_protection, protection);
+    const bool plain = secureMode() == SecureMode::Off, other = policy().allowInline != inlineBefore;
+    if (m_channel && isSealing(before) && (plain || other)) {
+        for (const channel::SessionId session : m_channel->endpoint().sessions())
+            m_channel->endpoint().close(steadyNow(), session);
+        m_channel->flush(steadyNow()); // the goodbyes, while this end still speaks so
+        handleEvents(steadyNow());
+    }
+    if (m_channel)
+        m_channel->endpoint().setPolicy(steadyNow(), policy());
+    m_policy.setMode(secureMode());
+    m_outlets.forgetClear();
+    m_links.forEach([this](link::Link &link) { noteRemoteOf(link); });
+    m_changed = true;
+    finishWake();
+}
+
+} // namespace skyseal::engine
