@@ -1,38 +1,27 @@
 // skyseal-cli sweep: what does each suite cost, measured unattended.
 #include "app/cli/commands.h"
-#include "app/cli/sweep_files.h"
 #include "app/cli/sweep_options.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "app/common/process.h"
+#include "app/common/sweep_files.h"
+#include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
-#include "core/experiment/setting.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_runner.h"
 #include "core/experiment/sweep_text.h"
 
 #include <QtCore/QCoreApplication>
-#include <QtCore/QDateTime>
 #include <QtCore/QDir>
+
+#include <algorithm>
 
 namespace skyseal::app {
 
 namespace {
 
 const QString kName = QStringLiteral("skyseal-cli sweep");
-
-experiment::Setting describeSetting(const QStringList &arguments)
-{
-    experiment::Setting out;
-    out.emplace_back("skyseal", SKYSEAL_CLI_VERSION);
-    out.emplace_back("time", QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
-    out.emplace_back("command_line", (kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '))).toStdString());
-    for (auto &entry : experiment::machineSetting())
-        out.push_back(std::move(entry));
-    out.emplace_back("qt", qVersion());
-    return out;
-}
 
 /// What is done with a finished sweep; the exit status.
 int conclude(const experiment::Results &results, const SweepOptions &options)
@@ -52,7 +41,7 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         hold = hold && verdict.outcome.holds;
     }
     if (!options.folder.isEmpty()) {
-        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts);
+        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts, measureContexts());
         if (!files.problem.empty())
             complain(kName, files.problem);
         if (!files.written)
@@ -60,7 +49,9 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         if (!options.json)
             remark("written to " + options.folder.toStdString());
     }
-    return hold && results.complete ? kDone : kNotReached;
+    const bool allMeasured = std::all_of(results.samples.begin(), results.samples.end(),
+                                         [](const experiment::Sample &sample) { return sample.problem.empty(); });
+    return hold && results.complete && allMeasured ? kDone : kNotReached;
 }
 
 } // namespace
@@ -91,7 +82,8 @@ int runSweep(const QStringList &arguments)
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
-    const experiment::Setting setting = describeSetting(arguments);
+    const experiment::Setting setting =
+        describeSetting(SKYSEAL_CLI_VERSION, kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
     experiment::SweepRunner runner({options.plan, *link, station, lab.get()});
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);

@@ -8,7 +8,6 @@ namespace skyseal::app {
 
 namespace {
 
-using experiment::Arm;
 using experiment::Load;
 
 void declare(Options &options)
@@ -19,7 +18,10 @@ void declare(Options &options)
     options.addFlag("allow-research", "With --link: also suites that are not secure.");
     options.addFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
     options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every one that is allowed.", "all");
-    options.addValue("framing", "sealed", "How MAVLink is protected: whole frames sealed in records.", "sealed");
+    options.addValue("framing", "NAME",
+                     "How MAVLink is protected: sealed = whole frames in records, inline = payloads sealed in place (suites that "
+                     "are a cipher and an HMAC; an agent of --link must allow it), both.",
+                     "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite.", "3");
     options.addValue("warm-up", "S", "Seconds before each run that do not count.", "0.5");
@@ -94,22 +96,28 @@ void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
     }
 }
 
+std::vector<channel::Framing> readFramings(Options &options)
+{
+    const std::string text = options.text("framing");
+    if (text == "both")
+        return {channel::Framing::Sealed, channel::Framing::Inline};
+    if (text != "sealed" && text != "inline")
+        options.fail("--framing '" + text + "': sealed, inline or both is expected");
+    return {text == "inline" ? channel::Framing::Inline : channel::Framing::Sealed};
+}
+
 void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
 {
-    for (const crypto::SuiteId suite : readSuites(options, ownAgent))
-        plan.arms.push_back({suite, false});
+    const std::vector<crypto::SuiteId> suites = readSuites(options, ownAgent);
     readLoads(options, ownAgent, plan);
     readConditions(options, ownAgent, plan);
     plan.measure = inSeconds(options.number("seconds", 0.2, 3600));
     plan.warmUp = inSeconds(options.number("warm-up", 0, 600));
     plan.repeats = static_cast<unsigned>(options.wholeNumber("repeats", 1, 1000));
     plan.seed = options.wholeNumber("seed", 0, UINT64_MAX);
-    // The default suite where it is there: its noise is the one that matters.
-    const Arm preferred{crypto::SuiteId::ChaCha20Poly1305, false};
-    if (!options.has("no-noise") && plan.repeats > 1 && !plan.arms.empty()) {
-        const auto found = std::find(plan.arms.begin(), plan.arms.end(), preferred);
-        plan.arms.push_back({found == plan.arms.end() ? plan.arms.front().suite : preferred.suite, true});
-    }
+    plan.arms = experiment::armsOf(suites, readFramings(options), !options.has("no-noise") && plan.repeats > 1);
+    if (std::none_of(plan.arms.begin(), plan.arms.end(), experiment::exists))
+        options.fail("--suites: none of them can be in the framing that is asked for");
 }
 
 void readExpectations(Options &options, SweepOptions &out)
@@ -143,8 +151,6 @@ std::optional<int> readSweepOptions(const QString &name, const QStringList &argu
     out.station.policy.suites = channel::defaultSuites();
     out.station.policy.allowResearch = ownAgent || options.has("allow-research");
     out.station.policy.allowPlain = ownAgent || options.has("allow-plain");
-    if (const std::string framing = options.text("framing"); framing != "sealed")
-        options.fail("--framing '" + framing + "': sealed is expected");
     readPlan(options, ownAgent, out.plan);
     readExpectations(options, out);
     out.folder = QString::fromStdString(options.text("out"));

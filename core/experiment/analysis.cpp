@@ -30,7 +30,7 @@ std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std:
     const auto again = std::find_if(arms.begin(), arms.end(), [](const Arm &arm) { return arm.again; });
     if (again == arms.end())
         return std::nullopt;
-    const auto first = std::find(arms.begin(), arms.end(), Arm{again->suite, false});
+    const auto first = std::find(arms.begin(), arms.end(), Arm{again->suite, false, again->framing});
     if (first == arms.end())
         return std::nullopt;
     Noise out;
@@ -50,10 +50,10 @@ std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std:
     return out;
 }
 
-double meanOf(const Results &results, std::size_t condition, std::size_t load, crypto::SuiteId suite, Metric metric)
+double meanOf(const Results &results, std::size_t condition, std::size_t load, const Arm &wanted, Metric metric)
 {
     const std::vector<Arm> &arms = results.plan.arms;
-    const auto found = std::find(arms.begin(), arms.end(), Arm{suite, false});
+    const auto found = std::find(arms.begin(), arms.end(), wanted);
     if (found == arms.end())
         return std::numeric_limits<double>::quiet_NaN();
     const auto arm = static_cast<std::size_t>(found - arms.begin());

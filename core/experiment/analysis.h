@@ -35,8 +35,8 @@ struct Noise
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 /// Nothing without an arm that was repeated, and for metrics that it has no two samples of.
 std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
-/// Mean of a suite's samples (not the repeated arm's); NaN when it was not measured.
-double meanOf(const Results &results, std::size_t condition, std::size_t load, crypto::SuiteId suite, Metric metric);
+/// Mean of an arm's samples; NaN when it was not measured.
+double meanOf(const Results &results, std::size_t condition, std::size_t load, const Arm &arm, Metric metric);
 /// Whether any sample of the whole sweep has a value.
 bool wasMeasured(const Results &results, Metric metric);
 

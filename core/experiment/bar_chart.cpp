@@ -1,6 +1,7 @@
 #include "core/experiment/bar_chart.h"
 
 #include "core/experiment/statistics.h"
+#include "core/experiment/sweep_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr int kWidth = 760, kLeft = 190, kRight = 140, kTop = 62, kRow = 30, kBar = 16, kBottom = 48;
+constexpr int kWidth = 800, kLeft = 230, kRight = 140, kTop = 62, kRow = 30, kBar = 16, kBottom = 48;
 
 struct Scale
 {
@@ -99,8 +100,8 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
     put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"end\" fill=\"#222222\">", kLeft - 8, middle + 4);
     out += escaped(bar.label + (bar.insecure ? " (insecure)" : "")) + "</text>\n";
     if (!std::isfinite(bar.mean)) {
-        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">not measured</text>\n",
-            kLeft + 6, middle + 4);
+        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">%s</text>\n",
+            kLeft + 6, middle + 4, bar.missing.c_str());
         return;
     }
     put(out, "<rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" fill=\"%s\" stroke=\"%s\"/>\n", kLeft, middle - kBar / 2.0,
@@ -166,7 +167,9 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
                    + " s each; bar: mean, whisker: 95 % confidence interval, dots: single runs";
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
         Bar bar;
-        bar.label = name(plan.arms[arm]);
+        bar.label = fullName(plan.arms[arm]);
+        bar.missing = missingText(plan.arms[arm]);
+        bar.suite = plan.arms[arm].suite;
         bar.insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
         bar.samples = valuesOf(results, {condition, load, arm}, metric);
         const Summary summary = summarise(bar.samples);

@@ -13,6 +13,8 @@ struct Bar
 {
     std::string label;
     bool insecure = false; ///< drawn hatched and said so
+    std::string missing;   ///< what stands there without a finite mean: "not measured"
+    crypto::SuiteId suite{};
     double mean = 0, low = 0, high = 0; ///< low and high NaN with one sample
     std::vector<double> samples;
     std::vector<bool> outlier; ///< one for each sample
@@ -23,13 +25,13 @@ struct BarChart
     std::string title;
     std::string subtitle; ///< conditions and how often it was measured
     std::string axis;     ///< "CPU time per frame, ns"
-    std::vector<Bar> bars; ///< those without a finite mean are shown as "not measured"
+    std::vector<Bar> bars;
 };
 
 /// The chart of one metric in one place of the design; large units are scaled (B to MB, ns to µs).
 BarChart chartOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 
-/// A whole SVG document, 760 wide, of rect, line, circle and text alone, so that it is easily drawn elsewhere.
+/// A whole SVG document, 800 wide, of rect, line, circle and text alone, so that it is easily drawn elsewhere.
 std::string svg(const BarChart &chart);
 
 /// Steps of an axis that ends at or above `highest`: 1, 2 or 5 times a power of ten, four to eight of them.

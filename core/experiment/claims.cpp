@@ -20,6 +20,13 @@ std::string shown(SuiteId suite)
     return std::string(crypto::suiteInfo(suite).name);
 }
 
+/// The framing that the claims are judged in.
+channel::Framing judgedFraming(const Plan &plan)
+{
+    const auto framings = framingsOf(plan);
+    return framings.empty() ? channel::Framing::Sealed : framings.back();
+}
+
 /// How the second suite's mean stands to the first one's.
 struct Standing
 {
@@ -32,7 +39,11 @@ Standing standing(const Results &results, std::size_t load, Metric metric, Suite
 {
     Standing out;
     for (const ArmComparison &pair : compareArms(results, 0, load, metric)) {
-        const SuiteId a = results.plan.arms[pair.first].suite, b = results.plan.arms[pair.second].suite;
+        const Arm &one = results.plan.arms[pair.first], &two = results.plan.arms[pair.second];
+        const channel::Framing framing = judgedFraming(results.plan);
+        if ((one.suite != SuiteId::None && one.framing != framing) || two.framing != framing)
+            continue; // plain MAVLink is always the first arm
+        const SuiteId a = one.suite, b = two.suite;
         if (!((a == first && b == second) || (a == second && b == first)))
             continue;
         const double other = pair.firstMean + pair.comparison.test.difference;
@@ -63,7 +74,8 @@ Claim against(const Results &results, std::size_t load, Metric metric, bool more
         list += (list.empty() ? "" : "; ") + found.text;
     }
     const std::string where = std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", "
-                              + std::string(name(results.plan.loads[load])) + " load): ";
+                              + std::string(name(results.plan.loads[load])) + " load, framing "
+                              + std::string(name(judgedFraming(results.plan))) + "): ";
     out.reason = compared == 0 ? "ChaCha20 and the other ciphers were not measured twice each" : where + list + " for chacha20.";
     if (worse > 0)
         out.finding = Finding::NotConfirmed;
@@ -79,15 +91,17 @@ Claim unharmed(const Results &results, std::size_t load)
     const Standing found = standing(results, load, Metric::Packets, SuiteId::None, SuiteId::ChaCha20);
     if (!found.compared)
         return out;
-    out.reason = std::string("Packets in the same time (") + std::string(name(results.plan.loads[load])) + " load): "
-                 + found.text + " for plain MAVLink.";
+    const channel::Framing framing = judgedFraming(results.plan);
+    out.reason = std::string("Packets in the same time (") + std::string(name(results.plan.loads[load])) + " load, framing "
+                 + std::string(name(framing)) + "): " + found.text + " for plain MAVLink.";
     if (!found.significant && std::abs(found.ratio - 1) <= kAsGood)
         out.finding = Finding::Confirmed;
     else if (found.significant && found.ratio < 1 - kAsGood)
         out.finding = Finding::NotConfirmed;
     else if (found.significant && found.ratio > 1 + kAsGood) {
         out.finding = Finding::Confirmed;
-        out.reason += " Sealing puts several frames into a record, and fewer datagrams are what makes it quicker.";
+        if (framing == channel::Framing::Sealed)
+            out.reason += " Sealing puts several frames into a record, and fewer datagrams are what makes it quicker.";
     }
     return out;
 }

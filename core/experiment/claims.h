@@ -22,7 +22,8 @@ struct Claim
 };
 
 /// `contextBytes` gives the heap of one keyed cipher; NaN when it is not known. Judged on the first condition, packets and
-/// CPU under the saturated load where it was measured, since the natural one leaves every suite idle.
+/// CPU under the saturated load where it was measured, since the natural one leaves every suite idle, and in the paper's own
+/// framing (inline) where that was measured.
 std::vector<Claim> paperClaims(const Results &results, const std::function<double(crypto::SuiteId)> &contextBytes);
 
 } // namespace skyseal::experiment

@@ -188,8 +188,8 @@ private:
     {
         if (!take("*"))
             node.suite = suite();
-        if (take(","))
-            node.load = load();
+        while (take(","))
+            loadOrFraming(node);
         expect(")");
     }
 
@@ -206,17 +206,25 @@ private:
         return *found;
     }
 
-    Load load()
+    void loadOrFraming(Node &node)
     {
         skipSpace();
         const std::size_t begin = m_at;
         const std::string_view text = word(false);
         for (const Load known : {Load::Natural, Load::Saturated}) {
-            if (text == name(known))
-                return known;
+            if (text == name(known) && !node.load) {
+                node.load = known;
+                return;
+            }
+        }
+        for (const channel::Framing known : {channel::Framing::Sealed, channel::Framing::Inline}) {
+            if (text == name(known) && !node.framing) {
+                node.framing = known;
+                return;
+            }
         }
         m_at = begin;
-        fail("natural or saturated is expected");
+        fail("natural or saturated, sealed or inline is expected");
     }
 
     std::string_view m_text;
@@ -253,13 +261,34 @@ std::vector<Load> Expectation::loads() const
     return out;
 }
 
-double Expectation::evaluate(std::size_t index, crypto::SuiteId suite, const Lookup &lookup) const
+std::vector<channel::Framing> Expectation::framings() const
+{
+    std::vector<channel::Framing> out;
+    for (const Node &node : m_nodes) {
+        if (node.kind == Kind::Value && node.framing)
+            out.push_back(*node.framing);
+    }
+    return out;
+}
+
+std::optional<channel::Framing> Expectation::onlyFraming() const
+{
+    for (const Node &node : m_nodes) {
+        if (node.kind == Kind::Value && !node.suite && node.framing)
+            return node.framing;
+    }
+    return std::nullopt;
+}
+
+double Expectation::evaluate(std::size_t index, const Arm &subject, const Lookup &lookup) const
 {
     const Node &node = m_nodes[index];
-    const auto side = [&](std::size_t child) { return evaluate(child, suite, lookup); };
+    const auto side = [&](std::size_t child) { return evaluate(child, subject, lookup); };
     switch (node.kind) {
     case Kind::Number: return node.number;
-    case Kind::Value: return lookup(node.metric, node.suite.value_or(suite), node.load);
+    case Kind::Value:
+        return node.suite ? lookup(node.metric, *node.suite, node.framing, node.load)
+                          : lookup(node.metric, subject.suite, node.framing.value_or(subject.framing), node.load);
     case Kind::Add: return side(node.left) + side(node.right);
     case Kind::Subtract: return side(node.left) - side(node.right);
     case Kind::Multiply: return side(node.left) * side(node.right);
@@ -269,11 +298,11 @@ double Expectation::evaluate(std::size_t index, crypto::SuiteId suite, const Loo
     return 0;
 }
 
-Expectation::Outcome Expectation::check(crypto::SuiteId suite, const Lookup &lookup) const
+Expectation::Outcome Expectation::check(const Arm &subject, const Lookup &lookup) const
 {
     Outcome out;
-    out.left = evaluate(m_left, suite, lookup);
-    out.right = evaluate(m_right, suite, lookup);
+    out.left = evaluate(m_left, subject, lookup);
+    out.right = evaluate(m_right, subject, lookup);
     out.measured = std::isfinite(out.left) && std::isfinite(out.right);
     if (!out.measured)
         return out;

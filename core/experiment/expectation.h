@@ -3,10 +3,11 @@
 //   comparison = sum ("<=" | ">=" | "<" | ">" | "==" | "!=") sum
 //   sum        = product {("+" | "-") product}
 //   product    = factor {("*" | "/") factor}
-//   factor     = number | metric ["(" suite ["," load] ")"] | "(" sum ")" | "-" factor
+//   factor     = number | metric ["(" suite {"," (load | framing)} ")"] | "(" sum ")" | "-" factor
 //
 // A metric stands for its mean over the repeats. Without a suite, or with "*" for it, it stands for every suite in turn, and
-// the comparison must hold for each of them. The load is "natural" or "saturated"; without one, the first of the sweep.
+// the comparison must hold for each of them. The load is "natural" or "saturated"; without one, the first of the sweep. The
+// framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn otherwise.
 #pragma once
 
 #include "core/base/result.h"
@@ -33,17 +34,20 @@ public:
     /// Suites and loads that it names: a sweep must have them.
     std::vector<crypto::SuiteId> suites() const;
     std::vector<Load> loads() const;
+    std::vector<channel::Framing> framings() const;
+    /// The framing that it restricts its suites to, where it stands for every suite.
+    std::optional<channel::Framing> onlyFraming() const;
 
     /// The mean of a metric; NaN when it was not measured.
-    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<Load>)>;
+    using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<channel::Framing>, std::optional<Load>)>;
     struct Outcome
     {
         bool measured = false; ///< both sides are numbers
         bool holds = false;
         double left = 0, right = 0;
     };
-    /// `suite` is what metrics without a suite stand for.
-    Outcome check(crypto::SuiteId suite, const Lookup &lookup) const;
+    /// `subject` is what metrics without a suite stand for.
+    Outcome check(const Arm &subject, const Lookup &lookup) const;
 
 private:
     friend class ExpectationParser;
@@ -57,10 +61,11 @@ private:
         Metric metric{};
         std::optional<crypto::SuiteId> suite;
         std::optional<Load> load;
+        std::optional<channel::Framing> framing;
         std::size_t left = 0, right = 0; ///< indices of nodes
     };
 
-    double evaluate(std::size_t node, crypto::SuiteId suite, const Lookup &lookup) const;
+    double evaluate(std::size_t node, const Arm &subject, const Lookup &lookup) const;
 
     std::string m_text;
     std::vector<Node> m_nodes;

@@ -59,13 +59,16 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
     std::vector<std::string> head{"metric"};
     for (const Arm &arm : plan.arms)
         head.push_back(armText(arm));
-    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th");
+    std::vector<std::string> framings{"framing"};
+    for (const Arm &arm : plan.arms)
+        framings.emplace_back(framingName(arm));
+    std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th");
     for (const MetricInfo &metric : metrics()) {
         std::vector<std::string> cells{escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
         bool any = false;
         for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
             cells.push_back(meanText(results, {condition, load, arm}, metric.metric));
-            any = any || cells.back() != "–";
+            any = any || (exists(plan.arms[arm]) && cells.back() != "–");
         }
         if (any)
             out += row(cells);
@@ -79,7 +82,8 @@ std::string pairText(const Plan &plan, const ArmComparison &pair)
     const double second = pair.firstMean + pair.comparison.test.difference;
     const bool lower = second < pair.firstMean;
     const double percent = 100 * std::abs(second / pair.firstMean - 1);
-    std::string out = escaped(name(plan.arms[pair.second])) + (lower ? " lower than " : " higher than ") + escaped(name(plan.arms[pair.first]));
+    const auto named = [&plan](std::size_t arm) { return escaped(fullName(plan.arms[arm])); };
+    std::string out = named(pair.second) + (lower ? " lower than " : " higher than ") + named(pair.first);
     if (std::isfinite(percent))
         out += " by " + readable(percent) + " %";
     const double p = pair.comparison.adjusted;
@@ -146,6 +150,18 @@ std::string expectationList(const Results &results, const std::vector<Verdict> &
     return out + "</ul>\n";
 }
 
+std::string framingWords(const Plan &plan)
+{
+    std::string out;
+    for (const channel::Framing framing : framingsOf(plan))
+        out += std::string(out.empty() ? "" : "; ")
+               + (framing == channel::Framing::Inline
+                      ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites that are a "
+                        "cipher and an HMAC; a frame that cannot go so travels in a record)"
+                      : "sealed: whole frames in records, tags of 16 bytes");
+    return out.empty() ? "none, plain MAVLink only" : out;
+}
+
 std::string settingTable(const Results &results)
 {
     const Plan &plan = results.plan;
@@ -156,7 +172,7 @@ std::string settingTable(const Results &results)
     line("seed", std::to_string(plan.seed));
     line("runs", std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
                      + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
-    line("framing", "whole frames sealed in records");
+    line("framing", framingWords(plan));
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";
@@ -166,19 +182,21 @@ std::string rawTable(const Results &results)
 {
     constexpr std::array kRaw{Metric::Packets, Metric::Loss,    Metric::Cpu,     Metric::CpuPerFrame, Metric::AgentCpu,
                               Metric::Memory,  Metric::OpenP50, Metric::OpenP99, Metric::Latency,     Metric::WirePerFrame};
-    std::vector<std::string> head{"run", "place", "suite", "repeat"};
+    std::vector<std::string> head{"run", "place", "suite", "framing", "repeat"};
     for (const Metric metric : kRaw)
         head.emplace_back(info(metric).key);
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
     for (const Sample &sample : results.samples) {
         std::vector<std::string> cells{std::to_string(sample.order + 1),
                                        placeText(results.plan, sample.run.condition, sample.run.load),
-                                       armText(results.plan.arms[sample.run.arm]), std::to_string(sample.run.repeat + 1)};
+                                       armText(results.plan.arms[sample.run.arm]),
+                                       std::string(framingName(results.plan.arms[sample.run.arm])),
+                                       std::to_string(sample.run.repeat + 1)};
         for (const Metric metric : kRaw)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);
         if (!sample.problem.empty())
-            out += "<tr><td colspan=\"14\" class=\"bad\">" + escaped(sample.problem) + "</td></tr>\n";
+            out += "<tr><td colspan=\"15\" class=\"bad\">" + escaped(sample.problem) + "</td></tr>\n";
     }
     return out + "</table>\n";
 }

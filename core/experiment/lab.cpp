@@ -125,7 +125,7 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
            {QStringLiteral("--vehicle"), loopback("udpin", m_vehiclePort), QStringLiteral("--ground"),
             loopback("udpout", condition.clean() ? m_groundPort : m_relayPort), QStringLiteral("--identity"),
             file("air.key"), QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"),
-            QStringLiteral("--allow-plain"), QStringLiteral("--json")});
+            QStringLiteral("--allow-plain"), QStringLiteral("--allow-inline"), QStringLiteral("--json")});
     QStringList simulator{QStringLiteral("--link"), loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
                           QString::number(seed), QStringLiteral("--json"),
                           QStringLiteral("--rate"), QString::number(kFlightRate)};

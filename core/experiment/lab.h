@@ -35,7 +35,8 @@ public:
     engine::KeyPaths stationKeys() const;
     /// Where the station is to listen.
     quint16 groundPort() const { return m_groundPort; }
-    /// Ends what runs and starts anew. The agent consents to plain MAVLink and research suites: it is our own, on loopback.
+    /// Ends what runs and starts anew. The agent consents to plain MAVLink, inline framing and research suites: it is
+    /// our own, on loopback.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
     qint64 agentProcess() const { return m_agent.processId(); }

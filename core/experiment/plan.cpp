@@ -1,10 +1,14 @@
 #include "core/experiment/plan.h"
 
+#include "core/crypto/inline_cipher.h"
+
 #include <algorithm>
 #include <charconv>
 #include <optional>
 
 namespace skyseal::experiment {
+
+using channel::Framing;
 
 namespace {
 
@@ -74,7 +78,65 @@ std::string_view name(Load load)
 
 std::string name(const Arm &arm)
 {
-    return std::string(crypto::suiteInfo(arm.suite).name) + (arm.again ? " (A/A)" : "");
+    const bool said = framingName(arm) == name(Framing::Inline);
+    return std::string(crypto::suiteInfo(arm.suite).name) + (said ? " inline" : "") + (arm.again ? " (A/A)" : "");
+}
+
+std::string fullName(const Arm &arm)
+{
+    const std::string framing = arm.suite == crypto::SuiteId::None ? "" : " " + std::string(framingName(arm));
+    return std::string(crypto::suiteInfo(arm.suite).name) + framing + (arm.again ? " (A/A)" : "");
+}
+
+std::string_view framingName(const Arm &arm)
+{
+    return arm.suite == crypto::SuiteId::None ? "plain" : name(arm.framing);
+}
+
+std::string_view name(Framing framing)
+{
+    return framing == Framing::Inline ? "inline" : "sealed";
+}
+
+bool exists(const Arm &arm)
+{
+    return arm.framing == Framing::Sealed || arm.suite == crypto::SuiteId::None || crypto::mayBeInline(arm.suite);
+}
+
+std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise)
+{
+    std::vector<Arm> out;
+    for (const crypto::SuiteId suite : suites) {
+        if (suite == crypto::SuiteId::None)
+            out.push_back({suite, false, Framing::Sealed});
+    }
+    for (const Framing framing : framings) {
+        for (const crypto::SuiteId suite : suites) {
+            if (suite != crypto::SuiteId::None)
+                out.push_back({suite, false, framing});
+        }
+    }
+    if (!noise)
+        return out;
+    auto twice = std::find(out.begin(), out.end(), Arm{crypto::SuiteId::ChaCha20Poly1305, false, Framing::Sealed});
+    const auto usable = [](const Arm &arm) { return exists(arm) && arm.suite != crypto::SuiteId::None; };
+    if (twice == out.end())
+        twice = std::find_if(out.begin(), out.end(), usable);
+    if (twice == out.end())
+        twice = out.begin(); // plain MAVLink alone
+    if (twice != out.end())
+        out.push_back({twice->suite, true, twice->framing});
+    return out;
+}
+
+std::vector<Framing> framingsOf(const Plan &plan)
+{
+    std::vector<Framing> out;
+    for (const Framing framing : {Framing::Sealed, Framing::Inline}) {
+        if (std::any_of(plan.arms.begin(), plan.arms.end(), [framing](const Arm &arm) { return framingName(arm) == name(framing); }))
+            out.push_back(framing);
+    }
+    return out;
 }
 
 Result<Condition, InputError> parseCondition(std::string_view text)
@@ -100,8 +162,10 @@ std::vector<Run> schedule(const Plan &plan)
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
             for (unsigned repeat = 0; repeat < plan.repeats; ++repeat) {
                 std::vector<Run> block;
-                for (std::size_t arm = 0; arm < plan.arms.size(); ++arm)
-                    block.push_back({condition, load, arm, repeat});
+                for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+                    if (exists(plan.arms[arm]))
+                        block.push_back({condition, load, arm, repeat});
+                }
                 shuffle(block, state);
                 out.insert(out.end(), block.begin(), block.end());
             }

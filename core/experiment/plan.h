@@ -3,6 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/result.h"
+#include "core/channel/policy.h"
 #include "core/crypto/suite.h"
 #include "core/impair/impairment.h"
 
@@ -17,16 +18,27 @@ namespace skyseal::experiment {
 enum class Load : std::uint8_t { Natural, Saturated };
 std::string_view name(Load load);
 
-/// What is compared: a suite. `again` is the same suite a second time, under another name: whatever differs between the two
-/// is noise (A/A).
+/// What is compared: a suite in a framing. `again` is the same a second time, under another name: whatever differs between
+/// the two is noise (A/A). The framing means nothing for plain MAVLink.
 struct Arm
 {
     crypto::SuiteId suite{};
     bool again = false;
+    channel::Framing framing = channel::Framing::Sealed;
     bool operator==(const Arm &) const = default;
 };
-/// "aes-256-gcm"; "aes-256-gcm (A/A)".
+/// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-gcm (A/A)".
 std::string name(const Arm &arm);
+/// The same, with the framing always said: "aes-256-gcm sealed"; plain MAVLink has none: "none".
+std::string fullName(const Arm &arm);
+/// "sealed", "inline"; "plain" for plain MAVLink.
+std::string_view framingName(const Arm &arm);
+std::string_view name(channel::Framing framing);
+/// False for a suite that cannot be in this framing; such an arm is named in every report, and never run.
+bool exists(const Arm &arm);
+
+/// Every suite in every framing, plain MAVLink once; with `noise`, one of them again: the default suite where it is there.
+std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings, bool noise);
 
 /// The link that all arms meet alike: clean, or with what an impairment does to both directions.
 struct Condition
@@ -51,6 +63,9 @@ struct Plan
     std::uint64_t seed = 1;
 };
 
+/// The framings of its arms, sealed first; none when all it has is plain MAVLink.
+std::vector<channel::Framing> framingsOf(const Plan &plan);
+
 /// Indices into the plan.
 struct Run
 {
@@ -59,7 +74,7 @@ struct Run
 };
 
 /// A randomised block design: condition by condition and load by load, since changing those restarts programs; within each,
-/// every repeat holds every arm once, in an order of its own. So what drifts slowly meets all arms alike. The same seed
+/// every repeat holds every arm that exists once, in an order of its own. So what drifts slowly meets all arms alike. The same seed
 /// gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
 

@@ -28,7 +28,7 @@ void place(JsonWriter &json, const Plan &plan, std::size_t condition, std::size_
 
 void arm(JsonWriter &json, const Arm &arm)
 {
-    json.field("suite", crypto::suiteInfo(arm.suite).name).field("again", arm.again);
+    json.field("suite", crypto::suiteInfo(arm.suite).name).field("framing", framingName(arm)).field("again", arm.again);
 }
 
 void values(JsonWriter &json, const Values &values)
@@ -42,13 +42,18 @@ void values(JsonWriter &json, const Values &values)
 void writePlan(JsonWriter &json, const Plan &plan)
 {
     json.key("plan").beginObject();
-    json.field("framing", "sealed").field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
+    json.key("framings").beginArray();
+    for (const channel::Framing framing : framingsOf(plan))
+        json.value(name(framing));
+    json.endArray();
+    json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
     json.field("repeats", std::uint64_t(plan.repeats)).field("seed", std::to_string(plan.seed));
     json.key("arms").beginArray();
     for (const Arm &one : plan.arms) {
         json.beginObject();
         arm(json, one);
         json.field("insecure", crypto::suiteInfo(one.suite).research || !crypto::suiteInfo(one.suite).authenticated);
+        json.field("in_framing", exists(one));
         json.endObject();
     }
     json.endArray().key("loads").beginArray();
@@ -101,7 +106,9 @@ void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pa
     place(json, plan, pair.condition, pair.load);
     json.field("metric", info(pair.metric).key);
     json.field("first", crypto::suiteInfo(plan.arms[pair.first].suite).name);
+    json.field("first_framing", framingName(plan.arms[pair.first]));
     json.field("second", crypto::suiteInfo(plan.arms[pair.second].suite).name);
+    json.field("second_framing", framingName(plan.arms[pair.second]));
     number(json, "difference", pair.comparison.test.difference);
     number(json, "ratio", (pair.firstMean + pair.comparison.test.difference) / pair.firstMean);
     number(json, "t", pair.comparison.test.t);
@@ -116,6 +123,7 @@ void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
     json.beginObject();
     place(json, plan, noise.condition, noise.load);
     json.field("metric", info(noise.metric).key).field("suite", crypto::suiteInfo(plan.arms[noise.arm].suite).name);
+    json.field("framing", framingName(plan.arms[noise.arm]));
     number(json, "mean", noise.mean);
     number(json, "mean_again", noise.meanAgain);
     number(json, "p", noise.test.p);
@@ -209,7 +217,7 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
 
 std::string sweepCsv(const Results &results)
 {
-    std::string out = "order,condition,load,suite,again,repeat,start,seconds";
+    std::string out = "order,condition,load,suite,framing,again,repeat,start,seconds";
     for (const MetricInfo &metric : metrics())
         out.append(",").append(metric.key);
     out += ",problem\n";
@@ -218,6 +226,7 @@ std::string sweepCsv(const Results &results)
         const Arm &one = plan.arms[sample.run.arm];
         out += std::to_string(sample.order) + "," + csvText(plan.conditions[sample.run.condition].name) + ",";
         out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
+        out.append(",").append(framingName(one));
         out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + ","
                + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())

@@ -10,7 +10,7 @@
 
 namespace skyseal::experiment {
 
-inline constexpr unsigned kSweepSchemaVersion = 1;
+inline constexpr unsigned kSweepSchemaVersion = 2;
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
 /// The raw samples: one line a run, one column a metric; a value that could not be measured is empty.

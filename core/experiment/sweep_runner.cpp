@@ -8,28 +8,33 @@ namespace skyseal::experiment {
 
 namespace {
 
+using engine::Protection;
 using std::chrono::milliseconds;
 
 constexpr Duration kConnectPatience = std::chrono::seconds(20);
 constexpr Duration kSwitchPatience = std::chrono::seconds(15);
+constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 constexpr Duration kSettle = milliseconds(500); ///< a station that just connected asks for much that it never asks again
+constexpr Duration kSettleAgain = milliseconds(200);
+constexpr Duration kSettleMost = std::chrono::seconds(2); ///< a vehicle that does not answer TIMESYNC is not waited for longer
 constexpr unsigned kMostFailures = 3;           ///< runs in a row; the link is gone then
 constexpr Duration kLatencyEvery = milliseconds(200);
 constexpr int kSnapshotsPerSecond = 20;
+const std::string kNothingClear = "no vehicle was heard in clear; do both ends consent to it?";
 
-const engine::SessionSnapshot *liveSession(const engine::Snapshot &snapshot)
+double tripsOf(const engine::Snapshot &snapshot)
 {
-    const auto found = std::find_if(snapshot.sessions.begin(), snapshot.sessions.end(),
-                                    [](const engine::SessionSnapshot &session) { return !session.info.silent; });
-    return found == snapshot.sessions.end() ? nullptr : &*found;
+    double out = 0;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
+        out += static_cast<double>(vehicle.state.trips);
+    return out;
 }
 
-/// `settled`: it also knows where it is; while it starts it says more, and is asked for more, than later.
-bool vehicleSpeaks(const engine::Snapshot &snapshot, bool settled)
+/// Whether both ends make a new session on the way from one to the other.
+bool renews(std::optional<Protection> from, std::optional<Protection> to)
 {
-    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), [settled](const engine::VehicleSnapshot &vehicle) {
-        return !vehicle.state.lost && (!settled || (vehicle.state.ekfOk.value_or(false) && vehicle.state.home.known()));
-    });
+    const auto kind = [](std::optional<Protection> one) { return one.value_or(Protection::Sealed); };
+    return kind(from) != kind(to);
 }
 
 } // namespace
@@ -46,7 +51,43 @@ SweepRunner::SweepRunner(SweepConfig config) : m_config(std::move(config)), m_sc
     }
 }
 
-SweepRunner::~SweepRunner() = default;
+SweepRunner::~SweepRunner()
+{
+    if (m_station && !m_own)
+        giveBack();
+}
+
+Protection SweepRunner::wantedProtection() const
+{
+    const Arm &arm = m_config.plan.arms[run().arm];
+    if (arm.suite == crypto::SuiteId::None)
+        return Protection::Plain;
+    return arm.framing == channel::Framing::Inline ? Protection::Inline : Protection::Sealed;
+}
+
+/// The session that is alive, other than one that is about to end.
+const engine::SessionSnapshot *SweepRunner::session(const engine::Snapshot &snapshot) const
+{
+    const auto found =
+        std::find_if(snapshot.sessions.begin(), snapshot.sessions.end(), [this](const engine::SessionSnapshot &session) {
+            return !session.info.silent && session.info.session != m_ended;
+        });
+    return found == snapshot.sessions.end() ? nullptr : &*found;
+}
+
+/// A vehicle is heard in the way that is wanted. One of our own also knows where it is: while it starts it says more, and is
+/// asked for more, than later.
+bool SweepRunner::vehicleSpeaks(const engine::Snapshot &snapshot) const
+{
+    const engine::SessionSnapshot *up = session(snapshot);
+    const auto way = isPlain() || !up ? std::nullopt : std::optional(up->info.session);
+    if (!isPlain() && !way)
+        return false;
+    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), [&](const engine::VehicleSnapshot &vehicle) {
+        const bool settled = vehicle.state.ekfOk.value_or(false) && vehicle.state.home.known();
+        return !vehicle.state.lost && vehicle.session == way && (settled || !m_config.lab);
+    });
+}
 
 void SweepRunner::start()
 {
@@ -57,7 +98,7 @@ void SweepRunner::start()
 
 void SweepRunner::cancel()
 {
-    if (m_cancelled)
+    if (m_cancelled || m_stage == Stage::Restoring)
         return;
     m_cancelled = true;
     m_problem = "cancelled";
@@ -88,7 +129,7 @@ void SweepRunner::next()
         return restore();
     const std::pair block{run().condition, run().load};
     const bool newBlock = m_block != block;
-    if (m_station && (newBlock || m_plain != wantsPlain()))
+    if (m_own && newBlock)
         return closeStation();
     if (newBlock) {
         m_block = block;
@@ -97,10 +138,42 @@ void SweepRunner::next()
     m_runStart = static_cast<double>(m_clock.elapsed()) / 1000;
     m_switchTook = std::numeric_limits<double>::quiet_NaN();
     m_switchOrdered = false;
+    m_fresh = !m_station;
+    Q_EMIT runBegan(run());
     if (!m_station)
         return openStation();
-    enter(Stage::Switching, kSwitchPatience);
-    switchSuite(*m_snapshot);
+    connectUp(*m_snapshot);
+}
+
+/// Decides, on a link that works, what the run still lacks.
+void SweepRunner::connectUp(const engine::Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = session(snapshot);
+    if (up) {
+        const auto &offered = up->info.peerOffered;
+        m_plainRefused = std::find(offered.begin(), offered.end(), crypto::SuiteId::None) == offered.end();
+        m_inlineRefused = m_inlineRefused || (m_protection == Protection::Inline && m_framing != channel::Framing::Inline);
+    }
+    if (wantedProtection() == Protection::Plain && m_plainRefused)
+        return refuseRun("the other end does not allow plain MAVLink");
+    if (wantedProtection() == Protection::Inline && m_inlineRefused)
+        return refuseRun("the other end does not allow inline framing");
+    if (m_protection == wantedProtection()) {
+        enter(Stage::Switching, kSwitchPatience);
+        return switchSuite(snapshot);
+    }
+    protect(wantedProtection());
+    enter(Stage::Connecting, kConnectPatience);
+}
+
+void SweepRunner::protect(std::optional<Protection> protection)
+{
+    const engine::SessionSnapshot *up = m_snapshot ? session(*m_snapshot) : nullptr;
+    if (up && renews(m_protection, protection))
+        m_ended = up->info.session;
+    m_tripsBefore = m_snapshot ? tripsOf(*m_snapshot) : 0;
+    m_protection = protection;
+    m_station->setProtection(protection);
 }
 
 void SweepRunner::enterBlock(const Run &run)
@@ -111,36 +184,73 @@ void SweepRunner::enterBlock(const Run &run)
 
 void SweepRunner::openStation()
 {
+    m_snapshot.reset();
+    m_session.reset();
+    m_protection.reset();
+    m_ended.reset();
+    m_tripsBefore = 0;
+    if (m_config.borrowed) {
+        m_station = m_config.borrowed;
+        listen();
+        connect(m_station, &QObject::destroyed, this, [this] {
+            m_station = nullptr;
+            m_cancelled = true;
+            if (m_problem.empty())
+                m_problem = "the station ended";
+            end();
+        });
+        return enter(Stage::Connecting, kConnectPatience);
+    }
     engine::StationConfig config = m_config.station;
-    m_plain = wantsPlain();
-    config.secure = m_plain ? engine::SecureMode::Off : engine::SecureMode::Required;
+    config.secure = engine::SecureMode::Required;
     config.record = false;
     config.timeSyncEvery = kLatencyEvery;
     config.snapshotsPerSecond = kSnapshotsPerSecond;
     auto station = engine::Station::create(config);
     if (!station)
         return giveUp(station.error().text());
-    m_station = std::move(*station);
-    m_snapshot.reset();
-    m_session.reset();
-    connect(m_station.get(), &engine::Station::snapshotReady, this,
-            [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { take(snapshot); });
-    connect(m_station.get(), &engine::Station::happened, this,
-            [this](const engine::Happening &happening) { hear(happening); });
-    connect(m_station.get(), &engine::Station::stopped, this, [this] {
+    m_own = std::move(*station);
+    m_station = m_own.get();
+    listen();
+    connect(m_station, &engine::Station::stopped, this, [this] {
         // It is the sender of this signal.
-        m_station.release()->deleteLater();
+        m_own.release()->deleteLater();
+        m_station = nullptr;
         QTimer::singleShot(0, this, [this] { m_cancelled || !m_problem.empty() || m_next == m_schedule.size() ? end() : next(); });
     });
-    m_station->setMeasuring(true);
+    protect(wantedProtection());
     m_station->addLink(m_config.link);
     enter(Stage::Connecting, kConnectPatience);
+}
+
+void SweepRunner::listen()
+{
+    connect(m_station, &engine::Station::snapshotReady, this,
+            [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { take(snapshot); });
+    connect(m_station, &engine::Station::happened, this, [this](const engine::Happening &happening) { hear(happening); });
+    m_station->setMeasuring(true);
 }
 
 void SweepRunner::closeStation()
 {
     m_stage = Stage::Closing;
-    m_station->stop();
+    if (m_own)
+        return m_station->stop();
+    giveBack();
+    QTimer::singleShot(0, this, [this] { end(); });
+}
+
+/// The borrowed station as it was. Where its session is not back yet, it begins with the suite that the link had.
+void SweepRunner::giveBack()
+{
+    const engine::SessionSnapshot *up = m_snapshot ? session(*m_snapshot) : nullptr;
+    const bool back = up && m_protection != Protection::Plain && up->info.suite == m_firstSuite && !up->info.pending;
+    m_station->setProtection(std::nullopt);
+    if (!back && m_firstSuite)
+        m_station->setPreferredSuite(*m_firstSuite);
+    m_station->setMeasuring(false);
+    disconnect(m_station, nullptr, this, nullptr);
+    m_station = nullptr;
 }
 
 void SweepRunner::hear(const engine::Happening &happening)
@@ -151,8 +261,7 @@ void SweepRunner::hear(const engine::Happening &happening)
         if (!m_opened && (link.phase == engine::LinkPhase::Failed || link.hostUnknown))
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
-        if (!m_firstSuite)
-            m_firstSuite = up->suite;
+        m_framing = up->framing;
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
         if (done->rekey || m_stage != Stage::Switching || done->to != wantedSuite())
             return;
@@ -168,23 +277,26 @@ void SweepRunner::take(const std::shared_ptr<const engine::Snapshot> &snapshot)
     if (!snapshot->probe)
         return;
     m_snapshot = snapshot;
+    const engine::SessionSnapshot *up = session(*snapshot);
+    if (up && !m_firstSuite)
+        m_firstSuite = up->info.suite;
+    m_opened = m_opened || up;
     advance(*snapshot);
 }
 
 void SweepRunner::advance(const engine::Snapshot &snapshot)
 {
     const double since = snapshot.time - m_stageStart;
-    const engine::SessionSnapshot *session = liveSession(snapshot);
     switch (m_stage) {
     case Stage::Connecting:
-        if (vehicleSpeaks(snapshot, m_config.lab != nullptr) && (m_plain || session))
+        if (vehicleSpeaks(snapshot))
             enter(Stage::Settling, kConnectPatience);
         break;
     case Stage::Settling:
-        if (since >= seconds(kSettle)) {
-            enter(Stage::Switching, kSwitchPatience);
-            switchSuite(snapshot);
-        }
+        // An answer to TIMESYNC shows that the way there is known, too; in clear the next heartbeat tells it.
+        if (since >= seconds(kSettleMost)
+            || (since >= seconds(m_fresh ? kSettle : kSettleAgain) && tripsOf(snapshot) > m_tripsBefore))
+            connectUp(snapshot);
         break;
     case Stage::Switching:
         switchSuite(snapshot);
@@ -198,8 +310,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
             endRun();
         break;
     case Stage::Restoring:
-        if (!session || (session->info.suite == *m_firstSuite && !session->info.pending))
-            closeStation();
+        putBack(snapshot);
         break;
     case Stage::Idle:
     case Stage::Closing:
@@ -209,14 +320,14 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
 
 void SweepRunner::switchSuite(const engine::Snapshot &snapshot)
 {
-    const engine::SessionSnapshot *session = liveSession(snapshot);
-    if (!m_plain && (!session || session->info.pending))
+    const engine::SessionSnapshot *up = session(snapshot);
+    if (!isPlain() && (!up || up->info.pending))
         return;
-    if (m_plain || session->info.suite == wantedSuite()) {
+    if (isPlain() || up->info.suite == wantedSuite()) {
         enter(Stage::WarmingUp, m_config.plan.warmUp + kConnectPatience);
     } else if (!m_switchOrdered) {
         m_switchOrdered = true;
-        m_station->switchSuite(session->info.session, wantedSuite());
+        m_station->switchSuite(up->info.session, wantedSuite());
     }
 }
 
@@ -233,8 +344,8 @@ Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &sn
 
 void SweepRunner::beginRun()
 {
-    const engine::SessionSnapshot *session = liveSession(*m_snapshot);
-    m_session = session ? std::optional(session->info.session) : std::nullopt;
+    const engine::SessionSnapshot *up = session(*m_snapshot);
+    m_session = up ? std::optional(up->info.session) : std::nullopt;
     m_begin = readingOf(m_snapshot);
     enter(Stage::Measuring, m_config.plan.measure + kConnectPatience);
 }
@@ -246,38 +357,78 @@ void SweepRunner::endRun(std::string problem)
     sample.order = static_cast<unsigned>(m_next);
     sample.start = m_runStart;
     if (problem.empty()) {
-        const engine::SessionSnapshot *session = liveSession(*m_snapshot);
-        if (!m_plain && (!session || session->info.session != m_session || session->info.suite != wantedSuite()))
+        const engine::SessionSnapshot *up = session(*m_snapshot);
+        if (!isPlain() && (!up || up->info.session != m_session || up->info.suite != wantedSuite()))
             problem = "the session did not last through the run";
     }
     if (problem.empty()) {
         sample.seconds = m_snapshot->time - m_begin.station->time;
-        sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !m_plain);
+        sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
         sample.values[Metric::Switch] = m_switchTook;
         m_failuresInARow = 0;
     } else {
         sample.problem = std::move(problem);
         ++m_failuresInARow;
     }
-    m_stage = Stage::Idle;
-    ++m_next;
-    m_results.samples.push_back(sample);
-    Q_EMIT sampleTaken(sample);
+    record(sample);
     if (m_failuresInARow >= kMostFailures)
         return giveUp("given up after " + std::to_string(kMostFailures) + " runs in a row that failed; the last one: "
                       + sample.problem);
     next();
 }
 
+/// What the other end does not consent to is no sign of a link that is gone.
+void SweepRunner::refuseRun(const std::string &problem)
+{
+    Sample sample;
+    sample.run = run();
+    sample.order = static_cast<unsigned>(m_next);
+    sample.start = m_runStart;
+    sample.problem = problem;
+    record(sample);
+    QTimer::singleShot(0, this, [this] { // not one within the other for hundreds of runs
+        if (m_stage == Stage::Idle)
+            next();
+    });
+}
+
+void SweepRunner::record(Sample sample)
+{
+    m_stage = Stage::Idle;
+    ++m_next;
+    m_results.samples.push_back(sample);
+    Q_EMIT sampleTaken(sample);
+}
+
 void SweepRunner::restore()
 {
     if (!m_station)
         return end();
-    const engine::SessionSnapshot *session = m_snapshot ? liveSession(*m_snapshot) : nullptr;
-    if (m_plain || !session || !m_firstSuite || session->info.suite == *m_firstSuite)
+    if (m_own && (isPlain() || !m_snapshot || !session(*m_snapshot)))
         return closeStation();
-    enter(Stage::Restoring, kSwitchPatience);
-    m_station->switchSuite(session->info.session, *m_firstSuite);
+    if (!m_firstSuite)
+        return closeStation();
+    m_switchOrdered = false;
+    if (!m_own)
+        protect(std::nullopt);
+    enter(Stage::Restoring, kRestorePatience);
+    putBack(*m_snapshot);
+}
+
+/// The suite that the link had, on a session of the kind that it had.
+void SweepRunner::putBack(const engine::Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = session(snapshot);
+    if (!up && m_own)
+        return closeStation();
+    if (!up || up->info.pending)
+        return;
+    if (up->info.suite == *m_firstSuite)
+        return closeStation();
+    if (!m_switchOrdered) {
+        m_switchOrdered = true;
+        m_station->switchSuite(up->info.session, *m_firstSuite);
+    }
 }
 
 void SweepRunner::giveUp(const std::string &problem)
@@ -298,7 +449,10 @@ void SweepRunner::tick()
     case Stage::Connecting:
     case Stage::Settling:
         // Without a link each further run would only wait as long.
-        giveUp(m_plain ? "no vehicle was heard in clear; do both ends consent to it?" : "no sealed session with a vehicle came up");
+        if (!isPlain())
+            return giveUp("no sealed session with a vehicle came up");
+        m_plainRefused = true;
+        endRun(kNothingClear);
         break;
     case Stage::Restoring:
         closeStation();
@@ -310,6 +464,8 @@ void SweepRunner::tick()
 
 void SweepRunner::end()
 {
+    if (!m_tick.isActive())
+        return; // it was said
     m_tick.stop();
     if (m_config.lab)
         m_config.lab->stop();

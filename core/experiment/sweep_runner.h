@@ -1,6 +1,9 @@
 // Carries out a sweep's plan on a station: brings the link into the state that a run asks for, waits, measures, goes on, and
 // in the end leaves the link on the suite that it had. Everything is decided from the station's snapshots, whose counters
 // and clock were read at one moment. Lives on the station's thread.
+//
+// The station is one of its own, or one that is there already (a window's). That one keeps its links and vehicles; only how
+// it carries MAVLink changes, and in the end, whatever ended it, it carries it as before.
 #pragma once
 
 #include "core/engine/station.h"
@@ -22,6 +25,9 @@ struct SweepConfig
     link::LinkUrl link;
     engine::StationConfig station; ///< keys and policy; the rest is the runner's
     Lab *lab = nullptr;            ///< null where the far end is somebody else's
+    /// In place of a station of its own, whose link and config are not used then: one with a single sealed session. The plan
+    /// has one load and one condition. The sweep ends when the station goes.
+    engine::Station *borrowed = nullptr;
 };
 
 class SweepRunner : public QObject
@@ -42,6 +48,8 @@ public:
     double remaining() const;
 
 Q_SIGNALS:
+    /// The link is brought into the state that this run asks for, and then it is measured.
+    void runBegan(const skyseal::experiment::Run &run);
     void sampleTaken(const skyseal::experiment::Sample &sample);
     /// `problem` is a sentence when the plan was not carried out whole; `opened` is false when there was no link at all.
     void finished(bool opened, const std::string &problem);
@@ -52,14 +60,21 @@ private:
     void next();
     void enterBlock(const Run &run);
     void openStation();
+    void listen();
     void closeStation();
+    void giveBack();
+    void protect(std::optional<engine::Protection> protection);
+    void connectUp(const engine::Snapshot &snapshot);
     void take(const std::shared_ptr<const engine::Snapshot> &snapshot);
     void hear(const engine::Happening &happening);
     void advance(const engine::Snapshot &snapshot);
     void switchSuite(const engine::Snapshot &snapshot);
     void beginRun();
     void endRun(std::string problem = {});
+    void refuseRun(const std::string &problem);
+    void record(Sample sample);
     void restore();
+    void putBack(const engine::Snapshot &snapshot);
     void end();
     void giveUp(const std::string &problem);
     void enter(Stage stage, Duration patience);
@@ -68,14 +83,24 @@ private:
     Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot) const;
     const Run &run() const { return m_schedule[m_next]; }
     crypto::SuiteId wantedSuite() const { return m_config.plan.arms[run().arm].suite; }
-    bool wantsPlain() const { return wantedSuite() == crypto::SuiteId::None; }
+    engine::Protection wantedProtection() const;
+    bool isPlain() const { return m_protection == engine::Protection::Plain; }
+    const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;
+    bool vehicleSpeaks(const engine::Snapshot &snapshot) const;
 
     SweepConfig m_config;
     Results m_results;
     std::vector<Run> m_schedule;
     std::size_t m_next = 0;
-    std::unique_ptr<engine::Station> m_station;
-    bool m_plain = false;      ///< the present station speaks plain MAVLink
+    std::unique_ptr<engine::Station> m_own;
+    engine::Station *m_station = nullptr; ///< that, or the borrowed one
+    std::optional<engine::Protection> m_protection; ///< as the station was told
+    std::optional<channel::SessionId> m_ended;      ///< a session that the last change of protection ends
+    double m_tripsBefore = 0;  ///< TIMESYNC answers until then
+    bool m_fresh = false;      ///< the station was opened for this run
+    channel::Framing m_framing{}; ///< that the newest session agreed to
+    bool m_plainRefused = false;  ///< by the agent's offer, or because nothing was heard in clear
+    bool m_inlineRefused = false;
     bool m_opened = false;     ///< a link worked at least once
     std::optional<std::pair<std::size_t, std::size_t>> m_block; ///< condition and load that the lab was started for
     std::optional<crypto::SuiteId> m_firstSuite; ///< that the link had before
@@ -92,7 +117,7 @@ private:
     unsigned m_failuresInARow = 0;
     bool m_cancelled = false;
     std::string m_problem;
-    QTimer m_tick;
+    QTimer m_tick{this};
 };
 
 } // namespace skyseal::experiment

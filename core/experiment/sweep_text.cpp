@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<Metric, 6> kShown{Metric::FrameRate, Metric::Loss,    Metric::CpuPerFrame,
                                        Metric::AgentCpu,  Metric::OpenP50, Metric::Latency};
 
-constexpr std::size_t kNameWidth = 24, kWidth = 19;
+constexpr std::size_t kNameWidth = 32, kWidth = 19;
 
 /// Width on a terminal: characters, not bytes of UTF-8.
 std::string padded(std::string text, std::size_t width, bool right)
@@ -48,11 +48,16 @@ std::string leftText(double time)
 
 } // namespace
 
+const char *missingText(const Arm &arm)
+{
+    return exists(arm) ? "not measured" : "not in this framing";
+}
+
 std::string meanText(const Results &results, const Cell &cell, Metric metric)
 {
     const Summary summary = summarise(valuesOf(results, cell, metric));
     if (summary.count == 0)
-        return "–";
+        return exists(results.plan.arms[cell.arm]) ? "–" : missingText(results.plan.arms[cell.arm]);
     std::string out = readable(summary.mean);
     if (summary.count > 1)
         out += " ± " + readable(summary.halfWidth);
@@ -71,7 +76,11 @@ std::vector<std::string> sweepText(const Results &results)
             out.push_back(header());
             for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
                 const bool insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
-                std::string line = padded(name(plan.arms[arm]) + (insecure ? " (insecure)" : ""), kNameWidth, false);
+                std::string line = padded(fullName(plan.arms[arm]) + (insecure ? " (insecure)" : ""), kNameWidth, false);
+                if (!exists(plan.arms[arm])) {
+                    out.push_back(line + "   " + missingText(plan.arms[arm]));
+                    continue;
+                }
                 for (const Metric metric : kShown) {
                     const std::string text = meanText(results, {condition, load, arm}, metric);
                     anyOutlier = anyOutlier || text.ends_with('*');
@@ -91,7 +100,7 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
     std::string out = "[" + std::to_string(sample.order + 1) + "/" + std::to_string(runs) + "] ";
     if (plan.conditions.size() > 1)
         out += plan.conditions[sample.run.condition].name + ", ";
-    out += std::string(name(plan.loads[sample.run.load])) + ", " + name(plan.arms[sample.run.arm]) + ": ";
+    out += std::string(name(plan.loads[sample.run.load])) + ", " + fullName(plan.arms[sample.run.arm]) + ": ";
     if (sample.problem.empty())
         out += readable(sample.values[Metric::Packets]) + " packets, " + readable(100 * sample.values[Metric::Loss])
                + " % lost, CPU " + readable(sample.values[Metric::Cpu]) + " %";

@@ -8,7 +8,11 @@
 
 namespace skyseal::experiment {
 
-/// "mean ± half of the 95 % interval", "–" where nothing was measured; an asterisk marks outliers among the samples.
+/// What stands in place of a figure: "not measured", or "not in this framing" for an arm that does not exist.
+const char *missingText(const Arm &arm);
+
+/// "mean ± half of the 95 % interval", "–" where nothing was measured, "not in this framing" where nothing can be; an
+/// asterisk marks outliers among the samples.
 std::string meanText(const Results &results, const Cell &cell, Metric metric);
 
 /// Tables, one for each condition and load, and what is to be said below them.

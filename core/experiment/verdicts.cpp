@@ -3,13 +3,16 @@
 #include "core/experiment/analysis.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace skyseal::experiment {
+
+using channel::Framing;
 
 Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 {
     for (const crypto::SuiteId suite : expectation.suites()) {
-        if (std::find(plan.arms.begin(), plan.arms.end(), Arm{suite, false}) == plan.arms.end())
+        if (std::none_of(plan.arms.begin(), plan.arms.end(), [suite](const Arm &arm) { return arm.suite == suite && !arm.again; }))
             return tl::unexpected(InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name),
                                              expectation.text()});
     }
@@ -17,6 +20,12 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
         if (std::find(plan.loads.begin(), plan.loads.end(), load) == plan.loads.end())
             return tl::unexpected(
                 InputError{"the sweep does not measure the " + std::string(name(load)) + " load", expectation.text()});
+    }
+    const std::vector<channel::Framing> framings = framingsOf(plan);
+    for (const channel::Framing framing : expectation.framings()) {
+        if (std::find(framings.begin(), framings.end(), framing) == framings.end())
+            return tl::unexpected(
+                InputError{"the sweep does not measure the framing " + std::string(name(framing)), expectation.text()});
     }
     return {};
 }
@@ -26,9 +35,15 @@ std::vector<Verdict> judge(const Expectation &expectation, const Results &result
     const Plan &plan = results.plan;
     std::vector<Verdict> out;
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Load> load) {
+        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> load) {
             const auto at = std::find(plan.loads.begin(), plan.loads.end(), load.value_or(plan.loads.front()));
-            return meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), suite, metric);
+            const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
+                const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
+                return one.suite == suite && !one.again && fits;
+            });
+            return arm == plan.arms.end()
+                       ? std::numeric_limits<double>::quiet_NaN()
+                       : meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), *arm, metric);
         };
         if (!expectation.isForEachSuite()) {
             out.push_back({expectation.text(), condition, {}, expectation.check({}, lookup)});
@@ -36,8 +51,9 @@ std::vector<Verdict> judge(const Expectation &expectation, const Results &result
         }
         std::vector<Verdict> each;
         for (const Arm &arm : plan.arms) {
-            if (!arm.again)
-                each.push_back({expectation.text(), condition, name(arm), expectation.check(arm.suite, lookup)});
+            const bool meant = arm.suite == crypto::SuiteId::None || expectation.onlyFraming().value_or(arm.framing) == arm.framing;
+            if (!arm.again && meant && exists(arm))
+                each.push_back({expectation.text(), condition, name(arm), expectation.check(arm, lookup)});
         }
         const bool anyMeasured =
             std::any_of(each.begin(), each.end(), [](const Verdict &verdict) { return verdict.outcome.measured; });

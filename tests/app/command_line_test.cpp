@@ -101,7 +101,9 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --repeats 0", "--repeats");
     row("skyseal-cli", "sweep --load heavy", "heavy");
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
-    row("skyseal-cli", "sweep --framing inline", "inline");
+    row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");
+    row("skyseal-cli", "sweep --framing inline --suites aes-256-gcm", "none of them can be");
+    row("skyseal-cli", "sweep --expect loss(chacha20,inline)<1", "framing inline");
     row("skyseal-cli", "sweep --expect loss", "comparison");
     row("skyseal-cli", "sweep --suites none --expect cpu(rc4)<1", "does not measure rc4");
     row("skyseal-cli", "sweep --link udpin:127.0.0.1:0", "--identity");

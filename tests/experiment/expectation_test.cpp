@@ -12,10 +12,11 @@ using crypto::SuiteId;
 
 namespace {
 
-double lookup(Metric metric, SuiteId suite, std::optional<Load> load)
+double lookup(Metric metric, SuiteId suite, std::optional<channel::Framing> framing, std::optional<Load> load)
 {
     if (metric == Metric::Cpu)
-        return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1);
+        return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1)
+               + (framing == channel::Framing::Inline ? 0.5 : 0);
     if (metric == Metric::Loss)
         return 0.25;
     return std::numeric_limits<double>::quiet_NaN();
@@ -54,6 +55,7 @@ private Q_SLOTS:
     void judgedForEachSuiteThatHasIt();
     void unmeasuredFails();
     void mustFitThePlan();
+    void eachFramingIsJudged();
 };
 
 void ExpectationTest::values_data()
@@ -76,6 +78,9 @@ void ExpectationTest::values_data()
     row("--cpu(none) > 1e0", 2, 1, true);
     row("cpu(*,saturated)>29", 30, 29, true);
     row("cpu(none)-cpu(aes-256-gcm)>=-1", -1, -1, true);
+    row("cpu(chacha20,inline)<=cpu(chacha20,sealed)", 3.5, 3, false);
+    row("cpu(chacha20,inline,saturated)==cpu(chacha20,saturated,inline)", 30.5, 30.5, true);
+    row("cpu(*,inline)>3", 3.5, 3, true);
 }
 
 void ExpectationTest::values()
@@ -86,7 +91,7 @@ void ExpectationTest::values()
     QFETCH(bool, holds);
     const auto parsed = Expectation::parse(text.toStdString());
     QVERIFY2(parsed, parsed ? "" : parsed.error().text().c_str());
-    const auto outcome = parsed->check(SuiteId::ChaCha20, lookup);
+    const auto outcome = parsed->check({SuiteId::ChaCha20}, lookup);
     QVERIFY(outcome.measured);
     QCOMPARE(outcome.left, left);
     QCOMPARE(outcome.right, right);
@@ -109,6 +114,7 @@ void ExpectationTest::refusals_data()
     row(QStringLiteral("loss<=0 and more"), 9, "unexpected 'a'");
     row(QStringLiteral("cpu(des)<1"), 5, "no suite is named 'des'");
     row(QStringLiteral("cpu(none,fast)<1"), 10, "natural or saturated");
+    row(QStringLiteral("cpu(rc4,inline,sealed)<1"), 16, "sealed or inline is expected");
     row(QStringLiteral("cpu(none<1"), 9, "')' is expected");
     row(QStringLiteral("1<2"), 4, "nothing that is measured");
     row(QStringLiteral("loss<1x"), 7, "behind a number");
@@ -163,6 +169,29 @@ void ExpectationTest::mustFitThePlan()
     QVERIFY(!fits(*Expectation::parse("cpu(rc4)<1"), plan));
     plan.loads = {Load::Natural};
     QVERIFY(!fits(*Expectation::parse("cpu(none,saturated)<1"), plan));
+    QVERIFY(!fits(*Expectation::parse("cpu(aes-256-gcm,inline)<1"), plan));
+}
+
+void ExpectationTest::eachFramingIsJudged()
+{
+    Results both;
+    both.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::ChaCha20},
+                            {channel::Framing::Sealed, channel::Framing::Inline}, false);
+    both.plan.repeats = 1;
+    for (const Run &run : schedule(both.plan)) {
+        Sample sample;
+        sample.run = run;
+        const Arm &arm = both.plan.arms[run.arm];
+        sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == channel::Framing::Inline ? 7 : 4;
+        both.samples.push_back(sample);
+    }
+    const auto each = judge(*Expectation::parse("cpu<=4"), both);
+    QCOMPARE(each.size(), std::size_t(4)); // AES-256-GCM is not inline, so it is not asked there
+    QCOMPARE(each[3].suite, std::string("chacha20 inline"));
+    QVERIFY(each[0].outcome.holds && each[1].outcome.holds && each[2].outcome.holds && !each[3].outcome.holds);
+    QCOMPARE(judge(*Expectation::parse("cpu(chacha20,inline)-cpu(chacha20)==3"), both).at(0).outcome.holds, true);
+    const auto inlineOnly = judge(*Expectation::parse("cpu(*,inline)>=1"), both);
+    QCOMPARE(inlineOnly.size(), std::size_t(2)); // plain MAVLink beside the one suite
 }
 
 QTEST_APPLESS_MAIN(ExpectationTest)

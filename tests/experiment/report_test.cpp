@@ -4,6 +4,10 @@
 #include "core/experiment/html_report.h"
 #include "core/experiment/sweep_json.h"
 
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QSet>
 #include <QtCore/QXmlStreamReader>
 #include <QtTest/QTest>
 
@@ -72,6 +76,7 @@ private Q_SLOTS:
     void claimsFollowSignificance();
     void unharmedNeedsAsManyPackets();
     void noiseIsNoDifference();
+    void framingsAreTold();
     void reportIsWholeAndSafe();
 };
 
@@ -123,8 +128,8 @@ void ReportTest::axisSteps()
 void ReportTest::insecureIsSaidSo()
 {
     const std::string text = svg(chartOf(resultsWith(Metric::Packets, [](SuiteId) { return 50.0; }), 0, 0, Metric::Packets));
-    QVERIFY(text.find("rc4 (insecure)") != std::string::npos);
-    QVERIFY(text.find("aes-256-gcm (insecure)") == std::string::npos);
+    QVERIFY(text.find("rc4 sealed (insecure)") != std::string::npos);
+    QVERIFY(text.find("aes-256-gcm sealed (insecure)") == std::string::npos);
 }
 
 void ReportTest::unmeasuredIsSaidSo()
@@ -169,6 +174,50 @@ void ReportTest::noiseIsNoDifference()
     QCOMPARE(results.plan.arms[noise->arm].suite, SuiteId::ChaCha20);
     QVERIFY(!noiseOf(results, 0, 0, Metric::Latency));
     QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(21)); // the repeated arm is no suite
+}
+
+void ReportTest::framingsAreTold()
+{
+    Results results;
+    results.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm, SuiteId::ChaCha20},
+                               {channel::Framing::Sealed, channel::Framing::Inline}, false);
+    results.plan.repeats = 2;
+    for (const Run &run : schedule(results.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.order = static_cast<unsigned>(results.samples.size());
+        sample.values[Metric::Packets] = 100 + run.repeat + static_cast<double>(run.arm);
+        results.samples.push_back(sample);
+    }
+    QCOMPARE(results.plan.arms.size(), std::size_t(5));
+    QCOMPARE(results.samples.size(), std::size_t(8)); // AES-256-GCM is not inline
+    const std::string figure = svg(chartOf(results, 0, 0, Metric::Packets));
+    for (const char *label : {">none<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<", ">not in this framing<"})
+        QVERIFY2(figure.find(label) != std::string::npos, label);
+    QVERIFY(figure.find("not measured") == std::string::npos);
+
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
+    const QJsonObject plan = json[QLatin1String("plan")].toObject();
+    QCOMPARE(plan[QLatin1String("framings")].toArray(), QJsonArray({QStringLiteral("sealed"), QStringLiteral("inline")}));
+    QStringList arms;
+    for (const QJsonValue arm : plan[QLatin1String("arms")].toArray()) {
+        arms << arm[QLatin1String("suite")].toString() + QLatin1Char(' ') + arm[QLatin1String("framing")].toString();
+        QCOMPARE(arm[QLatin1String("in_framing")].toBool(), arms.last() != QLatin1String("aes-256-gcm inline"));
+    }
+    QCOMPARE(arms, QStringList({QStringLiteral("none plain"), QStringLiteral("aes-256-gcm sealed"), QStringLiteral("chacha20 sealed"),
+                                QStringLiteral("aes-256-gcm inline"), QStringLiteral("chacha20 inline")}));
+    QSet<QString> told;
+    for (const QJsonValue summary : json[QLatin1String("summaries")].toArray())
+        told << summary[QLatin1String("suite")].toString() + QLatin1Char(' ') + summary[QLatin1String("framing")].toString();
+    QCOMPARE(told.size(), 4);
+    QVERIFY(sweepCsv(results).find(",chacha20,inline,0,") != std::string::npos);
+
+    const auto figures = figuresOf(results);
+    const auto claims = paperClaims(results, [](SuiteId) { return std::nan(""); });
+    const std::string html = htmlReport({results, figures, {}, claims});
+    QVERIFY(html.find("not in this framing") != std::string::npos);
+    QVERIFY(html.find("framing inline") != std::string::npos); // that the claims are judged in
+    QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(6)); // four arms, each with each
 }
 
 void ReportTest::reportIsWholeAndSafe()

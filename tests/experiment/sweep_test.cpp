@@ -1,6 +1,7 @@
 // A whole sweep by the real programs: files that agree with each other and with the arithmetic, losses that are those of the
 // link, assertions that decide the exit status, a cancel that ends in good order.
 #include "tests/app/run_program.h"
+#include "tests/support/flight.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>
@@ -62,6 +63,9 @@ private Q_SLOTS:
     void radioSetsThePace();
     void cancelKeepsWhatThereIs();
     void nobodyAnswers();
+    void bothFramings();
+    void cancelOnALinkRestoresTheSuite();
+    void refusalsAreTold();
 
 private:
     void checkSummaries(const QJsonObject &report);
@@ -75,7 +79,7 @@ void SweepTest::checkSummaries(const QJsonObject &report)
         QList<double> values;
         for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
             bool same = true;
-            for (const char *key : {"condition", "load", "suite", "again"})
+            for (const char *key : {"condition", "load", "suite", "framing", "again"})
                 same = same && sample[QLatin1String(key)] == summary[QLatin1String(key)];
             const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(std::nan(""));
             if (same && std::isfinite(value))
@@ -130,7 +134,7 @@ void SweepTest::filesAgree()
     const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
     const QJsonObject report = QJsonDocument::fromJson(json).object();
     QCOMPARE(report[QLatin1String("schema")].toString(), q("skyseal-sweep"));
-    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 1);
+    QCOMPARE(report[QLatin1String("schema_version")].toInt(), 2);
     QVERIFY(report[QLatin1String("complete")].toBool());
     for (const char *key : {"skyseal", "command_line", "processor", "processor_features", "libsodium", "openssl", "qt", "build"})
         QVERIFY2(!report[QLatin1String("setting")][QLatin1String(key)].toString().isEmpty(), key);
@@ -215,6 +219,75 @@ void SweepTest::nobodyAnswers()
     const RunResult run = runProgram("skyseal-cli", sweep("--link udpin:192.0.2.1:14550 --identity /nonexistent --peers x"));
     QCOMPARE(run.status, 3);
     QVERIFY(run.err.contains("/nonexistent"));
+}
+
+void SweepTest::bothFramings()
+{
+    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm,chacha20 --framing both --load natural --seconds 1 "
+                                                          "--warm-up 0.2 --repeats 1 --json --expect loss<=0.001 --expect "
+                                                          "overhead(chacha20,inline)!=overhead(chacha20,sealed)"),
+                                     {}, 120000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    QStringList framings;
+    for (const QJsonObject &sample : events(run.out, "run")) {
+        framings << sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString();
+        QVERIFY(valueOf(sample, "packets") >= 10);
+        if (framings.last() != QLatin1String("none plain")) {
+            QVERIFY(valueOf(sample, "open_p50") > 0 && valueOf(sample, "seal_p50") > 0);
+            QCOMPARE(valueOf(sample, "record_loss"), 0.0);
+        }
+    }
+    framings.sort();
+    QCOMPARE(framings, QStringList({q("aes-256-gcm sealed"), q("chacha20 inline"), q("chacha20 sealed"), q("none plain")}));
+}
+
+/// A sweep on somebody else's agent, stopped while RC4 is in use: the switch back is seen by the agent, what was measured is
+/// written and marked.
+void SweepTest::cancelOnALinkRestoresTheSuite()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program sim(q("skyseal-sim"), flight.simArguments());
+    Program air(q("skyseal-air"), flight.airArguments());
+    QTemporaryDir folder;
+    Program process(q("skyseal-cli"), {q("sweep"), q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
+                                       flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers")),
+                                       q("--allow-research"), q("--suites"), q("rc4"), q("--seconds"), q("1"), q("--repeats"), q("50"),
+                                       q("--no-noise"), q("--json"), q("--out"), folder.path()});
+    QVERIFY2(!process.waitFor(q("run"), 40000).isEmpty(), process.errors().constData());
+    process.terminate();
+    QCOMPARE(process.waitForExit(20000), 1);
+    QVERIFY(process.errors().contains("cancelled"));
+    QStringList used;
+    QTRY_VERIFY_WITH_TIMEOUT(!air.events(q("switch")).isEmpty() && air.last(q("switch"))[QLatin1String("from")].toString() == q("rc4"),
+                             5000);
+    QCOMPARE(air.last(q("switch"))[QLatin1String("to")].toString(), q("chacha20-poly1305"));
+    QCOMPARE(air.last(q("switch"))[QLatin1String("result")].toString(), q("committed"));
+    const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
+    QVERIFY(!report[QLatin1String("complete")].toBool());
+    QVERIFY(!report[QLatin1String("samples")].toArray().isEmpty());
+    QVERIFY(contentOf(folder.filePath(q("report.html"))).contains("not carried out whole"));
+}
+
+void SweepTest::refusalsAreTold()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program sim(q("skyseal-sim"), flight.simArguments());
+    Program air(q("skyseal-air"), flight.airArguments()); // consents neither to plain MAVLink nor to inline framing
+    Program process(q("skyseal-cli"), {q("sweep"), q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
+                                       flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers")), q("--allow-plain"),
+                                       q("--suites"), q("none,aes-256-ctr"), q("--framing"), q("both"), q("--seconds"), q("0.5"),
+                                       q("--repeats"), q("1"), q("--seed"), q("3"), q("--json")});
+    QCOMPARE(process.waitForExit(60000), 1);
+    QHash<QString, QString> problems;
+    for (const QJsonObject &sample : process.events(q("run")))
+        problems[sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString()]
+            = sample[QLatin1String("problem")].toString();
+    QCOMPARE(problems.size(), 3);
+    QVERIFY2(problems[q("aes-256-ctr sealed")].isEmpty(), qPrintable(problems[q("aes-256-ctr sealed")]));
+    QVERIFY(problems[q("aes-256-ctr inline")].contains(q("inline framing")));
+    QVERIFY(!problems[q("none plain")].isEmpty());
 }
 
 QTEST_GUILESS_MAIN(SweepTest)

@@ -6,6 +6,7 @@
 
 #include <QtCore/QString>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,14 @@ struct SweepFiles
     std::string problem; ///< a sentence: why not, or what is missing; empty when all is there
 };
 
+/// The heap of one keyed cipher, in bytes, of those suites that it can be told of.
+using ContextSizes = std::map<crypto::SuiteId, double>;
+/// To be called on the main thread, whose heap alone the C library counts.
+ContextSizes measureContexts();
+
+/// Takes seconds where there are pictures to draw; any thread.
 SweepFiles writeSweepFiles(const QString &folder, const experiment::Results &results,
-                           const std::vector<experiment::Verdict> &verdicts);
+                           const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts);
 
 /// One of our programs: beside this one, then on the PATH; empty where it is missing.
 QString programPath(const QString &name);

@@ -1,4 +1,4 @@
-#include "app/cli/sweep_files.h"
+#include "app/common/sweep_files.h"
 
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/html_report.h"
@@ -55,12 +55,23 @@ QString programPath(const QString &name)
     return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
 }
 
+ContextSizes measureContexts()
+{
+    ContextSizes out;
+    for (const crypto::SuiteInfo &suite : crypto::suites()) {
+        if (const auto bytes = experiment::contextBytes(suite.id))
+            out[suite.id] = *bytes;
+    }
+    return out;
+}
+
 SweepFiles writeSweepFiles(const QString &path, const experiment::Results &results,
-                           const std::vector<experiment::Verdict> &verdicts)
+                           const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts)
 {
     const QDir folder(path);
-    const auto claims = experiment::paperClaims(results, [](crypto::SuiteId suite) {
-        return experiment::contextBytes(suite).value_or(std::numeric_limits<double>::quiet_NaN());
+    const auto claims = experiment::paperClaims(results, [&](crypto::SuiteId suite) {
+        const auto found = contexts.find(suite);
+        return found == contexts.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
     });
     const std::vector<experiment::Figure> figures = experiment::figuresOf(results);
     const experiment::ReportParts parts{results, figures, verdicts, claims};
