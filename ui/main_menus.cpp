@@ -183,6 +183,7 @@ void MainMenus::fillView(QMenu &menu)
 void MainMenus::fillTools(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuTools"));
+    add(menu, tr("Run a s&weep …"), QStringLiteral("actionSweep"), Qt::CTRL | Qt::Key_R, [this] { m_window.openSweep(); });
     if (m_window.m_facts.demoAvailable)
         add(menu, tr("Start the &demo"), QStringLiteral("actionDemo"), {}, [this] { Q_EMIT m_window.demoWanted(); });
 }

@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "ui/charts/diagnostics_panel.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/flight_panel.h"
@@ -19,6 +20,8 @@
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/traffic_bar.h"
+#include "ui/sweep/sweep_control.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
@@ -289,8 +292,35 @@ void MainWindow::applySettings(const Settings &settings)
     Q_EMIT settingsChanged(settings);
 }
 
+void MainWindow::setSweep(SweepPort &sweep)
+{
+    SweepPage *page = m_docks->diagnostics->sweep();
+    m_sweep = new SweepControl(sweep, *page, *m_suites, *this);
+    page->setPossible(true);
+    connect(m_sweep, &SweepControl::askWanted, this, &MainWindow::openSweep);
+    connect(m_sweep, &SweepControl::began, this, [this] {
+        m_docks->reveal("dockDiagnostics");
+        m_docks->diagnostics->showSweep();
+    });
+}
+
+void MainWindow::openSweep()
+{
+    if (m_sweep && m_sweep->isRunning())
+        m_docks->diagnostics->showSweep();
+    else if (m_sweep)
+        m_sweep->ask(m_scene, m_settings.requireSealed);
+}
+
 void MainWindow::closeEvent(QCloseEvent *event)
 {
+    if (m_sweep && m_sweep->isRunning()) {
+        // The link goes back to its suite first; that takes a few seconds at the most.
+        connect(m_sweep, &SweepControl::finished, this, &MainWindow::close, Qt::UniqueConnection);
+        m_sweep->cancel();
+        event->ignore();
+        return;
+    }
     m_docks->save(m_store);
     event->accept();
 }

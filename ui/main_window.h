@@ -22,6 +22,8 @@ class PairingPort;
 class ProblemBanner;
 class StatusStrip;
 class SuiteActions;
+class SweepControl;
+class SweepPort;
 class TrafficBar;
 class VehicleCommands;
 class WindowDocks;
@@ -53,6 +55,9 @@ public:
     void addLink(const LinkDialog &dialog);
     /// What the dialog of keys and peers works on; without it that dialog does not open. They must outlive the window.
     void setKeyring(KeyringPort &keyring, PairingPort *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
+    /// What sweeps are made with; without it there are none.
+    void setSweep(SweepPort &sweep);
+    SweepControl *sweep() const { return m_sweep; }
     const Settings &settings() const { return m_settings; }
     const Scene &scene() const { return m_scene; }
     SuiteActions &suites() { return *m_suites; }
@@ -79,12 +84,14 @@ private:
     void openTakeOff();
     void openHelp(const QString &page);
     void openKeys();
+    void openSweep();
     void replay(const QString &file);
     void applySettings(const Settings &settings);
 
     StationPort &m_station;
     KeyringPort *m_keyring = nullptr;
     PairingPort *m_pairing = nullptr;
+    SweepControl *m_sweep = nullptr;
     QSettings &m_store;
     ProgramFacts m_facts;
     Settings m_settings;

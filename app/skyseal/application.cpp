@@ -26,6 +26,7 @@ Application::~Application()
 {
     // The window first: it uses the station until it is gone.
     m_window.reset();
+    m_sweep.reset();
     m_demoFlight.reset();
     m_demo.reset();
     m_station.reset();
@@ -166,6 +167,8 @@ void Application::makeWindow()
             [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     m_window->setKeyring(m_keyring, &m_pairing);
+    m_sweep = std::make_unique<SweepDesk>(*m_station);
+    m_window->setSweep(*m_sweep);
     connect(m_station.get(), &StationAdapter::happened, &m_keyring, &Keyring::take);
     connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);
     connect(m_window.get(), &ui::MainWindow::demoWanted, this, [this] {

@@ -7,6 +7,7 @@
 #include "app/skyseal/demo_flight.h"
 #include "app/skyseal/keyring.h"
 #include "app/skyseal/station_adapter.h"
+#include "app/skyseal/sweep_desk.h"
 #include "app/skyseal/window_pairing.h"
 #include "ui/main_window.h"
 #include "app/skyseal/window_options.h"
@@ -48,6 +49,7 @@ private:
     WindowPairing m_pairing;
     engine::KeyPaths m_keys;
     std::unique_ptr<StationAdapter> m_station;
+    std::unique_ptr<SweepDesk> m_sweep;
     std::unique_ptr<PeersWatch> m_peersWatch;
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;

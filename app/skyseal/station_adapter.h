@@ -19,6 +19,7 @@ public:
     /// Ends the old station first, so that its ports are free.
     void exchange(const engine::StationConfig &config);
     engine::Station &station() { return *m_station; }
+    bool isRunning() const { return m_station != nullptr; }
     /// See engine::Station.
     Result<std::size_t, InputError> reloadPeers();
 

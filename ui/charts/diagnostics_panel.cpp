@@ -6,6 +6,7 @@
 #include "ui/charts/samples_csv.h"
 #include "ui/charts/suite_legend.h"
 #include "ui/charts/suite_table_model.h"
+#include "ui/sweep/sweep_page.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -24,7 +25,7 @@ namespace skyseal::ui {
 
 DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
-      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)),
+      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)), m_sweep(new SweepPage(m_pages)),
       m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -38,6 +39,7 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_pages->addWidget(m_grid);
     m_pages->addWidget(m_table);
+    m_pages->addWidget(m_sweep);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kHalfGrid, kGrid, kHalfGrid);
     column->setSpacing(kHalfGrid);
@@ -132,12 +134,20 @@ void DiagnosticsPanel::showGroup()
 
 void DiagnosticsPanel::showView()
 {
-    const bool table = m_tools->view() == DiagnosticsView::Table;
-    m_pages->setCurrentWidget(table ? static_cast<QWidget *>(m_table) : m_grid);
+    switch (m_tools->view()) {
+    case DiagnosticsView::Table: m_pages->setCurrentWidget(m_table); break;
+    case DiagnosticsView::Sweep: m_pages->setCurrentWidget(m_sweep); break;
+    default: m_pages->setCurrentWidget(m_grid);
+    }
     for (Plot &plot : m_plots)
         plot.scale = AxisScale(plot.quantity->least);
     showCursor({});
     refresh();
+}
+
+void DiagnosticsPanel::showSweep()
+{
+    m_tools->setView(DiagnosticsView::Sweep);
 }
 
 TimeSeriesChart *DiagnosticsPanel::chart(int index) const
@@ -155,6 +165,8 @@ void DiagnosticsPanel::refresh()
 {
     m_fresh = false;
     m_tools->legend()->setSuites(suitesUsed(m_history));
+    if (m_tools->view() == DiagnosticsView::Sweep)
+        return;
     if (m_tools->view() == DiagnosticsView::Table) {
         m_model->refresh();
         return;

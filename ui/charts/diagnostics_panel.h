@@ -19,6 +19,7 @@ namespace skyseal::ui {
 class ChartGrid;
 class DiagnosticsTools;
 class SuiteTableModel;
+class SweepPage;
 
 class DiagnosticsPanel : public DockPanel
 {
@@ -33,6 +34,9 @@ public:
     void showScene(const Scene &scene);
     /// Draws what is known now, also where the next refresh is not due.
     void refresh();
+    SweepPage *sweep() const { return m_sweep; }
+    /// In place of the charts.
+    void showSweep();
     /// Of the charts that are shown.
     TimeSeriesChart *chart(int index) const;
     int chartCount() const { return static_cast<int>(m_shown.size()); }
@@ -76,6 +80,7 @@ private:
     QStackedWidget *m_pages;
     ChartGrid *m_grid;
     QTableView *m_table;
+    SweepPage *m_sweep;
     SuiteTableModel *m_model;
     QTimer *m_timer; ///< runs only while the charts can be seen
     bool m_fresh = false;

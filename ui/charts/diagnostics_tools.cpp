@@ -28,8 +28,9 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
 {
     m_legend = new SuiteLegend(this);
     m_view = addChoice("chartView", tr("How it is shown"));
-    m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table")});
-    m_view->setToolTip(tr("Over time; or each suite from the beginning of its use, over one another; or means in numbers"));
+    m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table"), tr("Sweep")});
+    m_view->setToolTip(tr("Over time; or each suite from the beginning of its use, over one another; or means in numbers; or "
+                          "one suite after the other, measured by plan"));
     m_group = addChoice("chartGroup", tr("What is shown"));
     for (const QuantityGroup &group : m_groups)
         m_group->addItem(group.title);
@@ -60,7 +61,11 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     for (QWidget *tool : std::initializer_list<QWidget *>{m_view, m_group, m_span, m_freeze, m_save})
         row->addWidget(tool, 0, Qt::AlignTop);
 
-    connect(m_view, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::viewChanged);
+    connect(m_view, &QComboBox::currentIndexChanged, this, [this] {
+        for (QWidget *tool : std::initializer_list<QWidget *>{m_legend, m_group, m_span, m_freeze, m_save})
+            tool->setEnabled(view() != DiagnosticsView::Sweep); // which has its own
+        Q_EMIT viewChanged();
+    });
     connect(m_group, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::groupChanged);
     connect(m_span, &QComboBox::activated, this, [this] { Q_EMIT spanChosen(m_span->currentData().toDouble()); });
     connect(m_freeze, &QCheckBox::toggled, this, &DiagnosticsTools::freezeChosen);
@@ -77,6 +82,11 @@ QComboBox *DiagnosticsTools::addChoice(const char *objectName, const QString &ac
 DiagnosticsView DiagnosticsTools::view() const
 {
     return static_cast<DiagnosticsView>(m_view->currentIndex());
+}
+
+void DiagnosticsTools::setView(DiagnosticsView view)
+{
+    m_view->setCurrentIndex(static_cast<int>(view));
 }
 
 const QuantityGroup &DiagnosticsTools::group() const

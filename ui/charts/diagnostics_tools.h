@@ -12,8 +12,8 @@ namespace skyseal::ui {
 class ChartRange;
 class SuiteLegend;
 
-/// How the same samples are looked at.
-enum class DiagnosticsView : std::uint8_t { TimeLine, Overlay, Table };
+/// How the same samples are looked at, or what a sweep brought.
+enum class DiagnosticsView : std::uint8_t { TimeLine, Overlay, Table, Sweep };
 
 class DiagnosticsTools : public QWidget
 {
@@ -24,6 +24,7 @@ public:
 
     SuiteLegend *legend() const { return m_legend; }
     DiagnosticsView view() const;
+    void setView(DiagnosticsView view);
     const QuantityGroup &group() const;
     /// Span and freeze as the charts have them; says nothing back.
     void showRange(const ChartRange &range);

@@ -47,6 +47,8 @@ QString SuiteActions::whyNot(SuiteId suite) const
 {
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+    if (m_held)
+        return tr("a sweep is running");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
     if (channel::strengthOf(suite) < channel::strengthOf(m_weakest))
@@ -106,6 +108,12 @@ void SuiteActions::take(const engine::Happening &happening)
 void SuiteActions::setResearchAllowed(bool allowed)
 {
     m_researchAllowed = allowed;
+    refresh();
+}
+
+void SuiteActions::setHeld(bool held)
+{
+    m_held = held;
     refresh();
 }
 

@@ -33,6 +33,9 @@ public:
     /// Suites weaker than this one stay grey; see channel::strengthOf.
     void setWeakest(crypto::SuiteId suite);
 
+    /// While a sweep runs, the suite is its business.
+    void setHeld(bool held);
+
     /// Why `suite` cannot be chosen now; empty when it can.
     QString whyNot(crypto::SuiteId suite) const;
     /// The suite that is being agreed.
@@ -58,6 +61,7 @@ private:
     bool m_researchAllowed = false;
     crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;
     bool m_plain = false;
+    bool m_held = false;
     QString m_note;
     bool m_noteIsProblem = false;
 };

@@ -1,0 +1,384 @@
+// A sweep from the window, by clicks, on the real engine with a simulated vehicle and the agent beside it: what is shown is what
+// is saved, and the link goes back to the suite that it had, whatever ended the sweep. Pictures are kept in the folder that
+// SKYSEAL_PICTURES names.
+#include "app/skyseal/station_adapter.h"
+#include "app/skyseal/sweep_desk.h"
+#include "core/channel/policy.h"
+#include "core/crypto/init_crypto.h"
+#include "core/experiment/metric.h"
+#include "tests/support/flight.h"
+#include "ui/main_window.h"
+#include "ui/settings.h"
+#include "ui/security/suite_actions.h"
+#include "ui/sweep/sweep_bars.h"
+#include "ui/sweep/sweep_control.h"
+#include "ui/sweep/sweep_dialog.h"
+#include "ui/sweep/sweep_page.h"
+#include "ui/sweep/sweep_table_model.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QFile>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
+#include <QtTest/QAbstractItemModelTester>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QAction>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
+#include <QtWidgets/QTableView>
+
+#include <cmath>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace skyseal::ui;
+using crypto::SuiteId;
+
+namespace {
+
+QString q(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+} // namespace
+
+class SweepWindowTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void nothingConnected();
+    void saysWhyNot();
+    void showsWhatItSaves();
+    void cancelGoesBack();
+    void onAVehicleOfItsOwn();
+    void lossGoesBack();
+    void closingGoesBack();
+    void cleanupTestCase();
+
+private:
+    void connectSealed();
+    void beginWith(SuiteId suite);
+    SweepDialog *openDialog();
+    void choose(SweepDialog &dialog, const QStringList &suites, double seconds, int repeats, bool withInline);
+    void run(SweepDialog &dialog);
+    void compareWithFiles(const QString &folder);
+    void picture(const char *name);
+
+    template<typename W> W *find(const char *name)
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+    static void set(QDialog &dialog, const char *name, bool on)
+    {
+        auto *box = dialog.findChild<QAbstractButton *>(QLatin1String(name));
+        QVERIFY2(box, name);
+        if (box->isChecked() != on)
+            QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(10, box->height() / 2));
+        QVERIFY2(box->isChecked() == on, name);
+    }
+    SweepPage &page() { return *m_window->findChild<SweepPage *>(); }
+    QString status() { return find<QLabel>("sweepStatus")->text(); }
+    SuiteId suite() { return m_window->scene().session ? m_window->scene().session->info.suite : SuiteId::None; }
+
+    Flight m_flight;
+    QTemporaryDir m_folder;
+    std::unique_ptr<Program> m_sim, m_air;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<app::StationAdapter> m_station;
+    std::unique_ptr<app::SweepDesk> m_desk;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+void SweepWindowTest::initTestCase()
+{
+    QVERIFY(crypto::initCrypto());
+    qputenv("PATH", QByteArray(SKYSEAL_BIN_DIR) + ':' + qgetenv("PATH"));
+    QVERIFY(m_flight.ready());
+    engine::StationConfig config;
+    config.keys = {m_flight.path(q("ground.key")).toStdString(), m_flight.path(q("ground.peers")).toStdString()};
+    config.policy.suites = channel::defaultSuites();
+    config.policy.allowResearch = true;
+    config.record = false;
+    auto station = engine::Station::create(config);
+    QVERIFY2(station, station ? "" : station.error().text().c_str());
+    m_station = std::make_unique<app::StationAdapter>(std::move(*station));
+    m_desk = std::make_unique<app::SweepDesk>(*m_station);
+    m_store = std::make_unique<QSettings>(m_folder.filePath(q("s.ini")), QSettings::IniFormat);
+    Settings settings;
+    settings.allowResearch = true;
+    settings.theme = qEnvironmentVariable("SKYSEAL_THEME") == q("dark") ? Theme::Dark : Theme::Light;
+    storeSettings(*m_store, settings);
+    m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
+    m_window->setSweep(*m_desk);
+    m_window->resize(1280, 900);
+    m_window->show();
+}
+
+SweepDialog *SweepWindowTest::openDialog()
+{
+    QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
+    auto *dialog = m_window->findChild<SweepDialog *>();
+    if (!dialog) // the key did not reach the window
+        qFatal("no dialog");
+    return dialog;
+}
+
+void SweepWindowTest::choose(SweepDialog &dialog, const QStringList &suites, double seconds, int repeats, bool withInline)
+{
+    for (const char *name : {"none", "chacha20-poly1305", "aes-256-gcm", "aes-256-ctr", "aes-256-cbc", "chacha20", "rc4"})
+        set(dialog, (QByteArray("sweep_") + name).constData(), suites.contains(QLatin1String(name)));
+    set(dialog, "sweepInline", withInline);
+    dialog.findChild<QDoubleSpinBox *>(q("sweepSeconds"))->setValue(seconds);
+    dialog.findChild<QSpinBox *>(q("sweepRepeats"))->setValue(repeats);
+}
+
+void SweepWindowTest::run(SweepDialog &dialog)
+{
+    QAbstractButton *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
+    QVERIFY(ok->isEnabled());
+    QTest::mouseClick(ok, Qt::LeftButton);
+    QTRY_VERIFY(page().isRunning());
+}
+
+void SweepWindowTest::nothingConnected()
+{
+    SweepDialog *dialog = openDialog();
+    auto *connected = dialog->findChild<QAbstractButton *>(q("sweepConnected"));
+    QVERIFY(!connected->isEnabled());
+    QVERIFY2(connected->text().contains(q("nothing is connected")), qPrintable(connected->text()));
+    QVERIFY(dialog->order().ownVehicle);
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QVERIFY(!page().isRunning());
+    delete dialog;
+}
+
+void SweepWindowTest::connectSealed()
+{
+    m_air = std::make_unique<Program>(q("skyseal-air"), m_flight.airArguments(0, {q("--allow-plain"), q("--allow-inline")}));
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().session && m_window->scene().vehicle && !m_window->scene().vehicle->state.lost, 20'000);
+}
+
+/// The suite that the link is to have again in the end; not the default one, which it would have after any new session.
+void SweepWindowTest::beginWith(SuiteId wanted)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->suites().action(wanted)->isEnabled(), 10'000);
+    if (suite() != wanted)
+        m_window->suites().action(wanted)->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(suite(), wanted, 10'000);
+}
+
+void SweepWindowTest::saysWhyNot()
+{
+    m_sim = std::make_unique<Program>(q("skyseal-sim"), m_flight.simArguments());
+    m_window->addLink(q("udpin:127.0.0.1:%1").arg(m_flight.groundPort));
+    { // an agent that was not told to allow plain MAVLink
+        Program air(q("skyseal-air"), m_flight.airArguments());
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().session && m_window->scene().vehicle, 20'000);
+        SweepDialog *dialog = openDialog();
+        QVERIFY(!dialog->order().ownVehicle);
+        auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
+        QVERIFY(!plain->isEnabled());
+        QVERIFY2(plain->text().contains(q("--allow-plain")), qPrintable(plain->text()));
+        auto *saturated = dialog->findChild<QAbstractButton *>(q("sweepSaturated"));
+        QVERIFY(!saturated->isEnabled() && saturated->text().contains(q("sends what it sends")));
+        set(*dialog, "sweepOwn", true);
+        QVERIFY(plain->isEnabled() && saturated->isEnabled());
+        picture("sweep-dialog");
+        delete dialog;
+        air.terminate();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, 10'000);
+    connectSealed();
+    SweepDialog *dialog = openDialog();
+    auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
+    QVERIFY(plain->isEnabled() && !plain->isChecked()); // it takes an act of this end as well
+    set(*dialog, "sweep_none", true);
+    QVERIFY(dialog->findChild<QLabel *>(q("sweepWarning"))->isVisible());
+    delete dialog;
+}
+
+void SweepWindowTest::compareWithFiles(const QString &folder)
+{
+    QFile file(folder + q("/sweep.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QJsonObject report = QJsonDocument::fromJson(file.readAll()).object();
+    QCOMPARE(report[q("schema")].toString(), q("skyseal-sweep"));
+    QHash<QString, double> means;
+    for (const QJsonValue summary : report[q("summaries")].toArray())
+        means[summary[q("suite")].toString() + summary[q("framing")].toString() + summary[q("again")].toVariant().toString()
+              + summary[q("metric")].toString()]
+            = summary[q("mean")].toDouble();
+    auto *model = qobject_cast<SweepTableModel *>(find<QTableView>("sweepTable")->model());
+    const experiment::Plan &plan = page().results()->plan;
+    QCOMPARE(model->rowCount(), static_cast<int>(plan.arms.size()));
+    QCOMPARE(report[q("plan")][q("arms")].toArray().size(), model->rowCount());
+    qsizetype compared = 0;
+    for (int row = 0; row < model->rowCount(); ++row) {
+        const experiment::Arm &arm = plan.arms[static_cast<std::size_t>(row)];
+        for (int column = SweepTableModel::FixedColumns; column < model->columnCount(); ++column) {
+            const auto &metric = experiment::info(model->metrics()[static_cast<std::size_t>(column - SweepTableModel::FixedColumns)]);
+            const QString key = q(std::string(crypto::suiteInfo(arm.suite).name).c_str()) + q(std::string(framingName(arm)).c_str())
+                                + (arm.again ? q("true") : q("false")) + q(std::string(metric.key).c_str());
+            const QModelIndex index = model->index(row, column);
+            const QVariant mean = index.data(SweepTableModel::MeanRole);
+            QCOMPARE(mean.isValid(), means.contains(key));
+            if (!mean.isValid())
+                continue;
+            QCOMPARE(mean.toDouble(), means[key]);
+            QVERIFY(index.data().toString().startsWith(QString::fromStdString(experiment::readable(means[key]))));
+            ++compared;
+        }
+    }
+    QCOMPARE(compared, means.size());
+    QVERIFY(compared > 20);
+    const experiment::BarChart &chart = m_window->findChild<SweepBars *>()->chart();
+    QCOMPARE(chart.title, std::string("Packets transmitted"));
+    QCOMPARE(chart.bars[0].mean, means[q("noneplainfalsepackets")]);
+}
+
+void SweepWindowTest::showsWhatItSaves()
+{
+    beginWith(SuiteId::Aes256Gcm);
+    auto *model = find<QTableView>("sweepTable")->model();
+    const QAbstractItemModelTester tester(model);
+    SweepDialog *dialog = openDialog();
+    choose(*dialog, {q("none"), q("aes-256-gcm"), q("chacha20")}, 1, 1, true);
+    picture("sweep-dialog-connected");
+    // The longest time that this thread did nothing else, seen by a timer.
+    qint64 longest = 0;
+    QElapsedTimer since;
+    QTimer pulse;
+    connect(&pulse, &QTimer::timeout, this, [&] { longest = std::max(longest, since.restart()); });
+    pulse.start(20);
+    since.start();
+    run(*dialog);
+    QVERIFY(!m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled()); // the sweep's business now
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(q("Run 2 of 4")), 30'000);
+    picture("sweep-running");
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    pulse.stop();
+    qInfo("the window stood still for %lld ms at the most; %s", static_cast<long long>(longest), qPrintable(status()));
+    QVERIFY(page().results()->complete);
+    QCOMPARE(page().results()->samples.size(), std::size_t(4)); // AES-256-GCM is not inline
+    for (const experiment::Sample &sample : page().results()->samples) {
+        QVERIFY2(sample.problem.empty(), sample.problem.c_str());
+        QVERIFY(sample.values[experiment::Metric::Packets] >= 10);
+    }
+    QCOMPARE(model->index(3, SweepTableModel::FixedColumns).data().toString(), q("not in this framing"));
+    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
+    QTRY_VERIFY(m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled());
+
+    QSignalSpy saved(m_desk.get(), &SweepPort::saved);
+    m_window->sweep()->saveIn(m_folder.path());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
+    QVERIFY2(saved[0][1].toBool(), qPrintable(saved[0][2].toString()));
+    compareWithFiles(saved[0][0].toString());
+    for (const char *file : {"sweep.csv", "report.html", "figures/packets-natural.svg"})
+        QVERIFY2(QFile::exists(saved[0][0].toString() + QLatin1Char('/') + q(file)), file);
+    picture("sweep-done");
+}
+
+void SweepWindowTest::cancelGoesBack()
+{
+    beginWith(SuiteId::Aes256Gcm);
+    SweepDialog *dialog = openDialog();
+    choose(*dialog, {q("rc4")}, 1, 50, false);
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    QCOMPARE(suite(), SuiteId::Rc4);
+    QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);
+    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
+    QVERIFY(!page().results()->complete);
+    QVERIFY2(status().startsWith(q("Incomplete")), qPrintable(status()));
+
+    // In the middle of plain MAVLink as well: sealed again, and with that suite.
+    dialog = openDialog();
+    choose(*dialog, {q("none")}, 1, 50, false);
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    QVERIFY(!m_window->scene().session);
+    QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);
+    QTRY_COMPARE_WITH_TIMEOUT(suite(), SuiteId::Aes256Gcm, 10'000);
+}
+
+void SweepWindowTest::onAVehicleOfItsOwn()
+{
+    SweepDialog *dialog = openDialog();
+    set(*dialog, "sweepOwn", true);
+    choose(*dialog, {q("none"), q("chacha20")}, 1, 1, false);
+    set(*dialog, "sweepNatural", false);
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    QVERIFY2(page().results()->complete, qPrintable(status()));
+    QCOMPARE(page().results()->samples.size(), std::size_t(2));
+    for (const experiment::Sample &sample : page().results()->samples) {
+        QVERIFY(sample.values[experiment::Metric::Packets] > 1000); // saturated
+        QVERIFY(sample.values[experiment::Metric::AgentCpu] > 0);
+    }
+    QCOMPARE(suite(), SuiteId::Aes256Gcm); // the connected link was left alone
+}
+
+void SweepWindowTest::lossGoesBack()
+{
+    beginWith(SuiteId::Aes256Gcm);
+    SweepDialog *dialog = openDialog();
+    choose(*dialog, {q("chacha20")}, 1, 50, false);
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    m_air->kill();
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 90'000);
+    QVERIFY2(status().startsWith(q("Incomplete")), qPrintable(status()));
+    connectSealed();
+    QTRY_COMPARE_WITH_TIMEOUT(suite(), SuiteId::Aes256Gcm, 10'000);
+}
+
+void SweepWindowTest::closingGoesBack()
+{
+    beginWith(SuiteId::Aes256Gcm);
+    SweepDialog *dialog = openDialog();
+    choose(*dialog, {q("rc4")}, 1, 50, false);
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    m_window->close();
+    QVERIFY(m_window->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), 15'000);
+    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
+}
+
+void SweepWindowTest::cleanupTestCase()
+{
+    m_window.reset();
+    m_desk.reset();
+    m_station.reset();
+}
+
+void SweepWindowTest::picture(const char *name)
+{
+    const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES");
+    if (folder.isEmpty())
+        return;
+    auto *dialog = m_window->findChild<SweepDialog *>();
+    QWidget *shown = dialog ? static_cast<QWidget *>(dialog) : m_window.get();
+    QVERIFY(shown->grab().save(QDir(folder).filePath(QLatin1String(name) + q(".png"))));
+}
+
+QTEST_MAIN(SweepWindowTest)
+#include "sweep_window_test.moc"

@@ -1,0 +1,36 @@
+// One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run. The same
+// chart as the figures that are saved (experiment::BarChart), painted in the window's palette.
+#pragma once
+
+#include "core/experiment/bar_chart.h"
+
+#include <QtWidgets/QWidget>
+
+namespace skyseal::ui {
+
+class SweepBars : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SweepBars(QWidget *parent = nullptr);
+
+    void show(experiment::BarChart chart, QStringList labels);
+    const experiment::BarChart &chart() const { return m_chart; }
+
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *) override;
+
+private:
+    struct Frame;
+    Frame frame() const;
+    void drawAxis(QPainter &painter, const Frame &frame) const;
+    void drawBar(QPainter &painter, const Frame &frame, std::size_t row) const;
+
+    experiment::BarChart m_chart;
+    QStringList m_labels; ///< one for each bar
+};
+
+} // namespace skyseal::ui

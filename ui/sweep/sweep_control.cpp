@@ -1,0 +1,79 @@
+#include "ui/sweep/sweep_control.h"
+
+#include "ui/security/suite_actions.h"
+#include "ui/sweep/sweep_dialog.h"
+#include "ui/sweep/sweep_page.h"
+
+#include <QtCore/QDateTime>
+#include <QtCore/QDir>
+#include <QtWidgets/QFileDialog>
+
+namespace skyseal::ui {
+
+SweepControl::SweepControl(SweepPort &port, SweepPage &page, SuiteActions &suites, QWidget &window)
+    : QObject(&window), m_port(port), m_page(page), m_suites(suites), m_window(window)
+{
+    connect(&port, &SweepPort::runBegan, &page, &SweepPage::showRun);
+    connect(&port, &SweepPort::sampleTaken, &page, &SweepPage::take);
+    connect(&port, &SweepPort::saved, &page, &SweepPage::showSaved);
+    connect(&port, &SweepPort::finished, this,
+            [this](const std::shared_ptr<const experiment::Results> &results, const QString &problem) {
+                m_page.finish(results, problem);
+                m_suites.setHeld(false);
+                Q_EMIT finished();
+            });
+    connect(&page, &SweepPage::runWanted, this, &SweepControl::askWanted);
+    connect(&page, &SweepPage::cancelWanted, this, &SweepControl::cancel);
+    connect(&page, &SweepPage::saveWanted, this, &SweepControl::askFolder);
+}
+
+bool SweepControl::isRunning() const
+{
+    return m_page.isRunning();
+}
+
+void SweepControl::ask(const Scene &scene, bool requireSealed)
+{
+    if (isRunning())
+        return;
+    auto *dialog = new SweepDialog({scene, m_suites, requireSealed, m_port.whyNoOwnVehicle()}, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { start(dialog->order()); });
+    dialog->open();
+}
+
+void SweepControl::start(const SweepOrder &order)
+{
+    if (isRunning())
+        return;
+    m_page.begin(order.plan);
+    m_suites.setHeld(!order.ownVehicle);
+    Q_EMIT began();
+    m_port.start(order);
+}
+
+void SweepControl::cancel()
+{
+    if (!isRunning())
+        return;
+    m_page.showStopping();
+    m_port.cancel();
+}
+
+void SweepControl::askFolder()
+{
+    const QString folder = QFileDialog::getExistingDirectory(&m_window, tr("Save the sweep in a new folder of"));
+    if (!folder.isEmpty())
+        saveIn(folder);
+}
+
+void SweepControl::saveIn(const QString &folder)
+{
+    if (!m_page.results())
+        return;
+    const QString name = QDateTime::currentDateTime().toString(QStringLiteral("'skyseal-sweep-'yyyyMMdd-HHmmss"));
+    m_page.showSaving();
+    m_port.save(*m_page.results(), QDir(folder).filePath(name));
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,240 @@
+#include "ui/sweep/sweep_dialog.h"
+
+#include "ui/sweep/sweep_words.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/suite_style.h"
+
+#include <QtGui/QValidator>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QFormLayout>
+#include <QtWidgets/QGroupBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QRadioButton>
+#include <QtWidgets/QSpinBox>
+
+namespace skyseal::ui {
+
+using crypto::SuiteId;
+using experiment::Load;
+
+namespace {
+
+constexpr double kBetweenRuns = 0.3; ///< seconds, about: a switch and waiting for it
+
+template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
+{
+    widget->setObjectName(QLatin1String(objectName));
+    widget->setAccessibleName(accessible);
+    return widget;
+}
+
+QLabel *smallPrint(const QString &text, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setWordWrap(true);
+    label->setForegroundRole(QPalette::PlaceholderText);
+    return label;
+}
+
+} // namespace
+
+SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
+    : QDialog(parent), m_around(around), m_warning(new QLabel(this)), m_summary(new QLabel(this)),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
+{
+    setObjectName(QStringLiteral("sweepDialog"));
+    setWindowTitle(tr("Run a sweep"));
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Run"));
+    named(m_summary, "sweepSummary", tr("What this comes to"));
+    named(m_warning, "sweepWarning", tr("Warning"))->setWordWrap(true);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
+    column->setSpacing(kGrid);
+    column->addWidget(makeWhere());
+    column->addWidget(makeWhat());
+    column->addWidget(makeHow());
+    column->addWidget(m_warning);
+    column->addWidget(m_summary);
+    column->addWidget(m_buttons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    setMinimumWidth(72 * kGrid);
+    offer();
+}
+
+QWidget *SweepDialog::makeWhere()
+{
+    auto *box = new QGroupBox(tr("Measure on"), this);
+    m_connected = named(new QRadioButton(box), "sweepConnected", tr("The connected link"));
+    m_own = named(new QRadioButton(tr("A simulated &vehicle of its own, on this machine"), box), "sweepOwn",
+                  tr("A simulated vehicle of its own"));
+    const QString notConnected = whyNoConnectedLink(m_around);
+    const QString peer = m_around.scene.session ? fromStd(m_around.scene.session->info.peerName) : QString();
+    m_connected->setText(notConnected.isEmpty() ? tr("The &connected link, to %1").arg(peer)
+                                                : tr("The &connected link · %1").arg(notConnected));
+    m_connected->setEnabled(notConnected.isEmpty());
+    m_own->setEnabled(m_around.noOwnVehicle.isEmpty());
+    if (!m_around.noOwnVehicle.isEmpty())
+        m_own->setText(m_own->text() + QStringLiteral(" · ") + m_around.noOwnVehicle);
+    (m_connected->isEnabled() ? m_connected : m_own)->setChecked(true);
+    auto *column = new QVBoxLayout(box);
+    column->addWidget(m_connected);
+    column->addWidget(smallPrint(tr("The suites change on the live link, and in the end it has the one that it has now."), box));
+    column->addWidget(m_own);
+    connect(m_own, &QRadioButton::toggled, this, &SweepDialog::offer);
+    return box;
+}
+
+QWidget *SweepDialog::makeWhat()
+{
+    auto *box = new QGroupBox(tr("What"), this);
+    auto *suites = new QVBoxLayout;
+    suites->setSpacing(kHalfGrid);
+    for (const SuiteId suite : kChoosableSuites)
+        m_suites.push_back({suite, new QCheckBox(box)});
+    m_suites.push_back({SuiteId::None, new QCheckBox(box)});
+    for (const Choice &choice : m_suites) {
+        const QString name = fromStd(crypto::suiteInfo(choice.suite).name);
+        named(choice.box, "", suiteName(choice.suite))->setObjectName(QStringLiteral("sweep_") + name);
+        choice.box->setIcon(suiteDot(choice.suite));
+        connect(choice.box, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+        suites->addWidget(choice.box);
+    }
+    m_sealed = named(new QCheckBox(tr("Sealed: whole frames in records"), box), "sweepSealed", tr("Sealed framing"));
+    m_inline = named(new QCheckBox(box), "sweepInline", tr("Inline framing"));
+    m_natural = named(new QCheckBox(tr("Natural load: what a station asks for"), box), "sweepNatural", tr("Natural load"));
+    m_saturated = named(new QCheckBox(box), "sweepSaturated", tr("Saturated load"));
+    m_sealed->setChecked(true);
+    m_natural->setChecked(true);
+    auto *others = new QVBoxLayout;
+    others->setSpacing(kHalfGrid);
+    for (QCheckBox *choice : {m_sealed, m_inline}) {
+        others->addWidget(choice);
+        connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+    }
+    others->addWidget(smallPrint(tr("Inline is what the paper measured: payloads encrypted in place, headers clear. Only a cipher "
+                                    "with an HMAC can do it, and the agent must allow it (skyseal-air --allow-inline)."), box));
+    others->addSpacing(kGrid);
+    for (QCheckBox *choice : {m_natural, m_saturated}) {
+        others->addWidget(choice);
+        connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+    }
+    others->addStretch(1);
+    auto *row = new QHBoxLayout(box);
+    row->setSpacing(3 * kGrid);
+    row->addLayout(suites, 1);
+    row->addLayout(others, 1);
+    return box;
+}
+
+QWidget *SweepDialog::makeHow()
+{
+    auto *box = new QGroupBox(tr("How long"), this);
+    m_seconds = named(new QDoubleSpinBox(box), "sweepSeconds", tr("Length of each run"));
+    m_seconds->setRange(0.5, 3600);
+    m_seconds->setDecimals(1);
+    m_seconds->setSuffix(tr(" s"));
+    m_seconds->setValue(5);
+    m_repeats = named(new QSpinBox(box), "sweepRepeats", tr("Runs for each suite"));
+    m_repeats->setRange(1, 1000);
+    m_repeats->setValue(3);
+    m_seed = named(new QLineEdit(QStringLiteral("1"), box), "sweepSeed", tr("Seed"));
+    m_seed->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), m_seed));
+    m_seed->setToolTip(tr("The same seed gives the same order of runs"));
+    m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise", tr("Measure the noise"));
+    m_noise->setChecked(true);
+    auto *left = new QFormLayout;
+    left->addRow(tr("&Each run"), m_seconds);
+    left->addRow(tr("Re&peats"), m_repeats);
+    auto *right = new QFormLayout;
+    right->addRow(tr("&Seed of the order"), m_seed);
+    right->addRow(m_noise);
+    auto *row = new QHBoxLayout(box);
+    row->setSpacing(3 * kGrid);
+    row->addLayout(left, 1);
+    row->addLayout(right, 1);
+    connect(m_seconds, &QDoubleSpinBox::valueChanged, this, &SweepDialog::sumUp);
+    connect(m_repeats, &QSpinBox::valueChanged, this, &SweepDialog::sumUp);
+    connect(m_seed, &QLineEdit::textChanged, this, &SweepDialog::sumUp);
+    connect(m_noise, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+    return box;
+}
+
+bool SweepDialog::ownVehicle() const
+{
+    return m_own->isChecked();
+}
+
+void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &whyNot)
+{
+    box->setEnabled(whyNot.isEmpty());
+    box->setText(whyNot.isEmpty() ? text : text + QStringLiteral(" · ") + whyNot);
+    if (!whyNot.isEmpty())
+        box->setChecked(false);
+}
+
+/// What may be chosen at this place; on the connected link plain MAVLink takes an act of its own.
+void SweepDialog::offer()
+{
+    const bool own = ownVehicle();
+    for (const Choice &choice : m_suites) {
+        const QString whyNot = whyNotSuite(m_around, own, choice.suite);
+        permit(choice.box, suiteName(choice.suite), whyNot);
+        choice.box->setChecked(whyNot.isEmpty() && (own || choice.suite != SuiteId::None));
+    }
+    permit(m_inline, tr("Inline: payloads sealed in place"), whyNotInline(m_around, own));
+    permit(m_saturated, tr("Saturated load: as much as the link carries"), whyNotSaturated(own));
+    m_saturated->setChecked(own);
+    sumUp();
+}
+
+void SweepDialog::sumUp()
+{
+    const experiment::Plan plan = order().plan;
+    const std::size_t runs = experiment::schedule(plan).size();
+    const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());
+    const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
+    m_summary->setText(possible ? tr("%1 runs, %2").arg(runs).arg(aboutTime(static_cast<double>(runs) * each))
+                                : tr("Choose a suite, a framing that it can be in, and a load."));
+    const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
+    m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, and anyone can "
+                                  "speak to the vehicle.")
+                             : QString());
+    m_warning->setVisible(plain);
+    m_buttons->button(QDialogButtonBox::Ok)->setEnabled(possible);
+}
+
+SweepOrder SweepDialog::order() const
+{
+    SweepOrder out;
+    out.ownVehicle = ownVehicle();
+    std::vector<SuiteId> suites;
+    for (const Choice &choice : m_suites) {
+        if (choice.box->isChecked())
+            suites.push_back(choice.suite);
+    }
+    std::vector<channel::Framing> framings;
+    if (m_sealed->isChecked())
+        framings.push_back(channel::Framing::Sealed);
+    if (m_inline->isChecked())
+        framings.push_back(channel::Framing::Inline);
+    experiment::Plan &plan = out.plan;
+    plan.repeats = static_cast<unsigned>(m_repeats->value());
+    plan.measure = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(m_seconds->value()));
+    plan.seed = m_seed->text().toULongLong();
+    plan.arms = experiment::armsOf(suites, framings, m_noise->isChecked() && plan.repeats > 1);
+    plan.loads.clear();
+    if (m_natural->isChecked())
+        plan.loads.push_back(Load::Natural);
+    if (m_saturated->isChecked())
+        plan.loads.push_back(Load::Saturated);
+    return out;
+}
+
+} // namespace skyseal::ui

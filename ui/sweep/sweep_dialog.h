@@ -1,0 +1,57 @@
+// What a sweep is to measure: where, which suites in which framings, how long and how often. What cannot be measured says why.
+#pragma once
+
+#include "ui/sweep/sweep_permits.h"
+#include "ui/sweep/sweep_port.h"
+
+#include <QtWidgets/QDialog>
+
+#include <vector>
+
+class QCheckBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QLabel;
+class QLineEdit;
+class QRadioButton;
+class QSpinBox;
+
+namespace skyseal::ui {
+
+class SweepDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `around` must outlive it.
+    SweepDialog(const SweepSurroundings &around, QWidget *parent = nullptr);
+
+    SweepOrder order() const;
+
+private:
+    struct Choice
+    {
+        crypto::SuiteId suite{};
+        QCheckBox *box = nullptr;
+    };
+
+    QWidget *makeWhere();
+    QWidget *makeWhat();
+    QWidget *makeHow();
+    void offer();
+    void sumUp();
+    bool ownVehicle() const;
+    static void permit(QCheckBox *box, const QString &text, const QString &whyNot);
+
+    SweepSurroundings m_around;
+    QRadioButton *m_connected, *m_own;
+    std::vector<Choice> m_suites;
+    QCheckBox *m_sealed, *m_inline, *m_natural, *m_saturated, *m_noise;
+    QDoubleSpinBox *m_seconds;
+    QSpinBox *m_repeats;
+    QLineEdit *m_seed;
+    QLabel *m_warning, *m_summary;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,238 @@
+#include "ui/sweep/sweep_page.h"
+
+#include "core/experiment/analysis.h"
+#include "ui/sweep/sweep_bars.h"
+#include "ui/sweep/sweep_table_model.h"
+#include "ui/sweep/sweep_words.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+#include "ui/theme/palettes.h"
+
+#include <QtCore/QTimer>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QHeaderView>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QProgressBar>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollArea>
+#include <QtWidgets/QSplitter>
+#include <QtWidgets/QTableView>
+
+namespace skyseal::ui {
+
+namespace {
+
+template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
+{
+    widget->setObjectName(QLatin1String(objectName));
+    widget->setAccessibleName(accessible);
+    return widget;
+}
+
+} // namespace
+
+SweepPage::SweepPage(QWidget *parent)
+    : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
+      m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs made"))),
+      m_start(named(new QPushButton(tr("Run a sweep …"), this), "sweepStart", tr("Run a sweep"))),
+      m_cancel(named(new QPushButton(tr("Cancel"), this), "sweepCancel", tr("Cancel the sweep"))),
+      m_save(named(new QPushButton(tr("Save …"), this), "sweepSave", tr("Save the sweep's files"))),
+      m_place(named(new QComboBox(this), "sweepPlace", tr("Load and link"))),
+      m_metric(named(new QComboBox(this), "sweepMetric", tr("Measurement in the bars"))), m_table(new QTableView(this)),
+      m_model(new SweepTableModel(this)), m_bars(new SweepBars(this)), m_clock(new QTimer(this))
+{
+    m_status->setMinimumWidth(10 * kGrid);
+    m_bar->setMaximumWidth(20 * kGrid);
+    m_bar->setTextVisible(false);
+    auto *top = new QHBoxLayout;
+    top->setSpacing(kGrid);
+    top->addWidget(m_status, 1);
+    for (QWidget *tool : std::initializer_list<QWidget *>{m_bar, m_place, m_metric, m_cancel, m_save, m_start})
+        top->addWidget(tool);
+
+    named(m_table, "sweepTable", tr("Means of the sweep"))->setModel(m_model);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(kRow);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    auto *scroll = new QScrollArea(this);
+    scroll->setWidget(m_bars);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto *body = new QSplitter(Qt::Horizontal, this);
+    body->setObjectName(QStringLiteral("sweepBody"));
+    body->addWidget(m_table);
+    body->addWidget(scroll);
+    body->setStretchFactor(0, 3);
+    body->setStretchFactor(1, 2);
+    body->setChildrenCollapsible(false);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kHalfGrid);
+    column->addLayout(top);
+    column->addWidget(body, 1);
+
+    m_clock->setInterval(1000);
+    connect(m_clock, &QTimer::timeout, this, [this] {
+        m_progress.remaining = std::max(1.0, m_progress.remaining - 1);
+        showStatus();
+    });
+    connect(m_start, &QPushButton::clicked, this, &SweepPage::runWanted);
+    connect(m_cancel, &QPushButton::clicked, this, &SweepPage::cancelWanted);
+    connect(m_save, &QPushButton::clicked, this, &SweepPage::saveWanted);
+    connect(m_place, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
+    connect(m_metric, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
+    setStatus(tr("No sweep yet. It measures what each suite costs, one after the other."));
+    showStatus();
+    setPossible(false);
+}
+
+SweepPage::~SweepPage() = default;
+
+void SweepPage::setPossible(bool possible)
+{
+    m_start->setEnabled(possible);
+}
+
+void SweepPage::begin(const experiment::Plan &plan)
+{
+    auto results = std::make_shared<experiment::Results>();
+    results->plan = plan;
+    m_results = std::move(results);
+    m_running = true;
+    m_stopping = false;
+    m_run.reset();
+    m_progress = {0, experiment::schedule(plan).size(), 0};
+    fillChoices();
+    showResults();
+    showStatus();
+    m_clock->start();
+}
+
+void SweepPage::fillChoices()
+{
+    const QSignalBlocker quietPlace(m_place), quietMetric(m_metric);
+    const experiment::Plan &plan = m_results->plan;
+    m_place->clear();
+    for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < plan.loads.size(); ++load) {
+            const QString name = loadWords(plan.loads[load]);
+            m_place->addItem(plan.conditions.size() > 1 ? fromStd(plan.conditions[condition].name) + QStringLiteral(", ") + name : name,
+                             QPoint(static_cast<int>(condition), static_cast<int>(load)));
+        }
+    }
+    const QVariant before = m_metric->currentData();
+    m_metric->clear();
+    for (const experiment::MetricInfo &info : experiment::metrics())
+        m_metric->addItem(metricWords(info.metric), static_cast<int>(info.metric));
+    m_metric->setCurrentIndex(std::max(0, m_metric->findData(before)));
+}
+
+void SweepPage::showRun(const experiment::Run &run, const SweepProgress &progress)
+{
+    m_run = run;
+    m_progress = progress;
+    showStatus();
+}
+
+void SweepPage::take(const experiment::Sample &sample, const SweepProgress &progress)
+{
+    auto results = std::make_shared<experiment::Results>(*m_results);
+    results->samples.push_back(sample);
+    m_results = std::move(results);
+    m_progress = progress;
+    showResults();
+    showStatus();
+}
+
+void SweepPage::showStopping()
+{
+    m_stopping = true;
+    showStatus();
+}
+
+void SweepPage::finish(std::shared_ptr<const experiment::Results> results, const QString &problem)
+{
+    m_running = m_stopping = false;
+    m_clock->stop();
+    m_results = std::move(results);
+    showResults();
+    showStatus();
+    const std::size_t runs = m_results->samples.size();
+    const auto failed = std::ranges::count_if(m_results->samples, [](const auto &sample) { return !sample.problem.empty(); });
+    QString words = m_results->complete
+                        ? tr("%1 runs in %2").arg(runs).arg(aboutTime(m_results->seconds).section(QLatin1Char(' '), 1))
+                        : tr("Incomplete, %1 of %2 runs: %3").arg(runs).arg(m_progress.runs).arg(problem);
+    if (failed > 0)
+        words += tr("; %1 failed: %2").arg(failed).arg(fromStd(std::ranges::find_if(m_results->samples, [](const auto &sample) {
+                                                                    return !sample.problem.empty();
+                                                                })->problem));
+    setStatus(words, !m_results->complete || failed > 0);
+}
+
+void SweepPage::showSaving()
+{
+    m_save->setEnabled(false);
+    setStatus(tr("Writing the files …"));
+}
+
+void SweepPage::showSaved(const QString &folder, bool written, const QString &problem)
+{
+    m_save->setEnabled(!m_running);
+    if (!written)
+        return setStatus(tr("Not saved: %1").arg(problem), true);
+    setStatus(problem.isEmpty() ? tr("Saved in %1").arg(folder) : tr("Saved in %1; %2").arg(folder, problem));
+}
+
+void SweepPage::showResults()
+{
+    if (!m_results)
+        return;
+    const QPoint place = m_place->currentData().toPoint();
+    const auto condition = static_cast<std::size_t>(place.x()), load = static_cast<std::size_t>(place.y());
+    m_model->show(m_results, condition, load);
+    QStringList labels;
+    for (const experiment::Arm &arm : m_results->plan.arms)
+        labels << armWords(arm);
+    const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
+    m_bars->show(experiment::chartOf(*m_results, condition, load, metric), labels);
+}
+
+void SweepPage::showStatus()
+{
+    m_start->setVisible(!m_running);
+    m_cancel->setVisible(m_running);
+    m_cancel->setEnabled(!m_stopping);
+    m_bar->setVisible(m_running);
+    m_save->setVisible(!m_running && m_results && !m_results->samples.empty());
+    m_save->setEnabled(true);
+    m_place->setVisible(m_results && m_place->count() > 1);
+    m_metric->setVisible(m_results != nullptr);
+    if (!m_running)
+        return;
+    m_bar->setMaximum(static_cast<int>(m_progress.runs));
+    m_bar->setValue(static_cast<int>(m_progress.done));
+    if (m_stopping)
+        return setStatus(tr("Stopping: the link goes back to its suite …"));
+    if (!m_run)
+        return setStatus(tr("Starting …"));
+    const experiment::Plan &plan = m_results->plan;
+    setStatus(tr("Run %1 of %2: %3, %4; %5 left")
+                  .arg(std::min(m_progress.done + 1, m_progress.runs))
+                  .arg(m_progress.runs)
+                  .arg(armWords(plan.arms[m_run->arm]), loadWords(plan.loads[m_run->load]), aboutTime(m_progress.remaining)));
+}
+
+void SweepPage::setStatus(const QString &text, bool problem)
+{
+    m_status->setText(text);
+    m_status->setToolTip(text);
+    QPalette colors = palette();
+    if (problem)
+        colors.setColor(QPalette::WindowText, stateColors(colors).warning);
+    m_status->setPalette(colors);
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,72 @@
+// The diagnostics' page of a sweep: how far it is while it runs, and what it brought, in numbers and bars, as it comes in.
+#pragma once
+
+#include "ui/sweep/sweep_port.h"
+
+#include <QtWidgets/QWidget>
+
+#include <memory>
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QTableView;
+class QTimer;
+
+namespace skyseal::ui {
+
+class SweepBars;
+class SweepTableModel;
+
+class SweepPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit SweepPage(QWidget *parent = nullptr);
+    ~SweepPage() override;
+
+    /// A sweep began: what stood here before is gone.
+    void begin(const experiment::Plan &plan);
+    void showRun(const experiment::Run &run, const SweepProgress &progress);
+    void take(const experiment::Sample &sample, const SweepProgress &progress);
+    void showStopping();
+    void finish(std::shared_ptr<const experiment::Results> results, const QString &problem);
+    /// One line about the files.
+    void showSaved(const QString &folder, bool written, const QString &problem);
+    void showSaving();
+    /// Whether there can be a sweep at all.
+    void setPossible(bool possible);
+
+    bool isRunning() const { return m_running; }
+    /// Complete only after finish().
+    std::shared_ptr<const experiment::Results> results() const { return m_results; }
+
+Q_SIGNALS:
+    void runWanted();
+    void cancelWanted();
+    void saveWanted();
+
+private:
+    void fillChoices();
+    void showResults();
+    void showStatus();
+    void setStatus(const QString &text, bool problem = false);
+
+    std::shared_ptr<const experiment::Results> m_results;
+    bool m_running = false, m_stopping = false;
+    std::optional<experiment::Run> m_run;
+    SweepProgress m_progress;
+    QLabel *m_status;
+    QProgressBar *m_bar;
+    QPushButton *m_start, *m_cancel, *m_save;
+    QComboBox *m_place, *m_metric;
+    QTableView *m_table;
+    SweepTableModel *m_model;
+    SweepBars *m_bars;
+    QTimer *m_clock; ///< counts the remaining time down
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,75 @@
+#include "ui/sweep/sweep_permits.h"
+
+#include "ui/security/suite_actions.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+using crypto::SuiteId;
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(Sweep)
+};
+
+bool isArmed(const Scene &scene)
+{
+    return std::ranges::any_of(scene.snapshot->vehicles, [](const auto &vehicle) { return vehicle.state.armed; });
+}
+
+} // namespace
+
+QString whyNoConnectedLink(const SweepSurroundings &around)
+{
+    const Scene &scene = around.scene;
+    if (!scene.snapshot || (!scene.vehicle && !scene.session))
+        return Words::tr("nothing is connected");
+    if (!scene.session)
+        return Words::tr("the link is not sealed");
+    if (scene.session->info.silent)
+        return Words::tr("the link is silent");
+    const auto clear = [](const engine::VehicleSnapshot &vehicle) { return !vehicle.session && !vehicle.state.lost; };
+    if (scene.snapshot->sessions.size() > 1 || std::ranges::any_of(scene.snapshot->vehicles, clear))
+        return Words::tr("other links would be measured with it: leave one sealed link open");
+    return {};
+}
+
+QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId suite)
+{
+    if (!crypto::suiteAvailable(suite) && suite != SuiteId::None)
+        return Words::tr("missing on this machine");
+    if (ownVehicle)
+        return {};
+    if (suite != SuiteId::None)
+        return around.suites.whyNot(suite);
+    if (around.requireSealed)
+        return Words::tr("the settings require sealing");
+    if (!around.scene.session)
+        return Words::tr("no sealed link yet");
+    const auto &offered = around.scene.session->info.peerOffered;
+    if (std::ranges::find(offered, SuiteId::None) == offered.end())
+        return Words::tr("the agent does not allow it (skyseal-air --allow-plain)");
+    if (isArmed(around.scene))
+        return Words::tr("not while the vehicle is armed");
+    return {};
+}
+
+QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
+{
+    // The session begins anew for it, and for a moment nothing can be commanded.
+    if (!ownVehicle && around.scene.snapshot && isArmed(around.scene))
+        return Words::tr("not while the vehicle is armed");
+    return {};
+}
+
+QString whyNotSaturated(bool ownVehicle)
+{
+    return ownVehicle ? QString() : Words::tr("a connected vehicle sends what it sends");
+}
+
+} // namespace skyseal::ui

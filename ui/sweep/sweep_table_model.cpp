@@ -1,0 +1,82 @@
+#include "ui/sweep/sweep_table_model.h"
+
+#include "core/experiment/analysis.h"
+#include "core/experiment/sweep_text.h"
+#include "ui/sweep/sweep_words.h"
+#include "ui/text/words.h"
+#include "ui/theme/suite_style.h"
+
+namespace skyseal::ui {
+
+using experiment::Metric;
+
+void SweepTableModel::show(std::shared_ptr<const experiment::Results> results, std::size_t condition, std::size_t load)
+{
+    beginResetModel();
+    m_results = std::move(results);
+    m_condition = condition;
+    m_load = load;
+    m_metrics.clear();
+    if (m_results) {
+        for (const experiment::MetricInfo &info : experiment::metrics()) {
+            if (experiment::wasMeasured(*m_results, info.metric))
+                m_metrics.push_back(info.metric);
+        }
+    }
+    endResetModel();
+}
+
+int SweepTableModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() || !m_results ? 0 : static_cast<int>(m_results->plan.arms.size());
+}
+
+int SweepTableModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : FixedColumns + static_cast<int>(m_metrics.size());
+}
+
+QVariant SweepTableModel::data(const QModelIndex &index, int role) const
+{
+    if (!index.isValid() || !m_results)
+        return {};
+    const auto row = static_cast<std::size_t>(index.row());
+    const experiment::Arm &arm = m_results->plan.arms[row];
+    if (index.column() == SuiteColumn) {
+        if (role == Qt::DisplayRole)
+            return arm.again ? tr("%1 (A/A)").arg(suiteName(arm.suite)) : suiteName(arm.suite);
+        return role == Qt::DecorationRole ? QVariant(suiteDot(arm.suite)) : QVariant();
+    }
+    if (index.column() == FramingColumn)
+        return role == Qt::DisplayRole ? QVariant(framingWords(arm)) : QVariant();
+    const Metric metric = m_metrics[static_cast<std::size_t>(index.column() - FixedColumns)];
+    const experiment::Cell cell{m_condition, m_load, row};
+    if (role == Qt::DisplayRole)
+        return fromStd(experiment::meanText(*m_results, cell, metric));
+    if (role == Qt::TextAlignmentRole)
+        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != MeanRole && role != Qt::ToolTipRole)
+        return {};
+    const experiment::Summary summary = experiment::summarise(experiment::valuesOf(*m_results, cell, metric));
+    if (summary.count == 0)
+        return {};
+    if (role == MeanRole)
+        return summary.mean;
+    return tr("from %1 to %2 in %3 runs")
+        .arg(fromStd(experiment::readable(summary.min)), fromStd(experiment::readable(summary.max)))
+        .arg(summary.count);
+}
+
+QVariant SweepTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || section >= columnCount())
+        return {};
+    if (section < FixedColumns)
+        return role == Qt::DisplayRole ? QVariant(section == SuiteColumn ? tr("Suite") : tr("Framing")) : QVariant();
+    const experiment::MetricInfo &info = experiment::info(m_metrics[static_cast<std::size_t>(section - FixedColumns)]);
+    if (role == Qt::DisplayRole)
+        return metricWords(info.metric);
+    return role == Qt::ToolTipRole ? QVariant(fromStd(info.what)) : QVariant();
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,19 @@
+// What a sweep is called in the window.
+#pragma once
+
+#include "core/experiment/results.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::ui {
+
+/// "AES-256-CTR, inline"; "ChaCha20-Poly1305, sealed (A/A)"; "plain, not sealed".
+QString armWords(const experiment::Arm &arm);
+QString framingWords(const experiment::Arm &arm);
+QString loadWords(experiment::Load load);
+/// "about 2 min 20 s", "about 12 s".
+QString aboutTime(double seconds);
+/// "Packets transmitted", "CPU time per frame, station, ns".
+QString metricWords(experiment::Metric metric);
+
+} // namespace skyseal::ui
