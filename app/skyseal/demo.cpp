@@ -115,7 +115,8 @@ void Demo::restart()
                {QStringLiteral("--vehicle"), QStringLiteral("udpin:") + vehicle, QStringLiteral("--ground"),
                 QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"),
                 m_folder.filePath(QStringLiteral("air.key")), QStringLiteral("--peers"),
-                m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research")});
+                m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research"),
+                QStringLiteral("--allow-inline")});
     if (m_simulator.state() == QProcess::NotRunning)
         launch(m_simulator, kSimulator, {QStringLiteral("--link"), QStringLiteral("udpout:") + vehicle});
 }

@@ -53,7 +53,7 @@ ui::SweepProgress SweepBench::progress() const
 
 void SweepBench::begin()
 {
-    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(), commandOf(m_plan, m_station));
+    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(), commandOf(m_plan, m_station != nullptr));
     m_setting.emplace_back("measured_in", "the window's process; its drawing is in cpu_process and memory, not in cpu");
     experiment::SweepConfig config;
     config.plan = m_plan;

@@ -219,7 +219,7 @@ void SweepRunner::openStation()
         QTimer::singleShot(0, this, [this] { m_cancelled || !m_problem.empty() || m_next == m_schedule.size() ? end() : next(); });
     });
     protect(wantedProtection());
-    m_station->addLink(m_config.link);
+    m_station->addLink(*m_config.link);
     enter(Stage::Connecting, kConnectPatience);
 }
 

@@ -22,7 +22,7 @@ namespace skyseal::experiment {
 struct SweepConfig
 {
     Plan plan;
-    link::LinkUrl link;
+    std::optional<link::LinkUrl> link = std::nullopt;
     engine::StationConfig station; ///< keys and policy; the rest is the runner's
     Lab *lab = nullptr;            ///< null where the far end is somebody else's
     /// In place of a station of its own, whose link and config are not used then: one with a single sealed session. The plan

@@ -4,6 +4,7 @@
 #include "tests/support/flight.h"
 
 #include <QtCore/QFile>
+#include <QtCore/QHash>
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -258,8 +259,7 @@ void SweepTest::cancelOnALinkRestoresTheSuite()
     process.terminate();
     QCOMPARE(process.waitForExit(20000), 1);
     QVERIFY(process.errors().contains("cancelled"));
-    QStringList used;
-    QTRY_VERIFY_WITH_TIMEOUT(!air.events(q("switch")).isEmpty() && air.last(q("switch"))[QLatin1String("from")].toString() == q("rc4"),
+    QTRY_VERIFY_WITH_TIMEOUT(!air.events(q("switch")).empty() && air.last(q("switch"))[QLatin1String("from")].toString() == q("rc4"),
                              5000);
     QCOMPARE(air.last(q("switch"))[QLatin1String("to")].toString(), q("chacha20-poly1305"));
     QCOMPARE(air.last(q("switch"))[QLatin1String("result")].toString(), q("committed"));

@@ -29,7 +29,7 @@
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
-#include <QtWidgets/QAction>
+#include <QtGui/QAction>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
@@ -132,6 +132,9 @@ void SweepWindowTest::initTestCase()
 
 SweepDialog *SweepWindowTest::openDialog()
 {
+    m_window->activateWindow();
+    if (!QTest::qWaitForWindowActive(m_window.get()))
+        qFatal("the window does not become active");
     QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
     auto *dialog = m_window->findChild<SweepDialog *>();
     if (!dialog) // the key did not reach the window

@@ -55,7 +55,7 @@ SweepBars::SweepBars(QWidget *parent) : QWidget(parent)
     setMinimumWidth(44 * kGrid);
 }
 
-void SweepBars::show(experiment::BarChart chart, QStringList labels)
+void SweepBars::showChart(experiment::BarChart chart, QStringList labels)
 {
     m_chart = std::move(chart);
     m_labels = std::move(labels);

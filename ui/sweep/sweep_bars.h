@@ -15,7 +15,7 @@ class SweepBars : public QWidget
 public:
     explicit SweepBars(QWidget *parent = nullptr);
 
-    void show(experiment::BarChart chart, QStringList labels);
+    void showChart(experiment::BarChart chart, QStringList labels);
     const experiment::BarChart &chart() const { return m_chart; }
 
     QSize sizeHint() const override;

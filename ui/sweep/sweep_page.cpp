@@ -19,6 +19,8 @@
 #include <QtWidgets/QSplitter>
 #include <QtWidgets/QTableView>
 
+#include <algorithm>
+
 namespace skyseal::ui {
 
 namespace {
@@ -197,7 +199,7 @@ void SweepPage::showResults()
     for (const experiment::Arm &arm : m_results->plan.arms)
         labels << armWords(arm);
     const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
-    m_bars->show(experiment::chartOf(*m_results, condition, load, metric), labels);
+    m_bars->showChart(experiment::chartOf(*m_results, condition, load, metric), labels);
 }
 
 void SweepPage::showStatus()
