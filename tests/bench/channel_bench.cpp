@@ -1,12 +1,12 @@
 // What an endpoint costs over the bare library call: seal() and handleDatagram() of a real session, with session look-up,
 // header, associated data, replay window, counters and roaming, per suite and size, in one run.
-#define OPENSSL_SUPPRESS_DEPRECATED
-#include "bare_calls.h"
 #include "pair.h"
+#include "record_sizes.h"
 
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
+#include "core/experiment/bare_calls.h"
 
 #include <benchmark/benchmark.h>
 
@@ -15,6 +15,9 @@
 
 using namespace skyseal;
 using namespace skyseal::bench;
+using crypto::SuiteId;
+using experiment::BareCall;
+using experiment::bareRecord;
 using namespace skyseal::test;
 using namespace std::chrono_literals;
 
@@ -82,16 +85,15 @@ private:
 /// Bare and whole calls in turn, so that both meet the same machine; the best of the rounds counts.
 int printRatios()
 {
-    std::printf("%-18s %5s %9s %9s %9s %9s %7s %7s\n", "suite", "bytes", "bare seal", "seal ns", "bare open", "open ns", "seal x",
-                "open x");
+    std::printf("%-18s %5s %9s %9s %9s %9s %7s %7s\n", "suite", "bytes", "bare seal", "seal ns", "bare open", "open ns",
+                "seal x", "open x");
     std::uint64_t failures = 0;
     for (const auto &info : crypto::suites()) {
         if (info.id == SuiteId::None || !crypto::suiteAvailable(info.id))
             continue;
         for (const std::size_t size : kSizes) {
-            Material material;
-            const BareCall sealCall = bareSeal(info.id, material);
-            const BareCall openCall = bareOpen(info.id, material);
+            const BareCall sealCall = bareRecord(info.id, experiment::Direction::Seal);
+            const BareCall openCall = bareRecord(info.id, experiment::Direction::Open);
             Bench bench(info.id, size);
             double bareSealed = 1e9, sealed = 1e9, bareOpened = 1e9, opened = 1e9;
             const auto repeat = [size](const BareCall &call) {

@@ -1,12 +1,10 @@
 // What the engines cost for each frame, in CPU time of their thread, over real sockets: the agent that forwards and seals,
 // against a forwarder that does nothing but recvmmsg and sendmmsg; the station that receives, opens and parses; and opening
 // and parsing alone, against verifying the signature of the frame, which is the protection that stock MAVLink offers.
-#define OPENSSL_SUPPRESS_DEPRECATED
-#include "bare_calls.h"
-
 #include "tests/engine/engine_rigs.h"
 
 #include "core/crypto/init_crypto.h"
+#include "core/experiment/bare_calls.h"
 
 #include <benchmark/benchmark.h>
 
@@ -25,7 +23,7 @@ namespace {
 class BareReceiver
 {
 public:
-    explicit BareReceiver(SuiteId suite) : m_open(bench::bareOpen(suite, m_material)) {}
+    explicit BareReceiver(SuiteId suite) : m_open(experiment::bareRecord(suite, experiment::Direction::Open)) {}
 
     double receive()
     {
@@ -50,8 +48,7 @@ private:
     Traffic m_telemetry{kFrames};
     Bytes m_record = Bytes(kMeanFrame + 22);
     std::vector<ByteView> m_datagrams = std::vector<ByteView>(kFrames, ByteView(m_record));
-    bench::Material m_material;
-    bench::BareCall m_open;
+    experiment::BareCall m_open;
 };
 
 /// Opening a record of one frame and parsing it, from memory; and verifying a frame of the same length.
