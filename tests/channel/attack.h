@@ -4,6 +4,7 @@
 
 #include "core/base/weakness.h"
 #include "pair.h"
+#include "tap.h"
 
 #include <QtTest/QTest>
 
@@ -49,26 +50,6 @@ inline void everySuite()
             QTest::newRow(info.name.data()) << static_cast<int>(info.id);
     }
 }
-
-/// Keeps a copy of every datagram that is sent from now on.
-struct Tap
-{
-    explicit Tap(Pair &pair)
-    {
-        pair.link.attacker = [this](TimePoint, Flight &flight) {
-            flights.push_back(flight);
-            return true;
-        };
-    }
-    std::vector<Flight> ofKind(std::uint8_t first) const
-    {
-        std::vector<Flight> out;
-        std::copy_if(flights.begin(), flights.end(), std::back_inserter(out),
-                     [first](const Flight &flight) { return flight.bytes[0] == first; });
-        return out;
-    }
-    std::vector<Flight> flights;
-};
 
 struct Caught
 {

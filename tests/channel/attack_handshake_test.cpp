@@ -217,9 +217,12 @@ void AttackHandshakeTest::everyBitOfTheFirst()
     const FirstMessage message = begin().message();
     const Mac1 mac(m_agent.publicKey);
     QVERIFY(Responder::read(m_agent, message));
-    for (std::size_t bit = 8; bit < (kFirstLength - kMacLength) * 8; ++bit) {
+    for (std::size_t bit = 0; bit < kFirstLength * 8; ++bit) {
         auto changed = flipped(message, bit);
         QVERIFY(!mac.verify(changed));
+        if (bit < 8 || bit >= (kFirstLength - kMacLength) * 8)
+            continue;
+        // An attacker knows the public key and can make the MAC good again; the rest is refused all the same.
         mac.sign(changed);
         HOLDS(!Responder::read(m_agent, changed), "no changed first message is read");
     }
@@ -233,9 +236,11 @@ void AttackHandshakeTest::everyBitOfTheAnswer()
     const auto answer = std::move(*responder).answer(known(m_station), ConnectionId{0x4321}, m_offer, m_random);
     QVERIFY(answer);
     const Mac1 mac(m_station.publicKey);
-    for (std::size_t bit = (kAnswerLength - kMacLength) * 8; bit-- > 24;) {
+    for (std::size_t bit = kAnswerLength * 8; bit-- > 0;) {
         auto changed = flipped(answer->message, bit);
-        QVERIFY(!mac.verify(changed));
+        QVERIFY(!initiator.takeAnswer(changed));
+        if (bit < 24 || bit >= (kAnswerLength - kMacLength) * 8)
+            continue;
         mac.sign(changed);
         HOLDS(!initiator.takeAnswer(changed), "no changed answer is taken");
     }

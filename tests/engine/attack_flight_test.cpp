@@ -6,7 +6,7 @@
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
-#include "tests/engine/flight_rig.h"
+#include "tests/engine/ground.h"
 #include "tests/support/udp_attacker.h"
 
 #include <QtTest/QTest>
@@ -17,31 +17,6 @@ using namespace skyseal::test;
 #define HOLDS(condition, words) QVERIFY2(condition, words)
 
 namespace {
-
-/// A station that listens on a port of its own.
-struct Ground
-{
-    explicit Ground(engine::StationConfig config)
-    {
-        auto made = engine::Station::create(std::move(config));
-        if (!made)
-            qFatal("%s", made.error().text().c_str());
-        station = std::move(*made);
-        ears = std::make_unique<StationEars>(*station);
-        station->addLink(urlOf("udpin:127.0.0.1:0"));
-        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
-            qFatal("no link");
-    }
-    quint16 port() const
-    {
-        const std::string address = ears->listening();
-        return static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
-    }
-    bool up() const { return !ears->all<channel::SessionUp>().empty(); }
-
-    std::unique_ptr<engine::Station> station;
-    std::unique_ptr<StationEars> ears;
-};
 
 /// A flight with an attacker between agent and station.
 struct AttackedFlight

@@ -1,6 +1,6 @@
 // Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back
 // after a restart, and lets through only what is allowed.
-#include "tests/engine/flight_rig.h"
+#include "tests/engine/ground.h"
 
 #include "core/keys/public_key_text.h"
 
@@ -10,30 +10,6 @@
 
 using namespace skyseal;
 using namespace skyseal::test;
-
-namespace {
-
-/// A station that listens on a port of its own.
-struct Ground
-{
-    explicit Ground(engine::StationConfig config)
-    {
-        auto made = engine::Station::create(std::move(config));
-        if (!made)
-            qFatal("%s", made.error().text().c_str());
-        station = std::move(*made);
-        ears = std::make_unique<StationEars>(*station);
-        station->addLink(urlOf("udpin:127.0.0.1:0"));
-        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
-            qFatal("no link");
-    }
-    bool up() const { return !ears->all<channel::SessionUp>().empty(); }
-
-    std::unique_ptr<engine::Station> station;
-    std::unique_ptr<StationEars> ears;
-};
-
-} // namespace
 
 class SealedStationTest : public QObject
 {

@@ -1,0 +1,34 @@
+// A station in a test, that listens on a port of its own.
+#pragma once
+
+#include "tests/engine/flight_rig.h"
+
+#include <QtTest/QTest>
+
+namespace skyseal::test {
+
+struct Ground
+{
+    explicit Ground(engine::StationConfig config)
+    {
+        auto made = engine::Station::create(std::move(config));
+        if (!made)
+            qFatal("%s", made.error().text().c_str());
+        station = std::move(*made);
+        ears = std::make_unique<StationEars>(*station);
+        station->addLink(urlOf("udpin:127.0.0.1:0"));
+        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
+            qFatal("no link");
+    }
+    quint16 port() const
+    {
+        const std::string address = ears->listening();
+        return static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
+    }
+    bool up() const { return !ears->all<channel::SessionUp>().empty(); }
+
+    std::unique_ptr<engine::Station> station;
+    std::unique_ptr<StationEars> ears;
+};
+
+} // namespace skyseal::test
