@@ -77,8 +77,8 @@ function(skyseal_test name)
     ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1")
 endfunction()
 
-# skyseal_fuzzer(NAME SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset; in every other
-# build the same entry point replays the corpus under ctest.
+# skyseal_fuzzer(NAME SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset, where `--target fuzzers` builds
+# all of them; in every other build the same entry point replays the corpus under ctest.
 function(skyseal_fuzzer name)
   cmake_parse_arguments(arg "" "CORPUS" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
@@ -86,6 +86,10 @@ function(skyseal_fuzzer name)
   target_link_libraries(${name} PRIVATE skyseal_options ${arg_LINK})
   if(SKYSEAL_FUZZ)
     target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+    if(NOT TARGET fuzzers)
+      add_custom_target(fuzzers)
+    endif()
+    add_dependencies(fuzzers ${name})
   else()
     target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests/fuzz/replay_corpus.cpp)
     add_test(NAME ${name} COMMAND ${name} ${arg_CORPUS})

@@ -22,7 +22,8 @@ static HandshakeState victim(std::uint8_t choice)
     theirs.mutableView()[0] = 2;
     Key32 psk;
     psk.mutableView()[0] = 3;
-    HandshakeConfig config{choice & 1 ? Role::Responder : Role::Initiator, kPatterns[(choice >> 1) & 3], asBytes("fuzz"), {}, {}, {}};
+    const Role role = choice & 1 ? Role::Responder : Role::Initiator;
+    HandshakeConfig config{role, kPatterns[(choice >> 1) & 3], asBytes("fuzz"), {}, {}, {}};
     config.localStatic = X25519KeyPair::fromSecret(std::move(ours));
     if (config.role == Role::Initiator && config.pattern.starts_with("IK"))
         config.remoteStatic = X25519KeyPair::fromSecret(std::move(theirs)).publicKey;
