@@ -26,7 +26,7 @@
 namespace skyseal::channel {
 
 /// The station listens, learns where an agent is from its announcements, and starts the handshake (Noise initiator); the
-/// agent announces itself once a second until a session is up (Noise responder).
+/// agent announces itself twice a second until a session is up (Noise responder).
 enum class Role : std::uint8_t { Station, Agent };
 
 /// Counters that must never go back, over restarts: ours in first messages, and the last one seen of each peer. The owner

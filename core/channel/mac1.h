@@ -23,7 +23,7 @@ private:
     std::array<std::uint8_t, 32> m_key;
 };
 
-/// What an agent says once a second: a random nonce and a MAC that only those who know its public key can relate to it; to
+/// What an agent says twice a second: a random nonce and a MAC that only those who know its public key can relate to it; to
 /// everybody else two announcements have nothing in common. As long as the first message that answers it.
 class Announcement
 {

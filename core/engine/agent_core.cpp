@@ -4,6 +4,7 @@
 #include "core/engine/dialect_facts.h"
 #include "core/engine/observer_rules.h"
 #include "core/mavlink/dialect.h"
+#include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
 
 #include <algorithm>
@@ -53,9 +54,10 @@ std::uint32_t messageIdOf(const mavlink::ScanItem &item)
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
     : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
-      m_channel(makeEndpoint(m_config, *m_secrets), m_links), m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_tell(event); }),
-      m_policy(SecureMode::Required, Speakers::MayShareASystem),
-      m_intake(mavlink::Dialect::builtin()), m_timer([this] { handleDeadline(); })
+      m_channel(makeEndpoint(m_config, *m_secrets), m_links),
+      m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_tell(event); }),
+      m_policy(SecureMode::Required, Speakers::MayShareASystem), m_intake(mavlink::Dialect::builtin()),
+      m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);
 }
@@ -114,13 +116,12 @@ void AgentCore::cancelPairing()
 /// Who can reach a vehicle in flight shall not be able to be paired with it.
 void AgentCore::noteArmed(TimePoint now, const mavlink::Frame &frame)
 {
-    constexpr std::uint32_t kHeartbeat = 0;
-    constexpr std::size_t kAutopilot = 5, kBaseMode = 6; // offsets in its payload
-    constexpr std::uint8_t kNoAutopilot = 8, kArmed = 128;
-    const ByteView payload = frame.payload();
-    if (frame.messageId() != kHeartbeat || payload.size() <= kBaseMode || payload[kAutopilot] == kNoAutopilot)
+    if (frame.messageId() != mavlink::Heartbeat::kId)
         return;
-    m_armed = (payload[kBaseMode] & kArmed) != 0;
+    const mavlink::Heartbeat beat = mavlink::Heartbeat::decode(frame.payload());
+    if (beat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
+        return;
+    m_armed = (beat.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
     if (m_armed && m_pairing.isOpen())
         m_pairing.cancel(now, channel::PairingEnd::Armed);
 }
@@ -243,13 +244,13 @@ void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::De
     std::uint64_t frames = 0;
     m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
         frames += isWhole(item);
-        takeFromGround(block.time, delivery.session, item);
+        takeFromGround(delivery.session, item);
     });
     m_channel.countFrames(delivery.session, frames);
     m_links.noteRemote(kGroundLink, block.path.remote);
 }
 
-void AgentCore::takeFromGround(TimePoint, channel::SessionId session, const mavlink::ScanItem &item)
+void AgentCore::takeFromGround(channel::SessionId session, const mavlink::ScanItem &item)
 {
     if (!isWhole(item))
         return;

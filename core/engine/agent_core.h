@@ -113,7 +113,7 @@ private:
     void takeRecord(const link::ReceivedBlock &block);
     void takeUnowned(const link::ReceivedBlock &block);
     void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
-    void takeFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
+    void takeFromGround(channel::SessionId session, const mavlink::ScanItem &item);
     void takeClearFromGround(const mavlink::ScanItem &item);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
     void deliver(const mavlink::ScanItem &item);
