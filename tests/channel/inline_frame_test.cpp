@@ -92,6 +92,7 @@ class InlineFrameTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void anyFrameOpensAgain();
+    void clearBytesStandAnywhere();
     void everyMessageEveryLength();
     void theLayoutIsAsWritten();
     void knownAnswers();
@@ -126,6 +127,30 @@ void InlineFrameTest::anyFrameOpensAgain()
         if (length >= 10) // the chance that eight bytes of ciphertext are their own plaintext is small
             RC_ASSERT(!std::equal(sealed.begin() + 10, sealed.begin() + 10 + static_cast<std::ptrdiff_t>(length), frame.begin() + 10));
         RC_ASSERT(open(sealed, place, *cipherOf(suite)) == frame);
+    }));
+}
+
+void InlineFrameTest::clearBytesStandAnywhere()
+{
+    // Also where no message of today has them: the component in front, only one of them, beyond the end.
+    QVERIFY(rc::check([] {
+        FrameFacts::Message message;
+        message.targetSystemOffset = static_cast<std::int16_t>(*rc::gen::inRange(-1, 256));
+        do
+            message.targetComponentOffset = static_cast<std::int16_t>(*rc::gen::inRange(-1, 256));
+        while (message.targetComponentOffset == message.targetSystemOffset && message.targetSystemOffset >= 0);
+        const Bytes payload = anyPayload(*rc::gen::inRange<std::size_t>(0, 256));
+        const ClearBytes clear(message, payload.size());
+        Bytes hidden(clear.hiddenLength()), back(payload.size());
+        clear.gather(payload, hidden);
+        const auto described = clear.describe(payload);
+        RC_ASSERT(described[0] <= described[1]);
+        for (const std::size_t i : {0u, 1u}) {
+            if (described[i] != 255)
+                back[described[i]] = described[i + 2];
+        }
+        clear.scatter(hidden, back);
+        RC_ASSERT(back == payload);
     }));
 }
 

@@ -2,6 +2,7 @@
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
+#include "tap.h"
 
 #include <QtTest/QTest>
 
@@ -24,6 +25,8 @@ private Q_SLOTS:
     void floodWithTheToken();
     void forgedCalls();
     void noMoreOutThanIn();
+    void onlyTheLastAnswersAreKept();
+    void moreCallersThanPlaces();
 };
 
 namespace {
@@ -38,11 +41,7 @@ std::shared_ptr<const crypto::X25519KeyPair> newKey(RandomSource &random)
 void PairingWireTest::replayOfAWholePairing()
 {
     PairingPair pair;
-    std::vector<Flight> recorded;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        recorded.push_back(flight);
-        return true;
-    };
+    Tap recorded(pair);
     pair.openBoth();
     QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
     pair.confirm(Air);
@@ -53,7 +52,7 @@ void PairingWireTest::replayOfAWholePairing()
         side.events.clear();
     pair.openBoth(); // Later, new windows; nobody answers but the recording.
     for (int round = 0; round < 5; ++round) {
-        for (const Flight &flight : recorded) {
+        for (const Flight &flight : recorded.flights) {
             pair.link.inject(pair.now, flight);
             pair.run(30ms);
         }
@@ -310,11 +309,7 @@ void PairingWireTest::noMoreOutThanIn()
 {
     // What was recorded, given to either end alone in a new window, again and again.
     PairingPair pair;
-    std::vector<Flight> recorded;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        recorded.push_back(flight);
-        return true;
-    };
+    Tap recorded(pair);
     pair.openBoth();
     QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
     pair.run(2s);
@@ -327,7 +322,7 @@ void PairingWireTest::noMoreOutThanIn()
         };
         fresh.open(victim);
         for (int round = 0; round < 30; ++round) {
-            for (const Flight &flight : recorded) {
+            for (const Flight &flight : recorded.flights) {
                 if (flight.from == victim)
                     continue;
                 fresh.link.inject(fresh.now, flight);
@@ -338,6 +333,69 @@ void PairingWireTest::noMoreOutThanIn()
         fresh.run(30s);
         QVERIFY2(out <= in, qPrintable(QStringLiteral("%1 out, %2 in").arg(out).arg(in)));
     }
+}
+
+void PairingWireTest::onlyTheLastAnswersAreKept()
+{
+    PairingPair pair;
+    SeededRandom random(31);
+    std::optional<PairingToken> token;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (const auto called = calledToken(flight.bytes))
+            token = called;
+        return true;
+    };
+    Bytes answer;
+    pair.elsewhere = [&](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+    pair.open(Air);
+    pair.run(100ms);
+    QVERIFY(token);
+    struct Caller
+    {
+        Path from;
+        channel::PublicKey key;
+        ThirdDatagram third;
+    };
+    std::vector<Caller> callers;
+    for (unsigned i = 0; i < 9; ++i) {
+        Path from = PairingPair::pathOf(Ground);
+        from.remote.ip[0] = static_cast<std::uint8_t>(50 + i); // another host each: one has a share of five
+        const auto key = newKey(random);
+        auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *key, nullptr, PairingId{i + 1}, *token);
+        pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
+        pair.pump();
+        QVERIFY(handshake.takeAnswer(answer));
+        callers.push_back({from, key->publicKey, *handshake.third({}, random)});
+    }
+    const auto finish = [&](const Caller &caller) {
+        pair.air().pairing->handleDatagram(pair.now, caller.from, caller.third);
+        pair.pump();
+        return pair.air().sees(caller.key);
+    };
+    QVERIFY(!finish(callers.front()));
+    QVERIFY(!pair.air().pairing->peer());
+    QVERIFY(finish(callers.back()));
+}
+
+void PairingWireTest::moreCallersThanPlaces()
+{
+    PairingPair pair;
+    SeededRandom random(32);
+    std::uint64_t out = 0;
+    pair.elsewhere = [&](Side, const Transmit &) { ++out; };
+    pair.open(Ground);
+    for (unsigned i = 0; i < 200; ++i) {
+        Path from = PairingPair::pathOf(Air);
+        from.remote.ip[14] = 7;
+        from.remote.ip[15] = static_cast<std::uint8_t>(i);
+        PairingToken token;
+        random.fill(token);
+        pair.ground().pairing->handleDatagram(pair.now, from, pairingCall(token));
+        pair.run(1ms);
+    }
+    QVERIFY(out <= 1); // One at a time.
+    pair.open(Air);
+    QVERIFY(pair.run(30s, [&] { return pair.shown(); }));
 }
 
 QTEST_GUILESS_MAIN(PairingWireTest)

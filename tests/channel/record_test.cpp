@@ -26,6 +26,7 @@ private Q_SLOTS:
     void controlBytes();
     void controlSurvivesTheWire();
     void anyBytesAreSafeAsControl();
+    void numbersOfReportsHave64Bits();
     void announcementsAreRecognisedByKeyOnly();
     void epochKeysDependOnEverything();
 };
@@ -163,6 +164,24 @@ void RecordTest::anyBytesAreSafeAsControl()
         RC_ASSERT(again && again->index() == message->index());
     }));
     QVERIFY(!readControl({}));
+}
+
+void RecordTest::numbersOfReportsHave64Bits()
+{
+    const auto reads = [](const char *number, std::size_t place) {
+        Bytes report = *fromHex("0600010000000000000000000000");
+        for (std::size_t i = 0; i < 10; ++i) {
+            const Bytes bytes = *fromHex(i == place ? number : "00");
+            report.insert(report.end(), bytes.begin(), bytes.end());
+        }
+        return readControl(report).has_value();
+    };
+    for (const std::size_t place : {0u, 7u, 8u, 9u}) {
+        QVERIFY(reads("ffffffffffffffffff01", place));
+        QVERIFY(!reads("ffffffffffffffffff02", place)); // one bit more
+        QVERIFY(!reads("ffffffffffffffffff81", place));
+        QVERIFY(!reads("8080808080808080808000", place)); // a byte more
+    }
 }
 
 void RecordTest::announcementsAreRecognisedByKeyOnly()

@@ -265,7 +265,21 @@ void HandshakeStateTest::refusesMissingKeysAndUnknownPatterns()
     HandshakeState keyless = std::move(*HandshakeState::initialize(std::move(config)));
     test::SeededRandom random(1);
     Bytes out(200);
-    QVERIFY(keyless.writeMessage({}, out, random));
+    const auto first = keyless.writeMessage({}, out, random);
+    QVERIFY(first);
+
+    // Without a static key it comes as far as the message that has to show one, and stays there.
+    Ends ends;
+    HandshakeConfig answering{Role::Responder, "XX", {}, {}, {}, {}};
+    answering.localStatic = ends.responderKeys.clone();
+    HandshakeState responder = std::move(*HandshakeState::initialize(std::move(answering)));
+    out.resize(*first);
+    QVERIFY(read(responder, out));
+    QVERIFY(read(keyless, ends.write(responder, Bytes(3))));
+    const crypto::Hash64 before = keyless.handshakeHash();
+    Bytes third(200);
+    QCOMPARE(keyless.writeMessage({}, third, random).error(), NoiseError::MissingKey);
+    QVERIFY(keyless.handshakeHash() == before && !keyless.isComplete());
 }
 
 void HandshakeStateTest::limitsLengths()
@@ -299,7 +313,9 @@ void HandshakeStateTest::cipherStateStopsBeforeTheLastNonce()
     cipher.setNonce(0);
     QCOMPARE(cipher.decryptWithAd({}, Bytes(15), out).error(), NoiseError::Truncated);
     QCOMPARE(cipher.decryptWithAd({}, Bytes(16), out).error(), NoiseError::DecryptionFailed);
-    QCOMPARE(cipher.nonce(), std::uint64_t(0));
+    QCOMPARE(cipher.encryptWithAd({}, Bytes(1), out).error(), NoiseError::NoRoom);
+    QCOMPARE(cipher.decryptWithAd({}, Bytes(33), out).error(), NoiseError::NoRoom);
+    QCOMPARE(cipher.nonce(), std::uint64_t(0)); // Nothing that failed has used one.
 }
 
 QTEST_APPLESS_MAIN(HandshakeStateTest)

@@ -1,0 +1,313 @@
+// Messages that come when what they belong to is over or has changed: handshakes of peers that were removed meanwhile,
+// switches that one end gave up, counts and closes that something is missing for.
+#include "core/channel/handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "inline_pair.h"
+#include "tap.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class LateMessagesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void recordOfAPeerRemovedMeanwhile();
+    void answerOfAPeerRemovedMeanwhile();
+    void forgedAnswerBeforeTheTrueOne();
+    void countOfAnEpochWhoseKeysAreGone();
+    void refusalIsRepeated();
+    void suiteThatThePeerNeverOffered();
+    void commitThatWasGivenUpHere();
+    void closedWhileASwitchIsInDoubt();
+    void policyThatLeavesNothing();
+    void closeThatOvertookALostRecord();
+    void inlineFrameEndsTheAttempt();
+    void inlineFrameOfAnEpochThatHasNone();
+};
+
+namespace {
+
+std::unique_ptr<Pair> settledPair(PairOptions options = {})
+{
+    auto pair = std::make_unique<Pair>(std::move(options));
+    pair->run(5s, [&] { return pair->bothUp(); });
+    pair->run(1s);
+    return pair;
+}
+
+bool isRecord(const Flight &flight) { return (flight.bytes[0] & 0xfc) == 0x50; }
+
+void give(Pair &pair, Side to, Bytes datagram)
+{
+    pair.ends[to].endpoint->handleDatagram(pair.now, pair.pathOf(to == Air ? Ground : Air), datagram);
+    pair.pump();
+}
+
+SuiteId suiteOf(Pair &pair, Side side)
+{
+    return pair.ends[side].endpoint->sessionInfo(pair.ends[side].session())->suite;
+}
+
+} // namespace
+
+void LateMessagesTest::recordOfAPeerRemovedMeanwhile()
+{
+    Pair pair;
+    std::optional<Bytes> proof; // the record by which the station confirms the session
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == Ground && isRecord(flight) && !proof)
+            proof = flight.bytes;
+        return flight.from == Air || !isRecord(flight);
+    };
+    QVERIFY(pair.run(2s, [&] { return proof.has_value(); }));
+    QVERIFY(!pair.air().up());
+    const auto peers = pair.configOf(Air).peers;
+    pair.air().endpoint->setPeers(pair.now, {});
+    give(pair, Air, *proof);
+    QVERIFY(!pair.air().up());
+    QVERIFY(pair.air().all<SessionUp>().empty());
+    QCOMPARE(pair.air().endpoint->strays().malformed, std::uint64_t(1));
+    pair.air().endpoint->setPeers(pair.now, peers);
+    give(pair, Air, *proof); // Its keys are gone for good.
+    QVERIFY(!pair.air().up());
+    pair.link.attacker = {};
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+}
+
+void LateMessagesTest::answerOfAPeerRemovedMeanwhile()
+{
+    Pair pair;
+    std::optional<Bytes> answer;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] != 0x5a)
+            return true;
+        answer = flight.bytes;
+        return false;
+    };
+    QVERIFY(pair.run(2s, [&] { return answer.has_value(); }));
+    const auto peers = pair.configOf(Ground).peers;
+    pair.ground().endpoint->setPeers(pair.now, {});
+    const auto sent = pair.ground().datagramsOut;
+    give(pair, Ground, *answer);
+    pair.run(5s);
+    QVERIFY(!pair.ground().up());
+    QCOMPARE(pair.ground().datagramsOut, sent);
+    pair.link.attacker = {};
+    pair.ground().endpoint->setPeers(pair.now, peers);
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+}
+
+void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
+{
+    Pair pair;
+    std::optional<Bytes> answer;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] != 0x5a)
+            return true;
+        answer = flight.bytes;
+        return false;
+    };
+    QVERIFY(pair.run(2s, [&] { return answer.has_value(); }));
+    for (const std::size_t at : {3u, 34u, 35u, 57u}) {
+        Bytes forged = *answer;
+        forged[at] ^= 1;
+        Mac1(pair.ground().identity->publicKey).sign(forged); // as anyone can who knows the key
+        give(pair, Ground, forged);
+        QVERIFY(!pair.ground().up());
+    }
+    QCOMPARE(pair.ground().endpoint->strays().forged, std::uint64_t(4));
+    QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
+    QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).peer, pair.air().identity->publicKey);
+    give(pair, Ground, *answer);
+    QVERIFY(pair.ground().up());
+}
+
+void LateMessagesTest::countOfAnEpochWhoseKeysAreGone()
+{
+    // The last frames of an epoch are lost, and the word how many there were takes longer than the epoch's keys live.
+    auto pair = settledPair();
+    std::uint64_t lost = 0;
+    bool losing = false;
+    const TimePoint confirmsFrom = pair->now + 8s;
+    pair->link.attacker = [&](TimePoint at, Flight &flight) {
+        constexpr std::size_t kConfirm = 6 + 9 + 16;
+        const bool drop = flight.from == Ground && isRecord(flight)
+            && ((flight.tag && losing) || (flight.bytes.size() == kConfirm && at < confirmsFrom));
+        lost += drop;
+        return !drop;
+    };
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->pump();
+    losing = true;
+    for (int i = 0; i < 5; ++i)
+        pair->sendFrame(Ground, 100); // still under the old epoch, and nothing comes behind them
+    losing = false;
+    pair->run(7s);
+    const auto lostSaid = [&] { return pair->air().endpoint->stats(pair->air().session())->rx.lost; };
+    QCOMPARE(suiteOf(*pair, Air), SuiteId::Aes256Gcm);
+    QVERIFY(lostSaid() < lost);
+    pair->run(5s);
+    QCOMPARE(lostSaid(), lost);
+}
+
+void LateMessagesTest::refusalIsRepeated()
+{
+    auto pair = settledPair();
+    pair->air().endpoint->setPolicy(pair->now, Policy{{SuiteId::ChaCha20Poly1305}, true, false}); // known to itself alone
+    const TimePoint until = pair->now + 450ms;
+    pair->link.attacker = [&](TimePoint at, Flight &flight) { return flight.from == Ground || at > until; };
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->run(400ms);
+    QVERIFY(pair->ground().all<SwitchDone>().empty());
+    pair->run(1s);
+    const auto done = pair->ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
+    QVERIFY(done[0].took < 2s);
+    QVERIFY(pair->air().all<SwitchPending>().empty());
+}
+
+void LateMessagesTest::suiteThatThePeerNeverOffered()
+{
+    PairOptions options;
+    options.air.suites = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Ctr};
+    auto pair = settledPair(options);
+    const auto sent = pair->ground().datagramsOut;
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->pump();
+    const auto done = pair->ground().all<SwitchDone>();
+    QCOMPARE(done.size(), 1u);
+    QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
+    QCOMPARE(pair->ground().datagramsOut, sent); // The peer need not be asked.
+}
+
+void LateMessagesTest::commitThatWasGivenUpHere()
+{
+    // The agent accepts, hears nothing for so long that it tells of a failure, and wishes for another suite. But the station
+    // had committed: its records must open, and its choice stands.
+    auto pair = settledPair();
+    bool deaf = false;
+    pair->link.attacker = [&](TimePoint, Flight &flight) { return !(deaf && flight.from == Ground); };
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    QVERIFY(pair->run(1s, [&] { return deaf = !pair->air().all<SwitchPending>().empty(); }));
+    pair->run(5500ms);
+    QCOMPARE(suiteOf(*pair, Ground), SuiteId::Aes256Gcm);
+    QCOMPARE(pair->air().all<SwitchDone>().at(0).failure, SwitchFailure::NotConfirmed);
+    pair->air().endpoint->switchSuite(pair->now, pair->air().session(), SuiteId::Aes256Ctr);
+    pair->run(500ms);
+    QCOMPARE(suiteOf(*pair, Air), SuiteId::ChaCha20Poly1305);
+    deaf = false;
+    pair->run(2s);
+    const auto done = pair->air().all<SwitchDone>();
+    QCOMPARE(done.size(), 3u);
+    QVERIFY(done[1].byPeer && done[1].failure == SwitchFailure::None && done[1].to == SuiteId::Aes256Gcm);
+    QVERIFY(!done[2].byPeer && done[2].failure == SwitchFailure::Superseded);
+    QCOMPARE(pair->air().all<SwitchPending>().size(), 3u); // one for each
+    QCOMPARE(suiteOf(*pair, Air), SuiteId::Aes256Gcm);
+    const std::uint64_t number = pair->sendFrame(Air);
+    pair->run(100ms);
+    QCOMPARE(pair->ground().delivered[number], 1);
+}
+
+void LateMessagesTest::closedWhileASwitchIsInDoubt()
+{
+    auto pair = settledPair();
+    pair->link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; };
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    QVERIFY(pair->run(1s, [&] { return !pair->air().all<SwitchPending>().empty(); }));
+    pair->air().endpoint->close(pair->now, pair->air().session());
+    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->pump();
+    for (const Pair::End &end : pair->ends) {
+        const auto done = end.all<SwitchDone>();
+        QCOMPARE(done.size(), 1u);
+        QCOMPARE(done[0].failure, SwitchFailure::SessionEnded);
+    }
+    QVERIFY(pair->air().all<SwitchDone>()[0].byPeer);
+}
+
+void LateMessagesTest::policyThatLeavesNothing()
+{
+    auto pair = settledPair();
+    pair->ground().endpoint->setPolicy(pair->now, Policy{{}, false, false});
+    pair->run(100ms);
+    QCOMPARE(pair->ground().all<SessionDown>().at(0).reason, DownReason::Closed);
+    QCOMPARE(pair->air().all<SessionDown>().at(0).reason, DownReason::PeerClosed);
+    pair->run(10s);
+    QVERIFY(!pair->ground().up() && !pair->air().up());
+}
+
+void LateMessagesTest::closeThatOvertookALostRecord()
+{
+    auto pair = settledPair();
+    pair->link.attacker = [](TimePoint, Flight &flight) { return flight.tag == 0; };
+    pair->sendFrame(Air);
+    pair->link.attacker = {};
+    pair->air().endpoint->close(pair->now, pair->air().session());
+    pair->pump();
+    pair->kill(Air); // which would announce itself again
+    pair->run(2900ms);
+    QVERIFY(pair->ground().up()); // The record may still come.
+    pair->run(300ms);
+    QVERIFY(!pair->ground().up());
+    const auto down = pair->ground().all<SessionDown>();
+    QCOMPARE(down.size(), 1u);
+    QCOMPARE(down[0].reason, DownReason::PeerClosed);
+    QCOMPARE(down[0].stats.rx.lost, std::uint64_t(1));
+}
+
+void LateMessagesTest::inlineFrameEndsTheAttempt()
+{
+    // A silent agent comes back, and the first that is heard of it is a frame, not a record.
+    auto pair = inlinePair(SuiteId::Aes256Ctr);
+    QCOMPARE(framingOf(pair->air()), Framing::Inline);
+    bool frames = false;
+    std::size_t calls = 0;
+    pair->link.attacker = [&](TimePoint, Flight &flight) {
+        calls += flight.bytes[0] == 0x59;
+        return flight.from == Ground ? flight.bytes[0] != 0x59 : frames && Endpoint::ownsFrame(flight.bytes);
+    };
+    pair->run(4s);
+    QVERIFY(calls > 0);
+    frames = true;
+    const std::uint64_t number = pair->sendFrame(Air);
+    pair->run(50ms);
+    QCOMPARE(pair->ground().delivered[number], 1);
+    const auto before = calls;
+    pair->run(2s);
+    QCOMPARE(calls, before);
+    QCOMPARE(pair->ground().all<SessionDown>().size(), 0u);
+}
+
+void LateMessagesTest::inlineFrameOfAnEpochThatHasNone()
+{
+    auto pair = inlinePair(SuiteId::Aes256Ctr);
+    const auto seal = [&](ByteView frame, MutableByteView out) {
+        return pair->air().endpoint->sealInline(pair->now, pair->air().session(), frame, out);
+    };
+    const Bytes frame = numberedFrame(1, 40);
+    Bytes sealed(frame.size() + 13);
+    QCOMPARE(seal(frame, MutableByteView(sealed).first(sealed.size() - 1)).error(), SealError::NoRoom);
+    Bytes damaged = frame;
+    damaged.back() ^= 1;
+    QCOMPARE(seal(damaged, sealed).error(), SealError::NotInline); // It goes as it is, in a record.
+    const auto records = pair->air().endpoint->stats(pair->air().session())->tx.records;
+    QVERIFY(seal(frame, sealed));
+    QCOMPARE(pair->air().endpoint->stats(pair->air().session())->tx.records, records + 1);
+
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::ChaCha20Poly1305);
+    pair->run(5s);
+    const auto epoch = pair->ground().endpoint->sessionInfo(pair->ground().session())->epoch;
+    sealed[sealed.size() - 13] = static_cast<std::uint8_t>(epoch); // whose suite never seals in place
+    const auto rx = [&] { return pair->ground().endpoint->stats(pair->ground().session())->rx; };
+    const auto before = rx();
+    QVERIFY(!pair->ground().endpoint->handleInlineFrame(pair->now, pair->pathOf(Air), sealed));
+    QCOMPARE(rx().malformed, before.malformed + 1);
+    QCOMPARE(rx().good, before.good);
+}
+
+QTEST_GUILESS_MAIN(LateMessagesTest)
+#include "late_messages_test.moc"

@@ -1,0 +1,210 @@
+// Where an endpoint comes to the end of its room, and what it makes of owners, peers and keys that ask for what cannot be:
+// each refusal leaves everything as it was.
+#include "core/channel/handshake.h"
+#include "core/channel/outbox.h"
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+#include "tap.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+using crypto::SuiteId;
+using crypto::X25519KeyPair;
+
+class LimitsTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void refusedSealingSpendsNothing_data();
+    void refusedSealingSpendsNothing();
+    void commandsForNoSession();
+    void moreSessionsThanRoom();
+    void peerWithAnUnusableKey();
+    void agentThatChoosesAnUnknownSuite();
+    void fullOutboxKeepsTheOldest();
+};
+
+void LimitsTest::refusedSealingSpendsNothing_data()
+{
+    QTest::addColumn<int>("suite");
+    for (const auto &info : crypto::suites()) {
+        if (info.id != SuiteId::None)
+            QTest::newRow(info.name.data()) << static_cast<int>(info.id);
+    }
+}
+
+void LimitsTest::refusedSealingSpendsNothing()
+{
+    QFETCH(int, suite);
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), static_cast<SuiteId>(suite));
+    pair.run(2s);
+    Endpoint &endpoint = *pair.air().endpoint;
+    const SessionId session = pair.air().session();
+    QCOMPARE(endpoint.sessionInfo(session)->suite, static_cast<SuiteId>(suite));
+    const auto sealed = [&] { return endpoint.stats(session)->tx.records; };
+    const auto before = sealed();
+    Bytes frames(kMaxRecordPayload + 1, 0xfd), out(kMaxRecordPayload + 1 + kMaxRecordOverhead);
+    const auto refusal = [&](ByteView text, MutableByteView room, SessionId id) {
+        const auto result = endpoint.seal(pair.now, id, text, room);
+        return result ? std::optional<SealError>() : result.error();
+    };
+    QVERIFY(refusal(frames, out, session) == SealError::TooLong);
+    QVERIFY(refusal({}, out, session) == SealError::NotFrames);
+    QVERIFY(refusal(Bytes{0x06, 0xfd}, out, session) == SealError::NotFrames); // would be taken for a report
+    QVERIFY(refusal(Bytes{0xfd}, out, SessionId{77}) == SealError::NoSession);
+    QCOMPARE(sealed(), before);
+
+    const ByteView longest = ByteView(frames).first(kMaxRecordPayload);
+    const auto size = endpoint.seal(pair.now, session, longest, out);
+    QVERIFY(size && *size <= 1200);
+    QVERIFY(refusal(longest, MutableByteView(out).first(*size - 1), session) == SealError::NoRoom);
+    QCOMPARE(sealed(), before + 1);
+    // No counter is missing at the other end, either.
+    QVERIFY(pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), MutableByteView(out).first(*size)));
+    pair.run(2s);
+    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost, std::uint64_t(0));
+}
+
+void LimitsTest::commandsForNoSession()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const SessionId nobody{0xabcd00};
+    for (Pair::End &end : pair.ends) {
+        Endpoint &endpoint = *end.endpoint;
+        const auto events = end.events.size();
+        endpoint.switchSuite(pair.now, nobody, SuiteId::Aes256Gcm);
+        endpoint.rekey(pair.now, nobody);
+        endpoint.close(pair.now, nobody);
+        endpoint.countPlaintextDropped(nobody, 5);
+        QVERIFY(!endpoint.sessionInfo(nobody) && !endpoint.stats(nobody));
+        QCOMPARE(endpoint.framing(nobody), Framing::Sealed);
+        QVERIFY(endpoint.recordPath(nobody) == Path{});
+        Bytes frame{0xfd}, out(100);
+        QCOMPARE(endpoint.sealInline(pair.now, nobody, frame, out).error(), SealError::NoSession);
+        QVERIFY(!endpoint.pollTransmit());
+        pair.pump();
+        QCOMPARE(end.events.size(), events);
+    }
+    QVERIFY(pair.bothUp());
+}
+
+void LimitsTest::moreSessionsThanRoom()
+{
+    // An agent that knows more stations than it has room for sessions: all call, and none proves itself.
+    constexpr std::size_t kStations = 257;
+    SeededRandom random(1);
+    MemoryCounterStore counters;
+    Config config;
+    config.role = Role::Agent;
+    config.identity = std::make_shared<X25519KeyPair>(X25519KeyPair::generate(random));
+    config.policy = {defaultSuites(), false, false};
+    std::vector<X25519KeyPair> stations;
+    for (std::size_t i = 0; i < kStations; ++i) {
+        stations.push_back(X25519KeyPair::generate(random));
+        config.peers.push_back({stations.back().publicKey, "station", {}, {}, {}});
+    }
+    const Peer agent{config.identity->publicKey, "agent", {}, {}, {}};
+    const SuiteOffer offer = offerOf(config.policy);
+    TimePoint now{1h};
+    Endpoint endpoint(std::move(config), random, counters, now);
+    const auto answers = [&](const X25519KeyPair &station, std::uint64_t counter) {
+        auto initiator = Initiator::begin(station, agent, {ConnectionId{1}, offer, counter}, random);
+        Bytes first(initiator->message().begin(), initiator->message().end());
+        endpoint.handleDatagram(now, Path{LinkId{1}, {}}, first);
+        int count = 0;
+        while (const auto transmit = endpoint.pollTransmit())
+            count += initiator->takeAnswer(transmit->bytes).has_value();
+        return count;
+    };
+    for (std::size_t i = 0; i + 1 < kStations; ++i) {
+        QCOMPARE(answers(stations[i], 1), 1);
+        now += 30ms; // within the rate, and all within the time that an unconfirmed session is kept
+    }
+    QCOMPARE(answers(stations.back(), 1), 0);
+    QVERIFY(endpoint.sessions().empty());
+    now += 10s;
+    endpoint.handleDeadline(now);
+    QCOMPARE(answers(stations.back(), 2), 1);
+}
+
+void LimitsTest::peerWithAnUnusableKey()
+{
+    // A point of small order in the list of peers, announced again and again: nothing goes out, and no room is lost by it.
+    Pair pair;
+    Peer bad{{}, "bad", {}, {}, {}};
+    bad.key[0] = 1;
+    auto peers = pair.configOf(Ground).peers;
+    peers.push_back(bad);
+    pair.kill(Air);
+    pair.ground().endpoint->setPeers(pair.now, peers);
+    SeededRandom random(5);
+    for (int i = 0; i < 400; ++i) {
+        auto announcement = Announcement(bad.key).make(random);
+        pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), announcement);
+        pair.run(100ms);
+    }
+    QCOMPARE(pair.ground().datagramsOut, std::uint64_t(0));
+    QVERIFY(pair.ground().endpoint->unanswered().empty());
+    pair.start(Air);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+}
+
+void LimitsTest::agentThatChoosesAnUnknownSuite()
+{
+    SeededRandom random(7);
+    const X25519KeyPair station = X25519KeyPair::generate(random), agent = X25519KeyPair::generate(random);
+    const SuiteOffer offer = offerOf(Policy{defaultSuites(), false, false});
+    for (const int suite : {7, 9, 15, 255}) {
+        const Peer known{agent.publicKey, "agent", {}, {}, {}};
+        auto initiator = Initiator::begin(station, known, {ConnectionId{1}, offer, 1}, random);
+        const std::string prologue("skyseal channel v1\x01");
+        noise::HandshakeConfig config;
+        config.role = noise::Role::Responder;
+        config.prologue = asBytes(prologue);
+        config.localStatic = agent.clone();
+        config.psks.emplace_back();
+        auto state = noise::HandshakeState::initialize(std::move(config));
+        std::array<std::uint8_t, FirstPayload::kLength> asked;
+        QVERIFY(state->readMessage(ByteView(initiator->message()).subspan(1, 110), asked));
+        auto payload = AnswerPayload{ConnectionId{2}, offer, SuiteId::ChaCha20Poly1305}.write();
+        payload.back() = static_cast<std::uint8_t>(suite);
+        AnswerMessage message{};
+        message[0] = firstByte(HandshakeMessage::Answer);
+        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(3, 55), random));
+        Mac1(station.publicKey).sign(message);
+        QCOMPARE(initiator->takeAnswer(message).error(), RefusalReason::OfferTampered);
+    }
+}
+
+void LimitsTest::fullOutboxKeepsTheOldest()
+{
+    Outbox outbox;
+    QVERIFY(!outbox.take());
+    outbox.send({}, Bytes(Outbox::kMaxLength + 1));
+    QVERIFY(outbox.empty());
+    for (int round = 0; round < 3; ++round) {
+        for (std::size_t i = 0; i < Outbox::kSlots + 50; ++i)
+            outbox.send({}, Bytes{static_cast<std::uint8_t>(i)});
+        QCOMPARE(outbox.size(), Outbox::kSlots);
+        for (std::size_t i = 0; i < Outbox::kSlots; ++i) {
+            const Outbox::Item *item = outbox.take();
+            QVERIFY(item);
+            QCOMPARE(item->length, std::size_t(1));
+            QCOMPARE(item->bytes[0], static_cast<std::uint8_t>(i));
+        }
+        QVERIFY(!outbox.take());
+    }
+}
+
+QTEST_GUILESS_MAIN(LimitsTest)
+#include "limits_test.moc"
