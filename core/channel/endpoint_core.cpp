@@ -66,7 +66,8 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
     });
     entry.up = true;
     const SessionInfo info = session.info(now);
-    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path, session.agreedFraming()});
+    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path,
+                                      session.agreedFraming()});
 }
 
 void EndpointCore::end(TimePoint now, Session &session, DownReason reason)

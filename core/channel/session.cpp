@@ -84,7 +84,8 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), kCarrier);
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
-    const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
+    const auto plaintext =
+        epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
     if (!plaintext && weakened(Weakness::RoamOnForged))
         m_setup.path = from;
     if (!plaintext)

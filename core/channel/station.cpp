@@ -119,8 +119,8 @@ void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
         place.cookie = cookie;
         place.cookieUntil = now + kCookieSecretLife;
         place.underCookie = true;
-        // One copy for it and no more: whoever knows the key and saw one first message can make a cookie in any sender's name,
-        // so it proves nothing about the address.
+        // One copy for it and no more: whoever knows the key and saw one first message can make a cookie in any sender's
+        // name, so it proves nothing about the address.
         sendTo(now, attempt, place);
         return;
     }

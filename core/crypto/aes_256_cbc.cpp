@@ -42,7 +42,8 @@ public:
         const std::uint8_t *iv = m_ivs.at(counter);
         if (!iv || !m_decrypt.decrypt(iv, body))
             return std::nullopt;
-        // The tag was good, so only a faulty peer gets here with bad padding; it is no oracle, but it is no plaintext either.
+        // The tag was good, so only a faulty peer gets here with bad padding; it is no oracle, but it is no plaintext
+        // either.
         const std::size_t padding = body.back();
         std::uint8_t wrong = static_cast<std::uint8_t>((padding == 0) | (padding > kBlock));
         for (std::size_t i = 0; i < kBlock; ++i) {

@@ -26,8 +26,9 @@ public:
             return 0;
         const Nonce12 nonce = m_nonces.at(counter);
         int written = 0;
-        if (EVP_EncryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) != 1 || !addAssociated(associatedData)
-            || !update(out.data(), plaintext) || EVP_EncryptFinal_ex(m_context.get(), out.data() + size, &written) != 1
+        if (EVP_EncryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) != 1
+            || !addAssociated(associatedData) || !update(out.data(), plaintext)
+            || EVP_EncryptFinal_ex(m_context.get(), out.data() + size, &written) != 1
             || EVP_CIPHER_CTX_ctrl(m_context.get(), EVP_CTRL_AEAD_GET_TAG, kTag, out.data() + size) != 1)
             return 0;
         return size + kTag;
@@ -43,7 +44,8 @@ public:
         if (EVP_DecryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) == 1
             && EVP_CIPHER_CTX_ctrl(m_context.get(), EVP_CTRL_AEAD_SET_TAG, kTag, body.data() + body.size()) == 1
             && addAssociated(associatedData) && update(body.data(), body)
-            && (EVP_DecryptFinal_ex(m_context.get(), body.data() + body.size(), &written) == 1 || weakened(Weakness::NoTagCheck)))
+            && (EVP_DecryptFinal_ex(m_context.get(), body.data() + body.size(), &written) == 1
+                || weakened(Weakness::NoTagCheck)))
             return body;
         // GCM as OpenSSL offers it decrypts before it knows the tag; nobody gets to see what came out.
         sodium_memzero(sealed.data(), sealed.size());

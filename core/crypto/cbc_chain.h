@@ -12,7 +12,8 @@ namespace skyseal::crypto {
 
 inline constexpr std::size_t kCbcBlock = 16;
 
-/// The IVs of a direction, several made with one call, since records mostly come in order and a call costs more than a block.
+/// The IVs of a direction, several made with one call, since records mostly come in order and a call costs more than a
+/// block.
 class CbcIvs
 {
 public:
@@ -34,7 +35,9 @@ public:
             for (std::size_t i = 0; i < kGroup; ++i)
                 storeBigEndian64(m_ivs.data() + i * kCbcBlock + 8, group * kGroup + i);
             int written = 0;
-            if (EVP_EncryptUpdate(m_context.get(), m_ivs.data(), &written, m_ivs.data(), static_cast<int>(m_ivs.size())) != 1)
+            if (EVP_EncryptUpdate(m_context.get(), m_ivs.data(), &written, m_ivs.data(),
+                                  static_cast<int>(m_ivs.size()))
+                != 1)
                 return nullptr;
             m_group = group;
             m_valid = true;

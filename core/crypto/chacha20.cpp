@@ -19,7 +19,9 @@ public:
         if (plaintext.empty()) // libsodium declares its pointers non-null
             return true;
         const Nonce12 nonce = m_nonces.at(counter);
-        return crypto_stream_chacha20_ietf_xor(out.data(), plaintext.data(), plaintext.size(), nonce.data(), m_key.view().data()) == 0;
+        return crypto_stream_chacha20_ietf_xor(out.data(), plaintext.data(), plaintext.size(), nonce.data(),
+                                               m_key.view().data())
+            == 0;
     }
 
     std::optional<std::size_t> decrypt(std::uint64_t counter, MutableByteView body)

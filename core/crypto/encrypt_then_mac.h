@@ -74,7 +74,10 @@ public:
     }
 
     SuiteId suite() const override { return m_suite; }
-    std::size_t sealedSize(std::size_t plaintextSize) const override { return Body::bodySize(plaintextSize) + RecordMac::kLength; }
+    std::size_t sealedSize(std::size_t plaintextSize) const override
+    {
+        return Body::bodySize(plaintextSize) + RecordMac::kLength;
+    }
     std::optional<std::size_t> plaintextCapacity(std::size_t room) const override
     {
         return room < RecordMac::kLength ? std::nullopt : Body::capacity(room - RecordMac::kLength);

@@ -41,7 +41,7 @@ public:
     virtual std::optional<Tag> seal(std::uint64_t counter, ByteView associatedData, MutableByteView body) = 0;
 
     /// Decrypts `body` in place, after the tag was found right; false when anything is wrong, and `body` is never plaintext.
-    [[nodiscard]] virtual bool open(std::uint64_t counter, ByteView associatedData, MutableByteView body, const Tag &tag) = 0;
+    [[nodiscard]] virtual bool open(std::uint64_t counter, ByteView associated, MutableByteView body, const Tag &tag) = 0;
 };
 
 /// True for the suites that may keep a frame's length: a cipher and an HMAC. The tag of an AEAD is never cut.

@@ -13,7 +13,8 @@ std::optional<MavsecCipher> MavsecCipher::make(Kind kind, const Key32 &key, Byte
     MavsecCipher cipher;
     const MutableByteView stream = cipher.m_stream.mutableView();
     if (kind == Kind::ChaCha20) {
-        crypto_stream_chacha20_ietf_xor_ic(stream.data(), stream.data(), stream.size(), nonce.data(), counter, key.view().data());
+        crypto_stream_chacha20_ietf_xor_ic(stream.data(), stream.data(), stream.size(), nonce.data(), counter,
+                                           key.view().data());
         return cipher;
     }
     const EvpCipher aes(EVP_CIPHER_fetch(nullptr, "AES-256-CTR", nullptr));

@@ -1,7 +1,7 @@
 // The payload encryption of the code published with the paper MAVSec (2019): ChaCha20 or AES-256-CTR with a fixed key and a
-// fixed nonce, begun anew for every frame, and no authentication. INSECURE: every frame is xored with the same bytes, so that
-// one known plaintext opens all others, and anybody can change or invent frames. It is here to read recordings and streams
-// of that code, for comparison; nothing of ours is ever protected by it.
+// fixed nonce, begun anew for every frame, and no authentication. INSECURE: every frame is xored with the same bytes, so
+// that one known plaintext opens all others, and anybody can change or invent frames. It is here to read recordings and
+// streams of that code, for comparison; nothing of ours is ever protected by it.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -16,13 +16,15 @@ bool isAcceptable(const PassphraseCost &cost)
         && cost.memoryKiB >= kLeastPassphraseCost.memoryKiB && cost.memoryKiB <= kMostPassphraseCost.memoryKiB;
 }
 
-static Result<Key32, PassphraseError> derive(const Passphrase &passphrase, const PassphraseCost &cost, const PassphraseSalt &salt)
+static Result<Key32, PassphraseError> derive(const Passphrase &passphrase, const PassphraseCost &cost,
+                                             const PassphraseSalt &salt)
 {
     Key32 key;
     const ByteView words = passphrase.view();
     if (!isAcceptable(cost)
-        || crypto_pwhash_argon2id(key.mutableView().data(), key.size(), reinterpret_cast<const char *>(words.data()), words.size(),
-                                  salt.data(), cost.passes, std::size_t{cost.memoryKiB} * 1024, crypto_pwhash_argon2id_ALG_ARGON2ID13)
+        || crypto_pwhash_argon2id(key.mutableView().data(), key.size(), reinterpret_cast<const char *>(words.data()),
+                                  words.size(), salt.data(), cost.passes, std::size_t{cost.memoryKiB} * 1024,
+                                  crypto_pwhash_argon2id_ALG_ARGON2ID13)
             != 0)
         return tl::unexpected(PassphraseError::NoMemory);
     return key;
@@ -42,7 +44,8 @@ Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, co
 }
 
 Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, const Passphrase &passphrase,
-                                                  const PassphraseCost &cost, const PassphraseSalt &salt, ByteView associated)
+                                                  const PassphraseCost &cost, const PassphraseSalt &salt,
+                                                  ByteView associated)
 {
     const auto key = derive(passphrase, cost, salt);
     if (!key)

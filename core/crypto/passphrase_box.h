@@ -1,6 +1,6 @@
-// A secret of 32 bytes sealed with a passphrase: Argon2id (RFC 9106) makes a key of it, ChaCha20-Poly1305 (RFC 8439) seals the
-// secret. The derived key seals this one message and is never used again, since every sealing has a fresh salt; therefore
-// the nonce can be zero.
+// A secret of 32 bytes sealed with a passphrase: Argon2id (RFC 9106) makes a key of it, ChaCha20-Poly1305 (RFC 8439) seals
+// the secret. The derived key seals this one message and is never used again, since every sealing has a fresh salt;
+// therefore the nonce can be zero.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -31,8 +31,8 @@ using PassphraseSalt = std::array<std::uint8_t, 16>;
 /// The ciphertext, then its tag.
 using SealedSecret = std::array<std::uint8_t, 32 + 16>;
 
-/// NoMemory: this machine cannot give as much as the cost asks for. DoesNotOpen: another passphrase, or something was changed;
-/// nobody can tell these apart.
+/// NoMemory: this machine cannot give as much as the cost asks for. DoesNotOpen: another passphrase, or something was
+/// changed; nobody can tell these apart.
 enum class PassphraseError : std::uint8_t { NoMemory, DoesNotOpen };
 
 /// `associated` is authenticated with it. The cost must be acceptable; the salt must be fresh and random.
@@ -40,6 +40,7 @@ Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, co
                                                          const PassphraseCost &cost, const PassphraseSalt &salt,
                                                          ByteView associated);
 Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, const Passphrase &passphrase,
-                                                  const PassphraseCost &cost, const PassphraseSalt &salt, ByteView associated);
+                                                  const PassphraseCost &cost, const PassphraseSalt &salt,
+                                                  ByteView associated);
 
 } // namespace skyseal::crypto

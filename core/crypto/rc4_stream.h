@@ -17,7 +17,8 @@ public:
     Rc4Stream();
     bool ready() const { return m_context != nullptr; }
 
-    /// Writes `in` xor the stream from byte 768 on to `out`, which has the same length and starts with `in` or apart from it.
+    /// Writes `in` xor the stream from byte 768 on to `out`, which has the same length and starts with `in` or apart from
+    /// it.
     bool crypt(const Key32 &key, ByteView in, std::uint8_t *out);
 
 private:

@@ -14,8 +14,8 @@
 //
 // Nonce (12 bytes) = iv xor (4 zero bytes, counter as 64-bit big-endian), as in RFC 8446 5.3. The first block of
 // aes-256-ctr is the nonce followed by a 32-bit big-endian block number from 0; chacha20 is RFC 8439 with block number 0.
-// The IV of aes-256-cbc is AES-256(iv key, 8 zero bytes, counter as 64-bit big-endian): nobody without the key can foretell it.
-// The plaintext is padded to whole blocks by PKCS#7 (1..16 bytes). The RC4 key of a record is
+// The IV of aes-256-cbc is AES-256(iv key, 8 zero bytes, counter as 64-bit big-endian): nobody without the key can foretell
+// it. The plaintext is padded to whole blocks by PKCS#7 (1..16 bytes). The RC4 key of a record is
 // HMAC-SHA-256(key, counter as 64-bit little-endian), all 32 bytes; the first 768 bytes of its stream are thrown away.
 // The epoch is in the direction secret, which is new for each epoch.
 //

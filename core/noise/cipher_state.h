@@ -27,7 +27,7 @@ public:
     /// Writes plaintext + `overhead()` bytes to `out` and gives their number. Without a key the text is copied.
     Result<std::size_t, NoiseError> encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out);
 
-    /// Writes ciphertext - `overhead()` bytes to `out`. After a failure the nonce is what it was and `out` holds no plaintext.
+    /// Writes ciphertext - `overhead()` bytes to `out`. After a failure the nonce is as before and `out` has no plaintext.
     Result<std::size_t, NoiseError> decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out);
 
 private:

@@ -1,5 +1,5 @@
-// The construction that inline_cipher.h writes down, built a second time from OpenSSL's one-shot calls (which bring their own
-// CBC with ciphertext stealing, their own HKDF and HMAC): every suite, every length.
+// The construction that inline_cipher.h writes down, built a second time from OpenSSL's one-shot calls (which bring their
+// own CBC with ciphertext stealing, their own HKDF and HMAC): every suite, every length.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
@@ -50,7 +50,8 @@ Bytes encrypt(const char *name, const Bytes &key, const Bytes &iv, Bytes in, OSS
         done = done && EVP_CIPHER_CTX_set_key_length(context, 32) == 1;
     if (std::string(name) == "AES-256-CBC-CTS") {
         const OSSL_PARAM stealing[] = {
-            OSSL_PARAM_construct_utf8_string(OSSL_CIPHER_PARAM_CTS_MODE, const_cast<char *>("CS1"), 0), OSSL_PARAM_construct_end()};
+            OSSL_PARAM_construct_utf8_string(OSSL_CIPHER_PARAM_CTS_MODE, const_cast<char *>("CS1"), 0),
+            OSSL_PARAM_construct_end()};
         done = done && EVP_CIPHER_CTX_set_params(context, stealing) == 1;
     }
     done = done && EVP_EncryptInit_ex2(context, nullptr, key.data(), iv.empty() ? nullptr : iv.data(), nullptr) == 1

@@ -64,7 +64,8 @@ Bytes sendBytes(Side &side, const Bytes &payload)
 Bytes receiveBytes(Side &side, const Bytes &message)
 {
     Bytes out(message.size());
-    const auto read = side.handshake ? side.handshake->readMessage(message, out) : side.receive.decryptWithAd({}, message, out);
+    const auto read =
+        side.handshake ? side.handshake->readMessage(message, out) : side.receive.decryptWithAd({}, message, out);
     out.resize(read.value_or(0));
     return out;
 }
@@ -103,8 +104,9 @@ void NoiseVectorsTest::publishedHandshakes()
 
     Side initiator = makeSide(vector, Role::Initiator);
     Side responder = makeSide(vector, Role::Responder);
-    const bool oneWay = handshakePattern(vector.value(QLatin1String("protocol_name")).toString().section(QLatin1Char('_'), 1, 1)
-                                             .toStdString())->messages.size() == 1;
+    const QString protocol = vector.value(QLatin1String("protocol_name")).toString();
+    const std::string pattern = protocol.section(QLatin1Char('_'), 1, 1).toStdString();
+    const bool oneWay = handshakePattern(pattern)->messages.size() == 1;
     bool fromInitiator = true;
     bool split = false;
     for (const QJsonValue &value : vector.value(QLatin1String("messages")).toArray()) {

@@ -8,7 +8,8 @@ namespace skyseal::ui {
 /// "−32.5 s", "now", "12 s in use".
 QString chartTimeWords(double x, ChartTime time, int decimals);
 
-/// The time, then a line for each suite and quantity that has a value near `x`; marks nearer than `reach` seconds at the end.
+/// The time, then a line for each suite and quantity that has a value near `x`; marks nearer than `reach` seconds at the
+/// end.
 QStringList chartWordsAt(const ChartContent &content, double x, double reach, int decimals);
 
 } // namespace skyseal::ui

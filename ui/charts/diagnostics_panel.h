@@ -1,4 +1,5 @@
-// The diagnostics: what the link carries, loses and costs, over time or suite over suite, with bars to compare the suites by.
+// The diagnostics: what the link carries, loses and costs, over time or suite over suite, with bars to compare the suites
+// by.
 // Samples are kept all the time; charts are drawn four times a second, and not at all while nobody sees them.
 #pragma once
 

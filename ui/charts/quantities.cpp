@@ -58,12 +58,13 @@ std::vector<Quantity> rates()
          Words::tr("MAVLink frames that were opened and believed, over the last second."), 1, 10,
          {{{}, Stroke::Solid, whileUp<&MetricsSample::openedFramesPerSecond>}}, true},
         {"byteRate", Words::tr("Bytes"), Words::tr("kB/s"),
-         Words::tr("Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers)."), 2, 1,
+         Words::tr("Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers)."),
+         2, 1,
          {{Words::tr("opened"), Stroke::Solid, kilo<&MetricsSample::openedBytesPerSecond>},
           {Words::tr("received"), Stroke::Dashed, kilo<&MetricsSample::rxBytesPerSecond>}}, true},
         {"overhead", Words::tr("Wire overhead"), Words::tr("%"),
-         Words::tr("Bytes of the channel's datagrams beyond those of the frames in them: headers, tags, handshakes and reports. "
-                   "0 on a plain link."), 1, 50,
+         Words::tr("Bytes of the channel's datagrams beyond those of the frames in them: headers, tags, handshakes and "
+                   "reports. 0 on a plain link."), 1, 50,
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::rxOverheadPercent>},
           {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::txOverheadPercent>}}, true},
     };
@@ -73,8 +74,8 @@ std::vector<Quantity> links()
 {
     return {
         {"channelLoss", Words::tr("Packet loss, channel"), Words::tr("%"),
-         Words::tr("Records that never arrived, by their counters, over the last second; the other end reports its direction "
-                   "once a second. On a plain link: MAVLink's."), 2, 1,
+         Words::tr("Records that never arrived, by their counters, over the last second; the other end reports its "
+                   "direction once a second. On a plain link: MAVLink's."), 2, 1,
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::lossPercent>},
           {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}}, true},
         {"mavlinkLoss", Words::tr("Packet loss, MAVLink"), Words::tr("%"),
@@ -82,7 +83,8 @@ std::vector<Quantity> links()
                    "between autopilot and agent counts here and not in the channel."), 2, 1,
          {{{}, Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>}}, true},
         {"latency", Words::tr("Latency"), Words::tr("ms"),
-         Words::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."), 2, 1,
+         Words::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."),
+         2, 1,
          {{Words::tr("TIMESYNC"), Stroke::Solid, milli<&MetricsSample::latency>},
           {Words::tr("channel"), Stroke::Dashed, milli<&MetricsSample::roundTrip>}}, true},
     };
@@ -92,15 +94,15 @@ std::vector<Quantity> costs()
 {
     return {
         {"cpu", Words::tr("CPU load"), Words::tr("% of a core"),
-         Words::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in seal and "
-                   "open (elapsed time of each call, added up), over the last second."), 2, 5,
+         Words::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
+                   "seal and open (elapsed time of each call, added up), over the last second."), 2, 5,
          {{Words::tr("process"), Stroke::Solid, processCpu},
           {Words::tr("link"), Stroke::Dashed, ioCpu},
           {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true},
         {"openCost", Words::tr("Time to open a record"), Words::tr("µs"),
-         Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after the "
-                   "thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records that "
-                   "follow in the same wake-up, which come closer to the suite itself."), 2, 1,
+         Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after "
+                   "the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records "
+                   "that follow in the same wake-up, which come closer to the suite itself."), 2, 1,
          {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::openNsP50>},
           {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::openNsP99>},
           {Words::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}}, true},

@@ -1,5 +1,5 @@
-// The last ten minutes of the diagnostics' samples, each once, whatever the snapshots repeat; and beside them what each suite
-// did while it was in use.
+// The last ten minutes of the diagnostics' samples, each once, whatever the snapshots repeat; and beside them what each
+// suite did while it was in use.
 #pragma once
 
 #include "ui/charts/suite_history.h"
