@@ -49,7 +49,7 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     }
     if (!mayCompute(now, from, datagram, proven))
         return false;
-    auto responder = Responder::read(*m_core.config.identity, datagram);
+    auto responder = Responder::read(*m_core.config.identity, datagram, from.carrier);
     if (!responder)
         return refuse(now, from, responder.error());
     const PublicKey key = responder->peer();
@@ -78,6 +78,8 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
         return refuse(now, from, answer.error(), key);
     }
     forget(key);
+    if (SessionTable::Entry *here = m_core.table.upAt(from))
+        here->session->nameRecordsUntil(now + kAnswerKept); // the station may have a new session there before we know it
     Agreement &agreement = answer->agreement;
     SessionSetup setup{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection,
                        std::move(agreement.peerOffer), agreement.suite, std::move(agreement.chain), from};

@@ -65,8 +65,12 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
 {
     now = at;
     const auto header = RecordHeader::read(datagram);
-    SessionTable::Entry *entry = header ? core.table.find(header->connection) : nullptr;
-    if (!entry || header->kind != DatagramKind::Record) {
+    SessionTable::Entry *entry = nullptr;
+    if (header && header->kind == DatagramKind::Record)
+        entry = core.table.find(header->connection);
+    else if (header && from.carrier == Carrier::Serial)
+        entry = core.table.upAt(from);
+    if (!entry) {
         ++core.strays.malformed;
         return std::nullopt;
     }
@@ -200,7 +204,7 @@ std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from
         m_state->core.tellRefused(now, from, RefusalReason::Version);
         return std::nullopt;
     }
-    if (kindOf(datagram[0]) == DatagramKind::Record)
+    if (kindOf(datagram[0]) == DatagramKind::Record || kindOf(datagram[0]) == DatagramKind::SingleRecord)
         return m_state->handleRecord(now, from, datagram);
     if (kindOf(datagram[0]) == DatagramKind::Handshake)
         m_state->handleHandshake(now, from, datagram);
@@ -217,6 +221,15 @@ void Endpoint::handleDeadline(TimePoint now)
 std::optional<Delivery> Endpoint::handleInlineFrame(TimePoint now, const Path &from, MutableByteView frame)
 {
     return m_state->handleInlineFrame(now, from, frame);
+}
+
+void Endpoint::handleStreamBegan(TimePoint now, LinkId link)
+{
+    m_state->core.table.forEach([&](SessionTable::Entry &entry) {
+        if (entry.up && entry.session->path().link == link)
+            entry.session->callPeer(now);
+    });
+    m_state->refresh(now);
 }
 
 void Endpoint::countPlaintextDropped(SessionId session, std::uint64_t count)

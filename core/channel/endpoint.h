@@ -169,6 +169,8 @@ public:
     /// is. The session is found by where it came from, since the frame names none.
     std::optional<Delivery> handleInlineFrame(TimePoint now, const Path &from, MutableByteView frame);
     void handleDeadline(TimePoint now);
+    /// A stream of this link was cut and joined anew: its sessions say at once where they are now.
+    void handleStreamBegan(TimePoint now, LinkId link);
     /// Tells that clear MAVLink of `count` frames came from the path of a session, or claimed a pinned vehicle.
     void countPlaintextDropped(SessionId, std::uint64_t count);
 

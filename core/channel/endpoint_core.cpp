@@ -61,7 +61,10 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
 {
     Session &session = *entry.session;
     table.forEach([&](SessionTable::Entry &other) {
-        if (other.session.get() != &session && other.session->peer().key == session.peer().key && other.up)
+        const bool samePeer = other.session->peer().key == session.peer().key;
+        // A line that only two share has one session: records on it need not name theirs.
+        const bool sameLine = session.path().carrier == Carrier::Serial && other.session->path() == session.path();
+        if (other.session.get() != &session && (samePeer || sameLine) && other.up)
             end(now, *other.session, DownReason::PeerRestarted);
     });
     entry.up = true;

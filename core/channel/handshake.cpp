@@ -12,9 +12,16 @@ constexpr std::size_t kFirstNoise = kFirstLength - 1 - kMacLength;
 constexpr std::size_t kAnswerNoise = kAnswerLength - 3 - kMacLength;
 constexpr std::size_t kNumberNoise = kNumberLength - 3 - kMacLength;
 
-constexpr std::array<std::uint8_t, 19> kPrologue{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l',
-                                                 ' ', 'v', '0' + kProtocolVersion,
-                                                 static_cast<std::uint8_t>(Carrier::Datagram)};
+class Prologue
+{
+public:
+    explicit Prologue(Carrier carrier) { m_bytes.back() = static_cast<std::uint8_t>(carrier); }
+    ByteView view() const { return m_bytes; }
+
+private:
+    std::array<std::uint8_t, 19> m_bytes{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l', ' ', 'v',
+                                         '0' + kProtocolVersion, 0};
+};
 
 std::vector<Key32> presharedKeyOf(const Peer *peer)
 {
@@ -23,12 +30,13 @@ std::vector<Key32> presharedKeyOf(const Peer *peer)
     return keys;
 }
 
-/// `peer` is null for a responder, which learns from the first message who it is.
-noise::HandshakeConfig configFor(noise::Role role, const crypto::X25519KeyPair &identity, const Peer *peer)
+/// `peer` is null for a responder, which learns from the first message who it is. The prologue must outlive the config.
+noise::HandshakeConfig configFor(noise::Role role, const Prologue &prologue, const crypto::X25519KeyPair &identity,
+                                 const Peer *peer)
 {
     noise::HandshakeConfig config;
     config.role = role;
-    config.prologue = kPrologue;
+    config.prologue = prologue.view();
     config.localStatic = identity.clone();
     config.psks = presharedKeyOf(peer);
     return config;
@@ -44,9 +52,10 @@ void writeHead(MutableByteView message, HandshakeMessage kind, ConnectionId to)
 } // namespace
 
 std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
-                                          RandomSource &random)
+                                          RandomSource &random, Carrier carrier)
 {
-    auto config = configFor(noise::Role::Initiator, identity, &peer);
+    const Prologue prologue(carrier);
+    auto config = configFor(noise::Role::Initiator, prologue, identity, &peer);
     config.remoteStatic = peer.key;
     auto noise = noise::HandshakeState::initialize(std::move(config));
     if (!noise)
@@ -92,9 +101,10 @@ std::optional<std::uint64_t> Initiator::takeNumber(ByteView datagram)
     return ByteReader(plain).u64();
 }
 
-Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram)
+Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram, Carrier carrier)
 {
-    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, identity, nullptr));
+    const Prologue prologue(carrier);
+    auto noise = noise::HandshakeState::initialize(configFor(noise::Role::Responder, prologue, identity, nullptr));
     if (!noise)
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, FirstPayload::kLength> plain;

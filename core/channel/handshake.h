@@ -41,9 +41,9 @@ struct Agreement
 class Initiator
 {
 public:
-    /// nullopt when `peer` is no usable key.
+    /// nullopt when `peer` is no usable key. `carrier`: of the path where the message goes.
     static std::optional<Initiator> begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
-                                          RandomSource &random);
+                                          RandomSource &random, Carrier carrier = Carrier::Datagram);
 
     const FirstMessage &message() const { return m_message; }
     ConnectionId connection() const { return m_payload.connection; }
@@ -69,7 +69,8 @@ class Responder
 {
 public:
     /// `datagram` has kFirstLength bytes and its mac1 was verified.
-    static Result<Responder, RefusalReason> read(const crypto::X25519KeyPair &identity, ByteView datagram);
+    static Result<Responder, RefusalReason> read(const crypto::X25519KeyPair &identity, ByteView datagram,
+                                                 Carrier carrier = Carrier::Datagram);
 
     const PublicKey &peer() const { return m_peer; }
     const FirstPayload &payload() const { return m_payload; }

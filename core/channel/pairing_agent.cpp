@@ -57,7 +57,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     if (!mayCompute(now, from))
         return;
     auto handshake = PairingHandshake::begin(noise::Role::Responder, *m_core.config.identity,
-                                             m_core.config.passphraseKey.get(), head->id, head->token);
+                                             m_core.config.passphraseKey.get(), head->id, head->token, from.carrier);
     if (!handshake || !handshake->takeFirst(datagram))
         return;
     const auto answer = handshake->answer(m_core.about(), m_core.random);

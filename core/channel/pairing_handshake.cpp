@@ -130,13 +130,14 @@ std::optional<Word> PairingVoice::hear(ByteView datagram)
 // ---- handshake
 
 std::optional<PairingHandshake> PairingHandshake::begin(noise::Role role, const crypto::X25519KeyPair &identity,
-                                                        const Key32 *passphraseKey, PairingId id, const PairingToken &token)
+                                                        const Key32 *passphraseKey, PairingId id, const PairingToken &token,
+                                                        Carrier carrier)
 {
     // What must be the same at both ends, and is otherwise sent in the clear.
     std::array<std::uint8_t, 19 + 4 + 16> prologue;
     ByteWriter out(prologue);
     out.bytes(asBytes("skyseal pairing v1"));
-    out.u8(static_cast<std::uint8_t>(Carrier::Datagram));
+    out.u8(static_cast<std::uint8_t>(carrier));
     out.u32(static_cast<std::uint32_t>(id));
     out.bytes(token);
 

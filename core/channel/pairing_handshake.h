@@ -86,7 +86,8 @@ class PairingHandshake
 {
 public:
     static std::optional<PairingHandshake> begin(noise::Role role, const crypto::X25519KeyPair &identity,
-                                                 const Key32 *passphraseKey, PairingId id, const PairingToken &token);
+                                                 const Key32 *passphraseKey, PairingId id, const PairingToken &token,
+                                                 Carrier carrier = Carrier::Datagram);
 
     PairingId id() const { return m_id; }
     /// The other end's key; authentic once the last message was read.

@@ -58,7 +58,7 @@ void PairingStation::begin(TimePoint now)
     auto handshake = PairingHandshake::begin(
         noise::Role::Initiator, *m_core.config.identity, m_core.config.passphraseKey.get(),
         PairingId{static_cast<std::uint32_t>(id[0] | id[1] << 8 | id[2] << 16) | static_cast<std::uint32_t>(id[3]) << 24},
-        next->token);
+        next->token, next->path.carrier);
     const auto first = handshake ? handshake->first(m_core.random) : std::nullopt;
     if (!first)
         return;

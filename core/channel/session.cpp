@@ -9,7 +9,6 @@ namespace skyseal::channel {
 namespace {
 
 constexpr Duration kEventPause = std::chrono::seconds(1);
-constexpr Carrier kCarrier = Carrier::Datagram;
 
 /// What the cipher makes its nonce of.
 std::uint64_t nonceOf(std::uint32_t counter) { return weakened(Weakness::SharedNonce) ? 0 : counter; }
@@ -24,7 +23,9 @@ bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
     : m_setup(std::move(setup)), m_around(around), m_origin(m_setup.path), m_chain(std::move(m_setup.chain)),
       m_switch(m_setup.id, m_setup.initiator, around.timing),
-      m_inlineAgreed(around.facts && around.offer.allowInline && m_setup.peerOffer.allowInline), m_since(now),
+      m_inlineAgreed(m_setup.path.carrier == Carrier::Datagram && around.facts && around.offer.allowInline
+                     && m_setup.peerOffer.allowInline),
+      m_since(now),
       m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
@@ -57,17 +58,25 @@ Result<std::size_t, SealError> Session::sealRecord(TimePoint now, ByteView plain
         return tl::unexpected(SealError::NoRoom);
 
     const std::uint32_t counter = epoch.sent++;
-    const RecordHeader header{DatagramKind::Record, static_cast<std::uint8_t>(epoch.number), m_setup.theirs, counter};
+    const RecordHeader header{kindFor(now, plaintext), static_cast<std::uint8_t>(epoch.number), m_setup.theirs, counter};
+    const std::size_t head = header.length();
     header.write(out);
-    const AssociatedData associated(out.first(kRecordHeaderLength), epoch.suite, ourDirection(), kCarrier);
-    const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext,
-                                                  out.subspan(kRecordHeaderLength));
+    const AssociatedData associated(out.first(head), epoch.suite, ourDirection(), m_setup.path.carrier);
+    const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext, out.subspan(head));
     if (sealed == 0)
         return tl::unexpected(SealError::NoRoom);
     ++epoch.tx.records;
-    epoch.tx.sealedBytes += kRecordHeaderLength + sealed;
+    epoch.tx.sealedBytes += head + sealed;
     m_lastSent = now;
-    return kRecordHeaderLength + sealed;
+    return head + sealed;
+}
+
+/// A record without a connection id is taken for one of the session that is up at the other end of the line. Control
+/// messages name theirs, so that a line that was cut and joined anew finds its session again.
+DatagramKind Session::kindFor(TimePoint now, ByteView plaintext) const
+{
+    const bool alone = m_setup.path.carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
+    return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
 }
 
 Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram)
@@ -81,7 +90,7 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     if (!epoch->window.fresh(header.counter))
         return refuse(now, &ReceiveCounters::replayed, *epoch);
 
-    const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), kCarrier);
+    const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), from.carrier);
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
     const auto plaintext =

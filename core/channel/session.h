@@ -91,6 +91,8 @@ public:
     Framing framing() const;
     void switchSuite(TimePoint now, crypto::SuiteId suite);
     void rekey(TimePoint now);
+    /// In a single-peer carrier: records name their session until then, since another one may be there at the other end.
+    void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
     /// A report with the wish for an answer: a sign of life, sent at once.
     void callPeer(TimePoint now) { sendReport(now, true); }
     /// Keys changed in the list of peers: role and name follow.
@@ -121,6 +123,7 @@ private:
     std::vector<crypto::SuiteId> permitted() const;
 
     bool inlineAllowed() const { return m_inlineAgreed && m_around.offer.allowInline; }
+    DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
     bool nothingMissing() const;
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
@@ -148,6 +151,7 @@ private:
     bool m_confirmed = false;
     bool m_inlineAgreed; ///< both ends said in the handshake that they allow it
 
+    TimePoint m_namedUntil = TimePoint::min();
     TimePoint m_since;
     TimePoint m_lastReceived;
     TimePoint m_lastSent;

@@ -6,6 +6,8 @@ namespace skyseal::channel {
 
 namespace {
 
+/// Routers that take a frame out of a datagram or a stream must not change what is authenticated, and datagrams are the only
+/// carrier in which frames travel as they are.
 constexpr Carrier kCarrier = Carrier::Datagram;
 
 } // namespace

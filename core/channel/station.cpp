@@ -39,18 +39,20 @@ void Station::peersChanged()
     dropUnwanted(TimePoint::min());
 }
 
-Station::Attempt *Station::attemptWith(const PublicKey &peer)
+Station::Attempt *Station::attemptWith(const PublicKey &peer, Carrier carrier)
 {
-    const auto found = std::find_if(m_attempts.begin(), m_attempts.end(), [&](const Attempt &a) { return a.peer == peer; });
+    const auto found = std::find_if(m_attempts.begin(), m_attempts.end(),
+                                    [&](const Attempt &a) { return a.peer == peer && a.carrier == carrier; });
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
-Station::Attempt &Station::want(TimePoint now, const PublicKey &peer, TimePoint due)
+Station::Attempt &Station::want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due)
 {
-    Attempt *attempt = attemptWith(peer);
+    Attempt *attempt = attemptWith(peer, carrier);
     if (!attempt) {
         attempt = &m_attempts.emplace_back();
         attempt->peer = peer;
+        attempt->carrier = carrier;
         attempt->due = due;
     }
     attempt->wantedUntil = now + kWantedFor;
@@ -76,7 +78,7 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
     if (const Session *session = m_core.table.upWith(known->key);
         session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
         due = std::max(now, session->lastReceived() + m_core.config.timing.keepAliveAfter * 5 / 4);
-    Attempt &attempt = want(now, known->key, due);
+    Attempt &attempt = want(now, known->key, from.carrier, due);
     attempt.announced = now;
     attempt.announcedFrom = from;
     Place &place = placeAt(attempt, from);
@@ -108,7 +110,7 @@ Station::Place &Station::placeAt(Attempt &attempt, const Path &path)
 void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
 {
     for (Attempt &attempt : m_attempts) {
-        if (attempt.uncookied == 0 || !attempt.handshake)
+        if (attempt.uncookied == 0 || !attempt.handshake || attempt.carrier != from.carrier)
             continue;
         const auto cookie = openCookie(attempt.peer, ByteView(attempt.handshake->message()).last(kMacLength), datagram);
         if (!cookie)
@@ -127,18 +129,18 @@ void Station::handleCookie(TimePoint now, const Path &from, ByteView datagram)
     ++m_core.strays.forged;
 }
 
-Station::Attempt *Station::attemptAnswered(ByteView datagram)
+Station::Attempt *Station::attemptAnswered(const Path &from, ByteView datagram)
 {
     const auto connection = answeredConnection(datagram);
     const auto found = std::find_if(m_attempts.begin(), m_attempts.end(), [&](const Attempt &a) {
-        return a.handshake && connection && a.handshake->connection() == *connection;
+        return a.handshake && connection && a.handshake->connection() == *connection && a.carrier == from.carrier;
     });
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
 void Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
 {
-    Attempt *attempt = attemptAnswered(datagram);
+    Attempt *attempt = attemptAnswered(from, datagram);
     const auto number = attempt ? attempt->handshake->takeNumber(datagram) : std::nullopt;
     if (!number) {
         ++m_core.strays.forged;
@@ -155,7 +157,7 @@ void Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
 
 void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
-    Attempt *found = attemptAnswered(datagram);
+    Attempt *found = attemptAnswered(from, datagram);
     if (!found) { // Also the second copy of an answer.
         ++m_core.strays.malformed;
         return;
@@ -171,6 +173,7 @@ void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
                        std::move(agreement->peerOffer), agreement->suite, std::move(agreement->chain), from};
     m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // Its slot goes on as the session's.
     auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
+    sessionLives(entry.session->peer().key); // the same wish in another carrier
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
 }
@@ -189,8 +192,10 @@ std::vector<Unanswered> Station::unanswered() const
 
 void Station::sessionLives(const PublicKey &peer)
 {
-    if (Attempt *attempt = attemptWith(peer))
-        drop(*attempt);
+    for (std::size_t i = m_attempts.size(); i-- > 0;) {
+        if (m_attempts[i].peer == peer)
+            drop(m_attempts[i]);
+    }
 }
 
 void Station::handleDeadline(TimePoint now)
@@ -198,8 +203,9 @@ void Station::handleDeadline(TimePoint now)
     m_core.table.forEach([&](SessionTable::Entry &entry) {
         if (!entry.up || !entry.session->silent(now))
             return;
-        Attempt &attempt = want(now, entry.session->peer().key, now);
-        placeAt(attempt, entry.session->path()).proven = true;
+        const Path &path = entry.session->path();
+        Attempt &attempt = want(now, entry.session->peer().key, path.carrier, now);
+        placeAt(attempt, path).proven = true;
     });
     dropUnwanted(now);
     for (Attempt &attempt : m_attempts) {
@@ -270,7 +276,7 @@ bool Station::renew(TimePoint now, Attempt &attempt)
         return false;
     attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
-                                         m_core.around.random);
+                                         m_core.around.random, attempt.carrier);
     attempt.copies = 0;
     attempt.uncookied = 0;
     attempt.begun = now;

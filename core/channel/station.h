@@ -41,10 +41,11 @@ private:
         bool owed = false;        ///< announced, and not answered yet; no more than that goes to an address unproven
         TimePoint lastSent = TimePoint::min();
     };
-    /// The wish for a session with one peer, from the first sign of it until it is up or the peer is gone.
+    /// The wish for a session with one peer in one carrier, from the first sign of it until it is up or the peer is gone.
     struct Attempt
     {
         PublicKey peer{};
+        Carrier carrier{};         ///< of all places
         std::vector<Place> places; ///< several, since anyone who knows its key can announce it
         TimePoint due{};
         TimePoint wantedUntil{};
@@ -59,14 +60,14 @@ private:
         std::optional<Initiator> handshake;
     };
 
-    Attempt *attemptWith(const PublicKey &peer);
-    Attempt &want(TimePoint now, const PublicKey &peer, TimePoint due);
+    Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
+    Attempt &want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due);
     static Place &placeAt(Attempt &attempt, const Path &path);
     void send(TimePoint now, Attempt &attempt);
     void sendTo(TimePoint now, Attempt &attempt, Place &place);
     bool ready(TimePoint now, Attempt &attempt);
     bool renew(TimePoint now, Attempt &attempt);
-    Attempt *attemptAnswered(ByteView datagram);
+    Attempt *attemptAnswered(const Path &from, ByteView datagram);
     void drop(Attempt &attempt);
     void dropUnwanted(TimePoint now);
     Duration pauseAfter(unsigned sent) const;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/path.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -23,8 +24,7 @@ enum class DatagramKind : std::uint8_t {
 
 enum class HandshakeMessage : std::uint8_t { Announcement = 0, First = 1, Answer = 2, Cookie = 3 };
 
-/// What the record travels in. It is authenticated, so that a record taken from one carrier is refused on another.
-enum class Carrier : std::uint8_t { Datagram = 1, Tunnel = 2, Serial = 3 };
+using skyseal::Carrier;
 
 /// Who sealed: the two directions have keys of their own, and say so in the associated data as well.
 enum class Direction : std::uint8_t { FromInitiator = 0, FromResponder = 1 };

@@ -119,7 +119,7 @@ bool SenderPolicy::acceptClear(const Path &from, std::uint8_t systemId) const
 std::optional<channel::SessionId> SenderPolicy::sessionAt(const Path &path) const
 {
     for (const auto &[session, speaker] : m_speakers) {
-        if (speaker.path == path)
+        if (speaker.path.sharesPlace(path))
             return session;
     }
     return std::nullopt;

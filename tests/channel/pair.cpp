@@ -28,6 +28,7 @@ Path Pair::pathOf(Side side) const
     Path path{LinkId{1}, {}};
     path.remote.ip[15] = static_cast<std::uint8_t>(side + 1);
     path.remote.port = ends[side].port;
+    path.carrier = m_options.carrier;
     return path;
 }
 
@@ -42,7 +43,7 @@ Config Pair::configOf(Side side) const
     config.timing = m_options.timing;
     config.frameFacts = m_options.frameFacts;
     if (side == Air)
-        config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}});
+        config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}, m_options.carrier});
     return config;
 }
 
@@ -115,6 +116,7 @@ void Pair::arrive(Flight flight)
     }
     Path path = pathOf(flight.from);
     path.remote.port = flight.sourcePort;
+    path.carrier = m_arrival;
     const bool inPlace = Endpoint::ownsFrame(flight.bytes);
     const auto delivery = inPlace ? end.endpoint->handleInlineFrame(now, path, flight.bytes)
                                   : end.endpoint->handleDatagram(now, path, flight.bytes);

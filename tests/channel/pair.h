@@ -62,6 +62,7 @@ struct PairOptions
     std::uint64_t seed = 1;
     LinkModel link;
     Timing timing;
+    Carrier carrier = Carrier::Datagram;
     bool announceToAddress = true; ///< otherwise to the one peer of the link, by an all-zero address
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};
@@ -124,6 +125,9 @@ public:
     /// What went wrong with the frames that went from `side` to the other one; empty when all is as it must be.
     std::string accountFrom(Side side) const;
 
+    /// In what messages arrive from now on, whatever they were sent in: somebody takes them from one carrier to another.
+    void setArrival(Carrier carrier) { m_arrival = carrier; }
+
     TimePoint now{};
     SimulatedLink link;
     std::array<End, 2> ends;
@@ -144,6 +148,7 @@ private:
     Bytes frameWith(std::uint64_t number, std::size_t size) const;
 
     PairOptions m_options;
+    Carrier m_arrival = m_options.carrier;
     SeededRandom m_random;
     std::vector<Task> m_tasks;
     std::uint64_t m_frames = 0;
