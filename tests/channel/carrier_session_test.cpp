@@ -1,0 +1,245 @@
+// Sessions in each carrier: they come up, switch under loss and lose nothing of their own; what was taken from one carrier is
+// refused in another; and a line that only two share does without connection ids, whoever restarts.
+#include "core/channel/handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "pair.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr Carrier kCarriers[] = {Carrier::Datagram, Carrier::Tunnel, Carrier::Serial};
+
+PairOptions in(Carrier carrier)
+{
+    PairOptions options;
+    options.carrier = carrier;
+    options.link.delay = 20ms;
+    return options;
+}
+
+ReceiveCounters received(Pair &pair, Side side)
+{
+    return pair.ends[side].endpoint->stats(pair.ends[side].session())->rx;
+}
+
+} // namespace
+
+class CarrierSessionTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void switchesUnderLoss();
+    void handshakesStayInTheirCarrier();
+    void recordsStayInTheirCarrier();
+    void twentyBytesOnALine();
+    void restartsOnALine();
+    void aLineJoinedAnew();
+    void anotherStationOnTheLine();
+    void singleRecordsAreForLines();
+    void noInlineFramesElsewhere();
+};
+
+void CarrierSessionTest::switchesUnderLoss()
+{
+    for (const Carrier carrier : kCarriers) {
+        PairOptions options = in(carrier);
+        options.link.loss = 0.2;
+        options.seed = 5 + static_cast<unsigned>(carrier);
+        Pair pair(options);
+        QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+        QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->path.carrier, carrier);
+        pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+        pair.every(100ms, [&pair] { pair.sendFrame(Ground); });
+        std::size_t next = 0;
+        pair.every(2s, [&] {
+            const auto suites = defaultSuites();
+            pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suites[++next % suites.size()]);
+        });
+        pair.run(60s);
+        pair.stopTraffic();
+        pair.run(3s);
+        QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+        QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString());
+        QVERIFY(pair.ground().all<SwitchDone>().size() > 20);
+        QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
+        QCOMPARE(received(pair, Air).forged, std::uint64_t(0));
+    }
+}
+
+void CarrierSessionTest::handshakesStayInTheirCarrier()
+{
+    for (const Carrier sent : kCarriers) {
+        for (const Carrier arrived : kCarriers) {
+            Pair pair(in(sent));
+            // The station announces nothing, so what it answers goes by where it heard the agent.
+            pair.setArrival(arrived);
+            pair.link.attacker = [&](TimePoint, Flight &flight) {
+                pair.setArrival(flight.from == Ground ? arrived : sent);
+                return true;
+            };
+            pair.run(5s);
+            QCOMPARE(pair.bothUp(), sent == arrived);
+            if (sent != arrived)
+                QVERIFY(!pair.air().all<HandshakeRefused>().empty());
+        }
+    }
+}
+
+void CarrierSessionTest::recordsStayInTheirCarrier()
+{
+    for (const Carrier sent : kCarriers) {
+        for (const Carrier arrived : kCarriers) {
+            Pair pair(in(sent));
+            QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+            pair.run(2s);
+            const std::size_t before = pair.ground().delivered.size();
+            pair.setArrival(arrived);
+            pair.sendFrame(Air);
+            pair.run(100ms);
+            QCOMPARE(pair.ground().delivered.size() - before, sent == arrived ? 1u : 0u);
+            // Where the session is did not change either.
+            const auto path = pair.ground().endpoint->recordPath(pair.ground().session());
+            QCOMPARE(path.carrier, sent);
+        }
+    }
+}
+
+void CarrierSessionTest::twentyBytesOnALine()
+{
+    for (const Carrier carrier : kCarriers) {
+        Pair pair(in(carrier));
+        QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+        pair.run(1s);
+        for (const Side side : {Ground, Air}) {
+            Bytes frame(28, 0xfd), record(100);
+            Endpoint &endpoint = *pair.ends[side].endpoint;
+            const auto size = endpoint.seal(pair.now, pair.ends[side].session(), frame, record);
+            QVERIFY(size.has_value());
+            QCOMPARE(*size, frame.size() + (carrier == Carrier::Serial ? 20u : 22u));
+        }
+    }
+}
+
+void CarrierSessionTest::restartsOnALine()
+{
+    for (const Side restarting : {Ground, Air}) {
+        Pair pair(in(Carrier::Serial));
+        pair.every(5ms, [&pair] { pair.sendFrame(Air); });
+        pair.every(5ms, [&pair] { pair.sendFrame(Ground); });
+        for (int i = 0; i < 5; ++i) {
+            QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
+            pair.run(std::chrono::milliseconds(1700 + 130 * i));
+            pair.kill(restarting);
+            pair.run(std::chrono::milliseconds(50 + 450 * i));
+            const std::size_t before = pair.ground().all<SessionUp>().size();
+            pair.start(restarting);
+            QVERIFY(pair.run(5s, [&] { return pair.bothUp() && pair.ground().all<SessionUp>().size() > before; }));
+            pair.run(1s);
+            // Records of the session before met the new one; nobody may cry for a forgery.
+            for (const Side side : {Ground, Air}) {
+                QCOMPARE(received(pair, side).forged, std::uint64_t(0));
+                QVERIFY(pair.ends[side].all<ForgeryAlarm>().empty());
+            }
+        }
+        pair.stopTraffic();
+        pair.run(1s);
+        const std::size_t delivered = pair.ground().delivered.size();
+        pair.sendFrame(Air);
+        pair.run(1s);
+        QCOMPARE(pair.ground().delivered.size(), delivered + 1);
+    }
+}
+
+void CarrierSessionTest::aLineJoinedAnew()
+{
+    Pair pair(in(Carrier::Serial));
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.run(2s);
+    // A TCP connection of its own port takes the place of the old one.
+    pair.air().port = 40001;
+    pair.air().endpoint->handleStreamBegan(pair.now, LinkId{1});
+    pair.pump();
+    const std::size_t delivered = pair.ground().delivered.size();
+    for (int i = 0; i < 20; ++i)
+        pair.sendFrame(Air);
+    pair.run(100ms);
+    QCOMPARE(pair.ground().delivered.size(), delivered + 20);
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(40001));
+    // And where nobody notices, within a second by the next report.
+    pair.air().port = 40002;
+    pair.run(1100ms);
+    pair.sendFrame(Air);
+    pair.run(100ms);
+    QCOMPARE(pair.ground().delivered.size(), delivered + 21);
+    QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
+}
+
+void CarrierSessionTest::anotherStationOnTheLine()
+{
+    Pair pair(in(Carrier::Serial));
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const auto first = pair.air().session();
+    SeededRandom random(77);
+    const auto other = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+    std::vector<channel::Peer> peers = pair.configOf(Air).peers;
+    peers.push_back({other->publicKey, "second", PeerRole::Pilot, {}, {}});
+    pair.air().endpoint->setPeers(pair.now, peers);
+    pair.kill(Ground);
+    pair.ground().identity = other;
+    pair.start(Ground);
+    QVERIFY(pair.run(10s, [&] { return pair.ground().up() && pair.air().up() && pair.air().session() != first; }));
+    pair.run(1s);
+    // A line has one session.
+    QCOMPARE(pair.air().endpoint->sessions().size(), std::size_t(1));
+    pair.sendFrame(Air);
+    pair.sendFrame(Ground);
+    pair.run(1s);
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString());
+    QCOMPARE(received(pair, Air).forged, std::uint64_t(0));
+}
+
+void CarrierSessionTest::singleRecordsAreForLines()
+{
+    for (const Carrier carrier : {Carrier::Datagram, Carrier::Tunnel}) {
+        Pair pair(in(carrier));
+        QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+        Bytes single(40, 0x54);
+        const auto before = pair.ground().endpoint->strays().malformed;
+        Path path = pair.pathOf(Air);
+        QVERIFY(!pair.ground().endpoint->handleDatagram(pair.now, path, single));
+        QCOMPARE(pair.ground().endpoint->strays().malformed, before + 1);
+        QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
+    }
+}
+
+void CarrierSessionTest::noInlineFramesElsewhere()
+{
+    for (const Carrier carrier : kCarriers) {
+        PairOptions options = in(carrier);
+        options.ground.allowInline = options.ground.preferInline = options.air.allowInline = true;
+        options.ground.suites = options.air.suites = {crypto::SuiteId::Aes256Ctr};
+        struct Facts final : FrameFacts
+        {
+            std::optional<Message> message(std::uint32_t) const override { return std::nullopt; }
+            std::uint16_t checksum(ByteView, std::uint8_t) const override { return 0; }
+        };
+        options.frameFacts = std::make_shared<Facts>();
+        Pair pair(options);
+        QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+        pair.run(1s);
+        QCOMPARE(pair.air().endpoint->framing(pair.air().session()),
+                 carrier == Carrier::Datagram ? Framing::Inline : Framing::Sealed);
+    }
+}
+
+QTEST_GUILESS_MAIN(CarrierSessionTest)
+#include "carrier_session_test.moc"
