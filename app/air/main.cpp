@@ -30,7 +30,12 @@ void declare(Options &options)
     options.addValue("vehicle", "URL",
                      "Plain MAVLink to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or tcp:127.0.0.1:5760. "
                      "udpin and tcpin without a host listen on 127.0.0.1: anybody who reaches that port flies the vehicle.");
-    options.addValue("ground", "URL", "Sealed link to the ground station: udpout:HOST:PORT.");
+    options.addValue("ground", "URL",
+                     "Sealed link to the ground station: udpout:HOST:PORT, tcp:HOST:PORT, serial:/dev/NAME:BAUD.");
+    options.addValue("carrier", "datagram|serial|tunnel",
+                     "In what sealed records travel there: each in a datagram (udpout); in COBS frames, on a line that only the "
+                     "two ends share (tcp, tcpin, serial); in MAVLink TUNNEL messages, through MAVLink routers and radios (on "
+                     "any link). Without it: datagram or serial, as the link is. The station finds out by itself.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
@@ -45,6 +50,29 @@ void declare(Options &options)
     PairingTalk::declare(options); // with --json
 }
 
+/// As the option says, or as the link suggests.
+Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground)
+{
+    if (!ground)
+        return {};
+    const link::LinkScheme scheme = ground->scheme();
+    if (scheme == link::LinkScheme::UdpIn || scheme == link::LinkScheme::Tlog) {
+        options.fail("--ground " + ground->toText()
+                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT, tcp:HOST:PORT or a serial line");
+    }
+    const bool datagrams = scheme == link::LinkScheme::UdpOut;
+    const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
+    if (asked == "tunnel")
+        return Carrier::Tunnel;
+    if (asked != "datagram" && asked != "serial")
+        options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
+    else if (asked == "datagram" && !datagrams)
+        options.fail("--carrier 'datagram': " + ground->toText() + " is a stream of bytes; serial or tunnel goes there");
+    else if (asked == "serial" && datagrams)
+        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; datagram or tunnel goes there");
+    return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
+}
+
 /// Ends the program when a link can never work as it was written.
 bool isHopeless(const engine::AgentEvent &event)
 {
@@ -57,7 +85,7 @@ int pair(Options &options)
 {
     const std::string identity = options.required("identity");
     PairingTalk::Settings settings = PairingTalk::read(options);
-    for (const char *option : {"vehicle", "ground", "peers"}) {
+    for (const char *option : {"vehicle", "ground", "carrier", "peers"}) {
         if (options.has(option))
             options.fail(std::string("--") + option + " belongs to the agent that runs; --pair needs only its --identity");
     }
@@ -87,9 +115,7 @@ int main(int argc, char **argv)
     if (const auto weakest = options.suite("weakest-suite"))
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);
     policy.allowInline = options.has("allow-inline");
-    if (ground && ground->scheme() != link::LinkScheme::UdpOut)
-        options.fail("--ground " + ground->toText()
-                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT");
+    const Carrier carrier = readCarrier(options, ground);
     const auto isSecure = [](crypto::SuiteId suite) {
         return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
     };
@@ -111,7 +137,7 @@ int main(int argc, char **argv)
     int status = kDone;
     bool started = false;
     PairingDesk *desk = nullptr;
-    engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain")}, std::move(*secrets),
+    engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier}, std::move(*secrets),
                             [&](const engine::AgentEvent &event) {
                                 if (!started && isHopeless(event)) {
                                     const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;

@@ -16,8 +16,15 @@ namespace {
 
 constexpr LinkId kVehicleLink{1};
 constexpr LinkId kGroundLink{2};
-/// The remote of a link that has only one.
+/// The remote of a link that has only one, for clear frames.
 constexpr Path kGround{kGroundLink, {}};
+constexpr Duration kBeat = std::chrono::seconds(1);
+
+/// The same for what is sealed.
+Path groundOf(const AgentConfig &config)
+{
+    return {kGroundLink, {}, config.carrier};
+}
 
 channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 {
@@ -26,7 +33,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
     out.identity = secrets.identity;
     out.peers = secrets.peers;
     out.policy = config.policy;
-    out.announceTo = {kGround};
+    out.announceTo = {groundOf(config)};
     out.frameFacts = std::make_shared<DialectFacts>(mavlink::Dialect::builtin());
     return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
 }
@@ -89,7 +96,7 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name)
     config.role = channel::Role::Agent;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
-    config.callTo = {kGround};
+    config.callTo = {groundOf(m_config)};
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();
     return {};
@@ -129,6 +136,7 @@ void AgentCore::noteArmed(TimePoint now, const mavlink::Frame &frame)
 void AgentCore::stop()
 {
     m_pairing.cancel(steadyNow(), channel::PairingEnd::Cancelled);
+    m_channel.flushAll(steadyNow());
     for (const channel::SessionId session : m_channel.endpoint().sessions())
         m_channel.endpoint().close(steadyNow(), session);
     finishWake();
@@ -183,15 +191,82 @@ void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlo
                 m_intake.takeStream(block.path, block.bytes, take);
             else
                 m_intake.takeDatagram(block.bytes, take);
-        } else if (m_pairing.take(block.time, block.path, block.bytes)) {
-            m_links.noteRemote(kGroundLink, block.path.remote);
-        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0])) {
-            takeRecord(block);
         } else {
-            takeUnowned(block);
+            takeGround(link, block);
         }
     }
     finishWake();
+}
+
+void AgentCore::linkPeerJoined(link::Link &link, const Path &path)
+{
+    m_intake.forget(path);
+    m_carriers.forget(path);
+    m_ways.streamChanged(link.id(), path);
+    if (link.id() == kGroundLink) {
+        m_channel.endpoint().handleStreamBegan(steadyNow(), kGroundLink);
+        finishWake();
+    }
+}
+
+void AgentCore::linkPeerLeft(link::Link &link, const Path &path)
+{
+    m_intake.forget(path);
+    m_carriers.forget(path);
+    m_ways.streamChanged(link.id(), path);
+}
+
+void AgentCore::takeGround(const link::Link &link, const link::ReceivedBlock &block)
+{
+    const auto takeFrame = [&](const mavlink::ScanItem &item) {
+        if (m_config.carrier != Carrier::Tunnel || !CarrierReader::isTunnel(item))
+            return takeClearFromGround(item);
+        if (const auto message = m_carriers.takeTunnel(block.time, block.path, *item.frame, m_links.carriers().node()))
+            takeMessage(*message);
+    };
+    switch (m_config.carrier) {
+    case Carrier::Datagram: return takeMessage(block);
+    case Carrier::Serial:
+        m_carriers.takeCobs(block, [this](const link::ReceivedBlock &message) { takeMessage(message); });
+        // A station that knows no sealing may be there.
+        if (m_config.allowPlain && m_sessions.empty())
+            m_intake.takeStream(block.path, block.bytes, takeFrame);
+        return;
+    case Carrier::Tunnel:
+        if (link.isStream())
+            m_intake.takeStream(block.path, block.bytes, takeFrame);
+        else
+            m_intake.takeDatagram(block.bytes, takeFrame);
+    }
+}
+
+/// One message of the channel, or a datagram that is none.
+void AgentCore::takeMessage(const link::ReceivedBlock &block)
+{
+    if (m_pairing.take(block.time, block.path, block.bytes))
+        m_links.noteRemote(kGroundLink, block.path.remote);
+    else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0]))
+        takeRecord(block);
+    else
+        takeUnowned(block);
+}
+
+/// Routers and radios know us as a component of our vehicle; until that one is known we cannot speak through them.
+void AgentCore::becomeNode(TimePoint now, std::uint8_t systemId)
+{
+    if (m_config.carrier != Carrier::Tunnel || m_links.carriers().node().system != 0)
+        return;
+    m_links.carriers().setNode({systemId, mavlink::MAV_COMP_ID_ONBOARD_COMPUTER});
+    m_beatDue = now + kBeat;
+}
+
+/// Nothing that a vehicle or a station would say: no autopilot acts on it.
+void AgentCore::beat(TimePoint now)
+{
+    if (now < m_beatDue)
+        return;
+    m_links.send(kGround, m_links.carriers().heartbeat());
+    m_beatDue = std::max(m_beatDue + kBeat, now);
 }
 
 void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item)
@@ -203,6 +278,8 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
     if (item.frame) {
         m_ways.heard(now, from, *item.frame);
         noteArmed(now, *item.frame);
+        if (m_ways.isVehicle(item.frame->systemId()))
+            becomeNode(now, item.frame->systemId());
         m_sequences.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
     }
     if (m_sessions.empty()) {
@@ -317,6 +394,7 @@ void AgentCore::handleEvents()
 void AgentCore::handleDeadline()
 {
     m_channel.endpoint().handleDeadline(steadyNow());
+    beat(steadyNow());
     m_pairing.handleDeadline(steadyNow());
     finishWake();
 }
@@ -331,7 +409,7 @@ void AgentCore::finishWake()
     m_channel.flush(now);
     m_pairing.flush();
     m_links.flush();
-    m_timer.set(std::min(m_channel.endpoint().nextDeadline(), m_pairing.nextDeadline()));
+    m_timer.set(std::min({m_channel.endpoint().nextDeadline(), m_channel.flushDue(), m_pairing.nextDeadline(), m_beatDue}));
 }
 
 } // namespace skyseal::engine

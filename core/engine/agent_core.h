@@ -5,6 +5,7 @@
 // Lives on one thread with an event loop.
 #pragma once
 
+#include "core/engine/carrier_reader.h"
 #include "core/engine/channel_driver.h"
 #include "core/engine/deadline_timer.h"
 #include "core/engine/frame_intake.h"
@@ -30,6 +31,8 @@ struct AgentConfig
     channel::Policy policy;
     /// Consent to carry clear MAVLink while no session is up: the baseline of a measurement.
     bool allowPlain = false;
+    /// In what sealed messages travel on the ground link: datagrams want a link of datagrams, COBS a stream; TUNNEL goes on both.
+    Carrier carrier = Carrier::Datagram;
 };
 
 struct AgentLinkChanged
@@ -99,16 +102,14 @@ public:
 
 private:
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
-    void linkPeerJoined(link::Link &link, const Path &path) override
-    {
-        m_intake.forget(path), m_ways.streamChanged(link.id(), path);
-    }
-    void linkPeerLeft(link::Link &link, const Path &path) override
-    {
-        m_intake.forget(path), m_ways.streamChanged(link.id(), path);
-    }
+    void linkPeerJoined(link::Link &link, const Path &path) override;
+    void linkPeerLeft(link::Link &link, const Path &path) override;
     void linkChanged(link::Link &link);
 
+    void takeGround(const link::Link &link, const link::ReceivedBlock &block);
+    void takeMessage(const link::ReceivedBlock &block);
+    void becomeNode(TimePoint now, std::uint8_t systemId);
+    void beat(TimePoint now);
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     void takeRecord(const link::ReceivedBlock &block);
     void takeUnowned(const link::ReceivedBlock &block);
@@ -130,6 +131,7 @@ private:
     PairingDriver m_pairing;
     SenderPolicy m_policy;
     FrameIntake m_intake;
+    CarrierReader m_carriers;
     VehicleWays m_ways;
     metrics::SequenceTable m_sequences;
     metrics::CpuSampler m_cpu;
@@ -138,6 +140,7 @@ private:
     std::vector<channel::SessionId> m_sessions;
     std::uint64_t m_garbage = 0;
     bool m_armed = false; ///< as the autopilot said last
+    TimePoint m_beatDue = kNever; ///< while nobody knows as whom
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };

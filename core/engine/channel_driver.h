@@ -1,6 +1,6 @@
 // Joins the secure channel, which knows no sockets, with the links, which know no keys: hands records in, coalesces frames
-// of one wake-up into records, sends what the protocol itself wants to send, and measures what the ciphers cost. The
-// station and the agent drive their endpoint by the same class. I/O thread.
+// of one wake-up, or on a slow link of 40 ms, into records, sends what the protocol itself wants to send, and measures what
+// the ciphers cost. The station and the agent drive their endpoint by the same class. I/O thread.
 #pragma once
 
 #include "core/channel/endpoint.h"
@@ -15,6 +15,10 @@ namespace skyseal::engine {
 class ChannelDriver
 {
 public:
+    /// So long a frame waits for company on a slow link, unless it is urgent: a head and a tag are as long as half a frame of
+    /// telemetry, and nobody sees a fortieth of a second.
+    static constexpr Duration kCompany = std::chrono::milliseconds(40);
+
     ChannelDriver(channel::Endpoint endpoint, LinkPool &links);
 
     channel::Endpoint &endpoint() { return m_endpoint; }
@@ -30,8 +34,12 @@ public:
     /// Adds a whole frame to the session's next datagram: to a record, or sealed in place where the session and the frame
     /// allow it. False when it is too long.
     bool queue(TimePoint now, channel::SessionId session, ByteView frame);
-    /// Seals what was queued and sends all that the endpoint has to say. At the end of each wake-up.
+    /// Seals what was queued and need not wait, and sends all that the endpoint has to say. At the end of each wake-up.
     void flush(TimePoint now);
+    /// The same for all that was queued: before the end.
+    void flushAll(TimePoint now);
+    /// When flush() must be called at the latest.
+    TimePoint flushDue() const { return m_flushDue; }
 
     /// The next event, with the books kept: a session that ended stays in the totals.
     std::optional<channel::Event> pollEvent();
@@ -51,14 +59,18 @@ private:
     {
         std::size_t size = 0;
         bool sealedInPlace = false; ///< the frames are sealed already, each by itself
+        bool urgent = false;
+        TimePoint since{}; ///< of the oldest frame
         std::array<std::uint8_t, channel::kMaxRecordPayload> frames;
 
-        bool holds(std::size_t more) const { return size + more <= frames.size(); }
-        void add(ByteView bytes);
+        bool holds(std::size_t more, std::size_t most) const { return size + more <= most; }
+        void add(TimePoint now, ByteView bytes);
     };
 
     std::optional<channel::Delivery> taken(std::uint64_t begin, std::size_t bytes, std::optional<channel::Delivery> delivery);
     bool queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch);
+    std::size_t roomOf(const Path &path, channel::SessionId session);
+    bool mayWait(TimePoint now, const Path &path, const Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
 
@@ -69,6 +81,7 @@ private:
     std::map<channel::SessionId, SuiteMeter> m_meters;
     std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< as the events told
     std::array<std::uint8_t, channel::kMaxRecordPayload + channel::kMaxRecordOverhead> m_record;
+    TimePoint m_flushDue = kNever;
     bool m_slept = true; ///< nothing was opened in this wake-up yet
     WireTotals m_wire;
     bool m_measuring = false;

@@ -30,6 +30,16 @@ std::string_view framingName(channel::Framing framing)
     return framing == channel::Framing::Inline ? "inline" : "sealed";
 }
 
+std::string_view carrierName(Carrier carrier)
+{
+    switch (carrier) {
+    case Carrier::Datagram: return "datagram";
+    case Carrier::Tunnel: return "tunnel";
+    case Carrier::Serial: return "serial";
+    }
+    return {};
+}
+
 std::uint32_t number(std::uint8_t value)
 {
     return value;
@@ -67,7 +77,7 @@ std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remo
     JsonWriter json = begin("session");
     json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", framingName(up.framing));
     json.field("epoch", 0u);
-    json.field("peer", up.peerName).field("address", remoteAddress);
+    json.field("peer", up.peerName).field("address", remoteAddress).field("carrier", carrierName(up.path.carrier));
     return end(json);
 }
 

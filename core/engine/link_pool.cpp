@@ -8,6 +8,9 @@ namespace skyseal::engine {
 
 namespace {
 
+/// Telemetry radios; a wire to the computer beside it is quicker than that.
+constexpr std::uint32_t kSlowBaud = 230400;
+
 LinkPhase phaseOf(link::LinkState state)
 {
     switch (state) {
@@ -82,10 +85,19 @@ link::Link *LinkPool::find(LinkId id) const
 
 void LinkPool::send(const Path &to, ByteView block)
 {
-    if (Entry *target = entry(to.link); target && target->use == LinkUse::Both) {
-        target->link->send(to.remote, block);
-        target->dirty = true;
-    }
+    Entry *target = entry(to.link);
+    if (!target || target->use != LinkUse::Both)
+        return;
+    m_carriers.write(to, block, [&](ByteView bytes) { target->link->send(to.remote, bytes); });
+    target->dirty = true;
+}
+
+bool LinkPool::isSlow(const Path &path) const
+{
+    if (path.carrier == Carrier::Tunnel)
+        return true;
+    const link::Link *link = path.carrier == Carrier::Serial ? find(path.link) : nullptr;
+    return link && link->url().scheme() == link::LinkScheme::Serial && link->url().baud() <= kSlowBaud;
 }
 
 void LinkPool::flush()

@@ -2,6 +2,7 @@
 // people. I/O thread.
 #pragma once
 
+#include "core/engine/carrier_writer.h"
 #include "core/engine/snapshot.h"
 #include "core/link/make_link.h"
 #include "core/metrics/rate_meter.h"
@@ -32,8 +33,14 @@ public:
     void remove(LinkId id);
     link::Link *find(LinkId id) const;
 
-    /// Queues one block for a remote; dropped when the link is gone or only listens.
+    /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds nothing);
+    /// dropped when the link is gone or only listens.
     void send(const Path &to, ByteView block);
+    /// What goes in Carrier::Tunnel is said under these ids.
+    CarrierWriter &carriers() { return m_carriers; }
+    const CarrierWriter &carriers() const { return m_carriers; }
+    /// Whether bytes are dear there: a serial line of a radio's speed, or what goes through MAVLink routers to one.
+    bool isSlow(const Path &path) const;
     /// Sends what was queued since the last flush.
     void flush();
 
@@ -73,6 +80,7 @@ private:
     StateChanged m_stateChanged;
     link::LinkOptions m_options;
     std::vector<Entry> m_entries;
+    CarrierWriter m_carriers;
     std::uint64_t m_badFramesOfRemoved = 0;
 };
 

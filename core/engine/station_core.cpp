@@ -49,6 +49,7 @@ StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secr
         m_policy.rememberSealed(m_secrets->sealedSystems);
         channel::Endpoint endpoint(channelConfig(m_config, *m_secrets), m_secrets->random, *m_secrets->counters, m_start);
         m_channel = std::make_unique<ChannelDriver>(std::move(endpoint), m_links);
+        m_links.carriers().setNode({m_config.systemId, m_config.componentId});
         m_pairing = std::make_unique<PairingDriver>(m_links, m_secrets->random, [this](const channel::PairingEvent &event) {
             if (m_sinks.pairing)
                 m_sinks.pairing(event);
@@ -199,6 +200,7 @@ std::shared_ptr<const Snapshot> StationCore::stop()
     keepSealedSystems();
     const std::shared_ptr<Snapshot> last = takeSnapshot(steadyNow());
     if (m_channel) {
+        m_channel->flushAll(steadyNow());
         for (const channel::SessionId session : m_channel->endpoint().sessions())
             m_channel->endpoint().close(steadyNow(), session);
         finishWake();
@@ -273,7 +275,7 @@ TimePoint StationCore::nextDeadline() const
 {
     TimePoint next = std::min({m_nextQuarter, m_vehicles.nextDeadline(), m_heartbeat.nextDeadline()});
     if (isSealing())
-        next = std::min(next, m_channel->endpoint().nextDeadline());
+        next = std::min({next, m_channel->endpoint().nextDeadline(), m_channel->flushDue()});
     if (m_pairing)
         next = std::min(next, m_pairing->nextDeadline());
     if (m_changed)
@@ -353,8 +355,22 @@ void StationCore::send(TimePoint now, Outlet &outlet, const vehicle::OutMessage 
         m_recorder->record(wallNow(), frame);
     if (outlet.session)
         m_channel->queue(now, *outlet.session, frame);
-    else
+    else if (!isSealing() || !m_carriers.isCobs(outlet.path, now)) // where a clear frame would spoil what follows it
         m_links.send(outlet.path, frame);
+}
+
+/// A router that listens for us learns where we are from what we say; an agent behind it is not heard before. Not by a
+/// heartbeat: a station's, in clear, would keep up the hopes of an autopilot whose sealed link is dead.
+void StationCore::greetRouters()
+{
+    std::vector<LinkId> served;
+    for (const channel::SessionId session : m_channel->endpoint().sessions())
+        served.push_back(m_channel->endpoint().recordPath(session).link);
+    m_links.forEach([&](const link::Link &link) {
+        const bool calls = link.url().scheme() == link::LinkScheme::UdpOut && maySeal(link);
+        if (calls && std::find(served.begin(), served.end(), link.id()) == served.end())
+            m_links.send({link.id(), {}}, m_links.carriers().hello());
+    });
 }
 
 void StationCore::everyQuarterSecond(TimePoint now)
@@ -406,6 +422,8 @@ void StationCore::everySecond(TimePoint now)
         m_channel->roll(now);
         if (isSealing())
             noteUnanswering(now);
+        if (secureMode() == SecureMode::Required)
+            greetRouters();
     }
     for (auto &[session, watch] : m_sessionWatches) {
         if (const auto stats = m_channel->endpoint().stats(session)) {

@@ -6,6 +6,7 @@
 // want sent is framed, coalesced, sealed and flushed, and one timer is set for the earliest deadline of all parts.
 #pragma once
 
+#include "core/engine/carrier_reader.h"
 #include "core/engine/channel_driver.h"
 #include "core/engine/deadline_timer.h"
 #include "core/engine/frame_intake.h"
@@ -104,6 +105,11 @@ private:
     void linkChanged(link::Link &link);
     void noteRemoteOf(link::Link &link);
 
+    bool maySeal(const link::Link &link) const;
+    void takeStream(const link::Link &link, const link::ReceivedBlock &block);
+    void takeDatagram(const link::Link &link, const link::ReceivedBlock &block);
+    bool takeTunnel(const link::ReceivedBlock &block, const mavlink::ScanItem &item);
+    void takeMessage(const link::ReceivedBlock &message);
     void takeRecord(TimePoint now, const link::ReceivedBlock &block);
     void takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item);
     void takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery);
@@ -119,6 +125,7 @@ private:
     void serveVehicles(TimePoint now);
     void serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);
     void sendHeartbeats(TimePoint now);
+    void greetRouters();
     void send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message);
     void everyQuarterSecond(TimePoint now);
     void everySecond(TimePoint now);
@@ -149,6 +156,7 @@ private:
     std::unique_ptr<PairingDriver> m_pairing; ///< null as well then
     SenderPolicy m_policy;
     FrameIntake m_intake;
+    CarrierReader m_carriers;
     std::map<LinkId, MavsecStream> m_mavsec;
     Outlets m_outlets;
     vehicle::VehicleSet m_vehicles;

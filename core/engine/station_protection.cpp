@@ -25,6 +25,7 @@ void StationCore::setProtection(std::optional<Protection> protection)
     const auto before = std::exchange(m_protection, protection);
     const bool plain = secureMode() == SecureMode::Off, other = policy().allowInline != inlineBefore;
     if (m_channel && isSealing(before) && (plain || other)) {
+        m_channel->flushAll(steadyNow());
         for (const channel::SessionId session : m_channel->endpoint().sessions())
             m_channel->endpoint().close(steadyNow(), session);
         m_channel->flush(steadyNow()); // the goodbyes, while this end still speaks so

@@ -6,14 +6,20 @@
 
 namespace skyseal::engine {
 
-void StationCore::linkPeerJoined(link::Link &, const Path &path)
+void StationCore::linkPeerJoined(link::Link &link, const Path &path)
 {
     m_intake.forget(path);
+    m_carriers.forget(path);
+    if (!m_channel || m_stopped)
+        return;
+    m_channel->endpoint().handleStreamBegan(steadyNow(), link.id());
+    finishWake();
 }
 
 void StationCore::linkPeerLeft(link::Link &, const Path &path)
 {
     m_intake.forget(path);
+    m_carriers.forget(path);
 }
 
 void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
@@ -21,27 +27,74 @@ void StationCore::linkReceived(link::Link &link, std::span<const link::ReceivedB
     if (m_stopped)
         return;
     for (const link::ReceivedBlock &block : blocks) {
-        if (link.isStream()) {
-            m_intake.takeStream(block.path, block.bytes,
-                                [&](const mavlink::ScanItem &item) { takeClear(block.time, block.path, item); });
-        } else if (m_pairing && !m_mavsec.contains(link.id()) && m_pairing->take(block.time, block.path, block.bytes)) {
-            continue; // an agent that is open for pairing
-        } else if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0]) && !m_mavsec.contains(link.id())) {
-            takeRecord(block.time, block);
-        } else {
-            bool anyFrame = false;
-            m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
-                anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
-                if (isSealedInPlace(item))
-                    takeInline(block, item);
-                else
-                    takeClear(block.time, block.path, item);
-            });
-            m_garbage += !anyFrame;
-        }
+        if (link.isStream())
+            takeStream(link, block);
+        else
+            takeDatagram(link, block);
     }
     m_changed = true;
     finishWake();
+}
+
+/// Whether what comes there may be sealed: there are keys, and it is neither a recording nor only listened to.
+bool StationCore::maySeal(const link::Link &link) const
+{
+    return isSealing() && link.url().scheme() != link::LinkScheme::Tlog && !m_mavsec.contains(link.id());
+}
+
+void StationCore::takeStream(const link::Link &link, const link::ReceivedBlock &block)
+{
+    const bool sealing = maySeal(link);
+    if (sealing)
+        m_carriers.takeCobs(block, [this](const link::ReceivedBlock &message) { takeMessage(message); });
+    if (sealing && m_carriers.isCobs(block.path, block.time))
+        return;
+    m_intake.takeStream(block.path, block.bytes, [&](const mavlink::ScanItem &item) {
+        if (!sealing)
+            return takeClear(block.time, block.path, item);
+        if (item.frame)
+            m_carriers.noteMavlink(block.path);
+        else if (!m_carriers.speaksMavlink(block.path))
+            return; // half an announcement in COBS is no damaged frame
+        if (!takeTunnel(block, item))
+            takeClear(block.time, block.path, item);
+    });
+}
+
+void StationCore::takeDatagram(const link::Link &link, const link::ReceivedBlock &block)
+{
+    const bool sealing = maySeal(link);
+    if (m_pairing && !m_mavsec.contains(link.id()) && m_pairing->take(block.time, block.path, block.bytes))
+        return; // an agent that is open for pairing
+    if (!block.bytes.empty() && channel::Endpoint::owns(block.bytes[0]) && !m_mavsec.contains(link.id()))
+        return takeRecord(block.time, block);
+    bool anyFrame = false;
+    m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
+        anyFrame = anyFrame || item.fault != mavlink::FrameFault::Garbage || item.frame;
+        if (isSealedInPlace(item))
+            takeInline(block, item);
+        else if (!sealing || !takeTunnel(block, item))
+            takeClear(block.time, block.path, item);
+    });
+    m_garbage += !anyFrame;
+}
+
+/// False for a frame that has nothing to do with the channel.
+bool StationCore::takeTunnel(const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+{
+    if (!CarrierReader::isTunnel(item))
+        return item.frame && m_carriers.isAgentsHeartbeat(block.path, *item.frame);
+    const Node ours{m_config.systemId, m_config.componentId};
+    if (const auto message = m_carriers.takeTunnel(block.time, block.path, *item.frame, ours))
+        takeMessage(*message);
+    return true;
+}
+
+/// One that came in another carrier than a datagram.
+void StationCore::takeMessage(const link::ReceivedBlock &message)
+{
+    if (!m_pairing->take(message.time, message.path, message.bytes) && channel::Endpoint::owns(message.bytes[0]))
+        takeRecord(message.time, message);
 }
 
 void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)

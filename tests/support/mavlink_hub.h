@@ -1,0 +1,101 @@
+// A MAVLink router of two UDP ends that routes as mavlink-router does: each end is known by the systems and components that
+// were heard there, and gets what is for them or for everybody; what is for nobody known goes nowhere. Lives in the test's
+// event loop.
+#pragma once
+
+#include "core/mavlink/dialect.h"
+#include "core/mavlink/frame_scanner.h"
+
+#include <QtCore/QObject>
+#include <QtNetwork/QUdpSocket>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace skyseal::test {
+
+class MavlinkHub
+{
+public:
+    struct End
+    {
+        QUdpSocket socket;
+        quint16 remote = 0; ///< 0: not known before something was heard
+        std::set<std::pair<int, int>> heard;
+    };
+
+    MavlinkHub()
+    {
+        for (End &end : m_ends) {
+            end.socket.bind(QHostAddress::LocalHost, 0);
+            QObject::connect(&end.socket, &QUdpSocket::readyRead, &end.socket, [this, &end] { take(end); });
+        }
+    }
+
+    quint16 port(std::size_t end) const { return m_ends[end].socket.localPort(); }
+    /// An end that calls a fixed port, instead of waiting to be called.
+    void setRemote(std::size_t end, quint16 port) { m_ends[end].remote = port; }
+
+    std::map<std::uint32_t, int> passed; ///< by message id
+    std::map<std::uint32_t, int> unrouted;
+    std::size_t longest = 0; ///< frame
+    std::uint64_t bytes = 0;
+    int notMavlink = 0;
+    /// Looks at each frame; false drops it.
+    std::function<bool(const mavlink::Frame &)> filter;
+
+private:
+    void take(End &from)
+    {
+        while (from.socket.hasPendingDatagrams()) {
+            std::array<std::uint8_t, 2048> buffer;
+            quint16 sender = 0;
+            QHostAddress address;
+            const qint64 size = from.socket.readDatagram(reinterpret_cast<char *>(buffer.data()), buffer.size(), &address, &sender);
+            if (size <= 0)
+                continue;
+            from.remote = sender;
+            mavlink::FrameScanner scanner(ByteView(buffer).first(static_cast<std::size_t>(size)), mavlink::Dialect::builtin());
+            while (const auto item = scanner.next()) {
+                if (item->frame)
+                    route(from, *item->frame);
+                else
+                    ++notMavlink;
+            }
+        }
+    }
+
+    void route(End &from, const mavlink::Frame &frame)
+    {
+        from.heard.insert({frame.systemId(), frame.componentId()});
+        if (filter && !filter(frame))
+            return;
+        bool went = false;
+        for (End &to : m_ends) {
+            if (to.heard.contains({frame.systemId(), frame.componentId()}) || to.remote == 0 || !accepts(to, frame))
+                continue;
+            to.socket.writeDatagram(reinterpret_cast<const char *>(frame.bytes().data()), qint64(frame.bytes().size()),
+                                    QHostAddress::LocalHost, to.remote);
+            went = true;
+        }
+        ++(went ? passed : unrouted)[frame.messageId()];
+        longest = std::max(longest, frame.bytes().size());
+        bytes += frame.bytes().size();
+    }
+
+    static bool accepts(const End &to, const mavlink::Frame &frame)
+    {
+        const int system = frame.targetSystem(), component = frame.targetComponent();
+        if (system == 0)
+            return true;
+        if (component != 0)
+            return to.heard.contains({system, component});
+        return std::any_of(to.heard.begin(), to.heard.end(), [system](const auto &node) { return node.first == system; });
+    }
+
+    std::array<End, 2> m_ends;
+};
+
+} // namespace skyseal::test
