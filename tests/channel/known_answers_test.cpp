@@ -1,15 +1,19 @@
 // PROTOCOL.md's known answers against this implementation. They are read out of the document, so it cannot say one thing
 // and the programs do another. An independent implementation checks the same ones (tests/integration/independent_peer).
+#include "core/channel/cobs.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/channel/record.h"
+#include "core/channel/tunnel_parts.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
 #include "core/crypto/record_cipher.h"
 #include "core/engine/dialect_facts.h"
 #include "core/keys/public_key_text.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
 #include "known_answers.h"
 #include "tests/noise/fixed_random.h"
 
@@ -46,15 +50,17 @@ constexpr ConnectionId kStations{0x1234};
 constexpr ConnectionId kAgents{0xabcd};
 constexpr std::uint32_t kCounter = 0x010203;
 
-/// A record as the station seals it in datagrams.
-Bytes sealedByStation(SuiteId suite, Key32 &&secret, std::uint8_t epochBits, std::uint32_t counter, ByteView plaintext)
+/// A record as the station seals it, without a connection id on a line.
+Bytes sealedByStation(SuiteId suite, Key32 &&secret, std::uint8_t epochBits, std::uint32_t counter, ByteView plaintext,
+                      Carrier carrier = Carrier::Datagram)
 {
     const auto cipher = crypto::makeRecordCipher(suite, std::move(secret));
-    Bytes out(kRecordHeaderLength + cipher->sealedSize(plaintext.size()));
-    RecordHeader{DatagramKind::Record, epochBits, kAgents, counter}.write(out);
-    const AssociatedData associated(ByteView(out).first(kRecordHeaderLength), suite, Direction::FromInitiator,
-                                    Carrier::Datagram);
-    cipher->seal(counter, associated.view(), plaintext, MutableByteView(out).subspan(kRecordHeaderLength));
+    const auto kind = carrier == Carrier::Serial ? DatagramKind::SingleRecord : DatagramKind::Record;
+    const RecordHeader header{kind, epochBits, kAgents, counter};
+    Bytes out(header.length() + cipher->sealedSize(plaintext.size()));
+    header.write(out);
+    const AssociatedData associated(ByteView(out).first(header.length()), suite, Direction::FromInitiator, carrier);
+    cipher->seal(counter, associated.view(), plaintext, MutableByteView(out).subspan(header.length()));
     return out;
 }
 
@@ -82,6 +88,7 @@ private Q_SLOTS:
     void epochs();
     void records_data();
     void records();
+    void carriers();
     void inlineFrames_data();
     void inlineFrames();
     void controlMessages();
@@ -268,6 +275,41 @@ void KnownAnswersTest::records()
         QVERIFY(crypto::hkdfExpandSha256(expanded, m_answers["direction secret"], asBytes(info)));
         QCOMPARE(expanded, key);
     }
+}
+
+void KnownAnswersTest::carriers()
+{
+    const auto sealed = [this](Carrier carrier) {
+        return sealedByStation(SuiteId::ChaCha20Poly1305, secretOf(m_answers["direction secret"]), 5, kCounter, m_answers["frame"],
+                               carrier);
+    };
+    const auto cobs = [](ByteView message) {
+        Bytes out(kMaxCobs);
+        out.resize(writeCobs(message, out));
+        return out;
+    };
+    COMPARE_WITH("serial record", sealed(Carrier::Serial));
+    COMPARE_WITH("serial frame", cobs(m_answers["serial record"]));
+    COMPARE_WITH("serial announcement", cobs(m_answers["announcement"]));
+
+    COMPARE_WITH("tunnel record", sealed(Carrier::Tunnel));
+    const Bytes record = m_answers["tunnel record"];
+    mavlink::Tunnel tunnel;
+    tunnel.target_system = 1;
+    tunnel.target_component = 191;
+    tunnel.payload_type = kTunnelPayloadType;
+    tunnel.payload_length = static_cast<std::uint8_t>(record.size());
+    std::copy(record.begin(), record.end(), tunnel.payload.begin());
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    COMPARE_WITH("tunnel frame", mavlink::FrameWriter(255, 190).write(tunnel, buffer));
+
+    Bytes message = m_answers["first message"];
+    message.insert(message.end(), m_answers["answer"].begin(), m_answers["answer"].end());
+    std::vector<Bytes> parts;
+    QVERIFY(writeParts(message, 0x0102, [&](ByteView part) { parts.push_back(bytesOf(part)); }));
+    QCOMPARE(parts.size(), std::size_t(2));
+    COMPARE_WITH("tunnel part 0", parts[0]);
+    COMPARE_WITH("tunnel part 1", parts[1]);
 }
 
 void KnownAnswersTest::inlineFrames_data()

@@ -6,6 +6,7 @@ are those in INPUTS; every other name must come out of compute().
 
 import re
 
+import carriers
 import control
 import inline_frame
 import key_text
@@ -73,6 +74,7 @@ def compute(inputs):
     _cookie(inputs, ends[1].public, out)
     _epochs(inputs, handshake, out)
     _records(inputs, out)
+    _carriers(inputs, out)
     _inline_frames(inputs, out)
     _control_messages(inputs, out)
     _pairing(inputs, *ends, out)
@@ -135,6 +137,19 @@ def _records(inputs, out):
         parts = {"key": keys.key, "iv": keys.iv, "mac": keys.mac}
         out.update({f"{name} {use}": part for use, part in parts.items() if part})
         out[name + " record"] = head + keys.seal(0x010203, head + bytes([suite, STATION, 1]), out["frame"])
+
+
+def _carriers(inputs, out):
+    keys, counter = DirectionKeys(1, inputs["direction secret"]), 0x010203
+    head = bytes([0x55]) + counter.to_bytes(3, "little")
+    out["serial record"] = head + keys.seal(counter, head + bytes([1, STATION, carriers.SERIAL_CARRIER]), out["frame"])
+    out["serial frame"] = carriers.cobs(out["serial record"])
+    out["serial announcement"] = carriers.cobs(out["announcement"])
+    head = record_head(5, 0xABCD, counter)
+    record = head + keys.seal(counter, head + bytes([1, STATION, carriers.TUNNEL_CARRIER]), out["frame"])
+    out["tunnel record"], out["tunnel frame"] = record, carriers.tunnel((255, 190), (1, 191), 0, record)
+    parts = carriers.payloads(out["first message"] + out["answer"], 0x0102)
+    out["tunnel part 0"], out["tunnel part 1"] = parts
 
 
 def _inline_frames(inputs, out):

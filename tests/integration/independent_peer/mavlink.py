@@ -2,10 +2,10 @@
 
 V1, V2 = 0xFE, 0xFD
 SIGNED = 0x01
-HEARTBEAT, COMMAND_LONG = 0, 76
+HEARTBEAT, COMMAND_LONG, TUNNEL = 0, 76, 385
 
 # Of a message: CRC_EXTRA, and where target_system and target_component stand.
-FACTS = {HEARTBEAT: (50, ()), COMMAND_LONG: (152, (30, 31))}
+FACTS = {HEARTBEAT: (50, ()), COMMAND_LONG: (152, (30, 31)), TUNNEL: (147, (2, 3))}
 
 
 def frames(data):
