@@ -139,6 +139,9 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
           "no session comes of it, and none ends");
     QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before); // Not spent either.
     QVERIFY(aliveAndExact(pair));
+    pair.kill(Ground);
+    pair.start(Ground); // with a counter far below that of the forged one
+    QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
 }
 
 void AttackHandshakeTest::revealedKeysOpenNothing()
