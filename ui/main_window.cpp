@@ -29,6 +29,7 @@
 
 #include <QtCore/QSettings>
 #include <QtGui/QCloseEvent>
+#include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QToolBar>
 #include <QtWidgets/QVBoxLayout>
@@ -301,6 +302,10 @@ void MainWindow::setSweep(SweepPort &sweep)
     connect(m_sweep, &SweepControl::began, this, [this] {
         m_docks->reveal("dockDiagnostics");
         m_docks->diagnostics->showSweep();
+        constexpr int kEnough = 320; // for a row of each suite
+        auto *dock = findChild<QDockWidget *>(QStringLiteral("dockDiagnostics"));
+        if (dock && !dock->isFloating() && dock->height() < kEnough)
+            resizeDocks({dock}, {kEnough}, Qt::Vertical);
     });
 }
 

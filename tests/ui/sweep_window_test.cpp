@@ -197,7 +197,8 @@ void SweepWindowTest::saysWhyNot()
         QVERIFY(!dialog->order().ownVehicle);
         auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
         QVERIFY(!plain->isEnabled());
-        QVERIFY2(plain->text().contains(q("--allow-plain")), qPrintable(plain->text()));
+        QVERIFY2(plain->text().contains(q("the agent does not allow it")), qPrintable(plain->text()));
+        QVERIFY2(plain->toolTip().contains(q("--allow-plain")), qPrintable(plain->toolTip()));
         auto *saturated = dialog->findChild<QAbstractButton *>(q("sweepSaturated"));
         QVERIFY(!saturated->isEnabled() && saturated->text().contains(q("sends what it sends")));
         set(*dialog, "sweepOwn", true);

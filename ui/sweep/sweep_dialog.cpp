@@ -64,7 +64,7 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     column->addWidget(m_buttons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    setMinimumWidth(72 * kGrid);
+    m_warning->setMinimumWidth(72 * kGrid);
     offer();
 }
 
@@ -174,7 +174,10 @@ bool SweepDialog::ownVehicle() const
 void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &whyNot)
 {
     box->setEnabled(whyNot.isEmpty());
-    box->setText(whyNot.isEmpty() ? text : text + QStringLiteral(" · ") + whyNot);
+    // What stands in brackets is what to do about it: that is for the tip.
+    const QString brief = whyNot.section(QStringLiteral(" ("), 0, 0);
+    box->setText(whyNot.isEmpty() ? text : text + QStringLiteral(" · ") + brief);
+    box->setToolTip(whyNot);
     if (!whyNot.isEmpty())
         box->setChecked(false);
 }
@@ -189,7 +192,9 @@ void SweepDialog::offer()
         choice.box->setChecked(whyNot.isEmpty() && (own || choice.suite != SuiteId::None));
     }
     permit(m_inline, tr("Inline: payloads sealed in place"), whyNotInline(m_around, own));
-    permit(m_saturated, tr("Saturated load: as much as the link carries"), whyNotSaturated(own));
+    const QString notSaturated = whyNotSaturated(own);
+    permit(m_saturated, notSaturated.isEmpty() ? tr("Saturated load: as much as the link carries") : tr("Saturated load"),
+           notSaturated);
     m_saturated->setChecked(own);
     sumUp();
 }

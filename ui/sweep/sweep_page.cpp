@@ -195,11 +195,28 @@ void SweepPage::showResults()
     const QPoint place = m_place->currentData().toPoint();
     const auto condition = static_cast<std::size_t>(place.x()), load = static_cast<std::size_t>(place.y());
     m_model->show(m_results, condition, load);
+    spanRows();
     QStringList labels;
     for (const experiment::Arm &arm : m_results->plan.arms)
         labels << armWords(arm);
     const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
-    m_bars->showChart(experiment::chartOf(*m_results, condition, load, metric), labels);
+    experiment::BarChart chart = experiment::chartOf(*m_results, condition, load, metric);
+    for (std::size_t arm = 0; arm < chart.bars.size(); ++arm)
+        chart.bars[arm].missing = (experiment::exists(m_results->plan.arms[arm])
+                                       ? m_running ? tr("not measured yet") : tr("not measured")
+                                       : tr("not in this framing")).toStdString();
+    m_bars->showChart(std::move(chart), labels);
+}
+
+/// "not in this framing" once, not in every column.
+void SweepPage::spanRows()
+{
+    m_table->clearSpans();
+    const int columns = m_model->columnCount() - SweepTableModel::FixedColumns;
+    for (int row = 0; row < m_model->rowCount() && columns > 1; ++row) {
+        if (!experiment::exists(m_results->plan.arms[static_cast<std::size_t>(row)]))
+            m_table->setSpan(row, SweepTableModel::FixedColumns, 1, columns);
+    }
 }
 
 void SweepPage::showStatus()

@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 private:
     void fillChoices();
+    void spanRows();
     void showResults();
     void showStatus();
     void setStatus(const QString &text, bool problem = false);

@@ -69,7 +69,7 @@ QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
 
 QString whyNotSaturated(bool ownVehicle)
 {
-    return ownVehicle ? QString() : Words::tr("a connected vehicle sends what it sends");
+    return ownVehicle ? QString() : Words::tr("the vehicle sends what it sends");
 }
 
 } // namespace skyseal::ui

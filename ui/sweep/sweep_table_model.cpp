@@ -54,7 +54,7 @@ QVariant SweepTableModel::data(const QModelIndex &index, int role) const
     if (role == Qt::DisplayRole)
         return fromStd(experiment::meanText(*m_results, cell, metric));
     if (role == Qt::TextAlignmentRole)
-        return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+        return QVariant((experiment::exists(arm) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != MeanRole && role != Qt::ToolTipRole)
         return {};
     const experiment::Summary summary = experiment::summarise(experiment::valuesOf(*m_results, cell, metric));
