@@ -19,8 +19,8 @@ void declare(Options &options)
     options.addFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
     options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every one that is allowed.", "all");
     options.addValue("framing", "NAME",
-                     "How MAVLink is protected: sealed = whole frames in records, inline = payloads sealed in place (suites that "
-                     "are a cipher and an HMAC; an agent of --link must allow it), both.",
+                     "How MAVLink is protected: sealed = whole frames in records, inline = payloads sealed in place (suites "
+                     "that are a cipher and an HMAC; an agent of --link must allow it), both.",
                      "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite.", "3");

@@ -29,7 +29,8 @@ QString commandOf(const experiment::Plan &plan, bool connected)
     return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8")
         .arg(connected ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
                        : QStringLiteral("skyseal; as skyseal-cli sweep"),
-             suites.join(QLatin1Char(',')), framings.size() > 1 ? QStringLiteral("both") : framings.value(0, QStringLiteral("sealed")),
+             suites.join(QLatin1Char(',')),
+             framings.size() > 1 ? QStringLiteral("both") : framings.value(0, QStringLiteral("sealed")),
              loads.join(QLatin1Char(',')))
         .arg(seconds(plan.measure))
         .arg(plan.repeats)
@@ -53,14 +54,16 @@ ui::SweepProgress SweepBench::progress() const
 
 void SweepBench::begin()
 {
-    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(), commandOf(m_plan, m_station != nullptr));
+    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(),
+                                commandOf(m_plan, m_station != nullptr));
     m_setting.emplace_back("measured_in", "the window's process; its drawing is in cpu_process and memory, not in cpu");
     experiment::SweepConfig config;
     config.plan = m_plan;
     config.borrowed = m_station;
     if (!m_station) {
         crypto::SystemRandom random;
-        auto lab = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")), programPath(QStringLiteral("skyseal-air")),
+        auto lab = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
+                                            programPath(QStringLiteral("skyseal-air")),
                                             programPath(QStringLiteral("skyseal-cli"))},
                                            random);
         if (!lab)

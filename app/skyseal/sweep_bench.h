@@ -1,6 +1,6 @@
-// One sweep of the window: the runner, and where it has a vehicle of its own the programs for it. Lives on the thread that it
-// is moved to before begin(): the window's for the connected link, whose station lives there, and one of its own otherwise,
-// since starting and ending programs waits for them.
+// One sweep of the window: the runner, and where it has a vehicle of its own the programs for it. Lives on the thread that
+// it is moved to before begin(): the window's for the connected link, whose station lives there, and one of its own
+// otherwise, since starting and ending programs waits for them.
 #pragma once
 
 #include "core/experiment/lab.h"

@@ -47,8 +47,8 @@ public:
     /// has a session.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
 
-    /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing is
-    /// required, not for a system that is bound to a peer or was ever heard sealed, and not from the very place where a
+    /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing
+    /// is required, not for a system that is bound to a peer or was ever heard sealed, and not from the very place where a
     /// session's records come from.
     bool acceptClear(const Path &from, std::uint8_t systemId) const;
     /// The session whose records come from there.

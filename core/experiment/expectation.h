@@ -7,7 +7,8 @@
 //
 // A metric stands for its mean over the repeats. Without a suite, or with "*" for it, it stands for every suite in turn, and
 // the comparison must hold for each of them. The load is "natural" or "saturated"; without one, the first of the sweep. The
-// framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn otherwise.
+// framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn
+// otherwise.
 #pragma once
 
 #include "core/base/result.h"

@@ -156,8 +156,8 @@ std::string framingWords(const Plan &plan)
     for (const channel::Framing framing : framingsOf(plan))
         out += std::string(out.empty() ? "" : "; ")
                + (framing == channel::Framing::Inline
-                      ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites that are a "
-                        "cipher and an HMAC; a frame that cannot go so travels in a record)"
+                      ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites "
+                        "that are a cipher and an HMAC; a frame that cannot go so travels in a record)"
                       : "sealed: whole frames in records, tags of 16 bytes");
     return out.empty() ? "none, plain MAVLink only" : out;
 }

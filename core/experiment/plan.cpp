@@ -133,7 +133,8 @@ std::vector<Framing> framingsOf(const Plan &plan)
 {
     std::vector<Framing> out;
     for (const Framing framing : {Framing::Sealed, Framing::Inline}) {
-        if (std::any_of(plan.arms.begin(), plan.arms.end(), [framing](const Arm &arm) { return framingName(arm) == name(framing); }))
+        const auto has = [framing](const Arm &arm) { return framingName(arm) == name(framing); };
+        if (std::any_of(plan.arms.begin(), plan.arms.end(), has))
             out.push_back(framing);
     }
     return out;

@@ -38,7 +38,8 @@ std::string_view name(channel::Framing framing);
 bool exists(const Arm &arm);
 
 /// Every suite in every framing, plain MAVLink once; with `noise`, one of them again: the default suite where it is there.
-std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings, bool noise);
+std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
+                        bool noise);
 
 /// The link that all arms meet alike: clean, or with what an impairment does to both directions.
 struct Condition
@@ -74,8 +75,8 @@ struct Run
 };
 
 /// A randomised block design: condition by condition and load by load, since changing those restarts programs; within each,
-/// every repeat holds every arm that exists once, in an order of its own. So what drifts slowly meets all arms alike. The same seed
-/// gives the same order on every machine.
+/// every repeat holds every arm that exists once, in an order of its own. So what drifts slowly meets all arms alike. The
+/// same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
 
 } // namespace skyseal::experiment

@@ -12,7 +12,8 @@ using channel::Framing;
 Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 {
     for (const crypto::SuiteId suite : expectation.suites()) {
-        if (std::none_of(plan.arms.begin(), plan.arms.end(), [suite](const Arm &arm) { return arm.suite == suite && !arm.again; }))
+        const auto has = [suite](const Arm &arm) { return arm.suite == suite && !arm.again; };
+        if (std::none_of(plan.arms.begin(), plan.arms.end(), has))
             return tl::unexpected(InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name),
                                              expectation.text()});
     }
@@ -35,7 +36,8 @@ std::vector<Verdict> judge(const Expectation &expectation, const Results &result
     const Plan &plan = results.plan;
     std::vector<Verdict> out;
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> load) {
+        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing,
+                                std::optional<Load> load) {
             const auto at = std::find(plan.loads.begin(), plan.loads.end(), load.value_or(plan.loads.front()));
             const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
                 const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
@@ -51,7 +53,8 @@ std::vector<Verdict> judge(const Expectation &expectation, const Results &result
         }
         std::vector<Verdict> each;
         for (const Arm &arm : plan.arms) {
-            const bool meant = arm.suite == crypto::SuiteId::None || expectation.onlyFraming().value_or(arm.framing) == arm.framing;
+            const Framing asked = expectation.onlyFraming().value_or(arm.framing);
+            const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
             if (!arm.again && meant && exists(arm))
                 each.push_back({expectation.text(), condition, name(arm), expectation.check(arm, lookup)});
         }

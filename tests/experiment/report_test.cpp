@@ -192,7 +192,8 @@ void ReportTest::framingsAreTold()
     QCOMPARE(results.plan.arms.size(), std::size_t(5));
     QCOMPARE(results.samples.size(), std::size_t(8)); // AES-256-GCM is not inline
     const std::string figure = svg(chartOf(results, 0, 0, Metric::Packets));
-    for (const char *label : {">none<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<", ">not in this framing<"})
+    for (const char *label : {">none<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<",
+                              ">not in this framing<"})
         QVERIFY2(figure.find(label) != std::string::npos, label);
     QVERIFY(figure.find("not measured") == std::string::npos);
 
@@ -204,8 +205,9 @@ void ReportTest::framingsAreTold()
         arms << arm[QLatin1String("suite")].toString() + QLatin1Char(' ') + arm[QLatin1String("framing")].toString();
         QCOMPARE(arm[QLatin1String("in_framing")].toBool(), arms.last() != QLatin1String("aes-256-gcm inline"));
     }
-    QCOMPARE(arms, QStringList({QStringLiteral("none plain"), QStringLiteral("aes-256-gcm sealed"), QStringLiteral("chacha20 sealed"),
-                                QStringLiteral("aes-256-gcm inline"), QStringLiteral("chacha20 inline")}));
+    QCOMPARE(arms, QStringList({QStringLiteral("none plain"), QStringLiteral("aes-256-gcm sealed"),
+                                QStringLiteral("chacha20 sealed"), QStringLiteral("aes-256-gcm inline"),
+                                QStringLiteral("chacha20 inline")}));
     QSet<QString> told;
     for (const QJsonValue summary : json[QLatin1String("summaries")].toArray())
         told << summary[QLatin1String("suite")].toString() + QLatin1Char(' ') + summary[QLatin1String("framing")].toString();

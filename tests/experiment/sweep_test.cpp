@@ -29,6 +29,13 @@ QStringList sweep(const char *more)
     return QStringList{q("sweep")} + q(more).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
+/// On somebody else's agent.
+QStringList onLink(const Flight &flight, const char *more)
+{
+    return sweep(more) + QStringList{q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
+                                     flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers"))};
+}
+
 QByteArray contentOf(const QString &path)
 {
     QFile file(path);
@@ -224,14 +231,15 @@ void SweepTest::nobodyAnswers()
 
 void SweepTest::bothFramings()
 {
-    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm,chacha20 --framing both --load natural --seconds 1 "
-                                                          "--warm-up 0.2 --repeats 1 --json --expect loss<=0.001 --expect "
-                                                          "overhead(chacha20,inline)!=overhead(chacha20,sealed)"),
+    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm,chacha20 --framing both --load natural "
+                                                          "--seconds 1 --warm-up 0.2 --repeats 1 --json --expect loss<=0.001 "
+                                                          "--expect overhead(chacha20,inline)!=overhead(chacha20,sealed)"),
                                      {}, 120000);
     QVERIFY2(run.status == 0, run.err.constData());
     QStringList framings;
     for (const QJsonObject &sample : events(run.out, "run")) {
-        framings << sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString();
+        framings << sample[QLatin1String("suite")].toString() + QLatin1Char(' ')
+                        + sample[QLatin1String("framing")].toString();
         QVERIFY(valueOf(sample, "packets") >= 10);
         if (framings.last() != QLatin1String("none plain")) {
             QVERIFY(valueOf(sample, "open_p50") > 0 && valueOf(sample, "seal_p50") > 0);
@@ -251,16 +259,14 @@ void SweepTest::cancelOnALinkRestoresTheSuite()
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments());
     QTemporaryDir folder;
-    Program process(q("skyseal-cli"), {q("sweep"), q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
-                                       flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers")),
-                                       q("--allow-research"), q("--suites"), q("rc4"), q("--seconds"), q("1"), q("--repeats"), q("50"),
-                                       q("--no-noise"), q("--json"), q("--out"), folder.path()});
+    Program process(q("skyseal-cli"), onLink(flight, "--allow-research --suites rc4 --seconds 1 --repeats 50 --no-noise "
+                                                     "--json")
+                                          + QStringList{q("--out"), folder.path()});
     QVERIFY2(!process.waitFor(q("run"), 40000).isEmpty(), process.errors().constData());
     process.terminate();
     QCOMPARE(process.waitForExit(20000), 1);
     QVERIFY(process.errors().contains("cancelled"));
-    QTRY_VERIFY_WITH_TIMEOUT(!air.events(q("switch")).empty() && air.last(q("switch"))[QLatin1String("from")].toString() == q("rc4"),
-                             5000);
+    QTRY_COMPARE_WITH_TIMEOUT(air.last(q("switch"))[QLatin1String("from")].toString(), q("rc4"), 5000);
     QCOMPARE(air.last(q("switch"))[QLatin1String("to")].toString(), q("chacha20-poly1305"));
     QCOMPARE(air.last(q("switch"))[QLatin1String("result")].toString(), q("committed"));
     const QJsonObject report = QJsonDocument::fromJson(contentOf(folder.filePath(q("sweep.json")))).object();
@@ -275,10 +281,8 @@ void SweepTest::refusalsAreTold()
     QVERIFY(flight.ready());
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments()); // consents neither to plain MAVLink nor to inline framing
-    Program process(q("skyseal-cli"), {q("sweep"), q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
-                                       flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers")), q("--allow-plain"),
-                                       q("--suites"), q("none,aes-256-ctr"), q("--framing"), q("both"), q("--seconds"), q("0.5"),
-                                       q("--repeats"), q("1"), q("--seed"), q("3"), q("--json")});
+    Program process(q("skyseal-cli"), onLink(flight, "--allow-plain --suites none,aes-256-ctr --framing both --seconds 0.5 "
+                                                     "--repeats 1 --seed 3 --json"));
     QCOMPARE(process.waitForExit(60000), 1);
     QHash<QString, QString> problems;
     for (const QJsonObject &sample : process.events(q("run")))

@@ -21,9 +21,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         must(!parsed.error().message.empty() && parsed.error().column >= 1 && parsed.error().column <= text.size() + 1);
     } else {
         must(parsed->text() == text);
-        const auto outcome = parsed->check({crypto::SuiteId::Aes256Gcm}, [](Metric metric, crypto::SuiteId suite, auto, auto) {
+        const auto lookup = [](Metric metric, crypto::SuiteId suite, auto, auto) {
             return static_cast<double>(metric) - static_cast<double>(suite);
-        });
+        };
+        const auto outcome = parsed->check({crypto::SuiteId::Aes256Gcm}, lookup);
         must(outcome.measured || !outcome.holds);
     }
     if (const auto condition = parseCondition(text))

@@ -1,6 +1,6 @@
-// A sweep from the window, by clicks, on the real engine with a simulated vehicle and the agent beside it: what is shown is what
-// is saved, and the link goes back to the suite that it had, whatever ended the sweep. Pictures are kept in the folder that
-// SKYSEAL_PICTURES names.
+// A sweep from the window, by clicks, on the real engine with a simulated vehicle and the agent beside it: what is shown is
+// what is saved, and the link goes back to the suite that it had, whatever ended the sweep. Pictures are kept in the
+// folder that SKYSEAL_PICTURES names.
 #include "app/skyseal/station_adapter.h"
 #include "app/skyseal/sweep_desk.h"
 #include "core/channel/policy.h"
@@ -174,7 +174,8 @@ void SweepWindowTest::nothingConnected()
 void SweepWindowTest::connectSealed()
 {
     m_air = std::make_unique<Program>(q("skyseal-air"), m_flight.airArguments(0, {q("--allow-plain"), q("--allow-inline")}));
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().session && m_window->scene().vehicle && !m_window->scene().vehicle->state.lost, 20'000);
+    const Scene &scene = m_window->scene();
+    QTRY_VERIFY_WITH_TIMEOUT(scene.session && scene.vehicle && !scene.vehicle->state.lost, 20'000);
 }
 
 /// The suite that the link is to have again in the end; not the default one, which it would have after any new session.
@@ -236,9 +237,10 @@ void SweepWindowTest::compareWithFiles(const QString &folder)
     for (int row = 0; row < model->rowCount(); ++row) {
         const experiment::Arm &arm = plan.arms[static_cast<std::size_t>(row)];
         for (int column = SweepTableModel::FixedColumns; column < model->columnCount(); ++column) {
-            const auto &metric = experiment::info(model->metrics()[static_cast<std::size_t>(column - SweepTableModel::FixedColumns)]);
-            const QString key = q(std::string(crypto::suiteInfo(arm.suite).name).c_str()) + q(std::string(framingName(arm)).c_str())
-                                + (arm.again ? q("true") : q("false")) + q(std::string(metric.key).c_str());
+            const auto place = static_cast<std::size_t>(column - SweepTableModel::FixedColumns);
+            const experiment::MetricInfo &metric = experiment::info(model->metrics()[place]);
+            const QString key = q(crypto::suiteInfo(arm.suite).name.data()) + q(framingName(arm).data())
+                                + (arm.again ? q("true") : q("false")) + q(metric.key.data());
             const QModelIndex index = model->index(row, column);
             const QVariant mean = index.data(SweepTableModel::MeanRole);
             QCOMPARE(mean.isValid(), means.contains(key));

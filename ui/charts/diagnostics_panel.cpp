@@ -25,7 +25,8 @@ namespace skyseal::ui {
 
 DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
-      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)), m_sweep(new SweepPage(m_pages)),
+      m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)),
+      m_sweep(new SweepPage(m_pages)),
       m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);

@@ -1,5 +1,5 @@
-// One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run. The same
-// chart as the figures that are saved (experiment::BarChart), painted in the window's palette.
+// One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run. The
+// same chart as the figures that are saved (experiment::BarChart), painted in the window's palette.
 #pragma once
 
 #include "core/experiment/bar_chart.h"

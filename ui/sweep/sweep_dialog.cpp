@@ -85,7 +85,8 @@ QWidget *SweepDialog::makeWhere()
     (m_connected->isEnabled() ? m_connected : m_own)->setChecked(true);
     auto *column = new QVBoxLayout(box);
     column->addWidget(m_connected);
-    column->addWidget(smallPrint(tr("The suites change on the live link, and in the end it has the one that it has now."), box));
+    column->addWidget(
+        smallPrint(tr("The suites change on the live link, and in the end it has the one that it has now."), box));
     column->addWidget(m_own);
     connect(m_own, &QRadioButton::toggled, this, &SweepDialog::offer);
     return box;
@@ -118,8 +119,10 @@ QWidget *SweepDialog::makeWhat()
         others->addWidget(choice);
         connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
     }
-    others->addWidget(smallPrint(tr("Inline is what the paper measured: payloads encrypted in place, headers clear. Only a cipher "
-                                    "with an HMAC can do it, and the agent must allow it (skyseal-air --allow-inline)."), box));
+    others->addWidget(smallPrint(tr("Inline is what the paper measured: payloads encrypted in place, headers clear. Only a "
+                                    "cipher with an HMAC can do it, and the agent must allow it (skyseal-air "
+                                    "--allow-inline)."),
+                                 box));
     others->addSpacing(kGrid);
     for (QCheckBox *choice : {m_natural, m_saturated}) {
         others->addWidget(choice);
@@ -147,7 +150,8 @@ QWidget *SweepDialog::makeHow()
     m_seed = named(new QLineEdit(QStringLiteral("1"), box), "sweepSeed", tr("Seed"));
     m_seed->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), m_seed));
     m_seed->setToolTip(tr("The same seed gives the same order of runs"));
-    m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise", tr("Measure the noise"));
+    m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise",
+                    tr("Measure the noise"));
     m_noise->setChecked(true);
     auto *left = new QFormLayout;
     left->addRow(tr("&Each run"), m_seconds);
@@ -208,8 +212,8 @@ void SweepDialog::sumUp()
     m_summary->setText(possible ? tr("%1 runs, %2").arg(runs).arg(aboutTime(static_cast<double>(runs) * each))
                                 : tr("Choose a suite, a framing that it can be in, and a load."));
     const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
-    m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, and anyone can "
-                                  "speak to the vehicle.")
+    m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, "
+                                  "and anyone can speak to the vehicle.")
                              : QString());
     m_warning->setVisible(plain);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(possible);

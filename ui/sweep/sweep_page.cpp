@@ -121,7 +121,8 @@ void SweepPage::fillChoices()
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
             const QString name = loadWords(plan.loads[load]);
-            m_place->addItem(plan.conditions.size() > 1 ? fromStd(plan.conditions[condition].name) + QStringLiteral(", ") + name : name,
+            const QString link = fromStd(plan.conditions[condition].name) + QStringLiteral(", ");
+            m_place->addItem(plan.conditions.size() > 1 ? link + name : name,
                              QPoint(static_cast<int>(condition), static_cast<int>(load)));
         }
     }
@@ -163,14 +164,13 @@ void SweepPage::finish(std::shared_ptr<const experiment::Results> results, const
     showResults();
     showStatus();
     const std::size_t runs = m_results->samples.size();
-    const auto failed = std::ranges::count_if(m_results->samples, [](const auto &sample) { return !sample.problem.empty(); });
+    const auto hasFailed = [](const experiment::Sample &sample) { return !sample.problem.empty(); };
+    const auto failed = std::ranges::count_if(m_results->samples, hasFailed);
     QString words = m_results->complete
                         ? tr("%1 runs in %2").arg(runs).arg(aboutTime(m_results->seconds).section(QLatin1Char(' '), 1))
                         : tr("Incomplete, %1 of %2 runs: %3").arg(runs).arg(m_progress.runs).arg(problem);
-    if (failed > 0)
-        words += tr("; %1 failed: %2").arg(failed).arg(fromStd(std::ranges::find_if(m_results->samples, [](const auto &sample) {
-                                                                    return !sample.problem.empty();
-                                                                })->problem));
+    if (const auto first = std::ranges::find_if(m_results->samples, hasFailed); failed > 0)
+        words += tr("; %1 failed: %2").arg(failed).arg(fromStd(first->problem));
     setStatus(words, !m_results->complete || failed > 0);
 }
 
@@ -241,7 +241,8 @@ void SweepPage::showStatus()
     setStatus(tr("Run %1 of %2: %3, %4; %5 left")
                   .arg(std::min(m_progress.done + 1, m_progress.runs))
                   .arg(m_progress.runs)
-                  .arg(armWords(plan.arms[m_run->arm]), loadWords(plan.loads[m_run->load]), aboutTime(m_progress.remaining)));
+                  .arg(armWords(plan.arms[m_run->arm]), loadWords(plan.loads[m_run->load]),
+                       aboutTime(m_progress.remaining)));
 }
 
 void SweepPage::setStatus(const QString &text, bool problem)

@@ -30,7 +30,8 @@ QString framingWords(const Arm &arm)
 QString armWords(const Arm &arm)
 {
     const QString name
-        = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite) : Words::tr("%1, %2").arg(suiteName(arm.suite), framingWords(arm));
+        = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite)
+                                             : Words::tr("%1, %2").arg(suiteName(arm.suite), framingWords(arm));
     return arm.again ? Words::tr("%1 (A/A)").arg(name) : name;
 }
 
