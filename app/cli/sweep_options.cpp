@@ -24,7 +24,7 @@ void declare(Options &options)
                      "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite.", "3");
-    options.addValue("warm-up", "S", "Seconds before each run that do not count.", "0.5");
+    options.addValue("warm-up", "S", "Seconds before each run that do not count.", "0.3");
     options.addValue("seed", "N", "Repeats the same order of runs and the same impairment.", "1");
     options.addValue("load", "LIST",
                      "natural = what a station asks for, saturated = as fast as answers come; both without --link.");

@@ -59,7 +59,7 @@ struct Plan
     std::vector<Load> loads{Load::Natural};
     std::vector<Condition> conditions{Condition{}};
     Duration measure = std::chrono::seconds(5); ///< of each run
-    Duration warmUp = std::chrono::milliseconds(500); ///< before it, dropped
+    Duration warmUp = std::chrono::milliseconds(300); ///< before it, dropped
     unsigned repeats = 3;
     std::uint64_t seed = 1;
 };
