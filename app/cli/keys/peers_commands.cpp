@@ -67,6 +67,30 @@ std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std
     return std::nullopt;
 }
 
+/// What a subcommand that changes one thing of one peer says of itself.
+struct PeerChange
+{
+    const char *words, *help;        ///< of the subcommand
+    const char *argument, *whatItIs; ///< behind the peer's name
+};
+
+/// `read` takes the argument apart, or notes a problem and gives nothing; `put` writes it into the entry.
+template<typename Read, typename Put>
+int changePeer(const QStringList &arguments, const PeerChange &change, Read read, Put put)
+{
+    KeysSubcommand command(change.words, change.help);
+    command.addArgument("NAME", "The peer's name.");
+    command.addArgument(change.argument, change.whatItIs);
+    command.addPeersOption();
+    if (const auto status = command.parse(arguments))
+        return *status;
+    const std::string file = command.options.required("peers");
+    const auto value = read(command.options, command.argument(1));
+    if (const auto status = command.options.finish())
+        return *status;
+    return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { put(entry, *value); });
+}
+
 keys::PublicKey readPublicKey(Options &options)
 {
     const QStringList given = options.arguments(0, 1);
@@ -213,32 +237,17 @@ int renamePeer(const QStringList &arguments)
 
 int setPeerRole(const QStringList &arguments)
 {
-    KeysSubcommand command("peers role", "Changes what a peer may do; a session that is up obeys at once.");
-    command.addArgument("NAME", "The peer's name.");
-    command.addArgument("ROLE", "pilot: it may command; observer: it may only look.");
-    command.addPeersOption();
-    if (const auto status = command.parse(arguments))
-        return *status;
-    const std::string file = command.options.required("peers");
-    const auto role = readRole(command.options, command.argument(1));
-    if (const auto status = command.options.finish())
-        return *status;
-    return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { entry.peer.role = *role; });
+    const PeerChange change{"peers role", "Changes what a peer may do; a session that is up obeys at once.", "ROLE",
+                            "pilot: it may command; observer: it may only look."};
+    return changePeer(arguments, change, &readRole, [](PeerEntry &entry, channel::PeerRole role) { entry.peer.role = role; });
 }
 
 int setPeerSystems(const QStringList &arguments)
 {
-    KeysSubcommand command("peers sysids", "Changes the MAVLink system ids that a peer may speak as.");
-    command.addArgument("NAME", "The peer's name.");
-    command.addArgument("LIST", "System ids from 1 to 255 with commas between them, or any.");
-    command.addPeersOption();
-    if (const auto status = command.parse(arguments))
-        return *status;
-    const std::string file = command.options.required("peers");
-    const auto systems = readSystems(command.options, command.argument(1));
-    if (const auto status = command.options.finish())
-        return *status;
-    return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { entry.peer.systemIds = *systems; });
+    const PeerChange change{"peers sysids", "Changes the MAVLink system ids that a peer may speak as.", "LIST",
+                            "System ids from 1 to 255 with commas between them, or any."};
+    return changePeer(arguments, change, &readSystems,
+                      [](PeerEntry &entry, std::vector<std::uint8_t> systems) { entry.peer.systemIds = std::move(systems); });
 }
 
 } // namespace skyseal::app
