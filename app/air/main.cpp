@@ -5,7 +5,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
-#include "app/common/passphrase_input.h"
+#include "app/common/pairing_passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
 #include "core/channel/policy.h"
@@ -48,6 +48,7 @@ void declare(Options &options)
                     "Also seal frames in place where the station asks for it: headers stay clear, tags are short.");
     options.addFlag("pair", "Open the window for pairing of the agent that runs here with this --identity, and confirm in it.");
     PairingTalk::declare(options); // with --json
+    PairingPassphraseInput::declare(options);
 }
 
 /// As the option says, or as the link suggests.
@@ -85,13 +86,23 @@ int pair(Options &options)
 {
     const std::string identity = options.required("identity");
     PairingTalk::Settings settings = PairingTalk::read(options);
+    const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     for (const char *option : {"vehicle", "ground", "carrier", "peers"}) {
         if (options.has(option))
             options.fail(std::string("--") + option + " belongs to the agent that runs; --pair needs only its --identity");
     }
     if (const auto status = options.finish())
         return *status;
-    return runPairClient(kName, identity, std::move(settings));
+    if (!crypto::initCrypto()) {
+        complain(kName, "the system offers no randomness");
+        return kCannotOpen;
+    }
+    const auto passphraseKey = passphrase.key();
+    if (!passphraseKey) {
+        complain(kName, passphraseKey.error().text());
+        return kCannotOpen;
+    }
+    return runPairClient(kName, identity, std::move(settings), passphraseKey->get());
 }
 
 } // namespace

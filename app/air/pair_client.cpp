@@ -29,7 +29,8 @@ void order(QLocalSocket &socket, std::string_view what)
 
 } // namespace
 
-int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings)
+int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings,
+                  const Key32 *passphraseKey)
 {
     QLocalSocket socket;
     const QString name = controlSocket(identityFile);
@@ -69,9 +70,17 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
     JsonWriter open;
-    open.beginObject().field("do", "open").field("as", callIt).endObject();
+    open.beginObject().field("do", "open").field("as", callIt).field("passphrase", passphraseKey != nullptr).endObject();
+    const auto openIt = [&] {
+        order(socket, open);
+        if (passphraseKey) {
+            const ByteView key = passphraseKey->view();
+            socket.write(reinterpret_cast<const char *>(key.data()), static_cast<qint64>(key.size()));
+            socket.flush();
+        }
+    };
     // From inside the event loop: the agent may hang up at once, and an exit before the loop would be lost.
-    QMetaObject::invokeMethod(&socket, [&] { order(socket, open); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(&socket, openIt, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }
 

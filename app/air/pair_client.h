@@ -7,7 +7,8 @@
 
 namespace skyseal::app {
 
-/// Runs the event loop until it is over; an exit status.
-int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings);
+/// Runs the event loop until it is over; an exit status. `passphraseKey` is null without a passphrase.
+int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings,
+                  const Key32 *passphraseKey);
 
 } // namespace skyseal::app

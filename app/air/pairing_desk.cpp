@@ -12,6 +12,7 @@ namespace skyseal::app {
 namespace {
 
 constexpr qint64 kLongestOrder = 4096;
+constexpr qint64 kKeySize = Key32::size();
 constexpr int kPatienceMs = 200;
 
 PairingNews refusal(std::string reason)
@@ -83,13 +84,18 @@ void PairingDesk::leave()
 {
     m_visitor->deleteLater();
     m_visitor = nullptr;
+    m_keyFollows = false;
     m_agent.cancelPairing();
 }
 
 void PairingDesk::hear()
 {
-    while (m_visitor && m_visitor->canReadLine())
-        obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
+    while (m_visitor && (m_keyFollows ? m_visitor->bytesAvailable() >= kKeySize : m_visitor->canReadLine())) {
+        if (m_keyFollows)
+            takeKey();
+        else
+            obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
+    }
     if (m_visitor && m_visitor->bytesAvailable() > kLongestOrder)
         m_visitor->abort();
 }
@@ -97,18 +103,30 @@ void PairingDesk::hear()
 void PairingDesk::obey(const QJsonObject &order)
 {
     const QString what = order[QLatin1String("do")].toString();
-    if (what == QLatin1String("open"))
-        open(order);
-    else if (what == QLatin1String("confirm"))
+    if (what == QLatin1String("open")) {
+        m_callIt = order[QLatin1String("as")].toString().toStdString();
+        m_keyFollows = order[QLatin1String("passphrase")].toBool();
+        if (!m_keyFollows)
+            open(nullptr);
+    } else if (what == QLatin1String("confirm")) {
         confirm(order);
-    else if (what == QLatin1String("refuse"))
+    } else if (what == QLatin1String("refuse")) {
         m_agent.refusePairing();
+    }
 }
 
-void PairingDesk::open(const QJsonObject &order)
+void PairingDesk::takeKey()
 {
-    m_callIt = order[QLatin1String("as")].toString().toStdString();
-    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString());
+    m_keyFollows = false;
+    auto key = std::make_shared<Key32>();
+    const MutableByteView room = key->mutableView();
+    if (m_visitor->read(reinterpret_cast<char *>(room.data()), kKeySize) == kKeySize)
+        open(std::move(key));
+}
+
+void PairingDesk::open(std::shared_ptr<const Key32> passphraseKey)
+{
+    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphraseKey));
     if (!opened) {
         tell(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed" : "it is open already"));
         return;

@@ -1,7 +1,8 @@
 // Where the window for pairing of a running agent is opened: a local socket beside its private key, which only the same user
 // can reach. `skyseal-air --pair` speaks with it, one JSON object a line each way:
 //
-//   to the agent     {"do":"open","as":…}  {"do":"confirm","public":…,"name":…,"role":…,"replace":…}  {"do":"refuse"}
+//   to the agent     {"do":"open","as":…,"passphrase":true|false}, with true followed by the 32 bytes of its key
+//                    {"do":"confirm","public":…,"name":…,"role":…,"replace":…}  {"do":"refuse"}
 //   from the agent   {"event":"pairing",…}, see pairing_news.h
 //
 // The window closes when whoever opened it goes away.
@@ -15,6 +16,7 @@
 #include <QtNetwork/QLocalSocket>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace skyseal::app {
@@ -41,7 +43,8 @@ private:
     void admit();
     void hear();
     void obey(const QJsonObject &order);
-    void open(const QJsonObject &order);
+    void takeKey();
+    void open(std::shared_ptr<const Key32> passphraseKey);
     void confirm(const QJsonObject &order);
     void keep(channel::Peer peer);
     void leave();
@@ -54,6 +57,7 @@ private:
     QLocalServer m_server;
     QLocalSocket *m_visitor = nullptr; ///< a child of the server
     QString m_problem;
+    bool m_keyFollows = false; ///< the next 32 bytes of the visitor are the key of a passphrase
     std::string m_callIt; ///< the name that the visitor chose for whoever comes; empty = what it calls itself
     std::string m_name; ///< what was decided about the other end
     channel::PeerRole m_role = channel::PeerRole::Observer;

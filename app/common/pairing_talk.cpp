@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 #include <unistd.h>
 
 namespace skyseal::app {
@@ -86,7 +87,10 @@ void PairingTalk::take(PairingNews news)
     case State::Other:
         say("WARNING: somebody else tried to be paired meanwhile, fingerprint " + keys::fingerprint(news.key));
         return;
-    case State::Differs: say("One end has a pairing passphrase and the other none, or they differ."); return;
+    case State::Differs:
+        if (!std::exchange(m_differs, true)) // it is told each second
+            say("The passphrases of the two ends differ, or only one end has one. Begin again with the same at both.");
+        return;
     case State::Paired:
         m_paired = true;
         say("Paired with " + news.name + ".");

@@ -61,6 +61,7 @@ private:
     std::unique_ptr<QSocketNotifier> m_input;
     std::string m_typed;
     std::optional<PairingNews> m_asked; ///< the question that is open
+    bool m_differs = false;
     bool m_paired = false;
     bool m_failed = false;
 };

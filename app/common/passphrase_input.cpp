@@ -51,11 +51,10 @@ Result<Passphrase, InputError> fromDescriptor(int descriptor)
 
 } // namespace
 
-void PassphraseInput::declare(Options &options, const char *which)
+void PassphraseInput::declare(Options &options, const char *which, const char *whose)
 {
-    const bool isNew = *which != '\0';
     options.addValue((std::string(which) + "passphrase-file").c_str(), "FILE",
-                     isNew ? "File whose first line is the new passphrase." : "File whose first line is the key's passphrase.");
+                     ("File whose first line is " + std::string(whose) + "; - for standard input.").c_str());
     options.addValue((std::string(which) + "passphrase-fd").c_str(), "N", "The same from an open descriptor.");
 }
 
@@ -66,6 +65,10 @@ PassphraseInput PassphraseInput::read(Options &options, const char *which)
     PassphraseInput out;
     if (options.has(file.c_str()))
         out.m_file = options.required(file.c_str());
+    if (out.m_file == "-") {
+        out.m_file.clear();
+        out.m_descriptor = STDIN_FILENO;
+    }
     if (options.has(descriptor.c_str()))
         out.m_descriptor = static_cast<int>(options.wholeNumber(descriptor.c_str(), 0, kLargestDescriptor));
     if (options.has(file.c_str()) && options.has(descriptor.c_str()))
@@ -93,6 +96,11 @@ keys::AskPassphrase PassphraseInput::ask() const
             return tl::unexpected(wrong);
         return askAtTerminal(attempt == 0 ? "Passphrase of " + file + ": " : "That does not open it. Once more: ", file);
     };
+}
+
+Result<Passphrase, InputError> PassphraseInput::once(const std::string &question) const
+{
+    return isGiven() ? readGiven() : askAtTerminal(question, "the terminal");
 }
 
 Result<Passphrase, InputError> PassphraseInput::choose(const std::string &file) const

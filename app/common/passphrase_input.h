@@ -12,8 +12,9 @@ namespace skyseal::app {
 class PassphraseInput
 {
 public:
-    /// Declares --passphrase-file and --passphrase-fd; with `which`, e.g. "new-", --new-passphrase-file and so on.
-    static void declare(Options &options, const char *which = "");
+    /// Declares --passphrase-file and --passphrase-fd; with `which`, e.g. "new-", --new-passphrase-file and so on. `whose` is
+    /// for the help: "the key's passphrase". A file "-" is standard input, of which one line is read.
+    static void declare(Options &options, const char *which = "", const char *whose = "the key's passphrase");
     /// A problem when both are given.
     static PassphraseInput read(Options &options, const char *which = "");
 
@@ -22,6 +23,8 @@ public:
 
     /// For opening a sealed file. Asks at the terminal three times, a file or descriptor once.
     keys::AskPassphrase ask() const;
+    /// One that belongs to no file; `question` is asked at the terminal where none is given.
+    Result<crypto::Passphrase, InputError> once(const std::string &question) const;
     /// A new passphrase for `file`, typed twice at the terminal. An error in words when it was cancelled, empty or mistyped.
     Result<crypto::Passphrase, InputError> choose(const std::string &file) const;
 

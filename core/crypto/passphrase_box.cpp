@@ -16,8 +16,8 @@ bool isAcceptable(const PassphraseCost &cost)
         && cost.memoryKiB >= kLeastPassphraseCost.memoryKiB && cost.memoryKiB <= kMostPassphraseCost.memoryKiB;
 }
 
-static Result<Key32, PassphraseError> derive(const Passphrase &passphrase, const PassphraseCost &cost,
-                                             const PassphraseSalt &salt)
+Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, const PassphraseCost &cost,
+                                                 const PassphraseSalt &salt)
 {
     Key32 key;
     const ByteView words = passphrase.view();
@@ -34,7 +34,7 @@ Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, co
                                                          const PassphraseCost &cost, const PassphraseSalt &salt,
                                                          ByteView associated)
 {
-    const auto key = derive(passphrase, cost, salt);
+    const auto key = keyFromPassphrase(passphrase, cost, salt);
     if (!key)
         return tl::unexpected(key.error());
     SealedSecret out;
@@ -47,7 +47,7 @@ Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, co
                                                   const PassphraseCost &cost, const PassphraseSalt &salt,
                                                   ByteView associated)
 {
-    const auto key = derive(passphrase, cost, salt);
+    const auto key = keyFromPassphrase(passphrase, cost, salt);
     if (!key)
         return tl::unexpected(key.error());
     Key32 out;

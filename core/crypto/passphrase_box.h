@@ -35,6 +35,9 @@ using SealedSecret = std::array<std::uint8_t, 32 + 16>;
 /// changed; nobody can tell these apart.
 enum class PassphraseError : std::uint8_t { NoMemory, DoesNotOpen };
 
+/// Argon2id with one lane: 32 bytes. DoesNotOpen never.
+Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, const PassphraseCost &cost, const PassphraseSalt &salt);
+
 /// `associated` is authenticated with it. The cost must be acceptable; the salt must be fresh and random.
 Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, const Passphrase &passphrase,
                                                          const PassphraseCost &cost, const PassphraseSalt &salt,

@@ -86,7 +86,7 @@ void AgentCore::setPeers(std::vector<channel::Peer> peers)
     finishWake();
 }
 
-Result<void, PairingRefusal> AgentCore::openPairing(std::string name)
+Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::shared_ptr<const Key32> passphraseKey)
 {
     if (m_armed)
         return tl::unexpected(PairingRefusal::Armed);
@@ -96,6 +96,7 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name)
     config.role = channel::Role::Agent;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
+    config.passphraseKey = std::move(passphraseKey);
     config.callTo = {groundOf(m_config)};
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();

@@ -89,8 +89,8 @@ public:
     void setPeers(std::vector<channel::Peer> peers);
     /// Opens the window in which a new station can be paired, until it is over or the vehicle is armed. What happens in it
     /// comes as events; `name` is what we call ourselves. A vehicle that was never heard does not count as armed, one
-    /// that fell silent counts as what it last was.
-    Result<void, PairingRefusal> openPairing(std::string name);
+    /// that fell silent counts as what it last was. `passphraseKey` is of channel::pairingPassphraseKey(), null without one.
+    Result<void, PairingRefusal> openPairing(std::string name, std::shared_ptr<const Key32> passphraseKey = {});
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();

@@ -240,9 +240,11 @@ Result<std::size_t, InputError> Station::reloadPeers()
     return count;
 }
 
-void Station::openPairing(std::string name, channel::PeerRole roleAsked)
+void Station::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
 {
-    d->post([name = std::move(name), roleAsked](StationCore &core) mutable { core.openPairing(std::move(name), roleAsked); });
+    d->post([name = std::move(name), roleAsked, key = std::move(passphraseKey)](StationCore &core) mutable {
+        core.openPairing(std::move(name), roleAsked, std::move(key));
+    });
 }
 
 void Station::confirmPairing(const channel::PublicKey &key)

@@ -50,8 +50,9 @@ public:
     /// force; otherwise the number of peers.
     Result<std::size_t, InputError> reloadPeers();
     /// Waits for an agent that is open for pairing; what happens comes as pairing(). Needs an identity. `name` is what we
-    /// call ourselves, `roleAsked` what we want to be there. Nothing is stored.
-    void openPairing(std::string name, channel::PeerRole roleAsked);
+    /// call ourselves, `roleAsked` what we want to be there; `passphraseKey` is of channel::pairingPassphraseKey(), null without
+    /// a passphrase. Nothing is stored.
+    void openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey = {});
     /// The person compared the fingerprints of this key at both ends.
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();

@@ -123,7 +123,7 @@ void StationCore::setPeers(std::vector<channel::Peer> peers)
     finishWake();
 }
 
-bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked)
+bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
 {
     if (!m_pairing)
         return false;
@@ -132,6 +132,7 @@ bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked)
     config.identity = m_secrets->identity;
     config.name = std::move(name);
     config.roleAsked = roleAsked;
+    config.passphraseKey = std::move(passphraseKey);
     m_pairing->open(steadyNow(), std::move(config));
     finishWake();
     return true;

@@ -58,8 +58,8 @@ public:
     void setAllowResearch(bool allow);
     void setWeakestSuite(crypto::SuiteId weakest);
     void setPeers(std::vector<channel::Peer> peers);
-    /// Waits for an agent that is open for pairing; false without an identity. `name` is what we call ourselves.
-    bool openPairing(std::string name, channel::PeerRole roleAsked);
+    /// Waits for an agent that is open for pairing; false without an identity. See Station.
+    bool openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey);
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();

@@ -1,5 +1,7 @@
 // What strangers put on the wire while two people pair: recordings, reflections, changed bits and floods.
+#include "core/base/hex.h"
 #include "core/channel/pairing_handshake.h"
+#include "core/channel/pairing_passphrase.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 #include "tap.h"
@@ -27,6 +29,7 @@ private Q_SLOTS:
     void noMoreOutThanIn();
     void onlyTheLastAnswersAreKept();
     void moreCallersThanPlaces();
+    void keyOfAPassphrase();
 };
 
 namespace {
@@ -396,6 +399,18 @@ void PairingWireTest::moreCallersThanPlaces()
     QVERIFY(out <= 1); // One at a time.
     pair.open(Air);
     QVERIFY(pair.run(30s, [&] { return pair.shown(); }));
+}
+
+/// The example of PROTOCOL.md, computed by the reference implementation:
+/// echo -n "correct horse battery staple" | argon2 "skyseal pairing1" -id -t 3 -k 65536 -p 1 -l 32 -r
+void PairingWireTest::keyOfAPassphrase()
+{
+    const std::string_view words = "correct horse battery staple";
+    const auto key = channel::pairingPassphraseKey(*crypto::Passphrase::fromBytes(asBytes(words)));
+    QVERIFY(key);
+    QCOMPARE(toHex(key->view()), std::string("9ff9e004e3238aa60b954e1348cd65a1722aec69ba15697f07ab9639aedc1980"));
+    const auto other = channel::pairingPassphraseKey(*crypto::Passphrase::fromBytes(asBytes(words.substr(1))));
+    QVERIFY(other && !other->equals(*key));
 }
 
 QTEST_GUILESS_MAIN(PairingWireTest)

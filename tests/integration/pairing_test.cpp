@@ -52,6 +52,9 @@ private Q_SLOTS:
     void armingClosesTheWindow();
     void leavingClosesTheWindow();
     void oneVisitorAtATime();
+    void passphraseOfBothEnds();
+    void wrongPassphraseIsTold();
+    void passphraseAtOneEndIsTold();
 
 private:
     QString path(const char *name) const { return m_folder->filePath(QLatin1String(name)); }
@@ -64,6 +67,7 @@ private:
     std::unique_ptr<Program> agent(const char *key, const char *peers, quint16 ground) const;
     std::unique_ptr<Program> window(const char *key, const QStringList &more = {}) const;
     std::unique_ptr<Program> station(const char *key, const char *peers, quint16 port, const QStringList &more = {}) const;
+    QString passphraseFile(const char *name, const QByteArray &words) const;
     static QStringList expecting(const QString &fingerprint) { return {QStringLiteral("--expect"), fingerprint}; }
     void sendHeartbeats(Program &until, const char *event, const Program::Predicate &predicate, bool armed);
 
@@ -299,6 +303,62 @@ void PairingTest::oneVisitorAtATime()
     QVERIFY(first->running());
     const auto mode = QFile::permissions(path("air.key.control"));
     QVERIFY(!(mode & (QFile::ReadOther | QFile::WriteOther | QFile::ReadGroup | QFile::WriteGroup)));
+}
+
+QString PairingTest::passphraseFile(const char *name, const QByteArray &words) const
+{
+    QFile file(path(name));
+    if (file.open(QIODevice::WriteOnly))
+        file.write(words + '\n');
+    file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+    return file.fileName();
+}
+
+void PairingTest::passphraseOfBothEnds()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    // From a file at one end, from the first line of standard input at the other; what follows there are answers.
+    const auto ground = station("ground.key", "ground.peers", m_port,
+                                {QStringLiteral("--pair-passphrase-file"), passphraseFile("words", "blue heron at noon")});
+    const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), QStringLiteral("-")});
+    desk->tell(QStringLiteral("blue heron at noon"));
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 15000, stateIs("seen")).isEmpty());
+    QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("seen")).isEmpty());
+    desk->tell(QStringLiteral("yes"));
+    ground->tell(QStringLiteral("yes"));
+    QCOMPARE(desk->waitForExit(15000), 0);
+    QCOMPARE(ground->waitForExit(15000), 0);
+    QVERIFY(read("air.peers").contains("skyseal:") && read("ground.peers").contains("skyseal:"));
+    for (Program *program : {air.get(), ground.get(), desk.get()})
+        QVERIFY2(!program->errors().contains("heron at"), program->errors().constData());
+}
+
+void PairingTest::wrongPassphraseIsTold()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port,
+                                {QStringLiteral("--pair-passphrase-file"), passphraseFile("right", "blue heron at noon")});
+    const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), passphraseFile("wrong", "grey heron at noon")});
+    QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
+    for (Program *program : {ground.get(), desk.get()}) {
+        QVERIFY2(program->errors().contains("passphrases of the two ends differ"), program->errors().constData());
+        QVERIFY(program->waitFor(QStringLiteral("pairing"), 1500, stateIs("seen")).isEmpty());
+        QCOMPARE(program->errors().count("passphrases of the two ends differ"), 1);
+    }
+}
+
+void PairingTest::passphraseAtOneEndIsTold()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto ground = station("ground.key", "ground.peers", m_port);
+    const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), passphraseFile("words", "blue heron at noon")});
+    QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
+    QVERIFY(ground->waitFor(QStringLiteral("pairing"), 1500, stateIs("seen")).isEmpty());
+    QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
 }
 
 QTEST_GUILESS_MAIN(PairingTest)

@@ -23,7 +23,8 @@ constexpr Subcommand kOwn[] = {
     {"import", importKey, "import FROM --out FILE [--passphrase]"},
     {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
     {"psk", newPresharedKey, "psk --out FILE"},
-    {"pair", pairWithAgent, "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT]"},
+    {"pair", pairWithAgent, 
+     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT] [--pair-passphrase]"},
 };
 constexpr Subcommand kPeers[] = {
     {"add", addPeer,

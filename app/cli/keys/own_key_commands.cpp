@@ -34,7 +34,7 @@ public:
     static void declare(Options &options)
     {
         options.addFlag("passphrase", "Seal the key with a passphrase, which is asked for.");
-        PassphraseInput::declare(options, "new-");
+        PassphraseInput::declare(options, "new-", "the new passphrase");
     }
     void read(Options &options)
     {
@@ -170,7 +170,7 @@ int changePassphrase(const QStringList &arguments)
     command.addArgument("FILE", "File of the private key.");
     command.options.addFlag("remove", "Take the passphrase away: whoever has the file has the key.");
     PassphraseInput::declare(command.options);
-    PassphraseInput::declare(command.options, "new-");
+    PassphraseInput::declare(command.options, "new-", "the new passphrase");
     if (const auto status = command.parse(arguments))
         return *status;
     const std::string file = command.argument(0);

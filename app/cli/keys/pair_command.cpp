@@ -2,8 +2,8 @@
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
+#include "app/common/pairing_passphrase_input.h"
 #include "app/common/pairing_talk.h"
-#include "app/common/passphrase_input.h"
 #include "app/common/process.h"
 #include "core/engine/station.h"
 #include "core/keys/file_io.h"
@@ -55,6 +55,7 @@ int pairWithAgent(const QStringList &arguments)
     options.addValue("peers", "FILE", "File of known peers that the agent is added to; made when it is missing.");
     options.addValue("role", "pilot|observer", "What this station asks to be there: to command, or only to look.", "pilot");
     PairingTalk::declare(options);
+    PairingPassphraseInput::declare(options);
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
@@ -68,9 +69,15 @@ int pairWithAgent(const QStringList &arguments)
     if (!role)
         options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
     PairingTalk::Settings settings = PairingTalk::read(options);
+    const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     if (const auto status = options.finish())
         return *status;
 
+    const auto passphraseKey = passphrase.key();
+    if (!passphraseKey) {
+        complain(name, passphraseKey.error().text());
+        return kCannotOpen;
+    }
     const std::string peersFile = config.keys.peers;
     if (!keys::fileExists(peersFile)) {
         if (const auto made = keys::createFile(peersFile, {}); !made) {
@@ -117,7 +124,7 @@ int pairWithAgent(const QStringList &arguments)
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &engine, [&] { engine.cancelPairing(); });
     engine.addLink(*url);
-    engine.openPairing(QSysInfo::machineHostName().toStdString(), *role);
+    engine.openPairing(QSysInfo::machineHostName().toStdString(), *role, *passphraseKey);
     PairingNews open;
     open.state = PairingNews::State::Open;
     open.key = *engine.publicKey();
