@@ -108,6 +108,7 @@ void MainWindow::connectPanels()
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
     connect(m_docks->secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
+    connect(m_docks->secure, &SecureLinkPanel::keysWanted, this, &MainWindow::openKeys);
     connect(m_docks->secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
         for (const auto &vehicle : m_scene.snapshot->vehicles)
             if (vehicle.session && static_cast<quint32>(*vehicle.session) == session)

@@ -4,6 +4,7 @@
 
 #include "core/base/path.h"
 #include "core/channel/endpoint.h"
+#include "core/channel/events.h"
 #include "core/engine/probe.h"
 #include "core/engine/totals.h"
 #include "core/vehicle/mission.h"
@@ -68,11 +69,20 @@ inline bool isAttacked(const SessionSnapshot &session)
     return session.forgedLastMinute > 0 || session.replayedLastMinute > session.goodLastMinute;
 }
 
+/// The session over which a vehicle was heard, and that is not there any more.
+struct EndedSession
+{
+    std::string peerName;
+    channel::DownReason reason{};
+    double age = 0; ///< seconds since it ended
+};
+
 struct VehicleSnapshot
 {
     vehicle::VehicleState state;
     LinkId link{};
-    std::optional<channel::SessionId> session; ///< empty: plain
+    std::optional<channel::SessionId> session; ///< over which it was heard last, also when that ended since; empty: plain
+    std::optional<EndedSession> ended;         ///< that session, unless it is up or another one with the same peer is
     double lossPercent = 0; ///< by MAVLink sequence numbers, over the last second
     double framesPerSecond = 0;
     std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until asked for; shared while unchanged

@@ -296,18 +296,49 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
     if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_policy.sessionUp(up->session, up->peer, up->path);
         m_outlets.ofSession(up->session);
-        m_sessionWatches.try_emplace(up->session);
+        noteUp(*up);
         noteUnanswering(now);
         if (m_config.preferredSuite && *m_config.preferredSuite != up->suite)
             m_channel->endpoint().switchSuite(now, up->session, *m_config.preferredSuite);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         m_policy.sessionDown(down->session);
         m_outlets.sessionDown(down->session);
-        m_sessionWatches.erase(down->session);
+        noteDown(now, *down);
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
         m_policy.sessionMoved(moved->session, moved->to);
     }
     std::visit([this](const auto &value) { tell(value); }, event);
+}
+
+void StationCore::noteUp(const channel::SessionUp &up)
+{
+    SessionWatch &watch = m_sessionWatches[up.session];
+    watch.peer = up.peer;
+    watch.peerName = up.peerName;
+    for (auto &[systemId, vehicle] : m_vehicleWatches) {
+        if (!vehicle.ended || vehicle.ended->peer != up.peer)
+            continue;
+        vehicle.session = up.session; // its agent is back
+        vehicle.ended.reset();
+    }
+}
+
+void StationCore::noteDown(TimePoint now, const channel::SessionDown &down)
+{
+    const auto found = m_sessionWatches.find(down.session);
+    if (found == m_sessionWatches.end())
+        return;
+    const SessionWatch gone = std::move(found->second);
+    m_sessionWatches.erase(found);
+    const auto next = std::ranges::find_if(m_sessionWatches, [&](const auto &watch) { return watch.second.peer == gone.peer; });
+    for (auto &[systemId, vehicle] : m_vehicleWatches) {
+        if (vehicle.session != down.session)
+            continue;
+        if (next != m_sessionWatches.end())
+            vehicle.session = next->first; // its agent began anew
+        else
+            vehicle.ended = Ended{gone.peer, gone.peerName, down.reason, now};
+    }
 }
 
 void StationCore::serveVehicles(TimePoint now)

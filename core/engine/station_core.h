@@ -87,13 +87,23 @@ private:
     /// What is measured of one session beside its own counters.
     struct SessionWatch
     {
+        channel::PublicKey peer{};
+        std::string peerName;
         LossMeter loss, peerLoss;
         Growth<60> forged, replayed, good; ///< a reading a second
+    };
+    struct Ended
+    {
+        channel::PublicKey peer{};
+        std::string peerName;
+        channel::DownReason reason{};
+        TimePoint at;
     };
     struct VehicleWatch
     {
         LinkId link{};
         std::optional<channel::SessionId> session;
+        std::optional<Ended> ended; ///< `session`
         LossMeter loss;
         Growth<4> frames;
         bool lost = false;
@@ -130,6 +140,8 @@ private:
     void everyQuarterSecond(TimePoint now);
     void everySecond(TimePoint now);
     void noteUnanswering(TimePoint now);
+    void noteUp(const channel::SessionUp &up);
+    void noteDown(TimePoint now, const channel::SessionDown &down);
     void keepSealedSystems();
     void tell(Happening happening) { m_sinks.happening(std::move(happening)); }
 

@@ -201,6 +201,7 @@ void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Fram
         VehicleWatch &watch = m_vehicleWatches[systemId];
         watch.link = from.link;
         watch.session = session;
+        watch.ended.reset();
         if (found)
             tell(VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()});
     }

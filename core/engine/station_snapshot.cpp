@@ -54,6 +54,8 @@ VehicleSnapshot StationCore::describe(TimePoint now, const vehicle::Vehicle &veh
         const VehicleWatch &watch = found->second;
         out.link = watch.link;
         out.session = watch.session;
+        if (watch.ended)
+            out.ended = EndedSession{watch.ended->peerName, watch.ended->reason, seconds(now - watch.ended->at)};
         out.lossPercent = watch.loss.percent();
         out.framesPerSecond = static_cast<double>(watch.frames.value());
     }

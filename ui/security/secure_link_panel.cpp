@@ -3,6 +3,7 @@
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
+#include "ui/status/link_ended.h"
 #include "ui/status/lock_face.h"
 #include "ui/text/units.h"
 #include "ui/text/words.h"
@@ -81,6 +82,12 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     m_help->setAccessibleName(m_help->text());
     connect(m_help, &QPushButton::clicked, this, [this] { Q_EMIT helpWanted(QStringLiteral("sealing")); });
     column->addWidget(m_help, 0, Qt::AlignLeft);
+    m_keys = new QPushButton(tr("Keys and peers …"), this);
+    m_keys->setObjectName(QStringLiteral("secureKeys"));
+    m_keys->setAccessibleName(tr("Open keys and peers"));
+    m_keys->hide();
+    connect(m_keys, &QPushButton::clicked, this, &SecureLinkPanel::keysWanted);
+    column->addWidget(m_keys, 0, Qt::AlignLeft);
 
     column->addSpacing(kHalfGrid);
     for (QAction *action : suites.actions())
@@ -166,6 +173,16 @@ void SecureLinkPanel::showHead(const Scene &scene)
     case Security::Nothing:
         title = tr("No sealed link");
         advice = tr("The session starts by itself once a known agent announces itself.");
+        if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
+            title = tr("%1 does not answer").arg(fromStd(agent->peerName));
+            advice = tr("It is there, at %1, and silent: does it know this station's key? Look there for the fingerprint %2")
+                         .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
+        } else if (const auto ended = linkEndedOf(scene)) {
+            title = ended->title;
+            advice = ended->advice;
+        }
+        if (face.lost)
+            color = colors.warning;
         break;
     case Security::Plain:
         title = tr("Not sealed");
@@ -196,12 +213,13 @@ void SecureLinkPanel::showHead(const Scene &scene)
     }
     put(m_title, title);
     put(m_advice, advice);
-    m_help->setVisible(!scene.session);
+    m_help->setVisible(!scene.session && !face.lost);
+    m_keys->setVisible(face.lost);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);
     QPalette titleColors = palette();
-    if (face.security == Security::UnderAttack || face.security == Security::Plain)
+    if (face.security == Security::UnderAttack || face.security == Security::Plain || face.lost)
         titleColors.setColor(QPalette::WindowText, color);
     if (m_title->palette().color(QPalette::WindowText) != titleColors.color(QPalette::WindowText))
         m_title->setPalette(titleColors);

@@ -32,6 +32,7 @@ Q_SIGNALS:
     /// The operator picked another session of several: show its vehicle.
     void sessionChosen(quint32 session);
     void helpWanted(const QString &page);
+    void keysWanted();
 
 private:
     void showHead(const Scene &scene);
@@ -42,7 +43,7 @@ private:
 
     SuiteActions &m_suites;
     QLabel *m_icon, *m_title, *m_peer, *m_since, *m_fingerprint, *m_note, *m_advice;
-    QPushButton *m_help;
+    QPushButton *m_help, *m_keys;
     QComboBox *m_sessions;
     CountersTable *m_counters;
     QFrame *m_line;

@@ -1,5 +1,6 @@
 #include "ui/status/lock_face.h"
 
+#include "ui/status/link_ended.h"
 #include "ui/text/units.h"
 #include "ui/text/words.h"
 #include "ui/theme/suite_style.h"
@@ -35,7 +36,9 @@ QString sealedToolTip(const engine::SessionSnapshot &session)
 Security securityOf(const Scene &scene)
 {
     if (!scene.session)
-        return scene.vehicle ? Security::Plain : scene.snapshot ? scene.snapshot->security : Security::Nothing;
+        return scene.vehicle    ? scene.vehicle->session ? Security::Nothing : Security::Plain
+               : scene.snapshot ? scene.snapshot->security
+                                : Security::Nothing;
     if (engine::isAttacked(*scene.session))
         return scene.snapshot->sessions.size() == 1 ? scene.snapshot->security : Security::UnderAttack;
     return scene.session->info.pending ? Security::Switching : Security::Sealed;
@@ -46,13 +49,20 @@ LockFace lockFaceOf(const Scene &scene)
     LockFace face;
     face.security = securityOf(scene);
     if (!scene.session) {
-        if (face.security == Security::Nothing && scene.snapshot && !scene.snapshot->unanswering.empty()) {
-            const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
+        if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
             face.icon = QStringLiteral("lock-none");
-            face.variants = {Words::tr("%1 does not answer").arg(fromStd(agent.peerName)), Words::tr("No answer")};
+            face.lost = true;
+            face.variants = {Words::tr("%1 does not answer").arg(fromStd(agent->peerName)), Words::tr("No answer")};
             face.toolTip = Words::tr("The agent %1 at %2 is there but does not answer. Does it know this station's key?\n"
                                      "Fingerprint %3")
-                               .arg(fromStd(agent.peerName), fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
+                               .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
+            return face;
+        }
+        if (const auto ended = linkEndedOf(scene)) {
+            face.icon = QStringLiteral("lock-none");
+            face.lost = true;
+            face.variants = {ended->title, ended->revoked ? Words::tr("Revoked") : Words::tr("No session")};
+            face.toolTip = ended->advice;
             return face;
         }
         if (face.security == Security::Nothing) {

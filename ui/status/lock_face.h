@@ -16,6 +16,7 @@ struct LockFace
     QStringList variants; ///< of the words, the longest first; each names the suite
     QString toolTip;
     std::optional<crypto::SuiteId> suite; ///< for the colour
+    bool lost = false; ///< there was a session, or there is an agent that does not answer: not nothing, and not well
     bool operator==(const LockFace &) const = default;
 };
 

@@ -109,7 +109,7 @@ void StatusStrip::showLock(const Scene &scene)
     m_lock->setStrong(face.security == Security::UnderAttack || face.security == Security::Plain);
     switch (face.security) {
     case Security::Nothing:
-        m_lock->setTextColor(colors.dim);
+        m_lock->setTextColor(face.lost ? colors.warning : colors.dim);
         m_lock->setIconColor(colors.dim);
         break;
     case Security::Plain:
@@ -142,7 +142,7 @@ void StatusStrip::showLink(const Scene &scene)
         {widest + QStringLiteral(" · 888 ms · 8.8 s"), widest + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
     const auto &state = scene.vehicle->state;
     const QString age = tr("%1 s").arg(number(state.messageAge, 1));
-    if (state.lost || scene.stale()) {
+    if (state.lost || scene.stale() || (!scene.session && scene.vehicle->session)) {
         m_link->setContent({tr("Link lost") + kDot + age, tr("Lost") + kDot + age, age}, QStringLiteral("link"));
         m_link->setTextColor(colors.alarm);
         return;

@@ -1,0 +1,65 @@
+#include "ui/status/link_ended.h"
+
+#include "ui/text/units.h"
+#include "ui/text/words.h"
+
+#include <QtCore/QCoreApplication>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+using channel::DownReason;
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LinkEnded)
+};
+
+} // namespace
+
+std::optional<LinkEnded> linkEndedOf(const Scene &scene)
+{
+    if (scene.session || !scene.vehicle || !scene.vehicle->session)
+        return std::nullopt;
+    const engine::EndedSession ended = scene.vehicle->ended.value_or(engine::EndedSession{});
+    const QString name = ended.peerName.empty() ? Words::tr("the agent") : fromStd(ended.peerName);
+    const QString ago = durationText(ended.age);
+    const QString waiting = QLatin1Char(' ')
+        + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard last, "
+                    "and clear MAVLink in its name stays refused.");
+    switch (ended.reason) {
+    case DownReason::Revoked:
+        return LinkEnded{Words::tr("Revoked · %1").arg(name),
+                         Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is shown is "
+                                   "what was heard last. Pair it again to go on.").arg(name, ago),
+                         true};
+    case DownReason::TimedOut:
+        return LinkEnded{Words::tr("Session lost · %1").arg(name),
+                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+    case DownReason::PeerRestarted:
+    case DownReason::PeerClosed:
+    case DownReason::Exhausted:
+    case DownReason::Closed:
+        break;
+    }
+    return LinkEnded{Words::tr("Session ended · %1").arg(name),
+                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonWords(ended.reason)) + waiting};
+}
+
+const engine::UnansweringAgent *unansweringOf(const Scene &scene)
+{
+    if (scene.session || !scene.snapshot)
+        return nullptr;
+    const auto &agents = scene.snapshot->unanswering;
+    if (!scene.vehicle)
+        return agents.empty() || !scene.snapshot->sessions.empty() ? nullptr : &agents.front();
+    if (!scene.vehicle->ended)
+        return nullptr;
+    const auto found = std::ranges::find(agents, scene.vehicle->ended->peerName, &engine::UnansweringAgent::peerName);
+    return found == agents.end() ? nullptr : &*found;
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,24 @@
+// What is true of a vehicle that was heard over a sealed session which is not there any more: words for the lock and for the
+// panel.
+#pragma once
+
+#include "ui/scene.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::ui {
+
+struct LinkEnded
+{
+    QString title;  ///< a few words
+    QString advice; ///< why, and what comes next
+    bool revoked = false;
+};
+
+/// Nothing while the session of the scene's vehicle is up, for a vehicle in clear and without a vehicle.
+std::optional<LinkEnded> linkEndedOf(const Scene &scene);
+
+/// The agent of the scene's vehicle (or any, where there is none) that is there and does not answer; null when none is so.
+const engine::UnansweringAgent *unansweringOf(const Scene &scene);
+
+} // namespace skyseal::ui
