@@ -4,7 +4,6 @@
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
 #include "app/skyseal/own_files.h"
-#include "app/skyseal/passphrase_question.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>
@@ -48,7 +47,7 @@ engine::StationConfig Application::configOf(const ui::Settings &settings, engine
 
 engine::KeyPaths Application::chooseKeys()
 {
-    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : &askInDialog;
+    const keys::AskPassphrase ask = m_options.passphrase.isGiven() ? m_options.passphrase.ask() : m_question.ask();
     if (!m_options.identityFile.empty())
         return {m_options.identityFile, m_options.peersFile, ask};
     auto own = ownKeys(m_random);
@@ -95,8 +94,9 @@ void Application::tellKeyProblem()
 void Application::tryKeysAgain()
 {
     std::shared_ptr<const crypto::Passphrase> last;
+    const keys::AskPassphrase ask = m_question.ask();
     const auto opened = keys::loadIdentity(m_keys.identity, [&](const std::string &file, int attempt) {
-        auto typed = askInDialog(file, attempt);
+        auto typed = ask(file, attempt);
         if (typed)
             last = std::make_shared<const crypto::Passphrase>(typed->clone());
         return typed;
@@ -106,6 +106,7 @@ void Application::tryKeysAgain()
         tellKeyProblem();
         return;
     }
+    m_question.opened();
     engine::KeyPaths keys = m_keys;
     keys.askPassphrase = [last](const std::string &file, int attempt) -> Result<crypto::Passphrase, InputError> {
         if (attempt == 0 && last)
@@ -133,6 +134,8 @@ bool Application::start()
         keys = chooseKeys();
     }
     auto station = engine::Station::create(configOf(settings, keys));
+    if (station)
+        m_question.opened();
     if (!station && m_options.identityFile.empty() && !m_options.demo) {
         // A damaged key of one's own must not keep the window away: it opens for plain links and says so.
         m_keyProblem = QString::fromStdString(station.error().text());
@@ -164,6 +167,8 @@ void Application::makeWindow()
     facts.demoAvailable = Demo::isAvailable();
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
     connect(m_station.get(), &StationAdapter::failed, m_window.get(),
+            [this](const QString &problem) { m_window->tellProblem(problem); });
+    connect(m_memory.get(), &PassphraseMemory::failed, m_window.get(),
             [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     m_window->setKeyring(m_keyring, &m_pairing);

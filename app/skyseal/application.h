@@ -6,6 +6,7 @@
 #include "app/common/peers_watch.h"
 #include "app/skyseal/demo_flight.h"
 #include "app/skyseal/keyring.h"
+#include "app/skyseal/passphrase_question.h"
 #include "app/skyseal/station_adapter.h"
 #include "app/skyseal/sweep_desk.h"
 #include "app/skyseal/window_pairing.h"
@@ -45,7 +46,9 @@ private:
     RandomSource &m_random;
     QSettings m_store;
     QString m_keyProblem;
-    Keyring m_keyring{m_store};
+    std::unique_ptr<PassphraseMemory> m_memory = desktopMemory(m_store);
+    PassphraseQuestion m_question{*m_memory};
+    Keyring m_keyring{m_store, *m_memory};
     WindowPairing m_pairing;
     engine::KeyPaths m_keys;
     std::unique_ptr<StationAdapter> m_station;

@@ -1,6 +1,7 @@
 #include "app/skyseal/keyring.h"
 
 #include "core/base/hex.h"
+#include "core/crypto/system_random.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
@@ -31,9 +32,28 @@ void decide(PeerEntry &entry, const ui::KnownPeer &peer)
     entry.peer.key = peer.key;
 }
 
+/// On any thread.
+Result<void, InputError> reseal(const std::string &file, const std::optional<crypto::Passphrase> &present,
+                                const std::optional<crypto::Passphrase> &next)
+{
+    const auto pair = keys::loadIdentity(file, [&](const std::string &name, int attempt) -> Result<crypto::Passphrase, InputError> {
+        if (attempt > 0 || !present)
+            return tl::unexpected(InputError{"the passphrase does not open it, or the file was changed", name});
+        return present->clone();
+    });
+    if (!pair)
+        return tl::unexpected(pair.error());
+    crypto::SystemRandom random;
+    return keys::rewriteIdentity(file, *pair, random, {next ? &*next : nullptr});
+}
+
 } // namespace
 
-Keyring::Keyring(QSettings &store, QObject *parent) : KeyringPort(parent), m_store(store) {}
+Keyring::Keyring(QSettings &store, PassphraseMemory &memory, QObject *parent)
+    : KeyringPort(parent), m_store(store), m_memory(memory)
+{
+    connect(&memory, &PassphraseMemory::done, this, &Keyring::changed);
+}
 
 void Keyring::use(const engine::KeyPaths &paths)
 {
@@ -77,6 +97,8 @@ ui::OwnKey Keyring::ownKey() const
     if (facts) {
         out.publicKey = facts->publicKey;
         out.sealed = facts->sealed;
+        out.remembered = facts->sealed && m_memory.remembers(m_paths.identity);
+        out.keyringProblem = m_memory.problem();
     } else {
         out.problem = QString::fromStdString(facts.error().text());
     }
@@ -169,6 +191,30 @@ Result<void, InputError> Keyring::exportPublicKey(const QString &file) const
     if (!facts)
         return tl::unexpected(facts.error());
     return keys::replaceFile(file.toStdString(), asBytes(keys::publicKeyText(facts->publicKey) + "\n"));
+}
+
+void Keyring::changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next, bool remember)
+{
+    struct Change
+    {
+        std::string file;
+        std::optional<crypto::Passphrase> present, next;
+        bool remember;
+    };
+    const auto change = std::make_shared<const Change>(Change{m_paths.identity, std::move(present), std::move(next), remember});
+    m_worker.start([this, change] {
+        const auto changed = reseal(change->file, change->present, change->next);
+        const QString problem = changed ? QString() : QString::fromStdString(changed.error().text());
+        const auto finish = [this, change, problem] {
+            if (problem.isEmpty() && change->next && change->remember)
+                m_memory.remember(change->file, *change->next);
+            else if (problem.isEmpty() && m_memory.remembers(change->file))
+                m_memory.forget(change->file);
+            Q_EMIT this->changed();
+            Q_EMIT passphraseDone(problem);
+        };
+        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+    });
 }
 
 } // namespace skyseal::app

@@ -1,11 +1,13 @@
 // The key files of this station behind the windows' seam, and since when each peer was seen.
 #pragma once
 
+#include "app/skyseal/passphrase_memory.h"
 #include "core/engine/happening.h"
 #include "core/engine/station_config.h"
 #include "ui/keys/keyring_port.h"
 
 #include <QtCore/QSettings>
+#include <QtCore/QThreadPool>
 
 #include <map>
 
@@ -16,8 +18,8 @@ class Keyring : public ui::KeyringPort
     Q_OBJECT
 
 public:
-    /// `store` remembers when peers were seen; it must outlive this.
-    explicit Keyring(QSettings &store, QObject *parent = nullptr);
+    /// `store` remembers when peers were seen; it and `memory` must outlive this.
+    Keyring(QSettings &store, PassphraseMemory &memory, QObject *parent = nullptr);
 
     /// Other files: at the start, and when the demo brings its own.
     void use(const engine::KeyPaths &paths);
@@ -35,6 +37,8 @@ public:
     Result<void, InputError> removePeer(const QString &name) override;
     Result<QString, InputError> readKeyText(const QString &file) const override;
     Result<void, InputError> exportPublicKey(const QString &file) const override;
+    void changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next,
+                          bool remember) override;
 
 Q_SIGNALS:
     /// The list of peers was changed here.
@@ -44,9 +48,11 @@ private:
     Result<void, InputError> note(Result<void, InputError> result);
 
     QSettings &m_store;
+    PassphraseMemory &m_memory;
     engine::KeyPaths m_paths;
     QString m_problem;
     std::map<channel::SessionId, channel::PublicKey> m_sessions;
+    QThreadPool m_worker; ///< hashes passphrases; its end waits for what runs, so it is the last member
 };
 
 } // namespace skyseal::app

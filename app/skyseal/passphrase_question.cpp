@@ -4,19 +4,39 @@
 
 namespace skyseal::app {
 
-Result<crypto::Passphrase, InputError> askInDialog(const std::string &file, int attempt)
+Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::string &file, int attempt)
 {
+    m_toRemember.reset();
+    m_file = file;
+    m_forget = false;
+    const QString problem = m_memory.problem();
+    if (attempt == 0 && problem.isEmpty() && m_memory.remembers(file)) {
+        if (auto recalled = m_memory.recall(file))
+            return std::move(*recalled);
+    }
+    ui::PassphraseDialog dialog(QString::fromStdString(file), attempt > 0, problem);
+    dialog.setToBeRemembered(m_memory.remembers(file)); // an old one that does not open it any more
     const InputError none{"the passphrase was not given", file};
-    ui::PassphraseDialog dialog(QString::fromStdString(file), attempt > 0);
     if (dialog.exec() != QDialog::Accepted)
         return tl::unexpected(none);
-    QByteArray typed = dialog.takePassphrase();
-    auto passphrase = crypto::Passphrase::fromBytes(
-        {reinterpret_cast<const std::uint8_t *>(typed.constData()), static_cast<std::size_t>(typed.size())});
-    sodium_memzero(typed.data(), static_cast<std::size_t>(typed.size()));
+    auto passphrase = dialog.takePassphrase();
     if (!passphrase)
         return tl::unexpected(none);
+    if (dialog.isToBeRemembered())
+        m_toRemember.emplace(passphrase->clone());
+    else
+        m_forget = problem.isEmpty() && m_memory.remembers(file);
     return std::move(*passphrase);
+}
+
+void PassphraseQuestion::opened()
+{
+    if (m_toRemember)
+        m_memory.remember(m_file, *m_toRemember);
+    else if (m_forget)
+        m_memory.forget(m_file);
+    m_forget = false;
+    m_toRemember.reset();
 }
 
 } // namespace skyseal::app

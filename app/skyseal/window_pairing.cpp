@@ -1,6 +1,7 @@
 #include "app/skyseal/window_pairing.h"
 
 #include "app/common/pairing_news.h"
+#include "core/channel/pairing_passphrase.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -17,9 +18,14 @@ void WindowPairing::use(StationAdapter &station, const std::string &peersFile)
     connect(&station, &StationAdapter::pairing, this, &WindowPairing::take);
 }
 
-void WindowPairing::open(channel::PeerRole roleAsked)
+void WindowPairing::open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase)
 {
-    m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked);
+    std::shared_ptr<const Key32> key;
+    if (passphrase && !(key = channel::pairingPassphraseKey(*passphrase))) {
+        Q_EMIT failed(tr("this machine has not the memory to make a key of the passphrase"));
+        return;
+    }
+    m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, std::move(key));
 }
 
 void WindowPairing::confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey)
@@ -55,6 +61,7 @@ void WindowPairing::take(const channel::PairingEvent &event)
     case PairingNews::State::Confirmed: Q_EMIT confirmedThere(); return;
     case PairingNews::State::Gone: Q_EMIT gone(reason); return;
     case PairingNews::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(news->key))); return;
+    case PairingNews::State::Differs: Q_EMIT passphraseDiffers(); return;
     case PairingNews::State::Over:
         if (!reason.isEmpty()) // empty: both said yes
             Q_EMIT failed(reason);

@@ -16,7 +16,7 @@ public:
     /// The station, which must outlive it, and the list that belongs to it.
     void use(StationAdapter &station, const std::string &peersFile);
 
-    void open(channel::PeerRole roleAsked) override;
+    void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override;
     void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) override;
     void refuse() override;
     void cancel() override;

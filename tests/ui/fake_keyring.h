@@ -4,6 +4,8 @@
 #include "ui/keys/keyring_port.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -35,11 +37,29 @@ public:
     Result<QString, InputError> readKeyText(const QString &) const override { return fileText; }
     Result<void, InputError> exportPublicKey(const QString &) const override { return {}; }
 
+    void changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next,
+                          bool remember) override
+    {
+        remembers = remember;
+        const auto text = [](const auto &words) { return words ? std::string(asText(words->view())) : std::string(); };
+        passphrases.emplace_back(text(present), text(next));
+    }
+    /// The end of the work that changePassphrase() began.
+    void finishPassphrase(const QString &problem)
+    {
+        if (problem.isEmpty())
+            own.sealed = !passphrases.back().second.empty();
+        Q_EMIT changed();
+        Q_EMIT passphraseDone(problem);
+    }
+
     void tell() { Q_EMIT changed(); }
 
     OwnKey own;
     PeerList list;
     QString fileText;
+    std::vector<std::pair<std::string, std::string>> passphrases; ///< the present one and the next; empty = none
+    bool remembers = false; ///< as the last change wanted it
     QString refusal; ///< what a change meets with; empty = it succeeds
 
 private:

@@ -3,6 +3,7 @@
 
 #include "ui/keys/pairing_port.h"
 
+#include <string>
 #include <vector>
 
 namespace skyseal::ui {
@@ -21,7 +22,11 @@ public:
 
     using PairingPort::PairingPort;
 
-    void open(channel::PeerRole roleAsked) override { opened.push_back(roleAsked); }
+    void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override
+    {
+        opened.push_back(roleAsked);
+        passphrases.push_back(passphrase ? std::string(asText(passphrase->view())) : std::string());
+    }
     void confirm(const channel::PublicKey &key, const QString &name, bool replace) override
     {
         confirmations.push_back({key, name, replace});
@@ -30,6 +35,7 @@ public:
     void cancel() override { ++cancels; }
 
     std::vector<channel::PeerRole> opened;
+    std::vector<std::string> passphrases; ///< with which it was opened; empty = none
     std::vector<Confirmation> confirmations;
     int refusals = 0, cancels = 0;
 };

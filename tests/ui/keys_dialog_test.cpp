@@ -2,6 +2,7 @@
 // replaced only knowingly, revoking confirmed.
 #include "core/keys/public_key_text.h"
 #include "fake_keyring.h"
+#include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/keys_dialog.h"
@@ -83,6 +84,9 @@ private Q_SLOTS:
     void namesAreNoMarkup();
     void everyControlHasANameAndAKey();
     void passphraseIsHiddenAndTaken();
+    void passphraseIsSet();
+    void passphraseIsChangedAndTakenAway();
+    void passphraseRefusalIsShown();
     void modelKeepsItsPromises();
 
 private:
@@ -108,6 +112,17 @@ private:
         edit->selectAll();
         QTest::keyClick(edit, Qt::Key_Delete);
         QTest::keyClicks(edit, text);
+    }
+    ChangePassphraseDialog *openPassphrase()
+    {
+        QTest::mouseClick(find("ownPassphrase"), Qt::LeftButton);
+        return m_dialog->findChild<ChangePassphraseDialog *>();
+    }
+    static void typePassphrase(QDialog *dialog, const char *field, const char *words)
+    {
+        auto *edit = dialog->findChild<QLineEdit *>(QLatin1String(field));
+        QCOMPARE(edit->echoMode(), QLineEdit::Password);
+        QTest::keyClicks(edit, QLatin1String(words));
     }
     static QString problemOf(PeerDialog *dialog) { return dialog->findChild<QLabel *>(QStringLiteral("peerProblem"))->text(); }
     static QPushButton *okOf(QDialog *dialog) { return dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok); }
@@ -354,15 +369,96 @@ void KeysDialogTest::everyControlHasANameAndAKey()
 
 void KeysDialogTest::passphraseIsHiddenAndTaken()
 {
-    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true);
+    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true, QStringLiteral("no keyring runs in this desktop session"));
     auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("passphrase"));
     QCOMPARE(edit->echoMode(), QLineEdit::Password);
     QVERIFY(!okOf(&dialog)->isEnabled());
     QVERIFY(!dialog.findChild<QLabel *>(QStringLiteral("passphraseWrong"))->text().isEmpty());
     QTest::keyClicks(edit, QStringLiteral("swordfish"));
     QVERIFY(okOf(&dialog)->isEnabled());
-    QCOMPARE(dialog.takePassphrase(), QByteArray("swordfish"));
+    const auto taken = dialog.takePassphrase();
+    QVERIFY(taken && asText(taken->view()) == "swordfish");
     QVERIFY(edit->text().isEmpty());
+    auto *remember = dialog.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
+    QVERIFY(!remember->isEnabled() && remember->text().contains(QStringLiteral("no keyring runs")));
+    QVERIFY(!dialog.isToBeRemembered());
+    PassphraseDialog other(QStringLiteral("/home/ann/identity.key"), false, {});
+    other.show();
+    remember = other.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
+    QVERIFY(remember->isEnabled() && !other.isToBeRemembered()); // only when somebody wants it
+    QTest::mouseClick(remember, Qt::LeftButton, {}, QPoint(8, remember->height() / 2));
+    QVERIFY(other.isToBeRemembered());
+}
+
+void KeysDialogTest::passphraseIsSet()
+{
+    m_keyring->own.sealed = false;
+    m_keyring->tell();
+    QVERIFY(find("ownPassphrase")->text().startsWith(QStringLiteral("Set")));
+    ChangePassphraseDialog *dialog = openPassphrase();
+    QVERIFY(dialog && !dialog->findChild<QLineEdit *>(QStringLiteral("presentPassphrase"))->isVisible());
+    QVERIFY(!dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase"))->isVisible());
+    typePassphrase(dialog, "newPassphrase", "swordfish");
+    QVERIFY(!okOf(dialog)->isEnabled());
+    typePassphrase(dialog, "newPassphraseAgain", "swordfisk");
+    QVERIFY(!okOf(dialog)->isEnabled());
+    QVERIFY(dialog->findChild<QLabel *>(QStringLiteral("passphraseProblem"))->text().contains(QStringLiteral("differ")));
+    QTest::keyClick(dialog->findChild<QLineEdit *>(QStringLiteral("newPassphraseAgain")), Qt::Key_Backspace);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    QVERIFY(m_keyring->passphrases.empty());
+    typePassphrase(dialog, "newPassphraseAgain", "h");
+    QTest::mouseClick(okOf(dialog), Qt::LeftButton);
+    QCOMPARE(m_keyring->passphrases.size(), std::size_t(1));
+    QCOMPARE(m_keyring->passphrases[0].first, std::string());
+    QCOMPARE(m_keyring->passphrases[0].second, std::string("swordfish"));
+    QTest::keyClick(dialog, Qt::Key_Escape); // not in the middle of it
+    QVERIFY(dialog->isVisible());
+    m_keyring->finishPassphrase({});
+    QVERIFY(!dialog->isVisible());
+    QCOMPARE(find<QLabel>("ownResult")->text(), QStringLiteral("sealed"));
+    QVERIFY(find("ownPassphrase")->text().startsWith(QStringLiteral("Change")));
+}
+
+void KeysDialogTest::passphraseIsChangedAndTakenAway()
+{
+    m_keyring->own.remembered = true;
+    ChangePassphraseDialog *dialog = openPassphrase();
+    typePassphrase(dialog, "newPassphrase", "b");
+    typePassphrase(dialog, "newPassphraseAgain", "b");
+    QVERIFY(!okOf(dialog)->isEnabled());
+    typePassphrase(dialog, "presentPassphrase", "a");
+    QTest::mouseClick(okOf(dialog), Qt::LeftButton);
+    QCOMPARE(m_keyring->passphrases.back().first, std::string("a"));
+    QCOMPARE(m_keyring->passphrases.back().second, std::string("b"));
+    QVERIFY(m_keyring->remembers); // as it was
+    m_keyring->finishPassphrase({});
+    QTRY_VERIFY(!m_dialog->findChild<ChangePassphraseDialog *>());
+    dialog = openPassphrase();
+    typePassphrase(dialog, "presentPassphrase", "b");
+    dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase"))->setFocus();
+    QTest::keyClick(dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase")), Qt::Key_Space);
+    QVERIFY(!dialog->findChild<QLineEdit *>(QStringLiteral("newPassphrase"))->isEnabled());
+    QTest::mouseClick(okOf(dialog), Qt::LeftButton);
+    QCOMPARE(m_keyring->passphrases.back().second, std::string());
+    QVERIFY(!m_keyring->remembers);
+    m_keyring->finishPassphrase({});
+    QVERIFY(find("ownPassphrase")->text().startsWith(QStringLiteral("Set")));
+}
+
+void KeysDialogTest::passphraseRefusalIsShown()
+{
+    ChangePassphraseDialog *dialog = openPassphrase();
+    typePassphrase(dialog, "presentPassphrase", "x");
+    typePassphrase(dialog, "newPassphrase", "b");
+    typePassphrase(dialog, "newPassphraseAgain", "b");
+    QTest::mouseClick(okOf(dialog), Qt::LeftButton);
+    m_keyring->finishPassphrase(QStringLiteral("the passphrase does not open it"));
+    QVERIFY(dialog->isVisible());
+    QVERIFY(dialog->findChild<QLabel *>(QStringLiteral("passphraseProblem"))->text().contains(QStringLiteral("does not open it")));
+    QVERIFY(dialog->findChild<QLineEdit *>(QStringLiteral("presentPassphrase"))->text().isEmpty());
+    QVERIFY(!okOf(dialog)->isEnabled());
+    QTest::keyClick(dialog, Qt::Key_Escape);
+    QVERIFY(!dialog->isVisible());
 }
 
 void KeysDialogTest::modelKeepsItsPromises()

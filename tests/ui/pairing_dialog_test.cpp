@@ -54,6 +54,9 @@ private Q_SLOTS:
     void failureCanBeTriedAgain();
     void anotherRoleBeginsAnew();
     void leavingCancels();
+    void passphraseIsUsedOnceItIsTyped();
+    void questionWithoutTheTypedPassphraseIsNotShown();
+    void wrongPassphraseIsTold();
 
 private:
     template<typename W> W *find(const char *name) const { return m_dialog->findChild<W *>(QLatin1String(name)); }
@@ -186,6 +189,45 @@ void PairingDialogTest::leavingCancels()
     Q_EMIT m_pairing->paired(QStringLiteral("heron"));
     done.reject();
     QCOMPARE(m_pairing->cancels, 1);
+}
+
+void PairingDialogTest::passphraseIsUsedOnceItIsTyped()
+{
+    auto *field = find<QLineEdit>("pairingPassphrase");
+    QCOMPARE(field->echoMode(), QLineEdit::Password);
+    QCOMPARE(m_pairing->passphrases, std::vector<std::string>{""});
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("blue heron"));
+    QCOMPARE(m_pairing->opened.size(), std::size_t(1)); // not with each letter
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(m_dialog->isVisible());
+    QCOMPARE(m_pairing->passphrases, (std::vector<std::string>{"", "blue heron"}));
+    find<QComboBox>("pairingRole")->setFocus(); // unchanged: nothing begins anew
+    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
+    see(5, "heron");
+    QVERIFY(!field->isVisible());
+}
+
+void PairingDialogTest::questionWithoutTheTypedPassphraseIsNotShown()
+{
+    auto *field = find<QLineEdit>("pairingPassphrase");
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("blue"));
+    see(5, "heron");
+    QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
+    QCOMPARE(m_pairing->passphrases.back(), std::string("blue"));
+    see(5, "heron");
+    QVERIFY(find<QPushButton>("pairingAgree")->isVisible());
+}
+
+void PairingDialogTest::wrongPassphraseIsTold()
+{
+    Q_EMIT m_pairing->passphraseDiffers();
+    QVERIFY(find<QLabel>("pairingProblem")->text().contains(QStringLiteral("passphrases differ")));
+    see(5, "heron");
+    QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
+    Q_EMIT m_pairing->passphraseDiffers(); // a late one about somebody else
+    QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
 }
 
 QTEST_MAIN(PairingDialogTest)

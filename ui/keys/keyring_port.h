@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/channel/policy.h"
+#include "core/crypto/passphrase.h"
 
 #include <QtCore/QDateTime>
 #include <QtCore/QObject>
@@ -20,6 +21,8 @@ struct OwnKey
     bool sealed = false;                         ///< with a passphrase
     QString file;
     QString problem;                             ///< why there is no key, in words
+    bool remembered = false;                     ///< the desktop's keyring has the passphrase
+    QString keyringProblem = {};                 ///< why it cannot, in words; empty when it can
 };
 
 struct KnownPeer
@@ -59,10 +62,16 @@ public:
     /// The text of a file that holds a public key.
     virtual Result<QString, InputError> readKeyText(const QString &file) const = 0;
     virtual Result<void, InputError> exportPublicKey(const QString &file) const = 0;
+    /// Seals the private key with `next`, or takes its passphrase away; `present` opens it, if it is sealed. It takes a second
+    /// or two of slow hashing elsewhere; passphraseDone() follows. `remember`: in the desktop's keyring.
+    virtual void changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next,
+                                  bool remember) = 0;
 
 Q_SIGNALS:
     /// Own key, list or sessions are others than before.
     void changed();
+    /// Why the passphrase is the old one, in words; empty when it was changed.
+    void passphraseDone(const QString &problem);
 };
 
 } // namespace skyseal::ui

@@ -115,8 +115,6 @@ KeysDialog::KeysDialog(KeyringPort &keyring, QWidget *parent) : QDialog(parent),
     connect(&keyring, &KeyringPort::changed, this, &KeysDialog::refresh);
     resize(104 * kGrid, 72 * kGrid);
     refresh();
-    if (m_model.rowCount() > 0)
-        m_view->setCurrentIndex(m_model.index(0, 0));
 }
 
 void KeysDialog::offerPairing()
@@ -140,6 +138,8 @@ void KeysDialog::refresh()
     m_model.setPeers(std::move(list.peers));
     if (const int row = m_model.rowOf(name); row >= 0 && row != m_view->currentIndex().row())
         m_view->setCurrentIndex(m_model.index(row, 0));
+    else if (row < 0 && m_model.rowCount() > 0)
+        m_view->setCurrentIndex(m_model.index(0, 0)); // the first one, or what is left
     m_pages->setCurrentWidget(m_model.rowCount() > 0 || !list.problem.isEmpty() ? static_cast<QWidget *>(m_view) : m_empty);
     m_file->setText(list.file);
     tell(list.problem);

@@ -1,6 +1,7 @@
 #include "ui/keys/own_key_box.h"
 
 #include "core/keys/public_key_text.h"
+#include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/qr_image.h"
 #include "ui/text/words.h"
@@ -40,10 +41,16 @@ OwnKeyBox::OwnKeyBox(KeyringPort &keyring, QWidget *parent) : QGroupBox(tr("This
     m_export->setObjectName(QStringLiteral("ownExport"));
     m_export->setAccessibleName(tr("Export the public key to a file"));
 
+    m_passphrase = new QPushButton(this);
+    m_passphrase->setObjectName(QStringLiteral("ownPassphrase"));
+    for (QPushButton *button : {m_copy, m_export, m_passphrase})
+        button->setAutoDefault(false);
+
     auto *tools = new QHBoxLayout;
     tools->setSpacing(kGrid);
     tools->addWidget(m_copy);
     tools->addWidget(m_export);
+    tools->addWidget(m_passphrase);
     tools->addWidget(m_result, 1);
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(2 * kGrid, kGrid, 2 * kGrid, 2 * kGrid);
@@ -62,6 +69,11 @@ OwnKeyBox::OwnKeyBox(KeyringPort &keyring, QWidget *parent) : QGroupBox(tr("This
         m_result->setText(tr("copied"));
     });
     connect(m_export, &QPushButton::clicked, this, &OwnKeyBox::exportKey);
+    connect(m_passphrase, &QPushButton::clicked, this, &OwnKeyBox::changePassphrase);
+    connect(&keyring, &KeyringPort::passphraseDone, this, [this](const QString &problem) {
+        if (problem.isEmpty())
+            m_result->setText(m_keyring.ownKey().sealed ? tr("sealed") : tr("not sealed any more"));
+    });
     refresh();
 }
 
@@ -69,7 +81,7 @@ void OwnKeyBox::refresh()
 {
     const OwnKey own = m_keyring.ownKey();
     const bool has = own.publicKey.has_value();
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_fingerprint, m_key, m_code, m_copy, m_export})
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_fingerprint, m_key, m_code, m_copy, m_export, m_passphrase})
         widget->setVisible(has);
     m_file->setVisible(!own.file.isEmpty());
     if (!has) {
@@ -83,7 +95,9 @@ void OwnKeyBox::refresh()
     m_fingerprint->setText(fingerprintLines(*own.publicKey));
     m_key->setText(text);
     m_file->setText(own.sealed ? tr("%1, sealed with a passphrase").arg(own.file)
-                               : tr("%1, not sealed: skyseal-cli keys passphrase gives it a passphrase").arg(own.file));
+                               : tr("%1, not sealed: whoever copies the file has the key").arg(own.file));
+    m_passphrase->setText(own.sealed ? tr("Change the pa&ssphrase …") : tr("Set a pa&ssphrase …"));
+    m_passphrase->setAccessibleName(m_passphrase->text().remove(QLatin1Char('&')));
     if (text == m_text)
         return;
     m_text = text;
@@ -92,6 +106,13 @@ void OwnKeyBox::refresh()
     const QImage code = qrImage(text);
     if (!code.isNull())
         m_code->setPixmap(QPixmap::fromImage(code.scaled(code.size() * kModule, Qt::KeepAspectRatio, Qt::FastTransformation)));
+}
+
+void OwnKeyBox::changePassphrase()
+{
+    auto *dialog = new ChangePassphraseDialog(m_keyring, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void OwnKeyBox::exportKey()

@@ -21,11 +21,12 @@ public:
 
 private:
     void exportKey();
+    void changePassphrase();
 
     KeyringPort &m_keyring;
     QString m_text;
     QLabel *m_intro, *m_fingerprint, *m_key, *m_file, *m_result, *m_code;
-    QPushButton *m_copy, *m_export;
+    QPushButton *m_copy, *m_export, *m_passphrase;
 };
 
 } // namespace skyseal::ui

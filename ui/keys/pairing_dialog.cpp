@@ -4,6 +4,7 @@
 #include "core/keys/peer_line.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
+#include "ui/keys/passphrase_field.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -59,6 +60,12 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
     m_role->addItem(tr("observer: may only look"), static_cast<int>(channel::PeerRole::Observer));
     m_roleTitle = new QLabel(tr("Ask to &be"), this);
     m_roleTitle->setBuddy(m_role);
+    m_passphrase = new PassphraseField("pairingPassphrase", tr("Passphrase of this pairing"), this);
+    m_passphrase->setPlaceholderText(tr("none; or the same as at the agent"));
+    m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\n"
+                                "It serves for this one pairing. The fingerprints have to be compared all the same."));
+    m_passphraseTitle = new QLabel(tr("&Passphrase"), this);
+    m_passphraseTitle->setBuddy(m_passphrase);
     m_warning = new ChangedKeyWarning(this);
     auto *form = new QFormLayout;
     form->setHorizontalSpacing(2 * kGrid);
@@ -67,6 +74,7 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
     form->addRow(m_theirTitle, m_theirs);
     form->addRow(m_nameTitle, m_name);
     form->addRow(m_roleTitle, m_role);
+    form->addRow(m_passphraseTitle, m_passphrase);
     auto *buttons = new QDialogButtonBox(this);
     m_agree = buttons->addButton(tr("&Both are the same"), QDialogButtonBox::ActionRole);
     m_agree->setObjectName(QStringLiteral("pairingAgree"));
@@ -75,8 +83,8 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
     m_again = buttons->addButton(tr("Try a&gain"), QDialogButtonBox::ActionRole);
     m_again->setObjectName(QStringLiteral("pairingAgain"));
     m_close = buttons->addButton(QDialogButtonBox::Cancel);
-    for (QPushButton *button : {m_agree, m_differ, m_again})
-        button->setAutoDefault(false); // nobody says yes by a Return too many
+    for (QPushButton *button : {m_agree, m_differ, m_again, m_close})
+        button->setAutoDefault(false); // nobody says yes, or goes away, by a Return too many
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
@@ -105,6 +113,12 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
     });
     connect(&pairing, &PairingPort::failed, this,
             [this](const QString &reason) { showStep(Step::Failed, tr("Not paired: %1.").arg(reason)); });
+    connect(&pairing, &PairingPort::passphraseDiffers, this, [this] {
+        if (m_step == Step::Waiting)
+            m_problem->setText(tr("An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there."));
+    });
+    connect(m_passphrase, &QLineEdit::textEdited, this, [this] { m_passphraseTyped = true; });
+    connect(m_passphrase, &QLineEdit::editingFinished, this, &PairingDialog::applyPassphrase);
     connect(m_agree, &QPushButton::clicked, this, &PairingDialog::agree);
     connect(m_differ, &QPushButton::clicked, this, [this] {
         m_question.reset();
@@ -131,11 +145,18 @@ PairingDialog::~PairingDialog()
 void PairingDialog::begin()
 {
     m_question.reset();
+    m_passphraseTyped = false;
     m_clock.start();
     m_tick.start();
-    m_pairing.open(static_cast<channel::PeerRole>(m_role->currentData().toInt()));
     showStep(Step::Waiting, tr("Open the window at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair --identity FILE\n\n"
                                "Waiting for the agent …"));
+    m_pairing.open(static_cast<channel::PeerRole>(m_role->currentData().toInt()), m_passphrase->passphrase());
+}
+
+void PairingDialog::applyPassphrase()
+{
+    if (m_step == Step::Waiting && m_passphraseTyped)
+        begin();
 }
 
 void PairingDialog::showStep(Step step, const QString &words)
@@ -146,7 +167,7 @@ void PairingDialog::showStep(Step step, const QString &words)
     const bool hasPeer = comparing || step == Step::Confirmed;
     for (QWidget *widget : std::initializer_list<QWidget *>{m_theirs, m_theirTitle, m_name, m_nameTitle})
         widget->setVisible(hasPeer);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_role, m_roleTitle})
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_role, m_roleTitle, m_passphrase, m_passphraseTitle})
         widget->setVisible(step == Step::Waiting || step == Step::Failed);
     m_name->setEnabled(comparing);
     m_agree->setVisible(comparing);
@@ -167,6 +188,10 @@ void PairingDialog::showStep(Step step, const QString &words)
 
 void PairingDialog::showQuestion(const PairingQuestion &question)
 {
+    if (m_passphraseTyped && m_step == Step::Waiting) { // it came through without what stands in the field
+        begin();
+        return;
+    }
     m_question = question;
     m_theirs->setText(fingerprintLines(question.key));
     m_name->setText(question.name);

@@ -17,6 +17,7 @@ class QPushButton;
 namespace skyseal::ui {
 
 class ChangedKeyWarning;
+class PassphraseField;
 
 class PairingDialog : public QDialog
 {
@@ -30,6 +31,7 @@ private:
     enum class Step { Waiting, Comparing, Confirmed, Paired, Failed };
 
     void begin();
+    void applyPassphrase();
     void showStep(Step step, const QString &words);
     void showQuestion(const PairingQuestion &question);
     void showTime();
@@ -42,8 +44,10 @@ private:
     std::optional<PairingQuestion> m_question;
     QElapsedTimer m_clock;
     QTimer m_tick;
-    QLabel *m_words, *m_time, *m_theirs, *m_theirTitle, *m_nameTitle, *m_roleTitle, *m_problem;
+    bool m_passphraseTyped = false; ///< since the window was opened: another one than that of now
+    QLabel *m_words, *m_time, *m_theirs, *m_theirTitle, *m_nameTitle, *m_roleTitle, *m_passphraseTitle, *m_problem;
     QLineEdit *m_name;
+    PassphraseField *m_passphrase;
     QComboBox *m_role;
     ChangedKeyWarning *m_warning;
     QPushButton *m_agree, *m_differ, *m_again, *m_close;

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "core/channel/policy.h"
+#include "core/crypto/passphrase.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
+
+#include <optional>
 
 namespace skyseal::ui {
 
@@ -24,8 +27,8 @@ class PairingPort : public QObject
 public:
     using QObject::QObject;
 
-    /// Waits for an agent whose window is open.
-    virtual void open(channel::PeerRole roleAsked) = 0;
+    /// Waits for an agent whose window is open. With a passphrase only one that has the same is shown.
+    virtual void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) = 0;
     /// The person compared the fingerprints of this key.
     virtual void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) = 0;
     virtual void refuse() = 0;
@@ -37,6 +40,8 @@ Q_SIGNALS:
     /// The question is void.
     void gone(const QString &reason);
     void otherTried(const QString &fingerprint);
+    /// One end has a passphrase and the other none, or they are not the same. Comes again each second.
+    void passphraseDiffers();
     /// It is in the list, by this name.
     void paired(const QString &name);
     /// It is over without a pair.

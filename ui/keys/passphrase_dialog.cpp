@@ -1,28 +1,24 @@
 #include "ui/keys/passphrase_dialog.h"
 
+#include "ui/keys/passphrase_field.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtWidgets/QCheckBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QLabel>
-#include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
 #include <QtWidgets/QVBoxLayout>
 
 namespace skyseal::ui {
 
-PassphraseDialog::PassphraseDialog(const QString &file, bool again, QWidget *parent) : QDialog(parent)
+PassphraseDialog::PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent)
+    : QDialog(parent)
 {
-    constexpr int kLongest = 1024;
     setObjectName(QStringLiteral("passphraseDialog"));
     setWindowTitle(tr("Passphrase"));
     auto *question = new QLabel(tr("The key of this station is sealed. Its passphrase?"), this);
-    m_edit = new QLineEdit(this);
-    m_edit->setObjectName(QStringLiteral("passphrase"));
-    m_edit->setAccessibleName(tr("Passphrase"));
-    m_edit->setEchoMode(QLineEdit::Password);
-    m_edit->setMaxLength(kLongest);
-    m_edit->setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText);
+    m_edit = new PassphraseField("passphrase", tr("Passphrase"), this);
     auto *wrong = new QLabel(again ? tr("That one does not open it.") : QString(), this);
     wrong->setObjectName(QStringLiteral("passphraseWrong"));
     QPalette colors = palette();
@@ -31,6 +27,7 @@ PassphraseDialog::PassphraseDialog(const QString &file, bool again, QWidget *par
     auto *where = new QLabel(file, this);
     where->setTextFormat(Qt::PlainText);
     where->setForegroundRole(QPalette::PlaceholderText);
+    m_remember = makeRememberBox(keyringProblem, this);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("Open"));
     buttons->button(QDialogButtonBox::Cancel)->setText(tr("Without sealed links"));
@@ -38,7 +35,7 @@ PassphraseDialog::PassphraseDialog(const QString &file, bool again, QWidget *par
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    for (QWidget *row : std::initializer_list<QWidget *>{question, m_edit, wrong, where, buttons})
+    for (QWidget *row : std::initializer_list<QWidget *>{question, m_edit, wrong, m_remember, where, buttons})
         column->addWidget(row);
     connect(m_edit, &QLineEdit::textChanged, this,
             [buttons](const QString &text) { buttons->button(QDialogButtonBox::Ok)->setEnabled(!text.isEmpty()); });
@@ -48,11 +45,21 @@ PassphraseDialog::PassphraseDialog(const QString &file, bool again, QWidget *par
     m_edit->setFocus();
 }
 
-QByteArray PassphraseDialog::takePassphrase()
+std::optional<crypto::Passphrase> PassphraseDialog::takePassphrase()
 {
-    const QByteArray out = m_edit->text().toUtf8();
+    auto out = m_edit->passphrase();
     m_edit->clear();
     return out;
+}
+
+void PassphraseDialog::setToBeRemembered(bool remember)
+{
+    m_remember->setChecked(remember);
+}
+
+bool PassphraseDialog::isToBeRemembered() const
+{
+    return m_remember->isEnabled() && m_remember->isChecked();
 }
 
 } // namespace skyseal::ui

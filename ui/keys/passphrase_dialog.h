@@ -1,25 +1,35 @@
 // Asks for the passphrase of this station's key.
 #pragma once
 
+#include "core/crypto/passphrase.h"
+
 #include <QtWidgets/QDialog>
 
-class QLineEdit;
+#include <optional>
+
+class QCheckBox;
 
 namespace skyseal::ui {
+
+class PassphraseField;
 
 class PassphraseDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// `again`: the one that was typed before did not open the file.
-    PassphraseDialog(const QString &file, bool again, QWidget *parent = nullptr);
+    /// `again`: the one before did not open the file. `keyringProblem`: why the desktop cannot remember it, in words; empty when
+    /// it can.
+    PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent = nullptr);
 
     /// What was typed, taken out of the dialog.
-    QByteArray takePassphrase();
+    std::optional<crypto::Passphrase> takePassphrase();
+    void setToBeRemembered(bool remember);
+    bool isToBeRemembered() const;
 
 private:
-    QLineEdit *m_edit;
+    PassphraseField *m_edit;
+    QCheckBox *m_remember;
 };
 
 } // namespace skyseal::ui

@@ -1,0 +1,126 @@
+// The desktop's keyring through QtKeychain: the Secret Service of GNOME and others, or KWallet.
+#include "app/skyseal/passphrase_memory.h"
+
+#include <QtCore/QEventLoop>
+#include <QtDBus/QDBusConnection>
+#include <QtDBus/QDBusConnectionInterface>
+
+#include <qt6keychain/keychain.h>
+
+#include <algorithm>
+
+namespace skyseal::app {
+
+namespace {
+
+const QString kService = QStringLiteral("skyseal");
+const QString kNoted = QStringLiteral("passphrase/remembered");
+
+QString entryOf(const std::string &file)
+{
+    return QStringLiteral("passphrase of %1").arg(QString::fromStdString(file));
+}
+
+class DesktopKeyring : public PassphraseMemory
+{
+public:
+    explicit DesktopKeyring(QSettings &store) : m_store(store) {}
+
+    QString problem() const override
+    {
+        if (!m_problem)
+            m_problem = look();
+        return *m_problem;
+    }
+
+    bool remembers(const std::string &file) const override { return noted().contains(QString::fromStdString(file)); }
+
+    std::optional<crypto::Passphrase> recall(const std::string &file) override
+    {
+        QKeychain::ReadPasswordJob job(kService);
+        job.setAutoDelete(false);
+        job.setKey(entryOf(file));
+        QEventLoop loop;
+        connect(&job, &QKeychain::Job::finished, &loop, &QEventLoop::quit);
+        job.start();
+        loop.exec();
+        if (job.error() == QKeychain::EntryNotFound)
+            note(file, false);
+        if (job.error() != QKeychain::NoError)
+            return std::nullopt;
+        QByteArray found = job.binaryData();
+        auto out = crypto::Passphrase::fromBytes(
+            {reinterpret_cast<const std::uint8_t *>(found.constData()), static_cast<std::size_t>(found.size())});
+        sodium_memzero(found.data(), static_cast<std::size_t>(found.size()));
+        return out;
+    }
+
+    void remember(const std::string &file, const crypto::Passphrase &passphrase) override
+    {
+        const ByteView words = passphrase.view();
+        QByteArray bytes(reinterpret_cast<const char *>(words.data()), static_cast<qsizetype>(words.size()));
+        auto *job = new QKeychain::WritePasswordJob(kService, this);
+        job->setKey(entryOf(file));
+        job->setBinaryData(bytes);
+        run(job, file, true);
+    }
+
+    void forget(const std::string &file) override
+    {
+        auto *job = new QKeychain::DeletePasswordJob(kService, this);
+        job->setKey(entryOf(file));
+        run(job, file, false);
+    }
+
+private:
+    /// Asked before anything is kept: QtKeychain finds out only by opening the keyring, which may ask the operator.
+    static QString look()
+    {
+        const QDBusConnection bus = QDBusConnection::sessionBus();
+        if (!bus.isConnected())
+            return tr("there is no desktop session");
+        const QStringList known = bus.interface()->registeredServiceNames().value() + bus.interface()->activatableServiceNames().value();
+        const bool there = std::ranges::any_of(known, [](const QString &name) {
+            return name == QLatin1String("org.freedesktop.secrets") || name.startsWith(QLatin1String("org.kde.kwalletd"));
+        });
+        return there ? QString() : tr("no keyring runs in this desktop session");
+    }
+
+    QStringList noted() const { return m_store.value(kNoted).toStringList(); }
+
+    void note(const std::string &file, bool kept)
+    {
+        QStringList files = noted();
+        files.removeAll(QString::fromStdString(file));
+        if (kept)
+            files.append(QString::fromStdString(file));
+        m_store.setValue(kNoted, files);
+    }
+
+    void run(QKeychain::Job *job, const std::string &file, bool keeps)
+    {
+        connect(job, &QKeychain::Job::finished, this, [this, file, keeps](const QKeychain::Job *ended) {
+            const bool gone = !keeps && ended->error() == QKeychain::EntryNotFound;
+            if (ended->error() != QKeychain::NoError && !gone) {
+                Q_EMIT failed(keeps ? tr("The keyring did not take the passphrase: %1").arg(ended->errorString())
+                                    : tr("The keyring did not forget the passphrase: %1").arg(ended->errorString()));
+                return;
+            }
+            note(file, keeps);
+            Q_EMIT done();
+        });
+        job->start();
+    }
+
+    QSettings &m_store;
+    mutable std::optional<QString> m_problem; ///< looked for once
+};
+
+} // namespace
+
+std::unique_ptr<PassphraseMemory> desktopMemory(QSettings &store)
+{
+    return std::make_unique<DesktopKeyring>(store);
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,25 @@
+// Built without a library for the desktop's keyring.
+#include "app/skyseal/passphrase_memory.h"
+
+namespace skyseal::app {
+
+namespace {
+
+class NoMemory : public PassphraseMemory
+{
+public:
+    QString problem() const override { return tr("this Skyseal was built without it"); }
+    bool remembers(const std::string &) const override { return false; }
+    std::optional<crypto::Passphrase> recall(const std::string &) override { return std::nullopt; }
+    void remember(const std::string &, const crypto::Passphrase &) override {}
+    void forget(const std::string &) override {}
+};
+
+} // namespace
+
+std::unique_ptr<PassphraseMemory> desktopMemory(QSettings &)
+{
+    return std::make_unique<NoMemory>();
+}
+
+} // namespace skyseal::app

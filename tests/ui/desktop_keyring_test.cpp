@@ -1,0 +1,206 @@
+// The passphrase of a sealed key in the desktop's keyring: against a real gnome-keyring-daemon on a session bus of its own. Skipped,
+// and saying so, where these programs or the library are missing.
+#include "app/skyseal/passphrase_memory.h"
+#include "app/skyseal/passphrase_question.h"
+#include "ui/keys/passphrase_dialog.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QProcess>
+#include <QtCore/QStandardPaths>
+#include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
+#include <QtDBus/QDBusConnection>
+#include <QtDBus/QDBusConnectionInterface>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QLineEdit>
+
+using namespace skyseal;
+using namespace skyseal::app;
+
+namespace {
+
+constexpr const char *kInside = "SKYSEAL_TEST_SESSION_BUS";
+
+crypto::Passphrase passphrase(std::string_view words)
+{
+    return *crypto::Passphrase::fromBytes(asBytes(words));
+}
+
+bool is(const std::optional<crypto::Passphrase> &found, std::string_view words)
+{
+    return found && asText(found->view()) == words;
+}
+
+} // namespace
+
+class DesktopKeyringTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase();
+    void init();
+    void rememberedAndForgotten();
+    void askedOnceThenNoMore();
+    void staleOneIsAskedFor();
+
+private:
+    /// A program that starts anew: only what is in the files and in the keyring is left.
+    void restart()
+    {
+        m_store = std::make_unique<QSettings>(m_folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_memory = desktopMemory(*m_store);
+    }
+    void remember(const std::string &file, std::string_view words)
+    {
+        QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
+        QSignalSpy failed(m_memory.get(), &PassphraseMemory::failed);
+        m_memory->remember(file, passphrase(words));
+        QTRY_VERIFY_WITH_TIMEOUT(done.size() == 1 || !failed.isEmpty(), 20'000);
+        QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
+    }
+
+    QTemporaryDir m_folder;
+    QProcess m_daemon;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<PassphraseMemory> m_memory;
+};
+
+void DesktopKeyringTest::initTestCase()
+{
+    if (!qEnvironmentVariableIsSet(kInside))
+        QSKIP("needs dbus-run-session and gnome-keyring-daemon (packages dbus-daemon, gnome-keyring)");
+    restart();
+    if (m_memory->problem().contains(QStringLiteral("built without")))
+        QSKIP("built without QtKeychain (package qtkeychain-qt6-dev)");
+    m_daemon.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    m_daemon.start(QStringLiteral("gnome-keyring-daemon"), {QStringLiteral("--foreground"), QStringLiteral("--unlock"), QStringLiteral("--components=secrets")});
+    QVERIFY(m_daemon.waitForStarted());
+    m_daemon.write("login");
+    m_daemon.closeWriteChannel();
+    const auto *bus = QDBusConnection::sessionBus().interface();
+    QTRY_VERIFY_WITH_TIMEOUT(bus->isServiceRegistered(QStringLiteral("org.freedesktop.secrets")).value(), 20'000);
+    restart();
+    QCOMPARE(m_memory->problem(), QString());
+}
+
+void DesktopKeyringTest::cleanupTestCase()
+{
+    m_memory.reset();
+    if (m_daemon.state() == QProcess::Running) {
+        m_daemon.terminate();
+        m_daemon.waitForFinished();
+    }
+}
+
+void DesktopKeyringTest::init()
+{
+    restart();
+}
+
+void DesktopKeyringTest::rememberedAndForgotten()
+{
+    QVERIFY(!m_memory->remembers("/a.key"));
+    QVERIFY(!m_memory->recall("/a.key"));
+    remember("/a.key", "swordfish");
+    remember("/b.key", "zwölf Boxkämpfer");
+    restart();
+    QVERIFY(m_memory->remembers("/a.key") && m_memory->remembers("/b.key") && !m_memory->remembers("/c.key"));
+    QVERIFY(is(m_memory->recall("/a.key"), "swordfish"));
+    QVERIFY(is(m_memory->recall("/b.key"), "zwölf Boxkämpfer"));
+    remember("/a.key", "another");
+    QVERIFY(is(m_memory->recall("/a.key"), "another"));
+    QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
+    m_memory->forget("/a.key");
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+    restart();
+    QVERIFY(!m_memory->remembers("/a.key") && m_memory->remembers("/b.key"));
+    QVERIFY(!m_memory->recall("/a.key"));
+    // Nothing of it stands in the settings.
+    QFile settings(m_folder.filePath(QStringLiteral("s.ini")));
+    QVERIFY(settings.open(QIODevice::ReadOnly));
+    QVERIFY(!settings.readAll().contains("Box"));
+}
+
+void DesktopKeyringTest::askedOnceThenNoMore()
+{
+    int asked = 0;
+    QTimer person;
+    connect(&person, &QTimer::timeout, this, [&] {
+        auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        ++asked;
+        auto *remember = dialog->findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
+        QVERIFY(remember->isEnabled());
+        QTest::mouseClick(remember, Qt::LeftButton, {}, QPoint(8, remember->height() / 2));
+        QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("swordfish"));
+        QTest::keyClick(dialog, Qt::Key_Return);
+    });
+    person.start(20);
+    {
+        PassphraseQuestion question(*m_memory);
+        QVERIFY(question.ask()("/station.key", 0));
+        QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
+        QVERIFY(!m_memory->remembers("/station.key")); // not before it opened the file
+        question.opened();
+        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+    }
+    restart();
+    PassphraseQuestion question(*m_memory);
+    const auto answer = question.ask()("/station.key", 0);
+    QVERIFY(answer && asText(answer->view()) == "swordfish");
+    QCOMPARE(asked, 1);
+}
+
+/// The passphrase was changed by skyseal-cli meanwhile.
+void DesktopKeyringTest::staleOneIsAskedFor()
+{
+    remember("/station.key", "old");
+    bool asked = false;
+    QTimer person;
+    connect(&person, &QTimer::timeout, this, [&] {
+        if (auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget()); dialog && dialog->isVisible()) {
+            asked = true;
+            QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("new"));
+            QTest::keyClick(dialog, Qt::Key_Return);
+        }
+    });
+    person.start(20);
+    PassphraseQuestion question(*m_memory);
+    const auto first = question.ask()("/station.key", 0);
+    QVERIFY(first && asText(first->view()) == "old" && !asked);
+    const auto second = question.ask()("/station.key", 1);
+    QVERIFY(second && asText(second->view()) == "new" && asked);
+    QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
+    question.opened();
+    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+    QVERIFY(is(m_memory->recall("/station.key"), "new")); // it went on being remembered
+}
+
+/// Once more on a session bus of its own, so that nobody's keyring is touched.
+int main(int argc, char **argv)
+{
+    const QString session = QStandardPaths::findExecutable(QStringLiteral("dbus-run-session"));
+    if (!qEnvironmentVariableIsSet(kInside) && !session.isEmpty()
+        && !QStandardPaths::findExecutable(QStringLiteral("gnome-keyring-daemon")).isEmpty()) {
+        const QTemporaryDir home;
+        for (const char *folder : {"HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_RUNTIME_DIR"})
+            qputenv(folder, home.path().toUtf8());
+        qunsetenv("XDG_CURRENT_DESKTOP");
+        qputenv(kInside, "1");
+        QStringList arguments{QStringLiteral("--"), QString::fromLocal8Bit(argv[0])};
+        for (int i = 1; i < argc; ++i)
+            arguments.append(QString::fromLocal8Bit(argv[i]));
+        return QProcess::execute(session, arguments);
+    }
+    QApplication application(argc, argv);
+    DesktopKeyringTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "desktop_keyring_test.moc"

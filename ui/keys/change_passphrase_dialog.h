@@ -1,0 +1,41 @@
+// Gives this station's private key a passphrase, another one, or none.
+#pragma once
+
+#include "ui/keys/keyring_port.h"
+
+#include <QtWidgets/QDialog>
+
+class QCheckBox;
+class QDialogButtonBox;
+class QLabel;
+
+namespace skyseal::ui {
+
+class PassphraseField;
+
+class ChangePassphraseDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    explicit ChangePassphraseDialog(KeyringPort &keyring, QWidget *parent = nullptr);
+
+    void accept() override;
+    /// Not while the key is being sealed.
+    void reject() override;
+
+private:
+    void check();
+    void finish(const QString &problem);
+    void tell(const QString &words, bool isProblem);
+
+    KeyringPort &m_keyring;
+    PassphraseField *m_present, *m_next, *m_again;
+    QCheckBox *m_none, *m_remember;
+    QLabel *m_problem;
+    QDialogButtonBox *m_buttons;
+    bool m_canRemember = false;
+    bool m_working = false;
+};
+
+} // namespace skyseal::ui

@@ -1,0 +1,36 @@
+#include "ui/keys/passphrase_field.h"
+
+#include <QtWidgets/QCheckBox>
+
+namespace skyseal::ui {
+
+PassphraseField::PassphraseField(const char *objectName, const QString &accessibleName, QWidget *parent) : QLineEdit(parent)
+{
+    setObjectName(QLatin1String(objectName));
+    setAccessibleName(accessibleName);
+    setEchoMode(QLineEdit::Password);
+    setMaxLength(crypto::Passphrase::kMaxLength / 4); // UTF-8 makes no more than four bytes of a character
+    setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText);
+}
+
+QCheckBox *makeRememberBox(const QString &keyringProblem, QWidget *parent)
+{
+    auto *out = new QCheckBox(parent);
+    out->setObjectName(QStringLiteral("rememberPassphrase"));
+    out->setText(keyringProblem.isEmpty() ? QObject::tr("&Remember it in the desktop's keyring")
+                                          : QObject::tr("Remember it in the desktop's keyring (%1)").arg(keyringProblem));
+    out->setToolTip(QObject::tr("Whoever is logged in as you, and each program of yours, can then use the key without being asked."));
+    out->setEnabled(keyringProblem.isEmpty());
+    return out;
+}
+
+std::optional<crypto::Passphrase> PassphraseField::passphrase() const
+{
+    QByteArray typed = text().toUtf8();
+    auto out = crypto::Passphrase::fromBytes(
+        {reinterpret_cast<const std::uint8_t *>(typed.constData()), static_cast<std::size_t>(typed.size())});
+    sodium_memzero(typed.data(), static_cast<std::size_t>(typed.size()));
+    return out;
+}
+
+} // namespace skyseal::ui
