@@ -1,5 +1,7 @@
-// Draws the window in its states and sizes into a folder, for people to look at: ui_gallery DIR [STATE SIZE THEME].
+// Draws the window in its states and sizes, and its dialogs, into a folder for people to look at: ui_gallery DIR [STATE SIZE THEME],
+// where STATE and the others are lists with commas, "dialogs" among the states being all dialogs.
 #include "fake_station.h"
+#include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/main_window.h"
@@ -50,6 +52,11 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
                 snapshot.sessions.front().stats.rx.forged = 214;
                 snapshot.sessions.front().stats.rx.replayed = 31;
             }
+            if (state == QLatin1String("revoked") && t > 46) {
+                snapshot.sessions.clear();
+                snapshot.security = engine::Security::Nothing;
+                snapshot.vehicles.front().ended = engine::EndedSession{"air-1", channel::DownReason::Revoked, 12.6};
+            }
             if (state == QLatin1String("lost") && t > 46)
                 snapshot.vehicles.front().state.messageAge = 12.6;
             station.show(snapshot);
@@ -75,7 +82,7 @@ int main(int argc, char **argv)
     const QDir out(args.at(1));
     out.mkpath(QStringLiteral("."));
     QStringList states{QStringLiteral("waiting"), QStringLiteral("sealed"), QStringLiteral("plain"),
-                       QStringLiteral("attack")};
+                       QStringLiteral("attack"),  QStringLiteral("revoked"), QStringLiteral("dialogs")};
     QStringList sizes{QStringLiteral("1280x800")}, themes{QStringLiteral("light"), QStringLiteral("dark")};
     if (args.size() > 2)
         states = args.at(2).split(QLatin1Char(','));
@@ -83,6 +90,10 @@ int main(int argc, char **argv)
         sizes = args.at(3).split(QLatin1Char(','));
     if (args.size() > 4)
         themes = args.at(4).split(QLatin1Char(','));
+    if (const auto all = states.indexOf(QStringLiteral("dialogs")); all >= 0) {
+        states.removeAt(all);
+        states += dialogStates();
+    }
     const QString dock = args.value(5, QStringLiteral("dockDiagnostics"));
     for (const QString &theme : themes) {
         for (const QString &size : sizes) {
@@ -101,6 +112,15 @@ int main(int argc, char **argv)
                 window.resize(size.section(QLatin1Char('x'), 0, 0).toInt(), size.section(QLatin1Char('x'), 1).toInt());
                 window.show();
                 QCoreApplication::processEvents();
+                FakeKeyring keyring;
+                FakePairing pairing;
+                fillKeyring(keyring);
+                if (QWidget *dialog = openDialog(state, window, keyring, pairing)) {
+                    QCoreApplication::processEvents();
+                    dialog->grab().save(out.filePath(QStringLiteral("%1-%2.png").arg(state, theme)));
+                    delete dialog;
+                    continue;
+                }
                 play(station, window, state, dock);
                 window.findChild<DiagnosticsPanel *>()->refresh();
                 QCoreApplication::processEvents();

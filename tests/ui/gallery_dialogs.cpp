@@ -1,0 +1,144 @@
+#include "gallery_dialogs.h"
+
+#include "ui/keys/change_passphrase_dialog.h"
+#include "ui/keys/keys_dialog.h"
+#include "ui/keys/pairing_dialog.h"
+#include "ui/keys/passphrase_dialog.h"
+#include "ui/keys/peer_dialog.h"
+#include "ui/links/link_dialog.h"
+
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLineEdit>
+
+#include <functional>
+#include <map>
+
+namespace skyseal::ui {
+
+namespace {
+
+/// Bytes that look like a key.
+channel::PublicKey keyOf(std::uint8_t seed)
+{
+    channel::PublicKey out{};
+    std::uint32_t state = seed;
+    for (std::uint8_t &byte : out) {
+        state = state * 1664525u + 1013904223u;
+        byte = static_cast<std::uint8_t>(state >> 24);
+    }
+    return out;
+}
+
+KnownPeer peerOf(const char *name, std::uint8_t seed)
+{
+    KnownPeer out;
+    out.name = QLatin1String(name);
+    out.key = keyOf(seed);
+    out.lastSeen = QDateTime(QDate(2026, 5, 14), QTime(9, 30));
+    return out;
+}
+
+struct Stage
+{
+    MainWindow &window;
+    FakeKeyring &keyring;
+    FakePairing &pairing;
+};
+
+QWidget *keysOf(const Stage &stage)
+{
+    auto *dialog = new KeysDialog(stage.keyring, &stage.window);
+    dialog->offerPairing();
+    return dialog;
+}
+
+QWidget *pairingWith(const Stage &stage, const std::function<void(FakePairing &)> &what)
+{
+    auto *dialog = new PairingDialog(stage.pairing, stage.keyring, &stage.window);
+    dialog->show();
+    what(stage.pairing);
+    return dialog;
+}
+
+using Open = std::function<QWidget *(const Stage &)>;
+
+const std::map<QString, Open> &dialogs()
+{
+    static const std::map<QString, Open> all{
+        {QStringLiteral("keys"), &keysOf},
+        {QStringLiteral("keys-empty"), [](const Stage &stage) {
+             stage.keyring.list.peers.clear();
+             stage.keyring.own.sealed = false;
+             return keysOf(stage);
+         }},
+        {QStringLiteral("peer"), [](const Stage &stage) -> QWidget * {
+             return new PeerDialog(stage.keyring, stage.keyring.list.peers[1], &stage.window);
+         }},
+        {QStringLiteral("passphrase"), [](const Stage &stage) -> QWidget * {
+             return new PassphraseDialog(stage.keyring.own.file, true, stage.keyring.own.keyringProblem, &stage.window);
+         }},
+        {QStringLiteral("passphrase-change"), [](const Stage &stage) -> QWidget * {
+             return new ChangePassphraseDialog(stage.keyring, &stage.window);
+         }},
+        {QStringLiteral("pairing"), [](const Stage &stage) { return pairingWith(stage, [](FakePairing &) {}); }},
+        {QStringLiteral("pairing-differs"), [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.passphraseDiffers(); });
+         }},
+        {QStringLiteral("pairing-compare"), [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")}); });
+         }},
+        {QStringLiteral("pairing-changed"), [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("scout-1")}); });
+         }},
+        {QStringLiteral("pairing-paired"), [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) {
+                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")});
+                 Q_EMIT pairing.paired(QStringLiteral("heron"));
+             });
+         }},
+        {QStringLiteral("link"), [](const Stage &stage) -> QWidget * {
+             return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);
+         }},
+        {QStringLiteral("link-mavsec"), [](const Stage &stage) -> QWidget * {
+             auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);
+             auto *protection = dialog->findChild<QComboBox *>(QStringLiteral("linkProtection"));
+             protection->setCurrentIndex(protection->count() - 1);
+             return dialog;
+         }},
+    };
+    return all;
+}
+
+} // namespace
+
+QStringList dialogStates()
+{
+    QStringList out;
+    for (const auto &[name, open] : dialogs())
+        out.append(name);
+    return out;
+}
+
+void fillKeyring(FakeKeyring &keyring)
+{
+    keyring.own = {keyOf(1), true, QStringLiteral("/home/ann/.local/share/skyseal/skyseal/identity.key"), {}};
+    keyring.list = {{peerOf("scout-1", 2), peerOf("tablet", 3), peerOf("survey-wing", 4)},
+                    QStringLiteral("/home/ann/.local/share/skyseal/skyseal/peers"), {}};
+    keyring.list.peers[0].connected = true;
+    keyring.list.peers[0].hasPresharedKey = true;
+    keyring.list.peers[1].role = channel::PeerRole::Observer;
+    keyring.list.peers[1].systems = {1, 2};
+    keyring.list.peers[2].lastSeen = {};
+}
+
+QWidget *openDialog(const QString &state, MainWindow &window, FakeKeyring &keyring, FakePairing &pairing)
+{
+    const auto found = dialogs().find(state);
+    if (found == dialogs().end())
+        return nullptr;
+    QWidget *dialog = found->second({window, keyring, pairing});
+    dialog->show();
+    return dialog;
+}
+
+} // namespace skyseal::ui

@@ -1,0 +1,449 @@
+// Keys, pairing and revocation as an operator does them: the whole program in this process, a real agent and a simulated vehicle
+// on loopback, by clicks and keys. Pictures of each step, light and dark, are kept in the folder that SKYSEAL_PICTURES names.
+#include "app/skyseal/application.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/system_random.h"
+#include "tests/support/flight.h"
+#include "ui/keys/change_passphrase_dialog.h"
+#include "ui/keys/changed_key_warning.h"
+#include "ui/keys/keys_dialog.h"
+#include "ui/keys/pairing_dialog.h"
+#include "ui/keys/passphrase_dialog.h"
+#include "ui/status/strip_item.h"
+#include "ui/theme/palettes.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QElapsedTimer>
+#include <QtCore/QFile>
+#include <QtCore/QTimer>
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractItemView>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using test::Program;
+
+namespace {
+
+constexpr int kPatience = 30'000; // milliseconds; a machine may be busy
+
+Program::Predicate stateIs(const char *state)
+{
+    return [state](const QJsonObject &event) { return event[QLatin1String("state")].toString() == QLatin1String(state); };
+}
+
+QString inOneLine(QString fingerprint)
+{
+    return fingerprint.replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+} // namespace
+
+class PairedWindowTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase();
+    void wrongPassphraseIsTold();
+    void pairedByTheWindow();
+    void revokedInTheDialog();
+    void pairedAgain();
+    void changedKeyIsRefusedUntilReplaced();
+    void agentThatGoesAwayIsWaitedFor();
+    void keyIsSealedInTheDialog();
+    void sealedKeyIsAskedForAtTheStart();
+
+private:
+    QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+    QByteArray read(const QString &name) const
+    {
+        QFile file(name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    QString ownFile(const char *name) const { return path("data/skyseal/skyseal/") + QLatin1String(name); }
+    QString write(const char *name, const QByteArray &content) const
+    {
+        QFile file(path(name));
+        if (file.open(QIODevice::WriteOnly))
+            file.write(content);
+        file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
+        return file.fileName();
+    }
+    QString newKey(const char *name) const;
+    void startAgent(const char *key);
+    void startWindow();
+    std::unique_ptr<Program> openDesk(const char *key, const char *passphraseFile = nullptr) const;
+
+    template<typename W> W *find(const char *name) const
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+    KeysDialog *openKeys();
+    void closeKeys()
+    {
+        openKeys()->close();
+        QTRY_VERIFY(!m_window->findChild<KeysDialog *>());
+    }
+    PairingDialog *openPairing();
+    void click(QWidget *inside, const char *name) { QTest::mouseClick(inside->findChild<QAbstractButton *>(QLatin1String(name)), Qt::LeftButton); }
+    static QString textOf(QWidget *inside, const char *label) { return inside->findChild<QLabel *>(QLatin1String(label))->text(); }
+    QString lock() const { return find<StripItem>("stripLock")->text(); }
+    bool isSealed() const { return m_window->scene().session && lock().contains(QStringLiteral("heron ✓")); }
+    void confirmBoth(PairingDialog *dialog, Program &desk);
+    void picture(const char *name, QWidget *of);
+
+    QTemporaryDir m_folder;
+    crypto::SystemRandom m_random;
+    quint16 m_vehiclePort = test::freeUdpPort(), m_groundPort = test::freeUdpPort();
+    QString m_air; ///< the agent's fingerprint
+    std::unique_ptr<Program> m_sim, m_agent;
+    std::unique_ptr<app::Application> m_app;
+    MainWindow *m_window = nullptr;
+};
+
+QString PairedWindowTest::newKey(const char *name) const
+{
+    Program made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
+    return made.waitFor(QStringLiteral("key"), kPatience)[QLatin1String("fingerprint")].toString();
+}
+
+void PairedWindowTest::startAgent(const char *key)
+{
+    m_agent.reset(); // its ports first
+    m_agent = std::make_unique<Program>(
+        QStringLiteral("skyseal-air"),
+        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort), QStringLiteral("--ground"),
+                    QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"), path(key), QStringLiteral("--peers"),
+                    path("air.peers"), QStringLiteral("--json")});
+    QVERIFY(!m_agent->waitFor(QStringLiteral("link"), kPatience).isEmpty());
+}
+
+void PairedWindowTest::startWindow()
+{
+    app::WindowOptions options;
+    options.links = {*link::LinkUrl::parse(QStringLiteral("udpin:127.0.0.1:%1").arg(m_groundPort).toStdString())};
+    m_app = std::make_unique<app::Application>(std::move(options), m_random);
+    QVERIFY(m_app->start());
+    m_window = nullptr;
+    for (QWidget *widget : QApplication::topLevelWidgets()) {
+        if (auto *window = qobject_cast<MainWindow *>(widget))
+            m_window = window;
+    }
+    QVERIFY(m_window && QTest::qWaitForWindowExposed(m_window));
+    m_window->resize(1280, 860);
+    m_window->activateWindow();
+}
+
+void PairedWindowTest::initTestCase()
+{
+    QVERIFY(crypto::initCrypto());
+    qputenv("XDG_DATA_HOME", path("data").toUtf8());
+    qputenv("XDG_CONFIG_HOME", path("config").toUtf8());
+    QCoreApplication::setApplicationName(QStringLiteral("skyseal"));
+    QCoreApplication::setOrganizationName(QStringLiteral("skyseal"));
+    m_air = newKey("air.key");
+    QVERIFY(!m_air.isEmpty());
+    write("air.peers", {});
+    m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"),
+                                      QStringList{QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(m_vehiclePort)});
+    startAgent("air.key");
+    startWindow();
+}
+
+void PairedWindowTest::cleanupTestCase()
+{
+    m_app.reset();
+    m_agent.reset();
+    m_sim.reset();
+}
+
+std::unique_ptr<Program> PairedWindowTest::openDesk(const char *key, const char *passphraseFile) const
+{
+    QStringList arguments{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key), QStringLiteral("--as"), QStringLiteral("base"), QStringLiteral("--json")};
+    if (passphraseFile)
+        arguments += {QStringLiteral("--pair-passphrase-file"), path(passphraseFile)};
+    return std::make_unique<Program>(QStringLiteral("skyseal-air"), arguments);
+}
+
+KeysDialog *PairedWindowTest::openKeys()
+{
+    if (auto *open = m_window->findChild<KeysDialog *>())
+        return open;
+    m_window->activateWindow(); // a dialog that closed may have had it
+    if (!QTest::qWaitForWindowActive(m_window))
+        return nullptr;
+    QTest::keyClick(m_window, Qt::Key_K, Qt::ControlModifier);
+    auto *dialog = m_window->findChild<KeysDialog *>();
+    if (dialog && !QTest::qWaitForWindowExposed(dialog))
+        return nullptr;
+    return dialog;
+}
+
+PairingDialog *PairedWindowTest::openPairing()
+{
+    KeysDialog *keys = openKeys();
+    if (!keys)
+        return nullptr;
+    click(keys, "peerPair");
+    auto *dialog = m_window->findChild<PairingDialog *>();
+    if (dialog && !QTest::qWaitForWindowExposed(dialog))
+        return nullptr;
+    return dialog;
+}
+
+void PairedWindowTest::picture(const char *name, QWidget *of)
+{
+    const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES");
+    if (folder.isEmpty())
+        return;
+    QDir().mkpath(folder);
+    for (const auto &[theme, word] : {std::pair(Theme::Dark, "dark"), std::pair(Theme::Light, "light")}) {
+        applyTheme(theme);
+        QCoreApplication::processEvents(); // the palette reaches every widget
+        QVERIFY(of->grab().save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), QLatin1String(word)))));
+    }
+}
+
+void PairedWindowTest::confirmBoth(PairingDialog *dialog, Program &desk)
+{
+    desk.tell(QStringLiteral("yes"));
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("said yes")), kPatience);
+    QVERIFY(!read(ownFile("peers")).contains("heron ") || dialog->findChild<ChangedKeyWarning *>()->isVisible()); // one yes is none
+    click(dialog, "pairingAgree");
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("Paired with heron")), kPatience);
+    QCOMPARE(desk.waitForExit(kPatience), 0);
+}
+
+void PairedWindowTest::wrongPassphraseIsTold()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(find<QWidget>("emptyState")->isVisible(), kPatience);
+    write("wrong", "grey heron\n");
+    write("right", "blue heron\n");
+    picture("keys-empty", openKeys());
+    PairingDialog *dialog = openPairing();
+    QVERIFY(dialog);
+    auto *passphrase = dialog->findChild<QLineEdit *>(QStringLiteral("pairingPassphrase"));
+    passphrase->setFocus();
+    QTest::keyClicks(passphrase, QStringLiteral("blue heron"));
+    QTest::keyClick(passphrase, Qt::Key_Return);
+    QVERIFY(dialog->isVisible());
+    const auto desk = openDesk("air.key", "wrong");
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingProblem").contains(QStringLiteral("passphrases differ")), kPatience);
+    QVERIFY(!dialog->findChild<QWidget *>(QStringLiteral("pairingAgree"))->isVisible());
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("passphrase-differs")).isEmpty());
+    picture("pairing-passphrase-differs", dialog);
+    QCOMPARE(desk->terminate(), 1);
+}
+
+/// Goes on in the dialog that stands open.
+void PairedWindowTest::pairedByTheWindow()
+{
+    auto *dialog = m_window->findChild<PairingDialog *>();
+    QVERIFY(dialog && dialog->isVisible());
+    const auto desk = openDesk("air.key", "right");
+    const QString seen = desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("seen"))[QLatin1String("fingerprint")].toString();
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible(), kPatience);
+    QCOMPARE(inOneLine(textOf(dialog, "pairingTheirs")), m_air);
+    QCOMPARE(inOneLine(textOf(dialog, "pairingOwn")), seen);
+    QVERIFY(textOf(dialog, "pairingProblem").isEmpty());
+    auto *name = dialog->findChild<QLineEdit *>(QStringLiteral("pairingName"));
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("heron"));
+    picture("pairing-compare", dialog);
+    confirmBoth(dialog, *desk);
+    picture("pairing-paired", dialog);
+    dialog->close();
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+    KeysDialog *keys = openKeys();
+    auto *view = keys->findChild<QAbstractItemView *>(QStringLiteral("peerView"));
+    QTRY_COMPARE_WITH_TIMEOUT(view->model()->index(0, PeerModel::LastSeen).data().toString(), QStringLiteral("connected"), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle, kPatience);
+    QVERIFY(m_window->scene().vehicle->session);
+    picture("keys-connected", keys);
+    picture("window-sealed", m_window);
+}
+
+void PairedWindowTest::revokedInTheDialog()
+{
+    KeysDialog *keys = openKeys();
+    auto *view = keys->findChild<QAbstractItemView *>(QStringLiteral("peerView"));
+    view->setCurrentIndex(view->model()->index(0, 0));
+    click(keys, "peerRevoke");
+    auto *box = keys->findChild<QMessageBox *>(QStringLiteral("confirmRevoke"));
+    QVERIFY(box && QTest::qWaitForWindowExposed(box));
+    QVERIFY(box->informativeText().contains(QStringLiteral("ends at once")));
+    picture("revoke-question", box);
+    m_agent->skipWhatCame();
+    QVERIFY(isSealed());
+    QElapsedTimer clock;
+    clock.start();
+    QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, kPatience);
+    qInfo("revoked in the window: no session after %lld ms", static_cast<long long>(clock.elapsed()));
+    QVERIFY2(clock.elapsed() < 5000, "at once");
+    QVERIFY(!m_agent->waitFor(QStringLiteral("session"), kPatience, stateIs("down")).isEmpty());
+
+    // And the window says what is true.
+    QTRY_COMPARE_WITH_TIMEOUT(lock(), QStringLiteral("Revoked · heron"), kPatience);
+    QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Revoked · heron"));
+    const QString advice = find<QLabel>("secureAdvice")->text();
+    QVERIFY2(advice.contains(QStringLiteral("no longer among the known peers")), qPrintable(advice));
+    QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
+    closeKeys();
+    picture("window-revoked", m_window);
+    QVERIFY(read(ownFile("peers")).isEmpty() || !read(ownFile("peers")).contains("heron"));
+}
+
+void PairedWindowTest::pairedAgain()
+{
+    click(m_window, "secureKeys"); // the panel leads there
+    PairingDialog *dialog = openPairing();
+    QVERIFY(dialog);
+    const auto desk = openDesk("air.key");
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible(), kPatience);
+    auto *name = dialog->findChild<QLineEdit *>(QStringLiteral("pairingName"));
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("heron"));
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("seen")).isEmpty());
+    confirmBoth(dialog, *desk);
+    dialog->close();
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+    closeKeys();
+}
+
+void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
+{
+    const QString changed = newKey("new-air.key");
+    const QByteArray before = read(ownFile("peers"));
+    QCOMPARE(m_agent->terminate(), 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, kPatience);
+    auto *messages = find<QWidget>("dockMessages")->findChild<QAbstractItemView *>();
+    const auto refusals = [&] {
+        int count = 0;
+        for (int row = 0; row < messages->model()->rowCount(); ++row) {
+            for (int column = 0; column < messages->model()->columnCount(); ++column)
+                count += messages->model()->index(row, column).data().toString().contains(QStringLiteral("an unknown key")) ? 1 : 0;
+        }
+        return count;
+    };
+    const int refusedBefore = refusals();
+    startAgent("new-air.key"); // it knows us, and we do not know its new key
+    QTRY_VERIFY_WITH_TIMEOUT(refusals() > refusedBefore, kPatience);
+    QVERIFY(!m_window->scene().session);
+    QCOMPARE(read(ownFile("peers")), before);
+    QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Session ended · heron"));
+
+    PairingDialog *dialog = openPairing();
+    QVERIFY(dialog);
+    const auto desk = openDesk("new-air.key");
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible(), kPatience);
+    QCOMPARE(inOneLine(textOf(dialog, "pairingTheirs")), changed);
+    auto *name = dialog->findChild<QLineEdit *>(QStringLiteral("pairingName"));
+    name->selectAll();
+    QTest::keyClicks(name, QStringLiteral("heron"));
+    auto *warning = dialog->findChild<ChangedKeyWarning *>();
+    QVERIFY(warning->isVisible());
+    QCOMPARE(inOneLine(textOf(dialog, "knownFingerprint")), m_air);
+    QCOMPARE(inOneLine(textOf(dialog, "offeredFingerprint")), changed);
+    picture("pairing-changed-key", dialog);
+    click(dialog, "pairingAgree"); // is disabled
+    QVERIFY(!textOf(dialog, "pairingWords").contains(QStringLiteral("Confirmed here")));
+    auto *tick = dialog->findChild<QCheckBox *>(QStringLiteral("replaceKey"));
+    tick->setFocus();
+    QTest::keyClick(tick, Qt::Key_Space);
+    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("seen")).isEmpty());
+    QCOMPARE(read(ownFile("peers")), before);
+    confirmBoth(dialog, *desk);
+    dialog->close();
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+    QVERIFY(read(ownFile("peers")) != before);
+    closeKeys();
+}
+
+void PairedWindowTest::agentThatGoesAwayIsWaitedFor()
+{
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle && m_window->scene().session, kPatience);
+    QCOMPARE(m_agent->terminate(), 0); // says goodbye
+    QTRY_COMPARE_WITH_TIMEOUT(lock(), QStringLiteral("Session ended · heron"), kPatience);
+    const QString advice = find<QLabel>("secureAdvice")->text();
+    QVERIFY2(advice.contains(QStringLiteral("closed by the other end")) && advice.contains(QStringLiteral("Waiting for it")), qPrintable(advice));
+    QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
+    picture("window-waiting", m_window);
+    startAgent("new-air.key");
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+}
+
+void PairedWindowTest::keyIsSealedInTheDialog()
+{
+    const QByteArray before = read(ownFile("identity.key"));
+    QVERIFY(before.startsWith("skyseal-private-key-v1"));
+    KeysDialog *keys = openKeys();
+    click(keys, "ownPassphrase");
+    auto *dialog = keys->findChild<ChangePassphraseDialog *>();
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    picture("passphrase-set", dialog);
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("newPassphrase")), QStringLiteral("swordfish"));
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("newPassphraseAgain")), QStringLiteral("swordfish"));
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!keys->findChild<ChangePassphraseDialog *>(), kPatience);
+    QVERIFY(read(ownFile("identity.key")).startsWith("skyseal-sealed-key-v1"));
+    QVERIFY(textOf(keys, "ownFile").contains(QStringLiteral("sealed with a passphrase")));
+    QVERIFY(isSealed()); // the session does not notice
+
+    // A wrong one is told, and changes nothing.
+    const QByteArray sealed = read(ownFile("identity.key"));
+    click(keys, "ownPassphrase");
+    dialog = keys->findChild<ChangePassphraseDialog *>();
+    QVERIFY(dialog && QTest::qWaitForWindowExposed(dialog));
+    QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("presentPassphrase")), QStringLiteral("sworfish"));
+    QTest::mouseClick(dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase")), Qt::LeftButton, {}, QPoint(8, 8));
+    QVERIFY(dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase"))->isChecked());
+    QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "passphraseProblem").contains(QStringLiteral("does not open it")), kPatience);
+    picture("passphrase-wrong", dialog);
+    dialog->close();
+    QCOMPARE(read(ownFile("identity.key")), sealed);
+    picture("keys-sealed", keys);
+    closeKeys();
+}
+
+void PairedWindowTest::sealedKeyIsAskedForAtTheStart()
+{
+    m_app.reset();
+    int asked = 0;
+    QTimer person;
+    connect(&person, &QTimer::timeout, this, [&] {
+        auto *dialog = qobject_cast<PassphraseDialog *>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        person.stop();
+        QCOMPARE(textOf(dialog, "passphraseWrong").isEmpty(), asked == 0);
+        picture(asked == 0 ? "passphrase-start" : "passphrase-start-again", dialog);
+        QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")),
+                         asked == 0 ? QStringLiteral("sworfish") : QStringLiteral("swordfish"));
+        ++asked;
+        QTest::keyClick(dialog, Qt::Key_Return);
+        person.start();
+    });
+    person.setInterval(20);
+    person.start();
+    startWindow();
+    person.stop();
+    QCOMPARE(asked, 2);
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+}
+
+QTEST_MAIN(PairedWindowTest)
+#include "paired_window_test.moc"
