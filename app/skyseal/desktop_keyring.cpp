@@ -79,7 +79,8 @@ private:
         const QDBusConnection bus = QDBusConnection::sessionBus();
         if (!bus.isConnected())
             return tr("there is no desktop session");
-        const QStringList known = bus.interface()->registeredServiceNames().value() + bus.interface()->activatableServiceNames().value();
+        const QStringList known = bus.interface()->registeredServiceNames().value()
+            + bus.interface()->activatableServiceNames().value();
         const bool there = std::ranges::any_of(known, [](const QString &name) {
             return name == QLatin1String("org.freedesktop.secrets") || name.startsWith(QLatin1String("org.kde.kwalletd"));
         });

@@ -1,5 +1,5 @@
-// Where the desktop may keep the passphrase of a sealed key, so that the station does not ask for it at each start. Behind it the
-// desktop's keyring, or nothing.
+// Where the desktop may keep the passphrase of a sealed key, so that the station does not ask for it at each start. Behind it
+// the desktop's keyring, or nothing.
 #pragma once
 
 #include "core/crypto/passphrase.h"

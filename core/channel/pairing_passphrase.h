@@ -7,8 +7,8 @@
 
 namespace skyseal::channel {
 
-/// Less than for a key file: a passphrase for one pairing is worth nothing afterwards, and the machine beside an autopilot is
-/// small. Both ends must use the same.
+/// Less than for a key file: a passphrase for one pairing is worth nothing afterwards, and the machine beside an autopilot
+/// is small. Both ends must use the same.
 inline constexpr crypto::PassphraseCost kPairingPassphraseCost{3, 64 * 1024};
 
 /// Takes a tenth of a second of one core and 64 MiB for that time: not on a thread that flies. Null when the machine has not

@@ -1,5 +1,5 @@
-// The passphrase of a sealed key in the desktop's keyring: against a real gnome-keyring-daemon on a session bus of its own. Skipped,
-// and saying so, where these programs or the library are missing.
+// The passphrase of a sealed key in the desktop's keyring: against a real gnome-keyring-daemon on a session bus of its own.
+// Skipped, and saying so, where these programs or the library are missing.
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
 #include "ui/keys/passphrase_dialog.h"
@@ -78,7 +78,8 @@ void DesktopKeyringTest::initTestCase()
     if (m_memory->problem().contains(QStringLiteral("built without")))
         QSKIP("built without QtKeychain (package qtkeychain-qt6-dev)");
     m_daemon.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    m_daemon.start(QStringLiteral("gnome-keyring-daemon"), {QStringLiteral("--foreground"), QStringLiteral("--unlock"), QStringLiteral("--components=secrets")});
+    m_daemon.start(QStringLiteral("gnome-keyring-daemon"),
+                   {QStringLiteral("--foreground"), QStringLiteral("--unlock"), QStringLiteral("--components=secrets")});
     QVERIFY(m_daemon.waitForStarted());
     m_daemon.write("login");
     m_daemon.closeWriteChannel();
@@ -164,7 +165,8 @@ void DesktopKeyringTest::staleOneIsAskedFor()
     bool asked = false;
     QTimer person;
     connect(&person, &QTimer::timeout, this, [&] {
-        if (auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget()); dialog && dialog->isVisible()) {
+        auto *dialog = qobject_cast<ui::PassphraseDialog *>(QApplication::activeModalWidget());
+        if (dialog && dialog->isVisible()) {
             asked = true;
             QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("new"));
             QTest::keyClick(dialog, Qt::Key_Return);

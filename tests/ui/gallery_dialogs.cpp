@@ -85,10 +85,14 @@ const std::map<QString, Open> &dialogs()
              return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.passphraseDiffers(); });
          }},
         {QStringLiteral("pairing-compare"), [](const Stage &stage) {
-             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")}); });
+             return pairingWith(stage, [](FakePairing &pairing) {
+                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")});
+             });
          }},
         {QStringLiteral("pairing-changed"), [](const Stage &stage) {
-             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("scout-1")}); });
+             return pairingWith(stage, [](FakePairing &pairing) {
+                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("scout-1")});
+             });
          }},
         {QStringLiteral("pairing-paired"), [](const Stage &stage) {
              return pairingWith(stage, [](FakePairing &pairing) {

@@ -1,5 +1,6 @@
-// Keys, pairing and revocation as an operator does them: the whole program in this process, a real agent and a simulated vehicle
-// on loopback, by clicks and keys. Pictures of each step, light and dark, are kept in the folder that SKYSEAL_PICTURES names.
+// Keys, pairing and revocation as an operator does them: the whole program in this process, a real agent and a simulated
+// vehicle on loopback, by clicks and keys. Pictures of each step, light and dark, are kept in the folder that SKYSEAL_PICTURES
+// names.
 #include "app/skyseal/application.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
@@ -97,8 +98,14 @@ private:
         QTRY_VERIFY(!m_window->findChild<KeysDialog *>());
     }
     PairingDialog *openPairing();
-    void click(QWidget *inside, const char *name) { QTest::mouseClick(inside->findChild<QAbstractButton *>(QLatin1String(name)), Qt::LeftButton); }
-    static QString textOf(QWidget *inside, const char *label) { return inside->findChild<QLabel *>(QLatin1String(label))->text(); }
+    static void click(QWidget *inside, const char *name)
+    {
+        QTest::mouseClick(inside->findChild<QAbstractButton *>(QLatin1String(name)), Qt::LeftButton);
+    }
+    static QString textOf(QWidget *inside, const char *label)
+    {
+        return inside->findChild<QLabel *>(QLatin1String(label))->text();
+    }
     QString lock() const { return find<StripItem>("stripLock")->text(); }
     bool isSealed() const { return m_window->scene().session && lock().contains(QStringLiteral("heron ✓")); }
     void confirmBoth(PairingDialog *dialog, Program &desk);
@@ -115,7 +122,8 @@ private:
 
 QString PairedWindowTest::newKey(const char *name) const
 {
-    Program made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
+    Program made(QStringLiteral("skyseal-cli"),
+                 {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
     return made.waitFor(QStringLiteral("key"), kPatience)[QLatin1String("fingerprint")].toString();
 }
 
@@ -124,9 +132,10 @@ void PairedWindowTest::startAgent(const char *key)
     m_agent.reset(); // its ports first
     m_agent = std::make_unique<Program>(
         QStringLiteral("skyseal-air"),
-        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort), QStringLiteral("--ground"),
-                    QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"), path(key), QStringLiteral("--peers"),
-                    path("air.peers"), QStringLiteral("--json")});
+        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort),
+                    QStringLiteral("--ground"), QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort),
+                    QStringLiteral("--identity"), path(key), QStringLiteral("--peers"), path("air.peers"),
+                    QStringLiteral("--json")});
     QVERIFY(!m_agent->waitFor(QStringLiteral("link"), kPatience).isEmpty());
 }
 
@@ -156,8 +165,9 @@ void PairedWindowTest::initTestCase()
     m_air = newKey("air.key");
     QVERIFY(!m_air.isEmpty());
     write("air.peers", {});
-    m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"),
-                                      QStringList{QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(m_vehiclePort)});
+    m_sim = std::make_unique<Program>(
+        QStringLiteral("skyseal-sim"),
+        QStringList{QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:%1").arg(m_vehiclePort)});
     startAgent("air.key");
     startWindow();
 }
@@ -171,7 +181,8 @@ void PairedWindowTest::cleanupTestCase()
 
 std::unique_ptr<Program> PairedWindowTest::openDesk(const char *key, const char *passphraseFile) const
 {
-    QStringList arguments{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key), QStringLiteral("--as"), QStringLiteral("base"), QStringLiteral("--json")};
+    QStringList arguments{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key),
+                          QStringLiteral("--as"),   QStringLiteral("base"),       QStringLiteral("--json")};
     if (passphraseFile)
         arguments += {QStringLiteral("--pair-passphrase-file"), path(passphraseFile)};
     return std::make_unique<Program>(QStringLiteral("skyseal-air"), arguments);
@@ -212,7 +223,8 @@ void PairedWindowTest::picture(const char *name, QWidget *of)
     for (const auto &[theme, word] : {std::pair(Theme::Dark, "dark"), std::pair(Theme::Light, "light")}) {
         applyTheme(theme);
         QCoreApplication::processEvents(); // the palette reaches every widget
-        QVERIFY(of->grab().save(QDir(folder).filePath(QStringLiteral("%1-%2.png").arg(QLatin1String(name), QLatin1String(word)))));
+        const QString file = QStringLiteral("%1-%2.png").arg(QLatin1String(name), QLatin1String(word));
+        QVERIFY(of->grab().save(QDir(folder).filePath(file)));
     }
 }
 
@@ -220,7 +232,8 @@ void PairedWindowTest::confirmBoth(PairingDialog *dialog, Program &desk)
 {
     desk.tell(QStringLiteral("yes"));
     QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("said yes")), kPatience);
-    QVERIFY(!read(ownFile("peers")).contains("heron ") || dialog->findChild<ChangedKeyWarning *>()->isVisible()); // one yes is none
+    const bool replaces = dialog->findChild<ChangedKeyWarning *>()->isVisible();
+    QVERIFY(!read(ownFile("peers")).contains("heron ") || replaces); // one yes is none
     click(dialog, "pairingAgree");
     QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("Paired with heron")), kPatience);
     QCOMPARE(desk.waitForExit(kPatience), 0);
@@ -253,7 +266,8 @@ void PairedWindowTest::pairedByTheWindow()
     auto *dialog = m_window->findChild<PairingDialog *>();
     QVERIFY(dialog && dialog->isVisible());
     const auto desk = openDesk("air.key", "right");
-    const QString seen = desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("seen"))[QLatin1String("fingerprint")].toString();
+    const QJsonObject news = desk->waitFor(QStringLiteral("pairing"), kPatience, stateIs("seen"));
+    const QString seen = news[QLatin1String("fingerprint")].toString();
     QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible(), kPatience);
     QCOMPARE(inOneLine(textOf(dialog, "pairingTheirs")), m_air);
     QCOMPARE(inOneLine(textOf(dialog, "pairingOwn")), seen);
@@ -268,7 +282,8 @@ void PairedWindowTest::pairedByTheWindow()
     QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
     KeysDialog *keys = openKeys();
     auto *view = keys->findChild<QAbstractItemView *>(QStringLiteral("peerView"));
-    QTRY_COMPARE_WITH_TIMEOUT(view->model()->index(0, PeerModel::LastSeen).data().toString(), QStringLiteral("connected"), kPatience);
+    const auto lastSeen = [view] { return view->model()->index(0, PeerModel::LastSeen).data().toString(); };
+    QTRY_COMPARE_WITH_TIMEOUT(lastSeen(), QStringLiteral("connected"), kPatience);
     QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle, kPatience);
     QVERIFY(m_window->scene().vehicle->session);
     picture("keys-connected", keys);
@@ -333,8 +348,10 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     const auto refusals = [&] {
         int count = 0;
         for (int row = 0; row < messages->model()->rowCount(); ++row) {
-            for (int column = 0; column < messages->model()->columnCount(); ++column)
-                count += messages->model()->index(row, column).data().toString().contains(QStringLiteral("an unknown key")) ? 1 : 0;
+            for (int column = 0; column < messages->model()->columnCount(); ++column) {
+                const QString text = messages->model()->index(row, column).data().toString();
+                count += text.contains(QStringLiteral("an unknown key")) ? 1 : 0;
+            }
         }
         return count;
     };
@@ -378,7 +395,8 @@ void PairedWindowTest::agentThatGoesAwayIsWaitedFor()
     QCOMPARE(m_agent->terminate(), 0); // says goodbye
     QTRY_COMPARE_WITH_TIMEOUT(lock(), QStringLiteral("Session ended · heron"), kPatience);
     const QString advice = find<QLabel>("secureAdvice")->text();
-    QVERIFY2(advice.contains(QStringLiteral("closed by the other end")) && advice.contains(QStringLiteral("Waiting for it")), qPrintable(advice));
+    QVERIFY2(advice.contains(QStringLiteral("closed by the other end")), qPrintable(advice));
+    QVERIFY2(advice.contains(QStringLiteral("Waiting for it")), qPrintable(advice));
     QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
     picture("window-waiting", m_window);
     startAgent("new-air.key");

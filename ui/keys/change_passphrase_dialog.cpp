@@ -17,8 +17,8 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringPort &keyring, QWidget *pa
     const OwnKey own = keyring.ownKey();
     setObjectName(QStringLiteral("changePassphraseDialog"));
     setWindowTitle(own.sealed ? tr("Change the passphrase") : tr("Set a passphrase"));
-    auto *intro = new QLabel(tr("The passphrase seals the private key in its file: without it, whoever copies the file has the key. "
-                                "Skyseal asks for it at each start. Nobody can restore it."),
+    auto *intro = new QLabel(tr("The passphrase seals the private key in its file: without it, whoever copies the file has the "
+                                "key. Skyseal asks for it at each start. Nobody can restore it."),
                              this);
     intro->setWordWrap(true);
     m_present = new PassphraseField("presentPassphrase", tr("Present passphrase"), this);

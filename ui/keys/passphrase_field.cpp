@@ -19,7 +19,8 @@ QCheckBox *makeRememberBox(const QString &keyringProblem, QWidget *parent)
     out->setObjectName(QStringLiteral("rememberPassphrase"));
     out->setText(keyringProblem.isEmpty() ? QObject::tr("&Remember it in the desktop's keyring")
                                           : QObject::tr("Remember it in the desktop's keyring (%1)").arg(keyringProblem));
-    out->setToolTip(QObject::tr("Whoever is logged in as you, and each program of yours, can then use the key without being asked."));
+    out->setToolTip(QObject::tr("Whoever is logged in as you, and each program of yours, can then use the key without "
+                                "being asked."));
     out->setEnabled(keyringProblem.isEmpty());
     return out;
 }

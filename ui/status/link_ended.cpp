@@ -28,17 +28,18 @@ std::optional<LinkEnded> linkEndedOf(const Scene &scene)
     const QString name = ended.peerName.empty() ? Words::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard last, "
-                    "and clear MAVLink in its name stays refused.");
+        + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
+                    "last, and clear MAVLink in its name stays refused.");
     switch (ended.reason) {
     case DownReason::Revoked:
         return LinkEnded{Words::tr("Revoked · %1").arg(name),
-                         Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is shown is "
-                                   "what was heard last. Pair it again to go on.").arg(name, ago),
+                         Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
+                                   "shown is what was heard last. Pair it again to go on.").arg(name, ago),
                          true};
     case DownReason::TimedOut:
         return LinkEnded{Words::tr("Session lost · %1").arg(name),
-                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago)
+                             + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:
@@ -46,7 +47,8 @@ std::optional<LinkEnded> linkEndedOf(const Scene &scene)
         break;
     }
     return LinkEnded{Words::tr("Session ended · %1").arg(name),
-                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonWords(ended.reason)) + waiting};
+                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonWords(ended.reason))
+                         + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const Scene &scene)
