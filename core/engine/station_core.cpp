@@ -416,7 +416,7 @@ void StationCore::everyQuarterSecond(TimePoint now)
         watch.loss.note(counts.received, counts.lost);
         watch.frames.note(counts.received);
         const bool lost = m_vehicles.find(systemId)->isLost(now);
-        anyUp = anyUp || !lost;
+        anyUp = anyUp || (!lost && !watch.ended);
         if (lost != watch.lost) {
             watch.lost = lost;
             tell(lost ? Happening(VehicleLost{systemId}) : Happening(VehicleBack{systemId}));
