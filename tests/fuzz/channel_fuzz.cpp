@@ -1,5 +1,6 @@
-// Datagrams into a live session whose keys the fuzzer has: the input is a list of operations, so that it reaches the control
-// messages behind the decryption, the switch, and time. Whatever comes, nothing is delivered that was not sealed.
+// Messages into a live session whose keys the fuzzer has, in any carrier: the input is a list of operations, so that it
+// reaches the control messages behind the decryption, the switch, and time. Whatever comes, nothing is delivered that was
+// not sealed.
 #include "pair.h"
 
 #include "core/base/byte_reader.h"
@@ -29,13 +30,15 @@ struct Insider
     std::unique_ptr<crypto::RecordCipher> writer;
     ConnectionId theirs{};
     std::uint32_t counter = 0;
+    Carrier carrier{};
 
     bool enter(Endpoint &endpoint, TimePoint now, const Path &path, RandomSource &random)
     {
+        carrier = path.carrier;
         const SuiteOffer offer = offerOf(Policy{defaultSuites(), true, true});
         Peer peer;
         peer.key = agent.publicKey;
-        auto initiator = Initiator::begin(identity, peer, {ConnectionId{1}, offer, 1}, random);
+        auto initiator = Initiator::begin(identity, peer, {ConnectionId{1}, offer, 1}, random, carrier);
         Bytes first(initiator->message().begin(), initiator->message().end());
         endpoint.handleDatagram(now, path, first);
         while (const auto transmit = endpoint.pollTransmit()) {
@@ -50,14 +53,14 @@ struct Insider
         return false;
     }
 
-    Bytes seal(ByteView plaintext)
+    Bytes seal(ByteView plaintext, DatagramKind kind)
     {
-        Bytes out(kRecordHeaderLength + writer->sealedSize(plaintext.size()));
-        const RecordHeader header{DatagramKind::Record, 0, theirs, counter};
+        const RecordHeader header{kind, 0, theirs, counter};
+        Bytes out(header.length() + writer->sealedSize(plaintext.size()));
         header.write(out);
-        const AssociatedData associated(ByteView(out).first(kRecordHeaderLength), writer->suite(), Direction::FromInitiator,
-                                        Carrier::Datagram);
-        writer->seal(counter++, associated.view(), plaintext, MutableByteView(out).subspan(kRecordHeaderLength));
+        const AssociatedData associated(ByteView(out).first(header.length()), writer->suite(), Direction::FromInitiator,
+                                        carrier);
+        writer->seal(counter++, associated.view(), plaintext, MutableByteView(out).subspan(header.length()));
         return out;
     }
 };
@@ -79,16 +82,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     station.key = insider.identity.publicKey;
     config.peers = {station};
     config.policy = {defaultSuites(), true, true};
-    const Path path{LinkId{1}, {}};
+    ByteReader in(ByteView(data, size));
+    const Path path{LinkId{1}, {}, static_cast<Carrier>(1 + in.u8() % 3)};
     TimePoint now{1h};
     Endpoint endpoint(std::move(config), random, counters, now);
     if (!insider.enter(endpoint, now, path, random))
         std::abort();
 
     std::size_t framesSealed = 0, framesOpened = 0;
-    ByteReader in(ByteView(data, size));
     while (!in.atEnd() && in.ok()) {
         const std::uint8_t operation = in.u8();
+        const DatagramKind kind = operation & 0x80 ? DatagramKind::SingleRecord : DatagramKind::Record;
         const ByteView bytes = in.bytes(std::min<std::size_t>(in.u8(), in.remaining()));
         switch (operation % 5) {
         case 0: { // anything at all
@@ -98,7 +102,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             break;
         }
         case 1: { // sealed with the right keys
-            Bytes datagram = insider.seal(bytes);
+            Bytes datagram = insider.seal(bytes, kind);
             const bool frames = !isControl(bytes);
             framesSealed += frames;
             framesOpened += endpoint.handleDatagram(now, path, datagram).has_value();
@@ -113,7 +117,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
                 endpoint.switchSuite(now, session, crypto::suites()[operation % crypto::suites().size()].id);
             break;
         default: { // a right record, one byte changed
-            Bytes datagram = insider.seal(bytes);
+            Bytes datagram = insider.seal(bytes, kind);
             datagram[operation % datagram.size()] ^= static_cast<std::uint8_t>(1 + operation % 255);
             if (endpoint.handleDatagram(now, path, datagram))
                 std::abort();

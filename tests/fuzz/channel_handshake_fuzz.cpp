@@ -45,12 +45,13 @@ struct Keys
 class Scene
 {
 public:
-    Scene(const Keys &keys, Role role)
+    Scene(const Keys &keys, Role role, Carrier carrier)
         : m_keys(keys), m_agentIsHere(role == Role::Agent), m_own(m_agentIsHere ? *keys.agent : *keys.station),
           m_peer{(m_agentIsHere ? keys.station : keys.agent)->publicKey, "peer", PeerRole::Pilot, {}, keys.preshared},
           m_endpoint(config(role), m_random, m_counters, m_now), m_maker(keys.agent->publicKey, m_random)
     {
         m_path.remote.ip[15] = 1;
+        m_path.carrier = carrier;
     }
 
     void act(std::uint8_t operation, ByteView bytes)
@@ -141,7 +142,8 @@ private:
 
     noise::HandshakeState peersNoise() const
     {
-        static const std::string prologue("skyseal channel v1\x01");
+        std::string prologue("skyseal channel v1");
+        prologue.push_back(static_cast<char>(m_path.carrier));
         noise::HandshakeConfig out;
         out.role = m_agentIsHere ? noise::Role::Initiator : noise::Role::Responder;
         out.prologue = asBytes(prologue);
@@ -220,7 +222,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     must(ready);
     static const Keys keys;
     ByteReader in(ByteView(data, size));
-    Scene scene(keys, in.u8() & 1 ? Role::Agent : Role::Station);
+    const std::uint8_t how = in.u8();
+    Scene scene(keys, how & 1 ? Role::Agent : Role::Station, static_cast<Carrier>(1 + (how >> 1) % 3));
     for (int count = 0; count < 24 && !in.atEnd() && in.ok(); ++count) {
         const std::uint8_t operation = in.u8();
         scene.act(operation, in.bytes(std::min<std::size_t>(in.u8(), in.remaining())));
