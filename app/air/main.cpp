@@ -33,9 +33,9 @@ void declare(Options &options)
     options.addValue("ground", "URL",
                      "Sealed link to the ground station: udpout:HOST:PORT, tcp:HOST:PORT, serial:/dev/NAME:BAUD.");
     options.addValue("carrier", "datagram|serial|tunnel",
-                     "In what sealed records travel there: each in a datagram (udpout); in COBS frames, on a line that only the "
-                     "two ends share (tcp, tcpin, serial); in MAVLink TUNNEL messages, through MAVLink routers and radios (on "
-                     "any link). Without it: datagram or serial, as the link is. The station finds out by itself.");
+                     "In what sealed records travel there: each in a datagram (udpout); in COBS frames, on a line that only "
+                     "the two ends share (tcp, tcpin, serial); in MAVLink TUNNEL messages, through MAVLink routers and "
+                     "radios (on any link). Without it: datagram or serial, as the link is. The station finds out.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
@@ -59,7 +59,8 @@ Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground
     const link::LinkScheme scheme = ground->scheme();
     if (scheme == link::LinkScheme::UdpIn || scheme == link::LinkScheme::Tlog) {
         options.fail("--ground " + ground->toText()
-                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT, tcp:HOST:PORT or a serial line");
+                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT, tcp:HOST:PORT or a serial "
+                       "line");
     }
     const bool datagrams = scheme == link::LinkScheme::UdpOut;
     const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";

@@ -13,8 +13,8 @@ namespace skyseal::channel {
 /// The most that a message takes: a code byte for each 254 bytes begun, and a zero on both sides.
 inline constexpr std::size_t kMaxCobs = kMaxDatagram + kMaxDatagram / 254 + 1 + 2;
 
-/// Writes a message of 1 to kMaxDatagram bytes and its end to `out`: how many bytes, 0 when it is none or does not fit. Before
-/// other messages than records there is a zero as well: the line may have been noise until now.
+/// Writes a message of 1 to kMaxDatagram bytes and its end to `out`: how many bytes, 0 when it is none or does not fit.
+/// Before other messages than records there is a zero as well: the line may have been noise until now.
 std::size_t writeCobs(ByteView message, MutableByteView out);
 
 /// One direction of a line. Bounded: what is too long, cut short or no COBS is forgotten at the next zero, and counted.

@@ -55,8 +55,8 @@ public:
     /// A set whose parts do not come within this time is given up; its number may mean another message by then.
     static constexpr Duration kKept = std::chrono::seconds(2);
 
-    /// The whole message once its last missing part is there: to be changed in place, until the next call. nullopt before, and
-    /// for what is no part. Another set takes the place of one that is unfinished.
+    /// The whole message once its last missing part is there: to be changed in place, until the next call. nullopt before,
+    /// and for what is no part. Another set takes the place of one that is unfinished.
     std::optional<MutableByteView> take(TimePoint now, ByteView payload);
 
 private:

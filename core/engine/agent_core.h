@@ -31,7 +31,8 @@ struct AgentConfig
     channel::Policy policy;
     /// Consent to carry clear MAVLink while no session is up: the baseline of a measurement.
     bool allowPlain = false;
-    /// In what sealed messages travel on the ground link: datagrams want a link of datagrams, COBS a stream; TUNNEL goes on both.
+    /// In what sealed messages travel on the ground link: datagrams want a link of datagrams, COBS a stream; TUNNEL takes
+    /// both.
     Carrier carrier = Carrier::Datagram;
 };
 

@@ -20,12 +20,12 @@ class CarrierReader
 public:
     /// A stream on which no COBS message came for so long may have another speaker by now.
     static constexpr Duration kBelievedFor = std::chrono::seconds(10);
-    /// A router's node that was silent for so long is forgotten.
+    /// Nodes of routers that are remembered.
     static constexpr std::size_t kMostNodes = 256;
 
     /// Calls `deliver(const link::ReceivedBlock &)` for each message in the next piece of a stream: its path is that of the
-    /// piece, in Carrier::Serial. Until the stream is known to be COBS, only what begins a conversation is taken for a message,
-    /// by its kind and length: bytes of MAVLink between two zeros can look like anything else.
+    /// piece, in Carrier::Serial. Until the stream is known to be COBS, only what begins a conversation is taken for a
+    /// message, by its kind and length: bytes of MAVLink between two zeros can look like anything else.
     template<typename Deliver> void takeCobs(const link::ReceivedBlock &piece, Deliver &&deliver)
     {
         auto &line = m_lines[piece.path];
@@ -51,10 +51,10 @@ public:
 
     /// True for a frame that may carry a message of ours.
     static bool isTunnel(const mavlink::ScanItem &item);
-    /// The message that this frame completes, from the path in Carrier::Tunnel of the node that sent it. nullopt when none is
-    /// complete, or it is meant for another node than ours.
+    /// The message that this frame completes, from the path in Carrier::Tunnel of the node that sent it. nullopt when none
+    /// is complete, or it is meant for another node than ours.
     std::optional<link::ReceivedBlock> takeTunnel(TimePoint now, const Path &from, const mavlink::Frame &frame, Node ours);
-    /// Whether it is the heartbeat by which an agent behind a router makes itself known: no vehicle's, and nobody's telemetry.
+    /// Whether it is the heartbeat by which an agent behind a router makes itself known: nobody's telemetry.
     bool isAgentsHeartbeat(const Path &from, const mavlink::Frame &frame) const;
 
 private:

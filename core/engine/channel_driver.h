@@ -15,8 +15,8 @@ namespace skyseal::engine {
 class ChannelDriver
 {
 public:
-    /// So long a frame waits for company on a slow link, unless it is urgent: a head and a tag are as long as half a frame of
-    /// telemetry, and nobody sees a fortieth of a second.
+    /// So long a frame waits for company on a slow link, unless it is urgent: a head and a tag are as long as half a frame
+    /// of telemetry, and nobody sees a twenty-fifth of a second.
     static constexpr Duration kCompany = std::chrono::milliseconds(40);
 
     ChannelDriver(channel::Endpoint endpoint, LinkPool &links);

@@ -33,8 +33,8 @@ public:
     void remove(LinkId id);
     link::Link *find(LinkId id) const;
 
-    /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds nothing);
-    /// dropped when the link is gone or only listens.
+    /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds
+    /// nothing); dropped when the link is gone or only listens.
     void send(const Path &to, ByteView block);
     /// What goes in Carrier::Tunnel is said under these ids.
     CarrierWriter &carriers() { return m_carriers; }

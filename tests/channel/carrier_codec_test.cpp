@@ -33,7 +33,8 @@ Bytes paperCobs(ByteView message)
         while (end < message.size() && end - at < 254 && message[end] != 0)
             ++end;
         out.push_back(static_cast<std::uint8_t>(end - at + 1));
-        out.insert(out.end(), message.begin() + static_cast<std::ptrdiff_t>(at), message.begin() + static_cast<std::ptrdiff_t>(end));
+        const ByteView block = message.subspan(at, end - at);
+        out.insert(out.end(), block.begin(), block.end());
         const bool full = end - at == 254;
         more = full ? end < message.size() : end < message.size() && message[end] == 0;
         at = full ? end : end + 1;
@@ -321,7 +322,9 @@ void CarrierCodecTest::moreSendersThanRoom()
     TunnelReader reader;
     const Bytes message(200, 0x50);
     const auto parts = partsOf(message, 1);
-    const auto path = [](std::size_t i) { return Path{LinkId{1}, {}, Carrier::Tunnel, {static_cast<std::uint8_t>(i + 1), 191}}; };
+    const auto path = [](std::size_t i) {
+        return Path{LinkId{1}, {}, Carrier::Tunnel, {static_cast<std::uint8_t>(i + 1), 191}};
+    };
     TimePoint now{1s};
     for (std::size_t i = 0; i <= TunnelReader::kSenders; ++i)
         QVERIFY(!reader.take(now += 1ms, path(i), parts[0]));

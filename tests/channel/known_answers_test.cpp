@@ -280,8 +280,8 @@ void KnownAnswersTest::records()
 void KnownAnswersTest::carriers()
 {
     const auto sealed = [this](Carrier carrier) {
-        return sealedByStation(SuiteId::ChaCha20Poly1305, secretOf(m_answers["direction secret"]), 5, kCounter, m_answers["frame"],
-                               carrier);
+        return sealedByStation(SuiteId::ChaCha20Poly1305, secretOf(m_answers["direction secret"]), 5, kCounter,
+                               m_answers["frame"], carrier);
     };
     const auto cobs = [](ByteView message) {
         Bytes out(kMaxCobs);

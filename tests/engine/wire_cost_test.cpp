@@ -1,5 +1,5 @@
-// What sealing costs on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames wait for
-// company there. The clock is simulated, the device is a pseudo-terminal, the far end reads what arrives and opens it.
+// What sealing costs on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames wait
+// for company there. The clock is simulated, the device is a pseudo-terminal, the far end reads what arrives and opens it.
 #include "core/crypto/init_crypto.h"
 #include "core/engine/carrier_reader.h"
 #include "core/engine/channel_driver.h"
@@ -87,7 +87,8 @@ std::vector<TimedFrame> telemetry(TimePoint from, Duration span)
         for (auto &byte : payload)
             byte = static_cast<std::uint8_t>(random() % 255 + 1);
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-        const auto bytes = mavlink::writeFrame(buffer, 2, sequence++, 1, 1, stream.id, info->crcExtra, info->minLength, payload);
+        const auto bytes =
+            mavlink::writeFrame(buffer, 2, sequence++, 1, 1, stream.id, info->crcExtra, info->minLength, payload);
         frame.bytes.assign(bytes.begin(), bytes.end());
     }
     return out;
@@ -198,7 +199,8 @@ private:
     {
         while (const auto out = m_station->pollTransmit()) {
             Bytes bytes(out->bytes.begin(), out->bytes.end());
-            m_driver->receive(now, {LinkId{1}, {}, m_carrier, m_carrier == Carrier::Tunnel ? Node{255, 190} : Node{}}, bytes);
+            const Node node = m_carrier == Carrier::Tunnel ? Node{255, 190} : Node{};
+            m_driver->receive(now, {LinkId{1}, {}, m_carrier, node}, bytes);
         }
     }
 
@@ -316,7 +318,8 @@ void WireCostTest::sealedCostsNoMoreThanSigned()
     QFETCH(double, most);
     const Cost cost = measure(static_cast<Carrier>(carrier), static_cast<crypto::SuiteId>(suite), true);
     QVERIFY(cost.complete);
-    QVERIFY2(cost.sealedPercent <= (most > 0 ? most * 100 : cost.signedPercent), qPrintable(QString::number(cost.sealedPercent)));
+    const double bar = most > 0 ? most * 100 : cost.signedPercent;
+    QVERIFY2(cost.sealedPercent <= bar, qPrintable(QString::number(cost.sealedPercent)));
 }
 
 /// What company is worth.

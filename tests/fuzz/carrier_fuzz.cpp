@@ -1,5 +1,5 @@
-// The codecs of the carriers, which take bytes from anybody: whatever comes, they stay within their memory, a COBS frame that
-// is read and written again is read as the same message, and what was written is always found behind garbage.
+// The codecs of the carriers, which take bytes from anybody: whatever comes, they stay within their memory, a COBS frame
+// that is read and written again is read as the same message, and what was written is always found behind garbage.
 #include "core/base/byte_reader.h"
 #include "core/channel/cobs.h"
 #include "core/channel/tunnel_parts.h"
@@ -44,7 +44,9 @@ void readLine(ByteView line)
     const std::array<std::uint8_t, 5> message{0x54, 0, 1, 0, 0xff};
     const std::size_t size = writeCobs(message, frame);
     std::size_t found = 0;
-    const auto count = [&](MutableByteView read) { found += std::equal(read.begin(), read.end(), message.begin(), message.end()); };
+    const auto count = [&](MutableByteView read) {
+        found += std::equal(read.begin(), read.end(), message.begin(), message.end());
+    };
     const std::array<std::uint8_t, 1> zero{};
     reader.feed(zero, [](MutableByteView) {});
     reader.feed(ByteView(frame).first(size), count);

@@ -53,11 +53,13 @@ private:
             std::array<std::uint8_t, 2048> buffer;
             quint16 sender = 0;
             QHostAddress address;
-            const qint64 size = from.socket.readDatagram(reinterpret_cast<char *>(buffer.data()), buffer.size(), &address, &sender);
+            auto *const place = reinterpret_cast<char *>(buffer.data());
+            const qint64 size = from.socket.readDatagram(place, buffer.size(), &address, &sender);
             if (size <= 0)
                 continue;
             from.remote = sender;
-            mavlink::FrameScanner scanner(ByteView(buffer).first(static_cast<std::size_t>(size)), mavlink::Dialect::builtin());
+            const ByteView datagram(buffer.data(), static_cast<std::size_t>(size));
+            mavlink::FrameScanner scanner(datagram, mavlink::Dialect::builtin());
             while (const auto item = scanner.next()) {
                 if (item->frame)
                     route(from, *item->frame);

@@ -35,7 +35,8 @@ public:
         }
         for (std::size_t end = 0; end < 2; ++end) {
             m_notifiers[end] = std::make_unique<QSocketNotifier>(m_masters[end], QSocketNotifier::Read);
-            QObject::connect(m_notifiers[end].get(), &QSocketNotifier::activated, m_notifiers[end].get(), [this, end] { carry(end); });
+            QSocketNotifier *const notifier = m_notifiers[end].get();
+            QObject::connect(notifier, &QSocketNotifier::activated, notifier, [this, end] { carry(end); });
         }
     }
     ~NullModem()

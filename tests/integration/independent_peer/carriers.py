@@ -22,7 +22,8 @@ def payloads(message, number):
     if len(message) <= PAYLOAD:
         return [message]
     parts = [message[at:at + PART] for at in range(0, len(message), PART)]
-    return [bytes([0x80 | 4 * (i + 1 == len(parts)) | i]) + number.to_bytes(2, "little") + part for i, part in enumerate(parts)]
+    return [bytes([0x80 | 4 * (i + 1 == len(parts)) | i]) + number.to_bytes(2, "little") + part
+            for i, part in enumerate(parts)]
 
 
 def tunnel(source, target, sequence, payload):
