@@ -9,6 +9,9 @@
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
+#include <csignal>
+#include <sys/prctl.h>
+
 namespace skyseal::test {
 
 namespace {
@@ -27,6 +30,7 @@ Program::Program(const QString &name, const QStringList &arguments)
 {
     const QString path = name.contains(QLatin1Char('/')) ? name : QStringLiteral(SKYSEAL_BIN_DIR "/") + name;
     QObject::connect(&m_process, &QProcess::readyReadStandardOutput, &m_process, [this] { drain(); });
+    m_process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }); // a test that crashes leaves nothing running
     m_process.start(path, arguments);
     if (!m_process.waitForStarted(10000))
         qWarning("%s did not start: %s", qPrintable(path), qPrintable(m_process.errorString()));
