@@ -88,7 +88,7 @@ void AgentCore::setPeers(std::vector<channel::Peer> peers)
 
 Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::shared_ptr<const Key32> passphraseKey)
 {
-    if (m_armed)
+    if (!m_armed.empty())
         return tl::unexpected(PairingRefusal::Armed);
     if (m_pairing.isOpen())
         return tl::unexpected(PairingRefusal::OpenAlready);
@@ -129,8 +129,12 @@ void AgentCore::noteArmed(TimePoint now, const mavlink::Frame &frame)
     const mavlink::Heartbeat beat = mavlink::Heartbeat::decode(frame.payload());
     if (beat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
         return;
-    m_armed = (beat.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
-    if (m_armed && m_pairing.isOpen())
+    const std::pair who(frame.systemId(), frame.componentId());
+    if ((beat.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) == 0)
+        m_armed.erase(who); // but not another vehicle behind the same agent
+    else
+        m_armed.insert(who);
+    if (!m_armed.empty() && m_pairing.isOpen())
         m_pairing.cancel(now, channel::PairingEnd::Armed);
 }
 

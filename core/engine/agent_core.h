@@ -20,6 +20,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
+#include <utility>
 #include <variant>
 
 namespace skyseal::engine {
@@ -140,7 +142,7 @@ private:
     std::map<std::pair<channel::SessionId, FramesRefused::Reason>, FramesRefused> m_refusedUntold;
     std::vector<channel::SessionId> m_sessions;
     std::uint64_t m_garbage = 0;
-    bool m_armed = false; ///< as the autopilot said last
+    std::set<std::pair<std::uint8_t, std::uint8_t>> m_armed; ///< systems and components, each as its heartbeat said last
     TimePoint m_beatDue = kNever; ///< while nobody knows as whom
     bool m_stopped = false;
     DeadlineTimer m_timer;

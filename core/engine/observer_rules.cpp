@@ -30,7 +30,6 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
 {
     switch (frame.messageId()) {
     case mavlink::Ping::kId:
-    case mavlink::Timesync::kId:
     case mavlink::ParamRequestRead::kId:
     case mavlink::ParamRequestList::kId:
     case kParamExtRequestRead:
@@ -39,6 +38,8 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
     case mavlink::MissionRequest::kId:
     case mavlink::MissionRequestInt::kId:
         return true;
+    case mavlink::Timesync::kId: // the question alone: PX4 sets its clock's offset by an answer
+        return mavlink::Timesync::decode(frame.payload()).tc1 == 0;
     case mavlink::MissionAck::kId: // the end of a download; any other result would cancel one
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
     case mavlink::RequestDataStream::kId:

@@ -6,7 +6,7 @@
 //   own link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
 // - SET_MESSAGE_INTERVAL, and REQUEST_DATA_STREAM while a pilot is there: the rates are the autopilot's, one set for all
 //   stations behind an agent, so that an observer could take the pilot's instruments away.
-// - SYSTEM_TIME sets clocks; FILE_TRANSFER_PROTOCOL writes as well as it reads; LOG_REQUEST_DATA stops logging.
+// - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads; LOG_REQUEST_DATA stops logging.
 #pragma once
 
 #include "core/mavlink/frame.h"

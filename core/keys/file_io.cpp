@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <optional>
 #include <sodium.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -141,15 +142,14 @@ Result<void, InputError> createFile(const std::string &path, ByteView content)
     return {};
 }
 
-Result<void, InputError> replaceFile(const std::string &path, ByteView content)
+/// `mode`: of the file as it was, if it is to be kept.
+static Result<void, InputError> replace(const std::string &path, ByteView content, std::optional<::mode_t> mode)
 {
-    struct stat old{};
-    const bool exists = ::stat(path.c_str(), &old) == 0;
     std::string temporary = path + ".XXXXXX";
     Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC)); // mode 0600
     if (!file.isOpen())
         return tl::unexpected(systemError(path, "cannot be written"));
-    const bool written = (!exists || ::fchmod(file.number(), old.st_mode & 0777) == 0) && writeAll(file.number(), content)
+    const bool written = (!mode || ::fchmod(file.number(), *mode & 0777) == 0) && writeAll(file.number(), content)
         && ::fsync(file.number()) == 0 && file.close() && ::rename(temporary.c_str(), path.c_str()) == 0;
     if (!written) {
         const InputError error = systemError(path, "cannot be written");
@@ -158,6 +158,17 @@ Result<void, InputError> replaceFile(const std::string &path, ByteView content)
     }
     syncFolder(path);
     return {};
+}
+
+Result<void, InputError> replaceFile(const std::string &path, ByteView content)
+{
+    struct stat old{};
+    return replace(path, content, ::stat(path.c_str(), &old) == 0 ? std::optional(old.st_mode) : std::nullopt);
+}
+
+Result<void, InputError> replaceSecretFile(const std::string &path, ByteView content)
+{
+    return replace(path, content, std::nullopt);
 }
 
 Result<FileLock, InputError> FileLock::take(const std::string &path)

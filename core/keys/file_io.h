@@ -34,6 +34,8 @@ Result<void, InputError> createFile(const std::string &path, ByteView content);
 /// Replaces a file as a whole, or creates it: written beside it, synced, renamed. Keeps the permissions of the old one; a
 /// new one is for the owner alone.
 Result<void, InputError> replaceFile(const std::string &path, ByteView content);
+/// The same for a secret: afterwards it is for the owner alone, whoever could read the old one.
+Result<void, InputError> replaceSecretFile(const std::string &path, ByteView content);
 
 /// Locks across processes, for as long as it lives, the right to change a file. The lock is the file `path`.lock.
 class FileLock

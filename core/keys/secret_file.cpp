@@ -144,7 +144,7 @@ Result<void, InputError> writeIdentity(const std::string &path, const X25519KeyP
 Result<void, InputError> rewriteIdentity(const std::string &path, const X25519KeyPair &pair, RandomSource &random,
                                          const Sealing &sealing)
 {
-    return write(&replaceFile, path, pair, random, sealing);
+    return write(&replaceSecretFile, path, pair, random, sealing);
 }
 
 Result<X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random, const Sealing &sealing)
@@ -171,7 +171,7 @@ Result<Key32, InputError> writeNewPresharedKey(const std::string &path, RandomSo
 
 Result<void, InputError> writePresharedKey(const std::string &path, const Key32 &secret)
 {
-    return writeText(&replaceFile, path, plainText(SecretKind::PresharedKey, secret));
+    return writeText(&replaceSecretFile, path, plainText(SecretKind::PresharedKey, secret));
 }
 
 } // namespace skyseal::keys

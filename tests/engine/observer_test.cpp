@@ -84,6 +84,7 @@ Frames acts()
         frameOf(SetHomePosition{.target_system = 1}),
         frameOf(Heartbeat{.type = MAV_TYPE_GCS, .autopilot = MAV_AUTOPILOT_INVALID}),
         frameOf(SystemTime{.time_unix_usec = 1}),
+        frameOf(Timesync{.tc1 = 7, .ts1 = 5}),
         frameOf(SetupSigning{.target_system = 1, .target_component = 1}),
         frameOf(RequestDataStream{.target_system = 1, .target_component = 1, .start_stop = 0}),
         frameOf(180'000, 77, 4, Bytes(4, 1)), // of no dialect that is known here

@@ -24,10 +24,11 @@ Program::Predicate stateIs(const char *state)
 }
 
 /// A HEARTBEAT of an autopilot, MAVLink 1.
-QByteArray heartbeat(bool armed)
+QByteArray heartbeat(bool armed, std::uint8_t systemId = 1)
 {
     static constexpr std::uint8_t kCrcExtra = 50;
     QByteArray frame = QByteArray::fromHex("fe0900010100000000000203");
+    frame[3] = static_cast<char>(systemId);
     frame.append(static_cast<char>(armed ? 0x81 : 0x01)).append('\x04').append('\x03');
     const ByteView covered(reinterpret_cast<const std::uint8_t *>(frame.constData()) + 1, static_cast<std::size_t>(frame.size()) - 1);
     const std::uint16_t crc = mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, covered), {&kCrcExtra, 1});
@@ -249,6 +250,7 @@ void PairingTest::sendHeartbeats(Program &until, const char *event, const Progra
     QJsonObject heard;
     for (int i = 0; i < 100 && heard.isEmpty(); ++i) {
         autopilot.writeDatagram(heartbeat(armed), QHostAddress::LocalHost, m_vehiclePort);
+        autopilot.writeDatagram(heartbeat(false, 2), QHostAddress::LocalHost, m_vehiclePort); // another one, on the ground
         heard = until.waitFor(QLatin1String(event), 100, predicate);
     }
     QVERIFY(!heard.isEmpty());

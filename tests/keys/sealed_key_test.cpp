@@ -239,6 +239,7 @@ void SealedKeyTest::passphraseIsChangedAndTakenAway()
         QVERIFY(loadIdentity(path, answering({std::string(asText(passphrase->view()))}))->secret.equals(pair->secret));
     }
     QVERIFY(!loadIdentity(path, answering({"one"})));
+    QCOMPARE(::chmod(path.c_str(), 0644), 0); // a secret is never written where others can read it
     QVERIFY(rewriteIdentity(path, *pair, m_random, {}).has_value());
     QVERIFY(loadIdentity(path)->secret.equals(pair->secret));
     QCOMPARE(test::modeOf(path), mode_t(0600));
