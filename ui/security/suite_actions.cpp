@@ -48,7 +48,7 @@ QString SuiteActions::whyNot(SuiteId suite) const
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
     if (m_held)
-        return tr("sweep running");
+        return tr("in a sweep");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
     if (channel::strengthOf(suite) < channel::strengthOf(m_weakest))
