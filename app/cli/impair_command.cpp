@@ -10,6 +10,8 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QElapsedTimer>
 
+#include <functional>
+
 namespace skyseal::app {
 
 namespace {
@@ -29,6 +31,8 @@ void declare(Options &options)
     options.addValue("duration", "S", "End after so many seconds.");
     options.addFlag("json", "One JSON object a line on stdout.");
     options.addFlag("drops", "With --json, a line for every datagram that is dropped.");
+    options.addFlag("datagrams", "With --json, a line for every datagram that comes in, with its fate and what of its "
+                                 "contents is in the clear, and one for every copy that goes out.");
 }
 
 impair::Settings readSettings(Options &options)
@@ -61,6 +65,25 @@ std::string inWords(const link::Impairer &impairer)
     return direction("->", link::Impairer::Direction::Forward) + "; " + direction("<-", link::Impairer::Direction::Backward);
 }
 
+using Elapsed = std::function<std::chrono::milliseconds()>;
+
+void logDatagrams(link::Impairer &impairer, bool all, const Elapsed &elapsed)
+{
+    using Direction = link::Impairer::Direction;
+    impairer.setLog([all, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict,
+                                   const link::DatagramContents &contents) {
+        if (all)
+            printLine(link::arrivalJson(direction, elapsed(), verdict, contents));
+        else if (verdict.dropped())
+            printLine(link::dropJson(direction, elapsed(), verdict));
+    });
+    if (all) {
+        impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {
+            printLine(link::deliveryJson(direction, elapsed(), sequence));
+        });
+    }
+}
+
 } // namespace
 
 int runImpair(const QStringList &arguments)
@@ -84,12 +107,8 @@ int runImpair(const QStringList &arguments)
     clock.start();
     const auto elapsed = [&clock] { return std::chrono::milliseconds(clock.elapsed()); };
     const auto report = [&](const char *event) { printLine(link::statsJson(event, impairer, elapsed())); };
-    if (json && options.has("drops")) {
-        impairer.setLog([&](link::Impairer::Direction direction, TimePoint, const impair::Verdict &verdict) {
-            if (verdict.dropped())
-                printLine(link::dropJson(direction, elapsed(), verdict));
-        });
-    }
+    if (json && (options.has("drops") || options.has("datagrams")))
+        logDatagrams(impairer, options.has("datagrams"), elapsed);
     int status = kDone;
     QObject::connect(&impairer, &link::Impairer::linkStateChanged, qApp, [&](link::Link &link) {
         if (link.state() == link::LinkState::Failed) {

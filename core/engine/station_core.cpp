@@ -413,7 +413,7 @@ void StationCore::everyQuarterSecond(TimePoint now)
     bool anyUp = false;
     for (auto &[systemId, watch] : m_vehicleWatches) {
         const metrics::SequenceCounts counts = m_sequences.countsOfSystem(systemId);
-        watch.loss.note(counts.received, counts.lost);
+        watch.loss.note(counts.received - counts.duplicate, counts.lost);
         watch.frames.note(counts.received);
         const bool lost = m_vehicles.find(systemId)->isLost(now);
         anyUp = anyUp || (!lost && !watch.ended);

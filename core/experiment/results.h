@@ -2,6 +2,7 @@
 // (means, figures, reports) is computed from this.
 #pragma once
 
+#include "core/channel/stats.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/plan.h"
 
@@ -11,6 +12,19 @@
 
 namespace skyseal::experiment {
 
+/// What was counted up to a moment, since the link was opened for this and its neighbouring runs: whole numbers, so that a
+/// run's losses can be checked one by one against somebody else's account of the same link.
+struct Counted
+{
+    struct Frames
+    {
+        std::uint64_t taken = 0, lost = 0, late = 0, duplicate = 0;
+    };
+    Frames mavlink;               ///< by MAVLink's sequence numbers
+    channel::ReceiveCounters rx;  ///< records to the station
+    channel::ReceiveCounters tx;  ///< records to the agent, as it told last
+};
+
 struct Sample
 {
     Run run;
@@ -18,6 +32,7 @@ struct Sample
     double start = 0;    ///< seconds since the sweep began
     double seconds = 0;  ///< that were measured
     Values values;
+    Counted begin, end;  ///< at the run's edges
     std::string problem; ///< why nothing was measured; empty when all is well
 };
 

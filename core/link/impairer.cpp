@@ -18,7 +18,7 @@ Impairer::Side Impairer::makeSide(const LinkUrl &url, LinkId id, const impair::S
     auto link = makeLink(url, id, *this, options);
     connect(link.get(), &Link::stateChanged, this, [this, made = link.get()] { Q_EMIT linkStateChanged(*made); });
     // What leaves by link 1 goes forward and is stream 0.
-    return {std::move(link), impair::Impairment(settings, id == LinkId{1} ? 0 : 1), {}, 0};
+    return {std::move(link), impair::Impairment(settings, id == LinkId{1} ? 0 : 1), {}, {}};
 }
 
 void Impairer::open()
@@ -37,7 +37,9 @@ void Impairer::close()
 Impairer::Totals Impairer::totals(Direction direction) const
 {
     const Side &side = m_sides[direction == Direction::Forward ? 1 : 0];
-    return {side.outgoing.counters(), side.unroutable, side.droppedRecords};
+    Totals out = side.totals;
+    out.counters = side.outgoing.counters();
+    return out;
 }
 
 bool Impairer::hasPeer(const Side &side) const
@@ -59,18 +61,28 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
     if (link.remote() == Address{})
         source.peer = blocks.back().path.remote;
     if (!hasPeer(target)) {
-        target.unroutable += blocks.size();
+        target.totals.unroutable += blocks.size();
         return;
     }
     const Direction direction = from == 0 ? Direction::Forward : Direction::Backward;
-    for (const ReceivedBlock &block : blocks) {
-        const bool isRecord = !block.bytes.empty() && (block.bytes[0] & 0xc8) == 0x40;
-        const impair::Verdict verdict = target.outgoing.push(block.time, block.bytes);
-        target.droppedRecords += isRecord && verdict.dropped();
-        if (m_log)
-            m_log(direction, block.time, verdict);
-    }
+    for (const ReceivedBlock &block : blocks)
+        take(block, direction, target);
     release();
+}
+
+void Impairer::take(const ReceivedBlock &block, Direction direction, Side &target)
+{
+    const DatagramContents contents = contentsOf(block.bytes);
+    const impair::Verdict verdict = target.outgoing.push(block.time, block.bytes);
+    if (verdict.dropped()) {
+        target.totals.droppedRecords += contents.sealedUnits();
+        target.totals.droppedFrames += contents.clearFrames();
+    } else if (verdict.duplicated) {
+        target.totals.duplicatedRecords += contents.sealedUnits();
+        target.totals.duplicatedFrames += contents.clearFrames();
+    }
+    if (m_log)
+        m_log(direction, block.time, verdict, contents);
 }
 
 void Impairer::release()
@@ -79,8 +91,11 @@ void Impairer::release()
     TimePoint next = kNever;
     for (Side &side : m_sides) {
         impair::Impairment::Delivery delivery;
-        while (side.outgoing.pop(now, delivery))
+        while (side.outgoing.pop(now, delivery)) {
             side.link->send(side.link->remote() == Address{} ? side.peer : Address{}, delivery.bytes);
+            if (m_deliveryLog)
+                m_deliveryLog(&side == &m_sides[1] ? Direction::Forward : Direction::Backward, now, delivery.sequence);
+        }
         side.link->flush();
         next = std::min(next, side.outgoing.nextDeadline());
     }
@@ -113,6 +128,9 @@ static void writeTotals(JsonWriter &json, const Impairer::Totals &totals)
         .field("waiting", c.waiting)
         .field("unroutable", totals.unroutable)
         .field("dropped_records", totals.droppedRecords)
+        .field("dropped_frames", totals.droppedFrames)
+        .field("duplicated_records", totals.duplicatedRecords)
+        .field("duplicated_frames", totals.duplicatedFrames)
         .endObject();
 }
 
@@ -128,17 +146,48 @@ std::string statsJson(const char *event, const Impairer &impairer, Duration sinc
     return json.text();
 }
 
-std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict)
+static JsonWriter begin(const char *event, Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence)
 {
     JsonWriter json;
-    json.beginObject()
-        .field("event", "drop")
-        .field("t", seconds(sinceStart))
-        .field("direction", name(direction))
-        .field("sequence", verdict.sequence)
-        .field("bytes", static_cast<std::uint64_t>(verdict.bytes))
+    json.beginObject().field("event", event).field("t", seconds(sinceStart));
+    json.field("direction", name(direction)).field("sequence", sequence);
+    return json;
+}
+
+std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict)
+{
+    JsonWriter json = begin("drop", direction, sinceStart, verdict.sequence);
+    json.field("bytes", static_cast<std::uint64_t>(verdict.bytes))
         .field("reason", verdict.fate == impair::Verdict::Fate::Lost ? "loss" : "queue")
         .endObject();
+    return json.text();
+}
+
+std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
+                        const DatagramContents &contents)
+{
+    using Fate = impair::Verdict::Fate;
+    JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
+    json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
+    json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
+    json.field("duplicated", verdict.duplicated).field("held_back", verdict.heldBack).field("corrupted", verdict.corrupted);
+    json.field("sealed", contents.sealedUnits());
+    if (contents.connection)
+        json.field("connection", std::uint32_t{*contents.connection});
+    json.key("frames").beginArray();
+    for (const DatagramContents::Frame &frame : contents.frames) {
+        json.beginArray();
+        json.value(std::uint64_t{frame.system}).value(std::uint64_t{frame.component}).value(std::uint64_t{frame.sequence});
+        json.endArray();
+    }
+    json.endArray().endObject();
+    return json.text();
+}
+
+std::string deliveryJson(Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence)
+{
+    JsonWriter json = begin("out", direction, sinceStart, sequence);
+    json.endObject();
     return json.text();
 }
 

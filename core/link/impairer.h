@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/impair/impairment.h"
+#include "core/link/datagram_contents.h"
 #include "core/link/make_link.h"
 
 #include <QtCore/QTimer>
@@ -32,15 +33,20 @@ public:
     {
         impair::Counters counters;
         std::uint64_t unroutable = 0; ///< came before anyone was known on the other side: not offered, not counted there
-        /// Of those dropped, sealed records (not handshakes), by their first byte: what a sealed link must miss, and no more.
-        std::uint64_t droppedRecords = 0;
+        /// What is in datagrams that were dropped, or went out twice: sealed units (records, and frames sealed in place; no
+        /// handshakes) and MAVLink frames in the clear. What a link must miss, and no more.
+        std::uint64_t droppedRecords = 0, droppedFrames = 0;
+        std::uint64_t duplicatedRecords = 0, duplicatedFrames = 0;
     };
     Totals totals(Direction direction) const;
 
-    /// What was done with one datagram, at the time it came in.
-    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &)>;
+    /// What was done with one datagram, at the time it came in, and what was in it.
+    using Log = std::function<void(Direction, TimePoint, const impair::Verdict &, const DatagramContents &)>;
     /// Called for every datagram; nothing when empty.
     void setLog(Log log) { m_log = std::move(log); }
+    /// A copy of the datagram with this number went out.
+    using DeliveryLog = std::function<void(Direction, TimePoint, std::uint64_t sequence)>;
+    void setDeliveryLog(DeliveryLog log) { m_deliveryLog = std::move(log); }
 
 Q_SIGNALS:
     /// One of the two links changed its state.
@@ -52,19 +58,20 @@ private:
         std::unique_ptr<Link> link;
         impair::Impairment outgoing; ///< towards this side's peer
         Address peer; ///< whoever sent here last, for links without a fixed remote
-        std::uint64_t unroutable = 0;
-        std::uint64_t droppedRecords = 0;
+        Totals totals; ///< all but the impairment's own counters
     };
 
     void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override;
     void linkPeerJoined(Link &link, const Path &path) override;
     bool hasPeer(const Side &side) const;
+    void take(const ReceivedBlock &block, Direction direction, Side &target);
     void release();
     Side makeSide(const LinkUrl &url, LinkId id, const impair::Settings &settings, const LinkOptions &options);
 
     std::array<Side, 2> m_sides;
     QTimer m_timer;
     Log m_log;
+    DeliveryLog m_deliveryLog;
 };
 
 /// "forward" or "backward".
@@ -74,5 +81,11 @@ const char *name(Impairer::Direction direction);
 std::string statsJson(const char *event, const Impairer &impairer, Duration sinceStart);
 /// {"event":"drop","t":…,"direction":…,"sequence":…,"bytes":…,"reason":"loss"|"queue"}
 std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict);
+/// {"event":"in","t":…,"direction":…,"sequence":…,"bytes":…,"fate":"passed"|"lost"|"queue_full","duplicated":…,
+/// "held_back":…,"corrupted":…,"sealed":N,"connection":… (of a record),"frames":[[system,component,sequence],…]}
+std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
+                        const DatagramContents &contents);
+/// {"event":"out","t":…,"direction":…,"sequence":…}
+std::string deliveryJson(Impairer::Direction direction, Duration sinceStart, std::uint64_t sequence);
 
 } // namespace skyseal::link

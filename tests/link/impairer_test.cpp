@@ -30,9 +30,8 @@ private:
             : station(openLink("udpin:127.0.0.1:0", stationHeard)),
               relay(*LinkUrl::parse("udpin:127.0.0.1:0"), *LinkUrl::parse("udpout:" + station->localAddress()), settings)
         {
-            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict) {
-                verdicts[direction].push_back(verdict);
-            });
+            relay.setLog([this](Impairer::Direction direction, TimePoint, const impair::Verdict &verdict,
+                                const DatagramContents &) { verdicts[direction].push_back(verdict); });
             relay.open();
             agent = openLink("udpout:" + relay.listenLink().localAddress(), agentHeard);
         }

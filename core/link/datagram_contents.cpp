@@ -1,0 +1,57 @@
+#include "core/link/datagram_contents.h"
+
+#include "core/channel/inline_frame.h"
+#include "core/channel/record.h"
+
+#include <algorithm>
+
+namespace skyseal::link {
+
+namespace {
+
+constexpr std::uint8_t kMagic1 = 0xfe, kMagic2 = 0xfd;
+constexpr std::size_t kHeader1 = 6, kHeader2 = 10, kChecksum = 2;
+constexpr std::uint8_t kIsSigned = 0x01;
+
+/// The length of the frame that begins here; 0 when none does, or not all of it is there.
+std::size_t frameLength(ByteView bytes)
+{
+    std::size_t length = 0;
+    if (bytes.size() > kHeader1 && bytes[0] == kMagic1)
+        length = kHeader1 + bytes[1] + kChecksum;
+    else if (bytes.size() > kHeader2 && bytes[0] == kMagic2)
+        length = kHeader2 + bytes[1] + kChecksum + ((bytes[2] & kIsSigned) != 0 ? channel::kInlineTrailer : 0);
+    return length <= bytes.size() ? length : 0;
+}
+
+} // namespace
+
+std::uint64_t DatagramContents::clearFrames() const
+{
+    return static_cast<std::uint64_t>(
+        std::count_if(frames.begin(), frames.end(), [](const Frame &frame) { return !frame.sealedInPlace; }));
+}
+
+std::uint64_t DatagramContents::sealedUnits() const
+{
+    return frames.size() - clearFrames() + (connection ? 1 : 0);
+}
+
+DatagramContents contentsOf(ByteView datagram)
+{
+    DatagramContents out;
+    if (const auto record = channel::RecordHeader::read(datagram); record && record->kind == channel::DatagramKind::Record) {
+        out.connection = static_cast<std::uint16_t>(record->connection);
+        return out;
+    }
+    while (const std::size_t length = frameLength(datagram)) {
+        if (datagram[0] == kMagic1)
+            out.frames.push_back({datagram[3], datagram[4], datagram[2], false});
+        else
+            out.frames.push_back({datagram[5], datagram[6], datagram[4], datagram[2] == channel::kInlineFlags});
+        datagram = datagram.subspan(length);
+    }
+    return out;
+}
+
+} // namespace skyseal::link

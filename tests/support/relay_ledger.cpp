@@ -1,0 +1,165 @@
+#include "tests/support/relay_ledger.h"
+
+#include <QtCore/QJsonArray>
+
+#include <map>
+#include <set>
+#include <utility>
+
+namespace skyseal::test {
+
+namespace {
+
+/// Numbers of one counter, in the order in which they were sent from 0.
+struct Stream
+{
+    qint64 next = 0;   ///< sent so far
+    qint64 newest = -1; ///< that arrived
+    std::set<qint64> arrived;
+
+    enum class Arrival { Newest, Late, Again };
+    Arrival take(qint64 number)
+    {
+        if (!arrived.insert(number).second)
+            return Arrival::Again;
+        return number > std::exchange(newest, std::max(newest, number)) ? Arrival::Newest : Arrival::Late;
+    }
+};
+
+struct Place
+{
+    int stream = 0;
+    qint64 number = 0;
+};
+
+struct Datagram
+{
+    std::vector<Place> sealed; ///< streams are sessions
+    std::vector<Place> frames; ///< streams are senders
+    bool inPlace = false;
+};
+
+/// MAVLink's 8 bits made whole, from the order in which a sender's frames passed.
+struct Sender
+{
+    int last = -1;
+    qint64 first = -1; ///< that arrived: what was lost before it nobody can know
+    Stream stream;
+};
+
+class Replay
+{
+public:
+    explicit Replay(std::vector<RelayLedger::Sealed> &sealed, std::vector<RelayLedger::Frames> &frames)
+        : m_sealed(sealed), m_frames(frames)
+    {
+    }
+
+    Datagram takeIn(const QJsonObject &event)
+    {
+        Datagram out;
+        const qint64 units = event[QLatin1String("sealed")].toInteger();
+        // Frames sealed in place do not say of which session they are.
+        m_session = event[QLatin1String("connection")].toInt(m_session);
+        for (qint64 i = 0; i < units; ++i)
+            out.sealed.push_back({m_session, m_sessions[m_session].next++});
+        for (const QJsonValue frame : event[QLatin1String("frames")].toArray()) {
+            const QJsonArray parts = frame.toArray();
+            const int key = parts[0].toInt() * 256 + parts[1].toInt();
+            Sender &sender = m_senders[key];
+            const int sequence = parts[2].toInt();
+            sender.stream.next += sender.last < 0 ? 0 : (sequence - sender.last) & 0xff;
+            sender.last = sequence;
+            out.frames.push_back({key, sender.stream.next});
+        }
+        out.inPlace = units > 0;
+        return out;
+    }
+
+    void takeOut(const Datagram &datagram)
+    {
+        bool copy = false;
+        for (const Place &place : datagram.sealed)
+            copy = takeSealed(place);
+        for (const Place &place : datagram.frames) {
+            if (!datagram.inPlace || !copy)
+                takeFrame(place);
+        }
+    }
+
+private:
+    bool takeSealed(const Place &place)
+    {
+        Stream &session = m_sessions[place.stream];
+        const qint64 before = session.newest;
+        const Stream::Arrival arrival = session.take(place.number);
+        RelayLedger::Sealed now = m_sealed.back();
+        now.good += arrival != Stream::Arrival::Again;
+        now.late += arrival == Stream::Arrival::Late;
+        now.replayed += arrival == Stream::Arrival::Again;
+        now.lost += arrival == Stream::Arrival::Newest ? place.number - before - 1 : arrival == Stream::Arrival::Late ? -1 : 0;
+        m_sealed.push_back(now);
+        return arrival == Stream::Arrival::Again;
+    }
+
+    void takeFrame(const Place &place)
+    {
+        Sender &sender = m_senders[place.stream];
+        const qint64 before = sender.stream.newest;
+        const bool first = sender.first < 0;
+        if (first)
+            sender.first = place.number;
+        const Stream::Arrival arrival = sender.stream.take(place.number);
+        RelayLedger::Frames now = m_frames.back();
+        ++now.received;
+        now.duplicate += arrival == Stream::Arrival::Again;
+        now.late += arrival == Stream::Arrival::Late;
+        if (arrival == Stream::Arrival::Newest && !first)
+            now.lost += place.number - before - 1;
+        else if (arrival == Stream::Arrival::Late && place.number > sender.first)
+            --now.lost;
+        m_frames.push_back(now);
+    }
+
+    std::vector<RelayLedger::Sealed> &m_sealed;
+    std::vector<RelayLedger::Frames> &m_frames;
+    std::map<int, Stream> m_sessions;
+    std::map<int, Sender> m_senders;
+    int m_session = 0;
+};
+
+} // namespace
+
+RelayLedger::RelayLedger(const std::vector<QJsonObject> &events, const QString &direction)
+{
+    Replay replay(m_sealed, m_frames);
+    std::map<qint64, Datagram> datagrams;
+    qint64 newest = -1;
+    for (const QJsonObject &event : events) {
+        if (event[QLatin1String("direction")].toString() != direction)
+            continue;
+        const qint64 number = event[QLatin1String("sequence")].toInteger();
+        if (event[QLatin1String("event")] == QLatin1String("in")) {
+            const Datagram &datagram = datagrams[number] = replay.takeIn(event);
+            const auto units = static_cast<qint64>(datagram.inPlace ? datagram.sealed.size() : datagram.frames.size());
+            m_dropped += event[QLatin1String("fate")] == QLatin1String("passed") ? 0 : units;
+            m_duplicated += event[QLatin1String("duplicated")].toBool() ? units : 0;
+        } else if (event[QLatin1String("event")] == QLatin1String("out")) {
+            m_overtaken += number < newest;
+            newest = std::max(newest, number);
+            replay.takeOut(datagrams[number]);
+        }
+    }
+}
+
+QString words(const RelayLedger::Sealed &sealed)
+{
+    return QStringLiteral("%1 good, %2 lost, %3 late, %4 replayed").arg(sealed.good).arg(sealed.lost).arg(sealed.late).arg(sealed.replayed);
+}
+
+QString words(const RelayLedger::Frames &frames)
+{
+    return QStringLiteral("%1 frames, %2 lost, %3 late, %4 duplicate").arg(frames.received).arg(frames.lost).arg(frames.late).arg(frames.duplicate);
+}
+
+} // namespace skyseal::test
