@@ -9,6 +9,9 @@ namespace {
 
 enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 4, Confirmed = 5, Report = 6, Close = 7 };
 
+// Flags of a report.
+constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2;
+
 // The order of the counters on the wire.
 constexpr std::uint64_t ReceiveCounters::*kReceived[] = {
     &ReceiveCounters::good, &ReceiveCounters::late, &ReceiveCounters::lost, &ReceiveCounters::replayed,
@@ -80,7 +83,7 @@ struct Writer
     void operator()(const Report &m) const
     {
         type(Type::Report);
-        out.u8(m.answerAtOnce ? 1 : 0);
+        out.u8(static_cast<std::uint8_t>((m.answerAtOnce ? kAnswerAtOnce : 0) | (m.frames ? kCountsFrames : 0)));
         out.u32(m.stamp);
         out.u32(m.echo);
         out.u32(m.held);
@@ -88,6 +91,10 @@ struct Writer
             writeVarint(out, m.rx.*counter);
         for (const auto counter : kSent)
             writeVarint(out, m.tx.*counter);
+        if (m.frames) {
+            writeVarint(out, m.frames->taken);
+            writeVarint(out, m.frames->lost);
+        }
     }
     void operator()(const Close &) const { type(Type::Close); }
 };
@@ -102,9 +109,9 @@ std::optional<Report> readReport(ByteReader &in)
 {
     Report report;
     const std::uint8_t flags = in.u8();
-    if (flags > 1)
+    if ((flags & ~(kAnswerAtOnce | kCountsFrames)) != 0)
         return std::nullopt;
-    report.answerAtOnce = flags == 1;
+    report.answerAtOnce = (flags & kAnswerAtOnce) != 0;
     report.stamp = in.u32();
     report.echo = in.u32();
     report.held = in.u32();
@@ -119,6 +126,12 @@ std::optional<Report> readReport(ByteReader &in)
         if (!value)
             return std::nullopt;
         report.tx.*counter = *value;
+    }
+    if ((flags & kCountsFrames) != 0) {
+        const auto taken = readVarint(in), lost = readVarint(in);
+        if (!taken || !lost)
+            return std::nullopt;
+        report.frames = FrameCounters{*taken, *lost};
     }
     return report;
 }

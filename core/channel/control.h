@@ -62,6 +62,7 @@ struct Report
     bool answerAtOnce = false;  ///< the sender wants a sign of life now
     ReceiveCounters rx;
     SendCounters tx;
+    std::optional<FrameCounters> frames; ///< of those that count them
 };
 
 /// "I end the session."
@@ -72,8 +73,8 @@ using ControlMessage = std::variant<Propose, Accept, Refuse, Confirm, Confirmed,
 
 /// Plaintext that begins with a byte below this is a control message, known or not.
 inline constexpr std::uint8_t kFirstFrameByte = 0x10;
-/// The longest control message: a report whose ten counters all need ten bytes.
-inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 10 * 10;
+/// The longest control message: a report whose twelve counters all need ten bytes.
+inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 12 * 10;
 
 constexpr bool isControl(ByteView plaintext) { return plaintext.empty() || plaintext[0] < kFirstFrameByte; }
 

@@ -240,6 +240,12 @@ void Endpoint::countPlaintextDropped(SessionId session, std::uint64_t count)
         m_state->core.strays.plaintextDropped += count;
 }
 
+void Endpoint::noteFrames(SessionId session, const FrameCounters &frames)
+{
+    if (auto *entry = m_state->core.table.find(session))
+        entry->session->noteFrames(frames);
+}
+
 // ---- command
 
 Result<std::size_t, SealError> Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)

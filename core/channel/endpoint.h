@@ -173,6 +173,8 @@ public:
     void handleStreamBegan(TimePoint now, LinkId link);
     /// Tells that clear MAVLink of `count` frames came from the path of a session, or claimed a pinned vehicle.
     void countPlaintextDropped(SessionId, std::uint64_t count);
+    /// What the caller counts of the frames that the session delivered; the peer is told with the next report.
+    void noteFrames(SessionId, const FrameCounters &frames);
 
     // command
     /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead): the record's size. It goes to

@@ -211,6 +211,7 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     }
     report.rx = m_epochs.received();
     report.tx = m_epochs.sent();
+    report.frames = m_frames;
     send(now, report);
 }
 

@@ -81,6 +81,8 @@ public:
     void handleDeadline(TimePoint now);
     void addRoundTrip(Duration sample) { m_roundTrip.add(sample); }
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
+    /// Goes out with the next report.
+    void noteFrames(const FrameCounters &frames) { m_frames = frames; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }
 
     // command
@@ -163,6 +165,7 @@ private:
     bool m_previousComplete = false;        ///< the peer has said how many records the previous epoch had
     std::uint32_t m_sentBefore = 0;
 
+    std::optional<FrameCounters> m_frames; ///< as our owner counts them
     std::optional<Report> m_peerReport;
     TimePoint m_peerReportAt;
 

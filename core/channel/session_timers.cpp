@@ -125,6 +125,7 @@ SessionStats Session::stats() const
         stats.peerReported = true;
         stats.peerRx = m_peerReport->rx;
         stats.peerTx = m_peerReport->tx;
+        stats.peerFrames = m_peerReport->frames;
     }
     return stats;
 }

@@ -35,6 +35,14 @@ struct SendCounters
     std::uint64_t sealedBytes = 0; ///< record bytes on the wire
 };
 
+/// MAVLink frames from the peer, as the owner of a session counted them by their sequence numbers: the channel only carries
+/// this. Lost are also those that were lost before they were sealed.
+struct FrameCounters
+{
+    std::uint64_t taken = 0; ///< second copies left out
+    std::uint64_t lost = 0;
+};
+
 /// One epoch's share, newest last; finished epochs of the same suite are added up by the reader where wanted.
 struct EpochStats
 {
@@ -53,6 +61,7 @@ struct SessionStats
     ReceiveCounters peerRx;
     SendCounters peerTx;
     bool peerReported = false;
+    std::optional<FrameCounters> peerFrames; ///< ours, as the peer counted them; nothing where it does not
     std::vector<EpochStats> epochs; ///< the last 16 at most
     Duration roundTrip{};           ///< smoothed, zero until measured
 };

@@ -326,10 +326,22 @@ void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::De
     std::uint64_t frames = 0;
     m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
         frames += isWhole(item);
+        countFromGround(block.time, delivery.session, item);
         takeFromGround(delivery.session, item);
     });
     m_channel.countFrames(delivery.session, frames);
     m_links.noteRemote(kGroundLink, block.path.remote);
+}
+
+/// The station cannot know what of its frames was lost before or behind the channel; it is told with the next report.
+void AgentCore::countFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item)
+{
+    if (!item.frame)
+        return;
+    metrics::SequenceTable &table = m_fromGround[session];
+    table.note({kGroundLink, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
+    const metrics::SequenceCounts counts = table.total();
+    m_channel.endpoint().noteFrames(session, {counts.received - counts.duplicate, counts.lost});
 }
 
 void AgentCore::takeFromGround(channel::SessionId session, const mavlink::ScanItem &item)
@@ -391,6 +403,7 @@ void AgentCore::handleEvents()
         } else if (const auto *down = std::get_if<channel::SessionDown>(&*event)) {
             m_policy.sessionDown(down->session);
             std::erase(m_sessions, down->session);
+            m_fromGround.erase(down->session);
         }
         m_tell(*event);
     }

@@ -117,6 +117,7 @@ private:
     void takeRecord(const link::ReceivedBlock &block);
     void takeUnowned(const link::ReceivedBlock &block);
     void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
+    void countFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
     void takeFromGround(channel::SessionId session, const mavlink::ScanItem &item);
     void takeClearFromGround(const mavlink::ScanItem &item);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
@@ -137,6 +138,7 @@ private:
     CarrierReader m_carriers;
     VehicleWays m_ways;
     metrics::SequenceTable m_sequences;
+    std::map<channel::SessionId, metrics::SequenceTable> m_fromGround; ///< each station counts its own frames
     metrics::CpuSampler m_cpu;
     AgentCounters m_counters;
     std::map<std::pair<channel::SessionId, FramesRefused::Reason>, FramesRefused> m_refusedUntold;

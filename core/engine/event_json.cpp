@@ -200,6 +200,10 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
     json.field("records", totals.tx.records).field("sealed_bytes", totals.tx.sealedBytes);
     writeReceived(json, totals.peerRx);
     json.endObject();
+    if (totals.peerFrames) {
+        json.key("tx_mavlink").beginObject();
+        json.field("frames", totals.peerFrames->taken).field("lost", totals.peerFrames->lost).endObject();
+    }
     json.field("open_ns_p50", totals.cost.openNsP50).field("open_ns_p99", totals.cost.openNsP99);
     json.field("seal_ns_p50", totals.cost.sealNsP50).field("seal_ns_p99", totals.cost.sealNsP99);
     json.field("cpu_percent", totals.cost.cpuPercent);

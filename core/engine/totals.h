@@ -6,6 +6,7 @@
 #include "core/channel/stats.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace skyseal::engine {
 
@@ -51,6 +52,8 @@ struct ChannelTotals
     channel::ReceiveCounters rx;
     channel::SendCounters tx;
     channel::ReceiveCounters peerRx; ///< ours, as the other end counts them; at most a second old
+    /// MAVLink frames that the agents took of ours; nothing where none tells.
+    std::optional<channel::FrameCounters> peerFrames;
     SuiteCost cost;
     WireTotals wire;
     Duration roundTrip{};              ///< of the channel's own reports, smoothed; zero until measured
@@ -58,6 +61,8 @@ struct ChannelTotals
 };
 
 channel::ReceiveCounters &operator+=(channel::ReceiveCounters &sum, const channel::ReceiveCounters &more);
+std::optional<channel::FrameCounters> &operator+=(std::optional<channel::FrameCounters> &sum,
+                                                  const std::optional<channel::FrameCounters> &more);
 channel::SendCounters &operator+=(channel::SendCounters &sum, const channel::SendCounters &more);
 
 } // namespace skyseal::engine

@@ -124,6 +124,9 @@ void RecordTest::controlBytes()
     report.rx = {300, 1, 2, 3, 4, 5, 6, 127};
     report.tx = {128, 0};
     QCOMPARE(hexOf(report), std::string("0601010000000200000003000000ac020102030405067f800100"));
+    report.answerAtOnce = false;
+    report.frames = FrameCounters{200, 5};
+    QCOMPARE(hexOf(report), std::string("0602010000000200000003000000ac020102030405067f800100c80105"));
     QCOMPARE(hexOf(Close{}), std::string("07"));
 }
 
@@ -136,6 +139,8 @@ void RecordTest::controlSurvivesTheWire()
         report.rx.openedBytes = UINT64_MAX;
         report.tx.records = *rc::gen::arbitrary<std::uint64_t>();
         report.tx.sealedBytes = *rc::gen::arbitrary<std::uint64_t>();
+        if (*rc::gen::arbitrary<bool>())
+            report.frames = FrameCounters{*rc::gen::arbitrary<std::uint64_t>(), UINT64_MAX};
         Bytes out(kMaxControl);
         const std::size_t length = writeControl(report, out);
         RC_ASSERT(length > 0u);
@@ -144,6 +149,8 @@ void RecordTest::controlSurvivesTheWire()
         const auto &copy = std::get<Report>(*read);
         RC_ASSERT(copy.stamp == report.stamp && copy.rx.good == report.rx.good && copy.rx.openedBytes == UINT64_MAX);
         RC_ASSERT(copy.tx.records == report.tx.records && copy.tx.sealedBytes == report.tx.sealedBytes);
+        RC_ASSERT(copy.frames.has_value() == report.frames.has_value());
+        RC_ASSERT(!copy.frames || (copy.frames->taken == report.frames->taken && copy.frames->lost == UINT64_MAX));
         for (std::size_t shorter = 0; shorter < length; ++shorter)
             RC_ASSERT(!readControl(ByteView(out).first(shorter)));
     }));

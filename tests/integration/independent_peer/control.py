@@ -6,6 +6,8 @@ PROPOSE, ACCEPT, REFUSE, CONFIRM, CONFIRMED, REPORT, CLOSE = range(1, 8)
 LENGTHS = {PROPOSE: 26, ACCEPT: 21, REFUSE: 5, CONFIRM: 9, CONFIRMED: 9, CLOSE: 1}
 REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "plaintext_dropped", "opened_bytes",
                   "sent_records", "sent_bytes")
+FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
+ANSWER_AT_ONCE, COUNTS_FRAMES = 1, 2
 
 
 class Malformed(Exception):
@@ -76,7 +78,7 @@ class Report:
 
     def pack(self):
         head = bytes([REPORT, self.flags]) + _u32(self.stamp) + _u32(self.echo) + _u32(self.held)
-        return head + b"".join(leb128(self.numbers.get(name, 0)) for name in REPORT_NUMBERS)
+        return head + b"".join(leb128(self.numbers.get(name, 0)) for name in _names(self.flags))
 
 
 @dataclass
@@ -123,11 +125,15 @@ def unpack(data):
     return (Confirm if kind == CONFIRM else Confirmed)(_read_u32(data, 1), _read_u32(data, 5))
 
 
+def _names(flags):
+    return REPORT_NUMBERS + (FRAME_NUMBERS if flags & COUNTS_FRAMES else ())
+
+
 def _unpack_report(data):
-    if len(data) < 14 or data[1] > 1:
+    if len(data) < 14 or data[1] > (ANSWER_AT_ONCE | COUNTS_FRAMES):
         raise Malformed("short report, or unknown flags")
     report, at = Report(data[1], _read_u32(data, 2), _read_u32(data, 6), _read_u32(data, 10)), 14
-    for name in REPORT_NUMBERS:
+    for name in _names(report.flags):
         report.numbers[name], at = _read_leb128(data, at)
     if at != len(data):
         raise Malformed("long report")
