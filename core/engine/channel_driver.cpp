@@ -23,6 +23,12 @@ ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_en
 {
 }
 
+void ChannelDriver::wake()
+{
+    if (!std::exchange(m_awake, true))
+        m_clock.wake();
+}
+
 void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 {
     if (size == 0)
@@ -33,12 +39,14 @@ void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
+    wake();
     const std::uint64_t begin = metrics::CycleClock::now();
     return taken(begin, datagram.size(), m_endpoint.handleDatagram(now, from, datagram));
 }
 
 std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
 {
+    wake();
     const std::uint64_t begin = metrics::CycleClock::now();
     return taken(begin, frame.size(), m_endpoint.handleInlineFrame(now, from, frame));
 }
@@ -96,6 +104,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
         return false;
     if (!batch.sealedInPlace) // what came before goes first, counters rise
         sealBatch(now, session, batch);
+    wake();
     const std::uint64_t begin = metrics::CycleClock::now();
     const auto size = m_endpoint.sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
@@ -125,6 +134,7 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         m_links.send(m_endpoint.recordPath(session), frames);
         return;
     }
+    wake();
     const std::uint64_t begin = metrics::CycleClock::now();
     const auto size = m_endpoint.seal(now, session, frames, m_record);
     if (!size)
@@ -167,6 +177,7 @@ void ChannelDriver::flushAll(TimePoint now)
         sealBatch(now, session, batch);
     transmit();
     m_slept = true; // the thread goes to sleep after this
+    m_awake = false;
 }
 
 std::optional<channel::Event> ChannelDriver::pollEvent()
@@ -182,6 +193,7 @@ std::optional<channel::Event> ChannelDriver::pollEvent()
         m_endedRx += down->stats.rx;
         m_endedTx += down->stats.tx;
         m_endedPeerRx += down->stats.peerRx;
+        m_endedPeerFrames += down->stats.peerFrames;
         m_batches.erase(down->session);
         m_meters.erase(down->session);
         m_sendSuites.erase(down->session);
@@ -207,6 +219,7 @@ ChannelTotals ChannelDriver::totals() const
     out.rx = m_endedRx;
     out.tx = m_endedTx;
     out.peerRx = m_endedPeerRx;
+    out.peerFrames = m_endedPeerFrames;
     out.rx += m_endpoint.strays();
     out.wire = m_wire;
     TimePoint heard = TimePoint::min();
@@ -215,6 +228,7 @@ ChannelTotals ChannelDriver::totals() const
             out.rx += stats->rx;
             out.tx += stats->tx;
             out.peerRx += stats->peerRx;
+            out.peerFrames += stats->peerFrames;
             ++out.sessions;
         }
         const auto info = m_endpoint.sessionInfo(session);

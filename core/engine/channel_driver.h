@@ -6,7 +6,7 @@
 #include "core/channel/endpoint.h"
 #include "core/engine/link_pool.h"
 #include "core/engine/suite_meter.h"
-#include "core/metrics/cycle_clock.h"
+#include "core/metrics/work_clock.h"
 
 #include <map>
 
@@ -73,10 +73,12 @@ private:
     bool mayWait(TimePoint now, const Path &path, const Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
+    void wake();
 
     channel::Endpoint m_endpoint;
     LinkPool &m_links;
-    metrics::CycleClock m_clock = metrics::CycleClock::measure();
+    metrics::WorkClock m_clock;
+    bool m_awake = false; ///< the clock was told
     std::map<channel::SessionId, Batch> m_batches;
     std::map<channel::SessionId, SuiteMeter> m_meters;
     std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< as the events told
@@ -87,6 +89,7 @@ private:
     bool m_measuring = false;
     metrics::Histogram m_opening, m_sealing;
     channel::ReceiveCounters m_endedRx, m_endedPeerRx;
+    std::optional<channel::FrameCounters> m_endedPeerFrames;
     channel::SendCounters m_endedTx;
 };
 

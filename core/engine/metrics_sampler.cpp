@@ -1,5 +1,7 @@
 #include "core/engine/metrics_sampler.h"
 
+#include <utility>
+
 namespace skyseal::engine {
 
 namespace {
@@ -12,17 +14,28 @@ double overheadPercent(const Growth<4> &wire, const Growth<4> &frames)
 
 } // namespace
 
+void MetricsSampler::samplePower(TimePoint now)
+{
+    const auto before = std::exchange(m_microjoules, m_energy.microjoules());
+    const double passed = seconds(now - std::exchange(m_energyAt, now));
+    m_watts = before && m_microjoules && passed > 0 ? static_cast<double>(*m_microjoules - *before) / 1e6 / passed
+                                                    : vehicle::kUnknown;
+}
+
 void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
 {
     if (m_number % 4 == 0) {
         m_cpu.sample(now, metrics::processCpuTime());
         m_ioCpu.sample(now, metrics::threadCpuTime());
         m_memory.sample(metrics::residentBytes().value_or(0));
+        samplePower(now);
     }
     const ChannelTotals &channel = reading.channel;
     m_channelLoss.note(channel.rx.good, channel.rx.lost);
     m_peerLoss.note(channel.peerRx.good, channel.peerRx.lost);
-    m_mavlinkLoss.note(reading.mavlink.frames, reading.mavlink.lost);
+    m_mavlinkLoss.note(reading.mavlink.frames - reading.mavlink.duplicate, reading.mavlink.lost);
+    if (channel.peerFrames)
+        m_peerMavlinkLoss.note(channel.peerFrames->taken, channel.peerFrames->lost);
     m_frames.note(reading.mavlink.frames);
     m_bytes.note(channel.rx.openedBytes);
     m_good.note(channel.rx.good);
@@ -56,6 +69,9 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     one.mavlinkLossPercent = m_mavlinkLoss.percent();
     one.lossPercent = channel.up ? m_channelLoss.percent() : one.mavlinkLossPercent;
     one.peerLossPercent = channel.up ? m_peerLoss.percent() : 0;
+    if (channel.up && channel.peerFrames)
+        one.peerMavlinkLossPercent = m_peerMavlinkLoss.percent();
+    one.powerWatts = m_watts;
     one.processCpuPercent = m_cpu.percent();
     one.ioCpuPercent = m_ioCpu.percent();
     one.suiteCpuPercent = channel.cost.cpuPercent;

@@ -4,6 +4,7 @@
 
 #include "core/engine/loss_meter.h"
 #include "core/engine/snapshot.h"
+#include "core/metrics/energy_meter.h"
 #include "core/metrics/process_usage.h"
 
 #include <deque>
@@ -16,6 +17,9 @@ public:
     static constexpr Duration kEvery = std::chrono::milliseconds(250);
     /// Samples that a snapshot carries, so that a reader that was busy for a while misses none.
     static constexpr std::size_t kKept = 40;
+
+    /// `powercap`: where the kernel shows its counters of energy.
+    explicit MetricsSampler(const std::string &powercap = metrics::EnergyMeter::kFolder) : m_energy(powercap) {}
 
     /// What the engine knows at that moment.
     struct Reading
@@ -33,10 +37,16 @@ public:
     std::uint64_t residentBytes() const { return m_memory.bytes(); }
 
 private:
+    void samplePower(TimePoint now);
+
     metrics::CpuSampler m_cpu, m_ioCpu;
     metrics::MemorySampler m_memory;
     std::uint64_t m_number = 0;
-    LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss;
+    metrics::EnergyMeter m_energy;
+    std::optional<std::uint64_t> m_microjoules;
+    TimePoint m_energyAt{};
+    double m_watts = vehicle::kUnknown;
+    LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss, m_peerMavlinkLoss;
     Growth<4> m_frames, m_bytes, m_rxBytes, m_txBytes;
     Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
     Growth<4> m_good, m_replayed;

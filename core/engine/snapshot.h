@@ -118,6 +118,7 @@ struct MetricsSample
     double lossPercent = 0;     ///< channel, to us; MAVLink's where plain
     double peerLossPercent = 0; ///< channel, to the peer
     double mavlinkLossPercent = 0;
+    double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, as its agent counts and tells once a second
     double processCpuPercent = 0; ///< of one core, all threads; over the last second
     double ioCpuPercent = 0;      ///< of the thread that receives, opens, parses and sends
     double suiteCpuPercent = 0;   ///< of one core, in seal and open
@@ -130,6 +131,8 @@ struct MetricsSample
     double txOverheadPercent = vehicle::kUnknown;
     double rxBytesPerSecond = 0, txBytesPerSecond = 0; ///< all links, datagrams as they are
     std::uint64_t residentBytes = 0;
+    double sessionBytes = vehicle::kUnknown; ///< heap of a session under this suite; for whoever shows samples to fill in
+    double powerWatts = vehicle::kUnknown; ///< of the whole processor, by the kernel's counters; over the last second
     /// Signs of an attack so far: forged records, clear frames, and replayed ones where they outnumber the good.
     std::uint64_t refused = 0;
 };

@@ -3,6 +3,9 @@
 #include "core/engine/metrics_sampler.h"
 #include "core/engine/suite_meter.h"
 
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <cmath>
@@ -36,6 +39,7 @@ private Q_SLOTS:
             reading.channel.rx.openedBytes = 800 * n;
             reading.channel.wire = {1000 * n, 800 * n, 300 * n, 200 * n};
             reading.channel.rx.forged = n;
+            reading.channel.peerFrames = channel::FrameCounters{17 * n, 3 * n};
             reading.rxBytes = 1100 * n;
             reading.txBytes = 310 * n;
             sampler.sample(now, seconds(now.time_since_epoch()), reading);
@@ -48,12 +52,56 @@ private Q_SLOTS:
         QCOMPARE(last.txBytesPerSecond, 1240.0);
         QCOMPARE(last.lossPercent, 10.0);
         QCOMPARE(last.mavlinkLossPercent, 20.0);
+        QCOMPARE(last.peerMavlinkLossPercent, 15.0);
         QCOMPARE(last.rxOverheadPercent, 25.0);
         QCOMPARE(last.txOverheadPercent, 50.0);
         QCOMPARE(last.latency, 0.02);
         QCOMPARE(last.roundTrip, 0.012);
         QCOMPARE(last.refused, std::uint64_t(8));
         QVERIFY(last.residentBytes > 1'000'000);
+    }
+
+    void copiesOfClearFramesDoNotHideLosses()
+    {
+        MetricsSampler sampler;
+        MetricsSampler::Reading reading;
+        for (int i = 0; i < 5; ++i) {
+            reading.mavlink.frames += 30; // ten of them second copies
+            reading.mavlink.duplicate += 10;
+            reading.mavlink.lost += 5;
+            sampler.sample(TimePoint{}, 0, reading);
+        }
+        QCOMPARE(sampler.samples().back().mavlinkLossPercent, 20.0);
+        QVERIFY(std::isnan(sampler.samples().back().peerMavlinkLossPercent)); // nobody tells
+    }
+
+    void powerIsWhatTheKernelsCounterGrewBy()
+    {
+        QTemporaryDir folder;
+        const auto write = [&](const char *file, const char *text) {
+            const QString path = folder.filePath(QLatin1String(file));
+            QVERIFY(QDir().mkpath(QFileInfo(path).path()));
+            QFile out(path);
+            QVERIFY(out.open(QIODevice::WriteOnly) && out.write(text) > 0);
+        };
+        write("intel-rapl:0/name", "package-0\n");
+        write("intel-rapl:0/max_energy_range_uj", "262143328850\n");
+        write("intel-rapl:0/energy_uj", "262143000000\n");
+        write("intel-rapl:0:0/name", "core\n"); // a part of the package
+        write("intel-rapl:0:0/energy_uj", "7\n");
+        write("psys/name", "psys\n");
+        write("psys/energy_uj", "9\n");
+        MetricsSampler sampler(folder.path().toStdString());
+        sampler.sample(TimePoint{}, 0, {});
+        QVERIFY(std::isnan(sampler.samples().back().powerWatts)); // one reading is none
+        write("intel-rapl:0/energy_uj", "14671150\n"); // it went round: 15 J in all
+        for (int i = 1; i <= 4; ++i)
+            sampler.sample(TimePoint{} + i * 500ms, 0, {});
+        QCOMPARE(sampler.samples().back().powerWatts, 7.5);
+        MetricsSampler elsewhere("/nonexistent");
+        for (int i = 0; i <= 8; ++i)
+            elsewhere.sample(TimePoint{} + i * 250ms, 0, {});
+        QVERIFY(std::isnan(elsewhere.samples().back().powerWatts));
     }
 
     void copiesAreAnIncidentOnlyWhereTheyOutnumberOriginals()

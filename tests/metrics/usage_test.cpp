@@ -2,10 +2,13 @@
 #include "core/metrics/cycle_clock.h"
 #include "core/metrics/process_usage.h"
 #include "core/metrics/rate_meter.h"
+#include "core/metrics/work_clock.h"
 
 #include <QtTest/QTest>
 
 #include <vector>
+
+#include <poll.h>
 
 using namespace skyseal;
 using namespace skyseal::metrics;
@@ -22,6 +25,7 @@ private Q_SLOTS:
     void cpuPercentOfOneCore();
     void readsThisProcess();
     void cycleClockAgreesWithCpuTime();
+    void timeThatWasTakenIsNotWork();
 };
 
 static TimePoint at(int ms)
@@ -101,6 +105,25 @@ void UsageTest::cycleClockAgreesWithCpuTime()
     const double passed = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - wall).count();
     QVERIFY2(measured > 0.9 * passed && measured < 1.1 * passed, qPrintable(QString::number(measured / passed)));
     QCOMPARE(clock.between(5, 4), std::uint64_t(0));
+}
+
+void UsageTest::timeThatWasTakenIsNotWork()
+{
+    const auto spin = [](Duration work) {
+        const Duration until = threadCpuTime() + work;
+        while (threadCpuTime() < until) { }
+    };
+    WorkClock clock;
+    clock.wake();
+    spin(milliseconds(5)); // work before, as others' records are
+    const std::uint64_t begin = CycleClock::now();
+    spin(milliseconds(10));
+    ::poll(nullptr, 0, 40); // the core is given away
+    spin(milliseconds(10));
+    const std::uint64_t taken = clock.between(begin, CycleClock::now());
+    QVERIFY2(taken > 19'000'000 && taken < 26'000'000, qPrintable(QString::number(taken)));
+    const std::uint64_t next = CycleClock::now();
+    QVERIFY(clock.between(next, next + 1000) < 1000); // short pieces as they are
 }
 
 QTEST_GUILESS_MAIN(UsageTest)
