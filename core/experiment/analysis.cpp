@@ -6,6 +6,11 @@
 
 namespace skyseal::experiment {
 
+static double stepOf(Metric metric, double mean, double other)
+{
+    return info(metric).step * std::max(std::abs(mean), std::abs(other));
+}
+
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
     std::vector<std::size_t> arms;
@@ -17,9 +22,10 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
         groups.push_back(valuesOf(results, {condition, load, arm}, metric));
     }
     std::vector<ArmComparison> out;
-    for (const Comparison &comparison : compareAll(groups)) {
-        out.push_back({condition, load, metric, arms[comparison.first], arms[comparison.second],
-                       summarise(groups[comparison.first]).mean, comparison});
+    for (Comparison &comparison : compareAll(groups)) {
+        const double mean = summarise(groups[comparison.first]).mean;
+        comparison.step = stepOf(metric, mean, mean + comparison.test.difference);
+        out.push_back({condition, load, metric, arms[comparison.first], arms[comparison.second], mean, comparison});
     }
     return out;
 }
@@ -47,6 +53,7 @@ std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std:
     out.mean = summary.mean;
     out.meanAgain = summaryAgain.mean;
     out.test = welch(values, valuesAgain);
+    out.step = stepOf(metric, out.mean, out.meanAgain);
     return out;
 }
 

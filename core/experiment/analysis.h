@@ -29,7 +29,8 @@ struct Noise
     std::size_t arm = 0, again = 0; ///< indices of arms
     double mean = 0, meanAgain = 0;
     WelchTest test;
-    bool differs() const { return test.p < 0.05; } ///< one in twenty does by chance
+    double step = 0; ///< as in Comparison
+    bool differs() const { return test.p < 0.05 && std::abs(test.difference) > step; } ///< one in twenty does by chance
 };
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);

@@ -122,10 +122,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
             bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
     }
     put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" fill=\"#222222\">", kWidth - kRight + 8, middle + 4);
-    out += readable(bar.mean);
-    if (std::isfinite(bar.high))
-        out += " ± " + readable(bar.high - bar.mean);
-    out += "</text>\n";
+    out += readable(bar.mean, bar.high - bar.mean) + "</text>\n";
 }
 
 } // namespace
@@ -170,7 +167,7 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
         bar.label = fullName(plan.arms[arm]);
         bar.missing = missingText(plan.arms[arm]);
         bar.suite = plan.arms[arm].suite;
-        bar.insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
+        bar.insecure = isInsecure(plan.arms[arm]);
         bar.samples = valuesOf(results, {condition, load, arm}, metric);
         const Summary summary = summarise(bar.samples);
         bar.mean = summary.mean;

@@ -152,14 +152,6 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
     return out;
 }
 
-std::optional<double> sessionBytes(crypto::SuiteId suite)
-{
-    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
-    if (!pair || !pair->heapBytes())
-        return std::nullopt;
-    return static_cast<double>(*pair->heapBytes()) / 2;
-}
-
 } // namespace
 
 std::optional<double> contextBytes(crypto::SuiteId suite)
@@ -174,6 +166,14 @@ std::optional<double> contextBytes(crypto::SuiteId suite)
     if (!before || !after || *after < *before)
         return std::nullopt;
     return static_cast<double>(*after - *before) / kContexts;
+}
+
+std::optional<double> sessionBytes(crypto::SuiteId suite)
+{
+    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
+    if (!pair || !pair->heapBytes())
+        return std::nullopt;
+    return static_cast<double>(*pair->heapBytes()) / 2;
 }
 
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes)

@@ -48,6 +48,9 @@ SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &siz
 /// Heap of one direction's keyed cipher.
 std::optional<double> contextBytes(crypto::SuiteId suite);
 
+/// Heap of one end's session under this suite, its ciphers included; frames sealed in place would need two more.
+std::optional<double> sessionBytes(crypto::SuiteId suite);
+
 /// One JSON object for each size, {"event":"bench",…}; `aes` is whether AES instructions were used.
 std::vector<std::string> benchEvents(const SuiteCosts &costs, bool aes);
 /// A table for people; the first line of all is benchHeader().

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::array kFigures{Metric::Packets,     Metric::Memory,           Metric::AgentMemory, Metric::Cpu,
                               Metric::AgentCpu,    Metric::CpuPerFrame,      Metric::AgentCpuPerFrame, Metric::FrameRate,
-                              Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss};
+                              Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss,
+                              Metric::SessionMemory, Metric::EnergyPerFrame};
 /// Of which differences are told.
 constexpr std::array kCompared{Metric::Packets, Metric::CpuPerFrame, Metric::AgentCpuPerFrame, Metric::OpenP50,
                                Metric::Memory,  Metric::AgentMemory, Metric::Latency,          Metric::WirePerFrame};
@@ -36,8 +37,7 @@ std::string row(const std::vector<std::string> &cells, const char *tag = "td")
 
 std::string armText(const Arm &arm)
 {
-    const bool insecure = crypto::suiteInfo(arm.suite).research;
-    return insecure ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
+    return isInsecure(arm) ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
 }
 
 std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
@@ -240,7 +240,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
              "fences, which stay in.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
-        out += "<h2>Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
+        // On paper each begins a page, so that no head of a table stands alone at the foot of one.
+        out += std::string(inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">") + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
                + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
                + differences(results, condition, load);
     });
@@ -272,7 +273,7 @@ std::vector<Figure> figuresOf(const Results &results)
 
 std::string htmlReport(const ReportParts &parts)
 {
-    return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>Skyseal sweep</title>\n<style>")
+    return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"color-scheme\" content=\"light\"/>\n<title>Skyseal sweep</title>\n<style>")
            + kStyle + "</style>\n</head>\n<body>\n" + body(parts, true) + "</body>\n</html>\n";
 }
 

@@ -19,6 +19,12 @@ double share(double lost, double received)
     return lost + received > 0 ? lost / (lost + received) : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// A second copy of a clear frame is none more; sealed ones are refused before they are counted.
+std::uint64_t distinctFrames(const engine::MavlinkTotals &totals)
+{
+    return totals.frames - totals.duplicate;
+}
+
 struct Traffic
 {
     std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0;
@@ -87,7 +93,7 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
     Values out;
     const engine::Snapshot &before = *begin.station, &after = *end.station;
     const double time = after.time - before.time;
-    const double frames = growth(before.mavlink.frames, after.mavlink.frames);
+    const double frames = growth(distinctFrames(before.mavlink), distinctFrames(after.mavlink));
     const Traffic traffic = trafficOf(before), later = trafficOf(after);
     const double received = growth(traffic.rxBytes, later.rxBytes);
     const double mavlink = sealed ? growth(before.channel.rx.openedBytes, after.channel.rx.openedBytes) : received;
@@ -108,9 +114,20 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
         out[Metric::AgentCpu] = 100 * agent / time;
         out[Metric::AgentCpuPerFrame] = 1e9 * agent / frames;
     }
+    if (begin.microjoules && end.microjoules) {
+        const double joules = growth(*begin.microjoules, *end.microjoules) / 1e6;
+        out[Metric::Power] = joules / time;
+        out[Metric::EnergyPerFrame] = 1e6 * joules / frames;
+    }
     if (end.agentMemory)
         out[Metric::AgentMemory] = static_cast<double>(*end.agentMemory);
     return out;
+}
+
+Counted countedBy(const engine::Snapshot &snapshot)
+{
+    const engine::MavlinkTotals &mavlink = snapshot.mavlink;
+    return {{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, snapshot.channel.rx, snapshot.channel.peerRx};
 }
 
 } // namespace skyseal::experiment

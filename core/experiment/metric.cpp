@@ -1,5 +1,7 @@
 #include "core/experiment/metric.h"
 
+#include "core/metrics/histogram.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,9 +10,12 @@ namespace skyseal::experiment {
 
 namespace {
 
+/// Percentiles are ends of a histogram's buckets, which are at most this far apart.
+constexpr double kHistogramStep = 1.0 / (1u << metrics::Histogram::kStepBits);
+
 constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::Packets, "packets", "Packets transmitted", "",
-     "MAVLink frames that the station took in from the vehicle during the run"},
+     "MAVLink frames that the station took in from the vehicle during the run, second copies of clear ones left out"},
     {Metric::FrameRate, "frame_rate", "Rate", "frames/s", "the same for each second"},
     {Metric::ByteRate, "byte_rate", "Rate in bytes", "B/s", "MAVLink bytes taken in for each second, after opening"},
     {Metric::Loss, "loss", "Frames lost", "", "share of the vehicle's frames missing by MAVLink sequence numbers, 0 to 1"},
@@ -29,10 +34,10 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::AgentCpuPerFrame, "agent_cpu_per_frame", "CPU time per frame, agent", "ns",
      "agent's CPU time divided by frames taken in by the station"},
     {Metric::OpenP50, "open_p50", "Opening a record, median", "ns",
-     "clocked around each call, look-up and replay window included"},
-    {Metric::OpenP99, "open_p99", "Opening a record, 99th percentile", "ns", "the same"},
-    {Metric::SealP50, "seal_p50", "Sealing a record, median", "ns", "clocked around each call, at the station"},
-    {Metric::SealP99, "seal_p99", "Sealing a record, 99th percentile", "ns", "the same"},
+     "clocked around each call, look-up and replay window included; exact to 1/32", kHistogramStep},
+    {Metric::OpenP99, "open_p99", "Opening a record, 99th percentile", "ns", "the same", kHistogramStep},
+    {Metric::SealP50, "seal_p50", "Sealing a record, median", "ns", "clocked around each call, at the station", kHistogramStep},
+    {Metric::SealP99, "seal_p99", "Sealing a record, 99th percentile", "ns", "the same", kHistogramStep},
     {Metric::Memory, "memory", "Memory, station", "B", "resident set of the measuring program at the end of the run"},
     {Metric::AgentMemory, "agent_memory", "Memory, agent", "B",
      "resident set of the agent at the end of the run, from /proc; same machine only"},
@@ -43,16 +48,22 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::Overhead, "overhead", "Overhead on the wire", "%",
      "UDP payload to the station over the MAVLink bytes in it"},
     {Metric::Latency, "latency", "Latency", "ms", "TIMESYNC to the vehicle and back, mean of the run"},
+    {Metric::SessionMemory, "session_memory", "Memory of a session", "B",
+     "heap that one end's session takes, its keyed ciphers included; measured in this program with a session of its own"},
+    {Metric::Power, "power", "Power of the processor", "W",
+     "mean over the run, by the kernel's energy counters: the whole processor and all that runs on it"},
+    {Metric::EnergyPerFrame, "energy_per_frame", "Energy per frame", "µJ",
+     "the same energy divided by frames taken in by the station, idle power included"},
     {Metric::Switch, "switch", "Time of the live switch", "ms",
      "from the order until the other end confirmed, when the run's suite was not in use already"},
 }};
 
-std::string grouped(double value)
+std::string grouped(double value, int decimals = 0)
 {
-    char digits[64];
-    std::snprintf(digits, sizeof digits, "%.0f", std::abs(value));
+    char digits[400];
+    std::snprintf(digits, sizeof digits, "%.*f", decimals, std::abs(value));
     std::string out(digits);
-    for (std::size_t place = out.size(); place > 3; place -= 3)
+    for (std::size_t place = std::min(out.find('.'), out.size()); place > 3; place -= 3)
         out.insert(place - 3, ",");
     return (value < 0 ? "-" : "") + out;
 }
@@ -85,6 +96,17 @@ std::string readable(double value)
     char out[32];
     std::snprintf(out, sizeof out, "%.3g", value == 0 ? 0.0 : value);
     return out;
+}
+
+std::string readable(double mean, double halfWidth)
+{
+    constexpr int kMostDecimals = 6;
+    if (!std::isfinite(mean) || !std::isfinite(halfWidth))
+        return readable(mean);
+    if (halfWidth == 0)
+        return readable(mean) + " ± 0";
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(halfWidth))), 0, kMostDecimals);
+    return grouped(mean, decimals) + " ± " + grouped(halfWidth, decimals);
 }
 
 } // namespace skyseal::experiment

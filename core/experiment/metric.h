@@ -17,9 +17,9 @@ enum class Metric : std::uint8_t {
     Packets, FrameRate, ByteRate, Loss, RecordLoss, RecordLossUp,
     Cpu, CpuProcess, CpuSuite, AgentCpu, CpuPerFrame, AgentCpuPerFrame,
     OpenP50, OpenP99, SealP50, SealP99, Memory, AgentMemory,
-    WireBytes, WireRate, WirePerFrame, Overhead, Latency, Switch
+    WireBytes, WireRate, WirePerFrame, Overhead, Latency, SessionMemory, Power, EnergyPerFrame, Switch
 };
-inline constexpr std::size_t kMetrics = 24;
+inline constexpr std::size_t kMetrics = 27;
 
 struct MetricInfo
 {
@@ -28,6 +28,9 @@ struct MetricInfo
     std::string_view title; ///< "CPU time per frame, station"
     std::string_view unit;  ///< "ns"; empty for plain numbers
     std::string_view what;  ///< where it comes from
+    /// What the instrument cannot tell apart, as a share of the value: differences of means within it say nothing, however
+    /// often they repeat.
+    double step = 0;
 };
 
 std::span<const MetricInfo> metrics();
@@ -48,5 +51,8 @@ private:
 
 /// A number with a sensible count of digits for people: "1,234,567", "12.3", "0.00042"; "–" when it is not finite.
 std::string readable(double value);
+/// "21.613 ± 0.077": two digits of the half width of an interval, and the mean to the same place. The mean alone where the half
+/// width is not finite.
+std::string readable(double mean, double halfWidth);
 
 } // namespace skyseal::experiment

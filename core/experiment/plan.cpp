@@ -140,6 +140,12 @@ std::vector<Framing> framingsOf(const Plan &plan)
     return out;
 }
 
+bool isInsecure(const Arm &arm)
+{
+    const crypto::SuiteInfo &info = crypto::suiteInfo(arm.suite);
+    return info.research || !info.authenticated;
+}
+
 Result<Condition, InputError> parseCondition(std::string_view text)
 {
     Condition out;

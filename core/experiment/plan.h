@@ -41,6 +41,9 @@ bool exists(const Arm &arm);
 std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
                         bool noise);
 
+/// Kept for comparison: a broken cipher, or none.
+bool isInsecure(const Arm &arm);
+
 /// The link that all arms meet alike: clean, or with what an impairment does to both directions.
 struct Condition
 {

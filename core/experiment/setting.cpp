@@ -1,5 +1,7 @@
 #include "core/experiment/setting.h"
 
+#include "core/metrics/energy_meter.h"
+
 #include <openssl/crypto.h>
 #include <sodium.h>
 
@@ -104,6 +106,7 @@ Setting machineSetting()
     out.emplace_back("architecture", system.machine);
     out.emplace_back("system", valueIn("/etc/os-release", "PRETTY_NAME", '='));
     out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
+    out.emplace_back("energy_counters", metrics::EnergyMeter().describe());
     out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
     out.emplace_back("libsodium", sodium_version_string());
     out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));

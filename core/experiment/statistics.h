@@ -5,6 +5,7 @@
 // one group, Welch's unequal-variances t for two (Welch 1947), Holm's step-down correction for many pairs (Holm 1979).
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -60,7 +61,8 @@ struct Comparison
     std::size_t first = 0, second = 0; ///< indices of the groups
     WelchTest test;
     double adjusted = 1; ///< p after Holm's correction over all pairs
-    bool significant() const { return adjusted < 0.05; }
+    double step = 0;     ///< a smaller difference is within what the instrument can tell apart
+    bool significant() const { return adjusted < 0.05 && std::abs(test.difference) > step; }
 };
 
 /// Every pair of groups that can be compared (two samples in each), corrected together.

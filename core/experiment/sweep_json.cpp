@@ -52,7 +52,7 @@ void writePlan(JsonWriter &json, const Plan &plan)
     for (const Arm &one : plan.arms) {
         json.beginObject();
         arm(json, one);
-        json.field("insecure", crypto::suiteInfo(one.suite).research || !crypto::suiteInfo(one.suite).authenticated);
+        json.field("insecure", isInsecure(one));
         json.field("in_framing", exists(one));
         json.endObject();
     }
@@ -65,6 +65,24 @@ void writePlan(JsonWriter &json, const Plan &plan)
     json.endArray().endObject();
 }
 
+void writeReceived(JsonWriter &json, std::string_view key, const channel::ReceiveCounters &counters)
+{
+    json.key(key).beginObject();
+    json.field("good", counters.good).field("late", counters.late).field("lost", counters.lost);
+    json.field("replayed", counters.replayed).field("forged", counters.forged).field("malformed", counters.malformed);
+    json.endObject();
+}
+
+void writeCounted(JsonWriter &json, std::string_view key, const Counted &counted)
+{
+    json.key(key).beginObject().key("mavlink").beginObject();
+    json.field("frames", counted.mavlink.taken).field("lost", counted.mavlink.lost);
+    json.field("late", counted.mavlink.late).field("duplicate", counted.mavlink.duplicate).endObject();
+    writeReceived(json, "rx", counted.rx);
+    writeReceived(json, "tx", counted.tx);
+    json.endObject();
+}
+
 void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
 {
     json.field("order", std::uint64_t(sample.order));
@@ -74,6 +92,10 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
     if (!sample.problem.empty())
         json.field("problem", sample.problem);
     values(json, sample.values);
+    json.key("counted").beginObject();
+    writeCounted(json, "begin", sample.begin);
+    writeCounted(json, "end", sample.end);
+    json.endObject();
 }
 
 void writeSummary(JsonWriter &json, const Results &results, const Cell &cell, Metric metric)
@@ -115,6 +137,7 @@ void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pa
     number(json, "df", pair.comparison.test.degrees);
     number(json, "p", pair.comparison.test.p);
     number(json, "p_holm", pair.comparison.adjusted);
+    number(json, "step", pair.comparison.step);
     json.field("significant", pair.comparison.significant()).endObject();
 }
 
@@ -127,6 +150,7 @@ void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
     number(json, "mean", noise.mean);
     number(json, "mean_again", noise.meanAgain);
     number(json, "p", noise.test.p);
+    number(json, "step", noise.step);
     json.field("differs", noise.differs()).endObject();
 }
 

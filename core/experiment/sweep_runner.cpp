@@ -1,5 +1,6 @@
 #include "core/experiment/sweep_runner.h"
 
+#include "core/experiment/cipher_bench.h"
 #include "core/metrics/process_usage.h"
 
 #include <algorithm>
@@ -331,10 +332,19 @@ void SweepRunner::switchSuite(const engine::Snapshot &snapshot)
     }
 }
 
-Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot) const
+double SweepRunner::sessionMemory(crypto::SuiteId suite)
+{
+    const auto [place, isNew] = m_sessionMemory.try_emplace(suite, std::numeric_limits<double>::quiet_NaN());
+    if (isNew)
+        place->second = sessionBytes(suite).value_or(place->second);
+    return place->second;
+}
+
+Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot)
 {
     Reading out;
     out.station = snapshot;
+    out.microjoules = m_energy.microjoules();
     if (m_config.lab) {
         out.agentCpu = metrics::processCpuTime(m_config.lab->agentProcess());
         out.agentMemory = metrics::residentBytes(m_config.lab->agentProcess());
@@ -365,6 +375,10 @@ void SweepRunner::endRun(std::string problem)
         sample.seconds = m_snapshot->time - m_begin.station->time;
         sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
         sample.values[Metric::Switch] = m_switchTook;
+        if (!m_plain)
+            sample.values[Metric::SessionMemory] = sessionMemory(wantedSuite());
+        sample.begin = countedBy(*m_begin.station);
+        sample.end = countedBy(*m_snapshot);
         m_failuresInARow = 0;
     } else {
         sample.problem = std::move(problem);

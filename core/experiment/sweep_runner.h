@@ -10,10 +10,12 @@
 #include "core/experiment/lab.h"
 #include "core/experiment/measurement.h"
 #include "core/experiment/results.h"
+#include "core/metrics/energy_meter.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
 
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -80,7 +82,8 @@ private:
     void enter(Stage stage, Duration patience);
     void tick();
 
-    Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot) const;
+    Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot);
+    double sessionMemory(crypto::SuiteId suite);
     const Run &run() const { return m_schedule[m_next]; }
     crypto::SuiteId wantedSuite() const { return m_config.plan.arms[run().arm].suite; }
     engine::Protection wantedProtection() const;
@@ -112,6 +115,8 @@ private:
     double m_runStart = 0;
     std::shared_ptr<const engine::Snapshot> m_snapshot;
     Reading m_begin;
+    metrics::EnergyMeter m_energy;
+    std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();
     bool m_switchOrdered = false;
     unsigned m_failuresInARow = 0;

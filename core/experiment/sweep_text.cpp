@@ -58,10 +58,7 @@ std::string meanText(const Results &results, const Cell &cell, Metric metric)
     const Summary summary = summarise(valuesOf(results, cell, metric));
     if (summary.count == 0)
         return exists(results.plan.arms[cell.arm]) ? "–" : missingText(results.plan.arms[cell.arm]);
-    std::string out = readable(summary.mean);
-    if (summary.count > 1)
-        out += " ± " + readable(summary.halfWidth);
-    return out + (summary.outliers.empty() ? "" : " *");
+    return readable(summary.mean, summary.halfWidth) + (summary.outliers.empty() ? "" : " *");
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -75,7 +72,7 @@ std::vector<std::string> sweepText(const Results &results)
                           + ", load: " + std::string(name(plan.loads[load])));
             out.push_back(header());
             for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
-                const bool insecure = crypto::suiteInfo(plan.arms[arm].suite).research;
+                const bool insecure = isInsecure(plan.arms[arm]);
                 std::string line = padded(fullName(plan.arms[arm]) + (insecure ? " (insecure)" : ""), kNameWidth, false);
                 if (!exists(plan.arms[arm])) {
                     out.push_back(line + "   " + missingText(plan.arms[arm]));

@@ -10,6 +10,7 @@
 #include <QtCore/QJsonObject>
 #include <QtCore/QSet>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QXmlStreamReader>
 #include <QtTest/QTest>
 
 #include <cmath>
@@ -78,7 +79,33 @@ private Q_SLOTS:
 private:
     void checkSummaries(const QJsonObject &report);
     void checkCsv(const QJsonObject &report, const QByteArray &csv);
+    void checkPage(const QJsonObject &report, const QString &page);
+    void checkFigure(const QJsonObject &report, const char *metric, const char *load, const QByteArray &svg);
 };
+
+/// What the page and the figures say of a place, arm by arm as the plan has them; empty for an arm that has none.
+static QList<QJsonObject> summariesOf(const QJsonObject &report, const QString &load, const QString &metric)
+{
+    QList<QJsonObject> out;
+    for (const QJsonValue arm : report[QLatin1String("plan")][QLatin1String("arms")].toArray()) {
+        out.append(QJsonObject());
+        for (const QJsonValue summary : report[QLatin1String("summaries")].toArray()) {
+            if (summary[QLatin1String("load")] == load && summary[QLatin1String("metric")] == metric
+                && summary[QLatin1String("suite")] == arm[QLatin1String("suite")] && summary[QLatin1String("again")] == arm[QLatin1String("again")])
+                out.last() = summary.toObject();
+        }
+    }
+    return out;
+}
+
+/// A number as people read it, "1,234.5", and what half a unit of its last digit is.
+static std::pair<double, double> shown(QString text)
+{
+    text = text.remove(QLatin1Char(',')).section(QLatin1Char(' '), 0, 0);
+    const qsizetype decimals = text.contains(QLatin1Char('.')) ? text.size() - text.indexOf(QLatin1Char('.')) - 1 : 0;
+    // Without an interval three digits are shown.
+    return {text.toDouble(), std::max(0.5 * std::pow(10, -static_cast<double>(decimals)), 0.005 * std::abs(text.toDouble()) * (decimals == 0))};
+}
 
 void SweepTest::checkSummaries(const QJsonObject &report)
 {
@@ -129,6 +156,53 @@ void SweepTest::checkCsv(const QJsonObject &report, const QByteArray &csv)
     }
 }
 
+void SweepTest::checkPage(const QJsonObject &report, const QString &page)
+{
+    int checked = 0;
+    for (const char *load : {"natural", "saturated"}) {
+        const qsizetype begin = page.indexOf(q("<h2>Results: link clean, %1 load").arg(q(load)));
+        QVERIFY(begin > 0);
+        const QString table = page.mid(begin, page.indexOf(q("</table>"), begin) - begin);
+        for (const QJsonValue metric : report[QLatin1String("metrics")].toArray()) {
+            const QString unit = metric[QLatin1String("unit")].toString();
+            const QString title = metric[QLatin1String("title")].toString() + (unit.isEmpty() ? QString() : q(", ") + unit);
+            const qsizetype row = table.indexOf(q("<tr><td>%1</td>").arg(title.toHtmlEscaped()));
+            const QStringList cells = row < 0 ? QStringList() : table.mid(row, table.indexOf(q("</tr>"), row) - row).split(q("<td>")).mid(2);
+            const QList<QJsonObject> summaries = summariesOf(report, q(load), metric[QLatin1String("key")].toString());
+            for (qsizetype arm = 0; arm < summaries.size(); ++arm) {
+                const QString cell = cells.value(arm, q("–"));
+                QCOMPARE(cell.startsWith(q("–")), summaries[arm].isEmpty());
+                if (summaries[arm].isEmpty())
+                    continue;
+                const auto [value, rounding] = shown(cell);
+                const double mean = summaries[arm][QLatin1String("mean")].toDouble();
+                QVERIFY2(std::abs(value - mean) <= rounding * 1.001, qPrintable(title + q(": ") + cell + q(" for ") + QString::number(mean, 'g', 12)));
+                ++checked;
+            }
+        }
+    }
+    QVERIFY(checked > 100);
+}
+
+void SweepTest::checkFigure(const QJsonObject &report, const char *metric, const char *load, const QByteArray &svg)
+{
+    QList<double> widths;
+    QXmlStreamReader xml(svg);
+    while (!xml.atEnd()) {
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == q("rect") && xml.attributes().hasAttribute(q("stroke")))
+            widths.append(xml.attributes().value(q("width")).toDouble());
+    }
+    QList<double> means;
+    for (const QJsonObject &summary : summariesOf(report, q(load), q(metric))) {
+        if (!summary.isEmpty())
+            means.append(summary[QLatin1String("mean")].toDouble());
+    }
+    QCOMPARE(widths.size(), means.size());
+    const double scale = *std::max_element(widths.begin(), widths.end()) / *std::max_element(means.begin(), means.end());
+    for (qsizetype i = 0; i < means.size(); ++i)
+        QVERIFY2(std::abs(widths[i] - means[i] * scale) < 0.2, metric); // in tenths of a pixel, from zero
+}
+
 void SweepTest::filesAgree()
 {
     QTemporaryDir folder;
@@ -160,6 +234,11 @@ void SweepTest::filesAgree()
     checkSummaries(report);
     checkCsv(report, contentOf(folder.filePath(q("out/sweep.csv"))));
     const QByteArray page = contentOf(folder.filePath(q("out/report.html")));
+    checkPage(report, QString::fromUtf8(page));
+    for (const char *metric : {"packets", "cpu_per_frame", "open_p50", "memory", "wire_per_frame"}) {
+        for (const char *load : {"natural", "saturated"})
+            checkFigure(report, metric, load, contentOf(folder.filePath(q("out/figures/%1-%2.svg").arg(q(metric), q(load)))));
+    }
     QVERIFY(page.contains("<svg") && page.contains("rc4 (insecure)"));
     for (const char *figure : {"packets-natural", "packets-saturated", "memory-natural", "cpu-natural", "latency-saturated"}) {
         QVERIFY2(contentOf(folder.filePath(q("out/figures/%1.svg").arg(q(figure)))).startsWith("<svg"), figure);

@@ -1,0 +1,158 @@
+// What a sweep calls a difference, on sweeps that are made up so that the truth is known: the same setting twice agrees, an A/A
+// pair differs as seldom as it claims, a step of the instrument is no difference and a real one is found.
+#include "core/experiment/analysis.h"
+#include "core/metrics/histogram.h"
+
+#include <QtTest/QTest>
+
+#include <random>
+
+using namespace skyseal;
+using namespace skyseal::experiment;
+using crypto::SuiteId;
+
+namespace {
+
+constexpr unsigned kSeed = 20261121;
+
+/// Three suites and one of them again; `draw` makes the value of an arm's run.
+template<typename Draw> Results sweepOf(Metric metric, unsigned repeats, Draw draw)
+{
+    Results out;
+    out.plan.arms = {{SuiteId::ChaCha20Poly1305, false}, {SuiteId::Aes256Gcm, false}, {SuiteId::Rc4, false}, {SuiteId::ChaCha20Poly1305, true}};
+    out.plan.repeats = repeats;
+    for (const Run &run : schedule(out.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.order = static_cast<unsigned>(out.samples.size());
+        sample.values[metric] = draw(run.arm);
+        out.samples.push_back(sample);
+    }
+    return out;
+}
+
+Summary summaryOf(const Results &results, std::size_t arm, Metric metric)
+{
+    return summarise(valuesOf(results, {0, 0, arm}, metric));
+}
+
+bool differ(const Results &results, std::size_t first, std::size_t second, Metric metric)
+{
+    for (const ArmComparison &pair : compareArms(results, 0, 0, metric)) {
+        if (pair.first == first && pair.second == second)
+            return pair.comparison.significant();
+    }
+    return false;
+}
+
+/// The next value that a histogram's percentile can have.
+double nextStep(double value)
+{
+    using metrics::Histogram;
+    return static_cast<double>(Histogram::lastOf(Histogram::bucketOf(static_cast<std::uint64_t>(value)) + 1));
+}
+
+} // namespace
+
+class AnalysisTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sameSettingTwiceAgrees();
+    void sameSuiteTwiceSeldomDiffers();
+    void noPairOfEqualSuitesDiffers();
+    void realDifferenceIsFound();
+    void oneStepOfAHistogramIsNoDifference_data();
+    void oneStepOfAHistogramIsNoDifference();
+    void rareLongCallsDoNotMoveThePercentile();
+};
+
+void AnalysisTest::sameSettingTwiceAgrees()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> around(1000, 30);
+    int held = 0, agreed = 0;
+    constexpr int kSweeps = 3000;
+    for (int i = 0; i < kSweeps; ++i) {
+        const auto draw = [&](std::size_t) { return around(random); };
+        const Summary first = summaryOf(sweepOf(Metric::CpuPerFrame, 5, draw), 0, Metric::CpuPerFrame);
+        const Summary second = summaryOf(sweepOf(Metric::CpuPerFrame, 5, draw), 0, Metric::CpuPerFrame);
+        held += first.low() <= 1000 && 1000 <= first.high();
+        agreed += first.low() <= second.high() && second.low() <= first.high();
+    }
+    qInfo("seed %u: the interval held the truth in %.1f %%, two intervals met in %.1f %%", kSeed, 100.0 * held / kSweeps, 100.0 * agreed / kSweeps);
+    QVERIFY(held > 0.94 * kSweeps && held < 0.96 * kSweeps); // what "95 %" says
+    QVERIFY(agreed > 0.985 * kSweeps);
+}
+
+void AnalysisTest::sameSuiteTwiceSeldomDiffers()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> around(1000, 30);
+    int differing = 0;
+    constexpr int kSweeps = 4000;
+    for (int i = 0; i < kSweeps; ++i) {
+        const auto noise = noiseOf(sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t) { return around(random); }), 0, 0, Metric::CpuPerFrame);
+        differing += noise && noise->differs();
+    }
+    qInfo("seed %u: A/A differs in %.1f %%", kSeed, 100.0 * differing / kSweeps);
+    QVERIFY(differing > 0.035 * kSweeps && differing < 0.06 * kSweeps); // one in twenty, as the report says
+}
+
+void AnalysisTest::noPairOfEqualSuitesDiffers()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> around(1000, 30);
+    int alarms = 0;
+    constexpr int kSweeps = 3000;
+    for (int i = 0; i < kSweeps; ++i) {
+        const auto pairs = compareArms(sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t) { return around(random); }), 0, 0, Metric::CpuPerFrame);
+        alarms += std::any_of(pairs.begin(), pairs.end(), [](const ArmComparison &pair) { return pair.comparison.significant(); });
+    }
+    QVERIFY2(alarms < 0.06 * kSweeps, qPrintable(QString::number(alarms))); // any of the pairs, all together
+}
+
+void AnalysisTest::realDifferenceIsFound()
+{
+    std::mt19937 random(kSeed);
+    std::normal_distribution<double> noise(0, 10);
+    const Results results = sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t arm) { return (arm == 1 ? 1100 : 1000) + noise(random); });
+    QVERIFY(differ(results, 0, 1, Metric::CpuPerFrame));
+    QVERIFY(!differ(results, 0, 2, Metric::CpuPerFrame));
+}
+
+void AnalysisTest::oneStepOfAHistogramIsNoDifference_data()
+{
+    QTest::addColumn<int>("metric");
+    for (const Metric metric : {Metric::OpenP50, Metric::OpenP99, Metric::SealP50, Metric::SealP99})
+        QTest::newRow(info(metric).key.data()) << static_cast<int>(metric);
+}
+
+void AnalysisTest::oneStepOfAHistogramIsNoDifference()
+{
+    QFETCH(int, metric);
+    const auto cost = static_cast<Metric>(metric);
+    for (double value = 200; value < 40000; value = nextStep(value)) {
+        // Values that never vary: whatever differs at all has p = 0.
+        const Results one = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 1 ? nextStep(value) : value; });
+        QVERIFY2(!differ(one, 0, 1, cost), qPrintable(QString::number(value)));
+        const Results three = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 1 ? nextStep(nextStep(nextStep(value))) : value; });
+        QVERIFY2(differ(three, 0, 1, cost), qPrintable(QString::number(value)));
+        const Results again = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 3 ? nextStep(value) : value; });
+        QVERIFY(!noiseOf(again, 0, 0, cost)->differs());
+    }
+    // What is counted one by one has no such step.
+    QVERIFY(differ(sweepOf(Metric::WirePerFrame, 5, [](std::size_t arm) { return arm == 1 ? 101.0 : 100.0; }), 0, 1, Metric::WirePerFrame));
+}
+
+void AnalysisTest::rareLongCallsDoNotMoveThePercentile()
+{
+    metrics::Histogram calls;
+    calls.record(400, 1000);
+    calls.record(3'000'000, 9); // the core was given away
+    QVERIFY(calls.percentile(0.5) < 413 && calls.percentile(0.99) < 413);
+}
+
+QTEST_APPLESS_MAIN(AnalysisTest)
+#include "analysis_test.moc"
