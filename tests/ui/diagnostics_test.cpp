@@ -1,5 +1,6 @@
 // The charts by content: what is plotted is what was measured, in the suite's colour, with a mark where something happened;
 // suite over suite, as bars and in numbers; what is saved is what is shown.
+#include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/quantities.h"
@@ -7,6 +8,7 @@
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
 
+#include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
@@ -119,7 +121,8 @@ private Q_SLOTS:
         const std::pair<const char *, std::vector<double>> expected[] = {
             {"byteRate", {last.openedBytesPerSecond / 1e3, last.rxBytesPerSecond / 1e3}},
             {"overhead", {55, 80}},
-            {"mavlinkLoss", {last.mavlinkLossPercent}},
+            {"mavlinkLoss", {last.mavlinkLossPercent, last.peerMavlinkLossPercent}},
+            {"power", {last.powerWatts}},
             {"latency", {last.latency * 1e3, last.roundTrip * 1e3}},
             {"openCost", {last.openNsP50 / 1e3, last.openNsP99 / 1e3, last.openNextNsP50 / 1e3}},
             {"sealCost", {last.sealNsP50 / 1e3, last.sealNsP99 / 1e3}},
@@ -137,6 +140,37 @@ private Q_SLOTS:
             QVERIFY(!quantity.unit.isEmpty());
             QVERIFY(!quantity.note.isEmpty());
         }
+    }
+
+    void memoryOfASessionIsThatOfTheSuite()
+    {
+        m_panel->showScene(sceneWith(twoSuites()));
+        choose("chartGroup", QStringLiteral("Cost"));
+        const ChartContent memory = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_sessionMemory"))->plotted();
+        QCOMPARE(memory.bars.size(), std::size_t(2));
+        const SuiteId suites[] = {SuiteId::ChaCha20Poly1305, SuiteId::Rc4};
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto bytes = experiment::sessionBytes(suites[i]); // measured a second time
+            QVERIFY(bytes && *bytes > 1000);
+            QVERIFY2(std::abs(memory.bars[i].mean * 1000 / *bytes - 1) < 0.05, qPrintable(QString::number(*bytes)));
+            QCOMPARE(memory.runs[i].points.back().y(), memory.bars[i].mean);
+        }
+    }
+
+    void powerIsShownOnlyWhereItCanBeRead()
+    {
+        const auto powerOf = [](const std::string &folder) { return allQuantities(folder).back(); };
+        QCOMPARE(QLatin1String(powerOf("/nonexistent").key), QLatin1String("power"));
+        QCOMPARE(powerOf("/nonexistent").remark, QStringLiteral("not readable here"));
+        QVERIFY(powerOf("/nonexistent").note.contains(QStringLiteral("/nonexistent")));
+        QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("intel-rapl:0")));
+        for (const auto &[name, text] : {std::pair("name", "package-0\n"), std::pair("energy_uj", "5000\n")}) {
+            QFile file(folder.filePath(QStringLiteral("intel-rapl:0/") + QLatin1String(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+        }
+        QVERIFY(powerOf(folder.path().toStdString()).remark.isEmpty());
+        QVERIFY(powerOf(folder.path().toStdString()).note.contains(QStringLiteral("package-0")));
     }
 
     void barsAreTheMeansOfTheSuites()
@@ -189,7 +223,7 @@ private Q_SLOTS:
         QCOMPARE(model->index(1, 2).data().toDouble(),
                  std::round(meanOf(all, SuiteId::Rc4, &MetricsSample::openedFramesPerSecond) * 10) / 10);
         for (int column = 0; column < model->columnCount(); ++column)
-            QVERIFY(!model->headerData(column, Qt::Horizontal).toString().contains(QStringLiteral("Memory")));
+            QVERIFY(!model->headerData(column, Qt::Horizontal).toString().contains(QStringLiteral("MB resident")));
     }
 
     void incidentsAreMarked()
@@ -299,6 +333,8 @@ private Q_SLOTS:
         for (std::size_t i = 0; i < all.size(); ++i) {
             QVERIFY(qFuzzyCompare(cell(i, "frames_per_s").toDouble(), all[i].openedFramesPerSecond));
             QVERIFY(qFuzzyCompare(1 + cell(i, "channel_loss_to_it_percent").toDouble(), 1 + all[i].peerLossPercent));
+            QVERIFY(qFuzzyCompare(1 + cell(i, "mavlink_loss_to_it_percent").toDouble(), 1 + all[i].peerMavlinkLossPercent));
+            QVERIFY(qFuzzyCompare(cell(i, "processor_watts").toDouble(), all[i].powerWatts));
         }
         QCOMPARE(cell(0, "suite"), QByteArray("chacha20-poly1305"));
         QCOMPARE(cell(0, "insecure"), QByteArray("0"));

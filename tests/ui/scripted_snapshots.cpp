@@ -205,6 +205,8 @@ std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double f
         s.sealNsP50 = 2000 + 240 * cost;
         s.sealNsP99 = 4000 + 390 * cost;
         s.mavlinkLossPercent = s.lossPercent * 1.2;
+        s.peerMavlinkLossPercent = s.peerLossPercent * 1.3;
+        s.powerWatts = 14 + wobble;
         s.latency = 0.012 + 0.001 * wobble;
         s.roundTrip = 0.008 + 0.001 * wobble;
         s.rxOverheadPercent = 55;

@@ -105,6 +105,8 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
         else if (line.stroke == Stroke::Dotted)
             key << tr("%1 dotted").arg(line.name);
     }
+    if (!quantity.remark.isEmpty())
+        key << quantity.remark;
     plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), quantity.note},
                                       m_grid->sheet());
     plot.widget->setObjectName(QStringLiteral("chart_") + QLatin1String(quantity.key));
@@ -158,8 +160,12 @@ TimeSeriesChart *DiagnosticsPanel::chart(int index) const
 
 void DiagnosticsPanel::showScene(const Scene &scene)
 {
-    if (scene.snapshot && m_history.take(scene.snapshot->samples))
-        m_fresh = true;
+    if (!scene.snapshot)
+        return;
+    std::vector<engine::MetricsSample> samples = scene.snapshot->samples;
+    for (engine::MetricsSample &sample : samples)
+        sample.sessionBytes = m_sessionMemory.of(sample.suite);
+    m_fresh = m_history.take(samples) || m_fresh;
 }
 
 void DiagnosticsPanel::refresh()

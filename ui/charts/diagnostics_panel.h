@@ -5,6 +5,7 @@
 
 #include "ui/charts/axis_scale.h"
 #include "ui/charts/chart_builder.h"
+#include "ui/charts/session_memory.h"
 #include "ui/dock_panel.h"
 #include "ui/scene.h"
 
@@ -73,6 +74,7 @@ private:
                     const std::function<QString(const QString &)> &save);
 
     std::vector<Quantity> m_quantities;
+    SessionMemory m_sessionMemory;
     SampleHistory m_history;
     ChartRange m_range;
     std::vector<Plot> m_plots;

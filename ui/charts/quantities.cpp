@@ -41,6 +41,11 @@ double megabytes(const MetricsSample &s)
     return s.residentBytes > 0 ? static_cast<double>(s.residentBytes) / 1e6 : vehicle::kUnknown;
 }
 
+double watts(const MetricsSample &s)
+{
+    return s.powerWatts;
+}
+
 double processCpu(const MetricsSample &s)
 {
     return s.processCpuPercent;
@@ -79,9 +84,11 @@ std::vector<Quantity> links()
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::lossPercent>},
           {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}}, true},
         {"mavlinkLoss", Words::tr("Packet loss, MAVLink"), Words::tr("%"),
-         Words::tr("Frames to us that never arrived, by their sequence numbers for each sender, over the last second. Loss "
-                   "between autopilot and agent counts here and not in the channel."), 2, 1,
-         {{{}, Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>}}, true},
+         Words::tr("Frames that never arrived, by their sequence numbers for each sender, over the last second; those to the "
+                   "vehicle as its agent counts them and tells once a second. Loss between autopilot and agent counts here and "
+                   "not in the channel."), 2, 1,
+         {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>},
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerMavlinkLossPercent>}}, true},
         {"latency", Words::tr("Latency"), Words::tr("ms"),
          Words::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."),
          2, 1,
@@ -113,16 +120,31 @@ std::vector<Quantity> costs()
         {"memory", Words::tr("Memory"), Words::tr("MB resident"),
          Words::tr("Of the whole process, as the system counts it. It does not belong to a suite."), 1, 50,
          {{{}, Stroke::Solid, megabytes}}, false},
+        {"sessionMemory", Words::tr("Memory of a session"), Words::tr("kB"),
+         Words::tr("Heap that one end's session takes under the suite in use, its keyed ciphers included: measured once for each "
+                   "suite, with a session of this program's own."), 2, 5,
+         {{{}, Stroke::Solid, kilo<&MetricsSample::sessionBytes>}}, true},
     };
+}
+
+Quantity power(const std::string &powercap)
+{
+    metrics::EnergyMeter meter(powercap);
+    const bool readable = meter.microjoules().has_value();
+    return {"power", Words::tr("Power of the processor"), Words::tr("W"),
+            Words::tr("By the kernel's energy counters, over the last second: the whole processor and all that runs on it, not this "
+                      "program alone (%1).").arg(QString::fromStdString(meter.describe())), 1, 5,
+            {{{}, Stroke::Solid, watts}}, true, readable ? QString() : Words::tr("not readable here")};
 }
 
 } // namespace
 
-std::vector<Quantity> allQuantities()
+std::vector<Quantity> allQuantities(const std::string &powercap)
 {
     std::vector<Quantity> out = rates();
     for (auto &&more : {links(), costs()})
         out.insert(out.end(), more.begin(), more.end());
+    out.push_back(power(powercap));
     return out;
 }
 
@@ -134,7 +156,7 @@ std::vector<QuantityGroup> quantityGroups()
     return {{Words::tr("Overview"), {"frameRate", "channelLoss", "cpu"}},
             {Words::tr("Rates"), {"frameRate", "byteRate", "overhead"}},
             {Words::tr("Link"), {"channelLoss", "mavlinkLoss", "latency"}},
-            {Words::tr("Cost"), {"openCost", "sealCost", "cpu", "memory"}},
+            {Words::tr("Cost"), {"openCost", "sealCost", "cpu", "memory", "sessionMemory", "power"}},
             all};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/engine/snapshot.h"
+#include "core/metrics/energy_meter.h"
 #include "ui/charts/chart.h"
 
 #include <vector>
@@ -26,10 +27,11 @@ struct Quantity
     double least = 1;  ///< the least end of its axis
     std::vector<QuantityLine> lines;
     bool perSuite = true; ///< false: the figure says nothing about a suite, so that bars would mislead
+    QString remark = {};  ///< beside the title: why there is nothing to see
 };
 
-/// All of them, in the order in which they are shown.
-std::vector<Quantity> allQuantities();
+/// All of them, in the order in which they are shown. `powercap`: where the kernel's energy counters are.
+std::vector<Quantity> allQuantities(const std::string &powercap = metrics::EnergyMeter::kFolder);
 
 /// A choice of quantities for the place that there is.
 struct QuantityGroup

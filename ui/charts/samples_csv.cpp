@@ -24,6 +24,7 @@ constexpr Column kColumns[] = {
     {"channel_loss_to_us_percent", &MetricsSample::lossPercent},
     {"channel_loss_to_it_percent", &MetricsSample::peerLossPercent},
     {"mavlink_loss_to_us_percent", &MetricsSample::mavlinkLossPercent},
+    {"mavlink_loss_to_it_percent", &MetricsSample::peerMavlinkLossPercent},
     {"latency_s", &MetricsSample::latency},
     {"channel_round_trip_s", &MetricsSample::roundTrip},
     {"overhead_to_us_percent", &MetricsSample::rxOverheadPercent},
@@ -37,6 +38,8 @@ constexpr Column kColumns[] = {
     {"open_next_ns_p99", &MetricsSample::openNextNsP99},
     {"seal_ns_p50", &MetricsSample::sealNsP50},
     {"seal_ns_p99", &MetricsSample::sealNsP99},
+    {"session_bytes", &MetricsSample::sessionBytes},
+    {"processor_watts", &MetricsSample::powerWatts},
 };
 
 } // namespace

@@ -1,0 +1,114 @@
+// What looking at the diagnostics costs: CPU time of the window's thread while samples come as they do in flight, over the time
+// that passes, once with the view in sight at its own refresh and once hidden. Thirty seconds of ten minutes' history each.
+#include "core/metrics/process_usage.h"
+#include "scripted_snapshots.h"
+#include "ui/charts/diagnostics_panel.h"
+
+#include <QtCore/QElapsedTimer>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+using crypto::SuiteId;
+
+namespace {
+
+constexpr double kVisibleLimit = 3; // percent of one core
+constexpr int kSeconds = 15;
+constexpr double kHistory = 580;
+
+/// Four samples a second in snapshots that come thirty times a second, as the station's do.
+class Flight
+{
+public:
+    explicit Flight(DiagnosticsPanel &panel) : m_panel(panel)
+    {
+        // The paper's four ciphers and two more, each for a while.
+        const SuiteId suites[] = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4};
+        for (std::uint32_t i = 0; i < 12; ++i) {
+            const auto part = samplesOf(m_all.size(), kHistory * i / 12, kHistory * (i + 1) / 12, suites[i % 6], i);
+            m_all.insert(m_all.end(), part.begin(), part.end());
+        }
+        const auto rest = samplesOf(m_all.size(), kHistory, kHistory + 4 * kSeconds, SuiteId::ChaCha20Poly1305, 12);
+        m_sent = m_all.size();
+        m_all.insert(m_all.end(), rest.begin(), rest.end());
+        show(m_sent, 0);
+    }
+
+    /// CPU time of this thread in percent of one core over so many seconds of samples.
+    double load(int duration)
+    {
+        QTimer snapshots;
+        QElapsedTimer clock;
+        const std::size_t before = m_sent;
+        QObject::connect(&snapshots, &QTimer::timeout, [&] {
+            m_sent = std::min(m_all.size(), before + static_cast<std::size_t>(clock.elapsed() / 250));
+            show(m_sent, std::min<std::size_t>(m_sent, 40));
+        });
+        clock.start();
+        const Duration cpu = metrics::threadCpuTime();
+        snapshots.start(33);
+        QEventLoop loop;
+        QTimer::singleShot(duration * 1000, &loop, &QEventLoop::quit);
+        loop.exec();
+        return 100 * seconds(metrics::threadCpuTime() - cpu) / (static_cast<double>(clock.elapsed()) / 1000);
+    }
+
+private:
+    /// The newest `last` of the first `count` samples; all of them for 0.
+    void show(std::size_t count, std::size_t last)
+    {
+        auto snapshot = std::make_shared<engine::Snapshot>();
+        const auto end = m_all.begin() + static_cast<std::ptrdiff_t>(count);
+        snapshot->samples.assign(last ? end - static_cast<std::ptrdiff_t>(last) : m_all.begin(), end);
+        m_panel.showScene(Scene{snapshot});
+    }
+
+    DiagnosticsPanel &m_panel;
+    std::vector<engine::MetricsSample> m_all;
+    std::size_t m_sent = 0;
+};
+
+} // namespace
+
+class DiagnosticsCostTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void seenAndHidden_data();
+    void seenAndHidden();
+};
+
+void DiagnosticsCostTest::seenAndHidden_data()
+{
+    QTest::addColumn<QString>("group");
+    QTest::newRow("three charts, as it opens") << QStringLiteral("Overview");
+    QTest::newRow("six charts") << QStringLiteral("Cost");
+}
+
+void DiagnosticsCostTest::seenAndHidden()
+{
+    QFETCH(QString, group);
+    DiagnosticsPanel panel;
+    panel.resize(1200, 300);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    panel.findChild<QComboBox *>(QStringLiteral("chartGroup"))->setCurrentText(group);
+    Flight flight(panel);
+    const double seen = flight.load(kSeconds);
+    panel.hide();
+    const double hidden = flight.load(kSeconds);
+    panel.show();
+    QVERIFY(panel.history().newest() > kHistory + kSeconds); // nothing was missed meanwhile
+    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%", qPrintable(group), seen, hidden);
+    QVERIFY(hidden < seen / 10 && hidden < 0.5);
+#ifdef NDEBUG
+    if (group == QStringLiteral("Overview"))
+        QVERIFY(seen < kVisibleLimit);
+#endif
+}
+
+QTEST_MAIN(DiagnosticsCostTest)
+#include "diagnostics_cost_test.moc"
