@@ -241,7 +241,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
         // On paper each begins a page, so that no head of a table stands alone at the foot of one.
-        out += std::string(inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">") + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
+        out += inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
+        out += "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
                + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
                + differences(results, condition, load);
     });
@@ -273,7 +274,8 @@ std::vector<Figure> figuresOf(const Results &results)
 
 std::string htmlReport(const ReportParts &parts)
 {
-    return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n<meta name=\"color-scheme\" content=\"light\"/>\n<title>Skyseal sweep</title>\n<style>")
+    return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+                       "<meta name=\"color-scheme\" content=\"light\"/>\n<title>Skyseal sweep</title>\n<style>")
            + kStyle + "</style>\n</head>\n<body>\n" + body(parts, true) + "</body>\n</html>\n";
 }
 
