@@ -220,7 +220,8 @@ ChannelTotals ChannelDriver::totals() const
     out.tx = m_endedTx;
     out.peerRx = m_endedPeerRx;
     out.peerFrames = m_endedPeerFrames;
-    out.rx += m_endpoint.strays();
+    out.strays = m_endpoint.strays();
+    out.rx += out.strays;
     out.wire = m_wire;
     TimePoint heard = TimePoint::min();
     for (const channel::SessionId session : m_endpoint.sessions()) {

@@ -195,6 +195,9 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
     json.key("rx").beginObject();
     writeReceived(json, totals.rx);
     json.endObject();
+    json.key("strays").beginObject(); // contained in rx: handshakes that came twice, garbage
+    json.field("replayed", totals.strays.replayed).field("forged", totals.strays.forged);
+    json.field("malformed", totals.strays.malformed).endObject();
     // What we sent, and what became of it in the eyes of the other end.
     json.key("tx").beginObject();
     json.field("records", totals.tx.records).field("sealed_bytes", totals.tx.sealedBytes);

@@ -50,6 +50,7 @@ struct ChannelTotals
     std::uint32_t epoch = 0;
     channel::Framing framing{}; ///< how its frames are sent now
     channel::ReceiveCounters rx;
+    channel::ReceiveCounters strays; ///< contained in rx: what belongs to no session
     channel::SendCounters tx;
     channel::ReceiveCounters peerRx; ///< ours, as the other end counts them; at most a second old
     /// MAVLink frames that the agents took of ours; nothing where none tells.

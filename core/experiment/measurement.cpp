@@ -127,7 +127,11 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
 Counted countedBy(const engine::Snapshot &snapshot)
 {
     const engine::MavlinkTotals &mavlink = snapshot.mavlink;
-    return {{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, snapshot.channel.rx, snapshot.channel.peerRx};
+    Counted out{{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, snapshot.channel.rx, snapshot.channel.peerRx};
+    out.rx.replayed -= snapshot.channel.strays.replayed; // handshakes are no records
+    out.rx.forged -= snapshot.channel.strays.forged;
+    out.rx.malformed -= snapshot.channel.strays.malformed;
+    return out;
 }
 
 } // namespace skyseal::experiment
