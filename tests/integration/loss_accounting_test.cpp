@@ -172,6 +172,8 @@ void LossAccountingTest::plainFramesAreCountedExactly()
                    relayArguments(relay, flight.groundPort, "--loss 0.15 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 5"));
     Program monitor(q("skyseal-cli"), QStringList{q("monitor"), q("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort)}
                                           + words("--secure off --stream-rate 20 --no-record --json"));
+    // What the relay sends to a port that nobody listens on yet is lost behind its back.
+    QVERIFY2(!monitor.waitFor(q("link"), 20000).isEmpty(), monitor.errors().constData());
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, words("--allow-plain")));
     QVERIFY2(!monitor.waitFor(q("vehicle"), 20000).isEmpty(), monitor.errors().constData());
