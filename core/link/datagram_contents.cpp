@@ -42,6 +42,7 @@ DatagramContents contentsOf(ByteView datagram)
     DatagramContents out;
     if (const auto record = channel::RecordHeader::read(datagram); record && record->kind == channel::DatagramKind::Record) {
         out.connection = static_cast<std::uint16_t>(record->connection);
+        out.epoch = record->epochBits;
         return out;
     }
     while (const std::size_t length = frameLength(datagram)) {
@@ -49,6 +50,8 @@ DatagramContents contentsOf(ByteView datagram)
             out.frames.push_back({datagram[3], datagram[4], datagram[2], false});
         else
             out.frames.push_back({datagram[5], datagram[6], datagram[4], datagram[2] == channel::kInlineFlags});
+        if (out.frames.back().sealedInPlace)
+            out.epoch = static_cast<std::uint8_t>(datagram[length - channel::kInlineTrailer] & 3);
         datagram = datagram.subspan(length);
     }
     return out;

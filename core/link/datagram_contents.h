@@ -23,6 +23,8 @@ struct DatagramContents
 
     /// Of a record: the receiver's name for the session. Nothing for all else, handshakes included.
     std::optional<std::uint16_t> connection;
+    /// The two low bits of the epoch that it was sealed under.
+    std::optional<std::uint8_t> epoch;
     std::vector<Frame> frames;
 
     /// What the receiver's session counts one by one: a record, or each frame that is sealed in place.

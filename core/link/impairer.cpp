@@ -174,6 +174,8 @@ std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, cons
     json.field("sealed", contents.sealedUnits());
     if (contents.connection)
         json.field("connection", std::uint32_t{*contents.connection});
+    if (contents.epoch)
+        json.field("epoch", std::uint32_t{*contents.epoch});
     json.key("frames").beginArray();
     for (const DatagramContents::Frame &frame : contents.frames) {
         json.beginArray();

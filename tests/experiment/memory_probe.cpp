@@ -1,5 +1,5 @@
 // Holds so many keyed ciphers, or pairs of ends with a session, of one suite, and says what each takes by our own measure: what
-// a heap profiler sees of it beyond the same with none held is what it is checked against.
+// a heap profiler sees of it beyond the same with fewer held is what it is checked against.
 //
 //     memory_probe contexts|pairs SUITE COUNT
 #include "core/crypto/init_crypto.h"

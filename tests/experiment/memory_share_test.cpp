@@ -1,7 +1,7 @@
 // Figures of memory against heaptrack's, on the same runs.
 //
 // The heap of a keyed cipher, and of two ends with a session: ours (glibc's account of the heap before and after) against the
-// growth of heaptrack's peak between a program that holds none and one that holds many. heaptrack adds up what was asked for,
+// growth of heaptrack's peak between a program that holds some and one that holds more. heaptrack adds up what was asked for,
 // glibc what it gave, which is up to 24 bytes more for each block: within 15 %.
 //
 // The resident set that monitor reports (as a sweep does) against the peak that heaptrack reads itself: within 15 %. Both hold
@@ -83,8 +83,8 @@ void MemoryShareTest::heapIsWhatHeaptrackFinds_data()
     QTest::addColumn<QString>("suite");
     QTest::addColumn<int>("count");
     for (const char *suite : {"chacha20-poly1305", "aes-256-gcm", "aes-256-cbc", "rc4"}) {
-        QTest::addRow("context of %s", suite) << q("contexts") << q(suite) << 2000;
-        QTest::addRow("two ends under %s", suite) << q("pairs") << q(suite) << 40;
+        QTest::addRow("context of %s", suite) << q("contexts") << q(suite) << 10000;
+        QTest::addRow("two ends under %s", suite) << q("pairs") << q(suite) << 20;
     }
 }
 
@@ -94,15 +94,16 @@ void MemoryShareTest::heapIsWhatHeaptrackFinds()
     QFETCH(QString, suite);
     QFETCH(int, count);
     const auto run = [&](int held) { return profiled({q(SKYSEAL_MEMORY_PROBE), what, suite, QString::number(held)}); };
-    const auto none = run(0), many = run(count);
-    QVERIFY(none && many && many->heap > none->heap);
+    // What else the program takes for a while is in both peaks.
+    const auto some = run(count), many = run(3 * count);
+    QVERIFY(some && many && many->heap > some->heap);
     double ours = -1;
     for (const QByteArray &line : many->out.split('\n')) {
         bool isNumber = false;
         if (const double value = line.toDouble(&isNumber); isNumber)
             ours = value;
     }
-    const double theirs = (many->heap - none->heap) / count;
+    const double theirs = (many->heap - some->heap) / (2 * count);
     qInfo("%s: ours %.0f bytes, heaptrack %.0f, ratio %.3f", QTest::currentDataTag(), ours, theirs, ours / theirs);
     QVERIFY(std::abs(ours / theirs - 1) <= kTolerance);
 }

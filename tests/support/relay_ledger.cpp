@@ -16,6 +16,8 @@ struct Stream
     qint64 next = 0;   ///< sent so far
     qint64 newest = -1; ///< that arrived
     std::set<qint64> arrived;
+    int epoch = -1, epochs = 0; ///< low bits of the one that is sent under, and how many there were
+    std::map<int, qint64> newestOf; ///< of each epoch
 
     enum class Arrival { Newest, Late, Again };
     Arrival take(qint64 number)
@@ -30,6 +32,7 @@ struct Place
 {
     int stream = 0;
     qint64 number = 0;
+    int epoch = 0; ///< counted from the first
 };
 
 struct Datagram
@@ -61,8 +64,11 @@ public:
         const qint64 units = event[QLatin1String("sealed")].toInteger();
         // Frames sealed in place do not say of which session they are.
         m_session = event[QLatin1String("connection")].toInt(m_session);
+        Stream &session = m_sessions[m_session];
+        if (const int epoch = event[QLatin1String("epoch")].toInt(-1); units > 0 && epoch != std::exchange(session.epoch, epoch))
+            ++session.epochs;
         for (qint64 i = 0; i < units; ++i)
-            out.sealed.push_back({m_session, m_sessions[m_session].next++});
+            out.sealed.push_back({m_session, session.next++, session.epochs});
         for (const QJsonValue frame : event[QLatin1String("frames")].toArray()) {
             const QJsonArray parts = frame.toArray();
             const int key = parts[0].toInt() * 256 + parts[1].toInt();
@@ -70,7 +76,7 @@ public:
             const int sequence = parts[2].toInt();
             sender.stream.next += sender.last < 0 ? 0 : (sequence - sender.last) & 0xff;
             sender.last = sequence;
-            out.frames.push_back({key, sender.stream.next});
+            out.frames.push_back({key, sender.stream.next, 0});
         }
         out.inPlace = units > 0;
         return out;
@@ -95,7 +101,10 @@ private:
         const Stream::Arrival arrival = session.take(place.number);
         RelayLedger::Sealed now = m_sealed.back();
         now.good += arrival != Stream::Arrival::Again;
-        now.late += arrival == Stream::Arrival::Late;
+        // What an epoch's last records lose is not known as long as no later one came; late is, within its epoch.
+        qint64 &newest = session.newestOf.try_emplace(place.epoch, -1).first->second;
+        now.late += arrival != Stream::Arrival::Again && place.number < newest;
+        newest = std::max(newest, place.number);
         now.replayed += arrival == Stream::Arrival::Again;
         now.lost += arrival == Stream::Arrival::Newest ? place.number - before - 1 : arrival == Stream::Arrival::Late ? -1 : 0;
         m_sealed.push_back(now);
