@@ -375,7 +375,7 @@ void SweepRunner::endRun(std::string problem)
         sample.seconds = m_snapshot->time - m_begin.station->time;
         sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
         sample.values[Metric::Switch] = m_switchTook;
-        if (!m_plain)
+        if (m_protection == engine::Protection::Sealed)
             sample.values[Metric::SessionMemory] = sessionMemory(wantedSuite());
         sample.begin = countedBy(*m_begin.station);
         sample.end = countedBy(*m_snapshot);

@@ -91,7 +91,8 @@ static QList<QJsonObject> summariesOf(const QJsonObject &report, const QString &
         out.append(QJsonObject());
         for (const QJsonValue summary : report[QLatin1String("summaries")].toArray()) {
             if (summary[QLatin1String("load")] == load && summary[QLatin1String("metric")] == metric
-                && summary[QLatin1String("suite")] == arm[QLatin1String("suite")] && summary[QLatin1String("again")] == arm[QLatin1String("again")])
+                && summary[QLatin1String("suite")] == arm[QLatin1String("suite")] && summary[QLatin1String("again")] == arm[QLatin1String("again")]
+                && summary[QLatin1String("framing")] == arm[QLatin1String("framing")])
                 out.last() = summary.toObject();
         }
     }

@@ -148,7 +148,7 @@ void LossAccountingTest::liveCountersAreExact()
     QCOMPARE(impair.terminate(), 0);
 
     const RelayLedger down(impair.events(), q("forward")), up(impair.events(), q("backward"));
-    QVERIFY2(down.dropped() > 20 && up.dropped() > 2, qPrintable(QStringLiteral("%1, %2").arg(down.dropped()).arg(up.dropped())));
+    QVERIFY2(down.dropped() > 20 && up.dropped() > 0, qPrintable(QStringLiteral("%1, %2").arg(down.dropped()).arg(up.dropped())));
     QCOMPARE(down.duplicated() > 10, impairment.contains("duplicate"));
     QCOMPARE(down.overtaken() > 10, impairment.contains("reorder"));
     int reports = 0;
@@ -200,22 +200,26 @@ void LossAccountingTest::plainFramesAreCountedExactly()
 
 void LossAccountingTest::sweepsLossIsExact_data()
 {
+    QTest::addColumn<bool>("inPlace");
     QTest::addColumn<QByteArray>("impairment");
-    QTest::newRow("loss") << QByteArray("--loss 0.1 --seed 6");
-    QTest::newRow("loss, duplicates, reordering") << QByteArray("--loss 0.1 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 7");
+    const char *const kAll = "--loss 0.1 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 7";
+    QTest::newRow("records, loss") << false << QByteArray("--loss 0.1 --seed 6");
+    QTest::newRow("records, loss, duplicates, reordering") << false << QByteArray(kAll);
+    QTest::newRow("sealed in place, loss, duplicates, reordering") << true << QByteArray(kAll);
 }
 
 void LossAccountingTest::sweepsLossIsExact()
 {
+    QFETCH(bool, inPlace);
     QFETCH(QByteArray, impairment);
     Flight flight;
     QVERIFY(flight.ready());
     const quint16 relay = freeUdpPort();
     Program impair(q("skyseal-cli"), relayArguments(relay, flight.groundPort, impairment.constData()));
     Program sim(q("skyseal-sim"), flight.simArguments());
-    Program air(q("skyseal-air"), flight.airArguments(relay));
-    QStringList arguments = words("sweep --suites chacha20-poly1305,aes-256-gcm,rc4 --allow-research --seconds 1.5 --warm-up 1 "
-                                  "--repeats 2 --no-noise --json --identity");
+    Program air(q("skyseal-air"), flight.airArguments(relay, inPlace ? words("--allow-inline") : QStringList()));
+    QStringList arguments = words("sweep --allow-research --seconds 1.5 --warm-up 1 --repeats 2 --no-noise --json --suites")
+        + words(inPlace ? "chacha20,aes-256-ctr,rc4 --framing inline --identity" : "chacha20-poly1305,aes-256-gcm,rc4 --identity");
     arguments << flight.path(q("ground.key")) << q("--peers") << flight.path(q("ground.peers")) << q("--link")
               << QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort);
     Program sweep(q("skyseal-cli"), arguments);
@@ -231,6 +235,8 @@ void LossAccountingTest::sweepsLossIsExact()
         for (const QJsonValue &edge : {begin, end}) {
             AGREES(edge[QLatin1String("rx")], down.sealed());
             AGREES(edge[QLatin1String("tx")], up.sealed());
+            if (inPlace)
+                AGREES(edge[QLatin1String("mavlink")], down.frames());
         }
         // And the share that is reported is made of these very counts.
         const auto checkShare = [&](const char *direction, const char *metric) {
