@@ -192,7 +192,7 @@ void ReportTest::framingsAreTold()
     QCOMPARE(results.plan.arms.size(), std::size_t(5));
     QCOMPARE(results.samples.size(), std::size_t(8)); // AES-256-GCM is not inline
     const std::string figure = svg(chartOf(results, 0, 0, Metric::Packets));
-    for (const char *label : {">none<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<",
+    for (const char *label : {">none (insecure)<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<",
                               ">not in this framing<"})
         QVERIFY2(figure.find(label) != std::string::npos, label);
     QVERIFY(figure.find("not measured") == std::string::npos);
