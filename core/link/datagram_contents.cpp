@@ -32,17 +32,13 @@ std::uint64_t DatagramContents::clearFrames() const
         std::count_if(frames.begin(), frames.end(), [](const Frame &frame) { return !frame.sealedInPlace; }));
 }
 
-std::uint64_t DatagramContents::sealedUnits() const
-{
-    return frames.size() - clearFrames() + (connection ? 1 : 0);
-}
-
 DatagramContents contentsOf(ByteView datagram)
 {
     DatagramContents out;
     if (const auto record = channel::RecordHeader::read(datagram); record && record->kind == channel::DatagramKind::Record) {
         out.connection = static_cast<std::uint16_t>(record->connection);
         out.epoch = record->epochBits;
+        out.counters.push_back(record->counter);
         return out;
     }
     while (const std::size_t length = frameLength(datagram)) {
@@ -50,8 +46,11 @@ DatagramContents contentsOf(ByteView datagram)
             out.frames.push_back({datagram[3], datagram[4], datagram[2], false});
         else
             out.frames.push_back({datagram[5], datagram[6], datagram[4], datagram[2] == channel::kInlineFlags});
-        if (out.frames.back().sealedInPlace)
-            out.epoch = static_cast<std::uint8_t>(datagram[length - channel::kInlineTrailer] & 3);
+        if (out.frames.back().sealedInPlace) {
+            const ByteView trailer = datagram.first(length).last(channel::kInlineTrailer);
+            out.epoch = trailer[0] & 3;
+            out.counters.push_back(trailer[1] | trailer[2] << 8u | trailer[3] << 16u | std::uint32_t{trailer[4]} << 24);
+        }
         datagram = datagram.subspan(length);
     }
     return out;

@@ -23,12 +23,13 @@ struct DatagramContents
 
     /// Of a record: the receiver's name for the session. Nothing for all else, handshakes included.
     std::optional<std::uint16_t> connection;
-    /// The two low bits of the epoch that it was sealed under.
+    /// The two low bits of the epoch that it was sealed under, and the counters of the record or of the frames in place.
     std::optional<std::uint8_t> epoch;
+    std::vector<std::uint32_t> counters;
     std::vector<Frame> frames;
 
     /// What the receiver's session counts one by one: a record, or each frame that is sealed in place.
-    std::uint64_t sealedUnits() const;
+    std::uint64_t sealedUnits() const { return counters.size(); }
     std::uint64_t clearFrames() const;
 };
 

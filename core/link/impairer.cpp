@@ -171,7 +171,10 @@ std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, cons
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
     json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
     json.field("duplicated", verdict.duplicated).field("held_back", verdict.heldBack).field("corrupted", verdict.corrupted);
-    json.field("sealed", contents.sealedUnits());
+    json.key("counters").beginArray();
+    for (const std::uint32_t counter : contents.counters)
+        json.value(counter);
+    json.endArray();
     if (contents.connection)
         json.field("connection", std::uint32_t{*contents.connection});
     if (contents.epoch)

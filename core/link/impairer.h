@@ -82,7 +82,7 @@ std::string statsJson(const char *event, const Impairer &impairer, Duration sinc
 /// {"event":"drop","t":…,"direction":…,"sequence":…,"bytes":…,"reason":"loss"|"queue"}
 std::string dropJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict);
 /// {"event":"in","t":…,"direction":…,"sequence":…,"bytes":…,"fate":"passed"|"lost"|"queue_full","duplicated":…,
-/// "held_back":…,"corrupted":…,"sealed":N,"connection":… (of a record),"epoch":… (low bits),"frames":[[system,component,sequence],…]}
+/// "held_back":…,"corrupted":…,"counters":[…] (sealed units),"connection":… (of a record),"epoch":… (low bits),"frames":[[system,component,sequence],…]}
 std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, const impair::Verdict &verdict,
                         const DatagramContents &contents);
 /// {"event":"out","t":…,"direction":…,"sequence":…}

@@ -10,14 +10,11 @@ namespace skyseal::test {
 
 namespace {
 
-/// Numbers of one counter, in the order in which they were sent from 0.
+/// Numbers of one counter, from 0, as they arrive.
 struct Stream
 {
-    qint64 next = 0;   ///< sent so far
-    qint64 newest = -1; ///< that arrived
+    qint64 newest = -1;
     std::set<qint64> arrived;
-    int epoch = -1, epochs = 0; ///< low bits of the one that is sent under, and how many there were
-    std::map<int, qint64> newestOf; ///< of each epoch
 
     enum class Arrival { Newest, Late, Again };
     Arrival take(qint64 number)
@@ -32,12 +29,33 @@ struct Place
 {
     int stream = 0;
     qint64 number = 0;
-    int epoch = 0; ///< counted from the first
+};
+
+/// The epochs of one session: each counts from 0.
+struct Session
+{
+    int bits = -1; ///< of the epoch that is sent under
+    int epochs = 0;
+    int newest = 0; ///< epoch of which something arrived
+    std::map<int, Stream> streams;
+    std::map<int, qint64> sent; ///< under each epoch
+
+    /// An epoch that is over has its last losses told by the sender; of the present one only those before the newest are known.
+    qint64 lost() const
+    {
+        qint64 out = 0;
+        for (const auto &[epoch, stream] : streams) {
+            const auto known = epoch < newest ? std::max(sent.at(epoch), stream.newest + 1) : stream.newest + 1;
+            out += known - static_cast<qint64>(stream.arrived.size());
+        }
+        return out;
+    }
 };
 
 struct Datagram
 {
-    std::vector<Place> sealed; ///< streams are sessions
+    int session = 0;
+    std::vector<Place> sealed; ///< streams are epochs
     std::vector<Place> frames; ///< streams are senders
     bool inPlace = false;
 };
@@ -46,6 +64,7 @@ struct Datagram
 struct Sender
 {
     int last = -1;
+    qint64 sent = 0;
     qint64 first = -1; ///< that arrived: what was lost before it nobody can know
     Stream stream;
 };
@@ -61,24 +80,26 @@ public:
     Datagram takeIn(const QJsonObject &event)
     {
         Datagram out;
-        const qint64 units = event[QLatin1String("sealed")].toInteger();
         // Frames sealed in place do not say of which session they are.
-        m_session = event[QLatin1String("connection")].toInt(m_session);
-        Stream &session = m_sessions[m_session];
-        if (const int epoch = event[QLatin1String("epoch")].toInt(-1); units > 0 && epoch != std::exchange(session.epoch, epoch))
-            ++session.epochs;
-        for (qint64 i = 0; i < units; ++i)
-            out.sealed.push_back({m_session, session.next++, session.epochs});
+        out.session = m_session = event[QLatin1String("connection")].toInt(m_session);
+        Session &session = m_sessions[m_session];
+        for (const QJsonValue counter : event[QLatin1String("counters")].toArray()) {
+            if (const int bits = event[QLatin1String("epoch")].toInt(); bits != std::exchange(session.bits, bits))
+                ++session.epochs;
+            qint64 &sent = session.sent[session.epochs];
+            sent = std::max(sent, counter.toInteger() + 1);
+            out.sealed.push_back({session.epochs, counter.toInteger()});
+        }
         for (const QJsonValue frame : event[QLatin1String("frames")].toArray()) {
             const QJsonArray parts = frame.toArray();
             const int key = parts[0].toInt() * 256 + parts[1].toInt();
             Sender &sender = m_senders[key];
             const int sequence = parts[2].toInt();
-            sender.stream.next += sender.last < 0 ? 0 : (sequence - sender.last) & 0xff;
+            sender.sent += sender.last < 0 ? 0 : (sequence - sender.last) & 0xff;
             sender.last = sequence;
-            out.frames.push_back({key, sender.stream.next, 0});
+            out.frames.push_back({key, sender.sent});
         }
-        out.inPlace = units > 0;
+        out.inPlace = !out.sealed.empty();
         return out;
     }
 
@@ -86,7 +107,7 @@ public:
     {
         bool copy = false;
         for (const Place &place : datagram.sealed)
-            copy = takeSealed(place);
+            copy = takeSealed(m_sessions[datagram.session], place);
         for (const Place &place : datagram.frames) {
             if (!datagram.inPlace || !copy)
                 takeFrame(place);
@@ -94,19 +115,16 @@ public:
     }
 
 private:
-    bool takeSealed(const Place &place)
+    bool takeSealed(Session &session, const Place &place)
     {
-        Stream &session = m_sessions[place.stream];
-        const qint64 before = session.newest;
-        const Stream::Arrival arrival = session.take(place.number);
+        const qint64 lostBefore = session.lost();
+        session.newest = std::max(session.newest, place.stream);
+        const Stream::Arrival arrival = session.streams[place.stream].take(place.number);
         RelayLedger::Sealed now = m_sealed.back();
         now.good += arrival != Stream::Arrival::Again;
-        // What an epoch's last records lose is not known as long as no later one came; late is, within its epoch.
-        qint64 &newest = session.newestOf.try_emplace(place.epoch, -1).first->second;
-        now.late += arrival != Stream::Arrival::Again && place.number < newest;
-        newest = std::max(newest, place.number);
+        now.late += arrival == Stream::Arrival::Late;
         now.replayed += arrival == Stream::Arrival::Again;
-        now.lost += arrival == Stream::Arrival::Newest ? place.number - before - 1 : arrival == Stream::Arrival::Late ? -1 : 0;
+        now.lost += session.lost() - lostBefore;
         m_sealed.push_back(now);
         return arrival == Stream::Arrival::Again;
     }
@@ -132,7 +150,7 @@ private:
 
     std::vector<RelayLedger::Sealed> &m_sealed;
     std::vector<RelayLedger::Frames> &m_frames;
-    std::map<int, Stream> m_sessions;
+    std::map<int, Session> m_sessions;
     std::map<int, Sender> m_senders;
     int m_session = 0;
 };
