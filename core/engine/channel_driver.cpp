@@ -168,6 +168,7 @@ void ChannelDriver::flush(TimePoint now)
     }
     transmit();
     m_slept = true; // the thread goes to sleep after this
+    m_awake = false;
 }
 
 void ChannelDriver::flushAll(TimePoint now)
