@@ -149,7 +149,10 @@ std::vector<Claim> paperClaims(const Results &results, const std::function<doubl
     out.push_back(memory(results, busy, contextBytes));
     out.push_back(unharmed(results, natural));
     out.push_back({"Less CPU and memory save the drone's battery.", Finding::CannotBeSaid,
-                   "Energy was not measured, and a desktop processor's would not be a drone's."});
+                   wasMeasured(results, Metric::EnergyPerFrame)
+                       ? "What was measured (energy_per_frame) is the whole processor of this machine, idle power included; it "
+                         "is not a drone's."
+                       : "Energy was not measured, and a desktop processor's would not be a drone's."});
     out.push_back({"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
                    "No measurement of cost can show it. Here every suite is authenticated as well, which the paper's are not, so "
                    "the cost of the four classic ciphers holds that of HMAC-SHA-256."});
