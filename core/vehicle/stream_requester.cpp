@@ -50,15 +50,22 @@ constexpr std::uint16_t kSetMessageInterval = 511; // MAV_CMD_SET_MESSAGE_INTERV
 
 } // namespace
 
+void StreamRequester::Expectation::ask(TimePoint now)
+{
+    due = now;
+    unasked = true;
+}
+
 void StreamRequester::Expectation::asked(TimePoint now)
 {
+    unasked = false;
     due = now + patience;
     patience = std::min(patience * 2, kLongestSilence);
 }
 
 void StreamRequester::Expectation::came(TimePoint now)
 {
-    if (due == kNever)
+    if (due == kNever || unasked)
         return;
     patience = kSilence;
     due = now + kSilence;
@@ -166,13 +173,13 @@ void StreamRequester::restart(TimePoint now)
         return;
     if (m_kind->isArduPilot()) {
         for (Expectation &group : m_groups)
-            group.due = now;
+            group.ask(now);
     }
     if (!m_intervalsUnderstood)
         return;
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (!kSingleMessages[i].inGroups || !m_kind->isArduPilot())
-            m_messages[i].due = now;
+            m_messages[i].ask(now);
     }
 }
 

@@ -41,6 +41,8 @@ private:
     {
         TimePoint due = kNever; ///< to be asked for then, unless it comes before
         Duration patience = kSilence;
+        bool unasked = false; ///< it may come at another rate than the one that was not asked for yet
+        void ask(TimePoint now);
         void asked(TimePoint now);
         void came(TimePoint now);
     };

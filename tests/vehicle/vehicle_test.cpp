@@ -22,6 +22,7 @@ private Q_SLOTS:
     void modeNamesRoundTrip();
     void unknownModesKeepTheirNumber();
     void ardupilotIsAskedForStreams();
+    void whatComesByItselfIsAskedForAllTheSame();
     void silentGroupIsAskedForAgain();
     void px4IsNotAsked();
     void oneRateForAllStreams();
@@ -165,6 +166,17 @@ void VehicleTest::ardupilotIsAskedForStreams()
     }
     QCOMPARE(rates, (std::map<int, int>{{1, 2}, {2, 2}, {3, 2}, {6, 3}, {10, 10}, {11, 10}, {12, 3}}));
     QCOMPARE(intervals, (std::vector<float>{242, 245}));
+}
+
+void VehicleTest::whatComesByItselfIsAskedForAllTheSame()
+{
+    // In one datagram with the first heartbeat, at the rate that the vehicle was left at.
+    Harness h;
+    h.feed(heartbeat());
+    h.feed(mavlink::EkfStatusReport{});
+    h.feed(mavlink::Attitude{});
+    h.runUntil(h.now);
+    QCOMPARE(h.sentOf<mavlink::RequestDataStream>().size(), std::size_t(7));
 }
 
 void VehicleTest::silentGroupIsAskedForAgain()
