@@ -3,7 +3,6 @@
 #include "core/channel/suite_strength.h"
 #include "core/engine/dialect_facts.h"
 #include "core/keys/public_key_text.h"
-#include "core/mavlink/frame_writer.h"
 
 #include <algorithm>
 
@@ -339,70 +338,6 @@ void StationCore::noteDown(TimePoint now, const channel::SessionDown &down)
         else
             vehicle.ended = Ended{gone.peer, gone.peerName, down.reason, now};
     }
-}
-
-void StationCore::serveVehicles(TimePoint now)
-{
-    for (auto &[systemId, vehicle] : m_vehicles.all())
-        serveVehicle(now, systemId, vehicle);
-}
-
-void StationCore::serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle)
-{
-    Outlet *outlet = m_outlets.leadingTo(systemId);
-    while (const auto message = vehicle.pollOutgoing()) {
-        if (outlet)
-            send(now, *outlet, *message);
-    }
-    while (auto result = vehicle.pollResult())
-        tell(std::move(*result));
-    while (auto text = vehicle.pollText())
-        tell(TextReceived{systemId, std::move(*text)});
-    while (auto done = vehicle.pollMissionResult())
-        tell(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
-                                 std::move(done->reason)});
-    while (auto written = vehicle.pollParameterResult())
-        tell(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
-}
-
-void StationCore::sendHeartbeats(TimePoint now)
-{
-    const auto message = m_heartbeat.poll(now);
-    // Vehicles act on its absence; nobody may send it for an operator whose screen stands still.
-    if (!message || !m_readerAlive)
-        return;
-    for (Outlet &outlet : m_outlets.all())
-        send(now, outlet, *message);
-}
-
-void StationCore::send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message)
-{
-    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = mavlink::writeFrame(buffer, 2, outlet.sequence, m_config.systemId, m_config.componentId,
-                                               message.id, message.crcExtra, message.minLength, message.view());
-    if (frame.empty())
-        return;
-    ++outlet.sequence;
-    if (m_recorder)
-        m_recorder->record(wallNow(), frame);
-    if (outlet.session)
-        m_channel->queue(now, *outlet.session, frame);
-    else if (!isSealing() || !m_carriers.isCobs(outlet.path, now)) // where a clear frame would spoil what follows it
-        m_links.send(outlet.path, frame);
-}
-
-/// A router that listens for us learns where we are from what we say; an agent behind it is not heard before. Not by a
-/// heartbeat: a station's, in clear, would keep up the hopes of an autopilot whose sealed link is dead.
-void StationCore::greetRouters()
-{
-    std::vector<LinkId> served;
-    for (const channel::SessionId session : m_channel->endpoint().sessions())
-        served.push_back(m_channel->endpoint().recordPath(session).link);
-    m_links.forEach([&](const link::Link &link) {
-        const bool calls = link.url().scheme() == link::LinkScheme::UdpOut && maySeal(link);
-        if (calls && std::find(served.begin(), served.end(), link.id()) == served.end())
-            m_links.send({link.id(), {}}, m_links.carriers().hello());
-    });
 }
 
 void StationCore::everyQuarterSecond(TimePoint now)
