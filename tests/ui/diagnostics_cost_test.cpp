@@ -1,5 +1,6 @@
 // What looking at the diagnostics costs: CPU time of the window's thread while samples come as they do in flight, over the time
-// that passes, once with the view in sight at its own refresh and once hidden. Thirty seconds of ten minutes' history each.
+// that passes, once with the view in sight at its own refresh and once hidden, ten minutes of history behind it; less what the
+// same snapshots take where nobody looks at them.
 #include "core/metrics/process_usage.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
@@ -15,7 +16,7 @@ using crypto::SuiteId;
 namespace {
 
 constexpr double kVisibleLimit = 3; // percent of one core
-constexpr int kSeconds = 15;
+constexpr int kSeconds = 8;
 constexpr double kHistory = 580;
 
 /// Four samples a second in snapshots that come thirty times a second, as the station's do.
@@ -37,14 +38,14 @@ public:
     }
 
     /// CPU time of this thread in percent of one core over so many seconds of samples.
-    double load(int duration)
+    double load(int duration, bool given = true)
     {
         QTimer snapshots;
         QElapsedTimer clock;
         const std::size_t before = m_sent;
         QObject::connect(&snapshots, &QTimer::timeout, [&] {
             m_sent = std::min(m_all.size(), before + static_cast<std::size_t>(clock.elapsed() / 250));
-            show(m_sent, std::min<std::size_t>(m_sent, 40));
+            show(m_sent, std::min<std::size_t>(m_sent, 40), given);
         });
         clock.start();
         const Duration cpu = metrics::threadCpuTime();
@@ -57,12 +58,13 @@ public:
 
 private:
     /// The newest `last` of the first `count` samples; all of them for 0.
-    void show(std::size_t count, std::size_t last)
+    void show(std::size_t count, std::size_t last, bool given = true)
     {
         auto snapshot = std::make_shared<engine::Snapshot>();
         const auto end = m_all.begin() + static_cast<std::ptrdiff_t>(count);
         snapshot->samples.assign(last ? end - static_cast<std::ptrdiff_t>(last) : m_all.begin(), end);
-        m_panel.showScene(Scene{snapshot});
+        if (given)
+            m_panel.showScene(Scene{snapshot});
     }
 
     DiagnosticsPanel &m_panel;
@@ -100,13 +102,13 @@ void DiagnosticsCostTest::seenAndHidden()
     const double seen = flight.load(kSeconds);
     panel.hide();
     const double hidden = flight.load(kSeconds);
-    panel.show();
-    QVERIFY(panel.history().newest() > kHistory + kSeconds); // nothing was missed meanwhile
-    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%", qPrintable(group), seen, hidden);
-    QVERIFY(hidden < seen / 10 && hidden < 0.5);
+    const double alone = flight.load(kSeconds, false);
+    QVERIFY(panel.history().newest() > kHistory + 1.5 * kSeconds); // nothing was missed meanwhile
+    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%, the snapshots alone %.3f %%", qPrintable(group), seen, hidden, alone);
+    QVERIFY(hidden - alone < 0.1);
 #ifdef NDEBUG
     if (group == QStringLiteral("Overview"))
-        QVERIFY(seen < kVisibleLimit);
+        QVERIFY(seen - alone < kVisibleLimit);
 #endif
 }
 

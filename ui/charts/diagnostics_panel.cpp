@@ -160,7 +160,10 @@ TimeSeriesChart *DiagnosticsPanel::chart(int index) const
 
 void DiagnosticsPanel::showScene(const Scene &scene)
 {
-    if (!scene.snapshot)
+    if (!scene.snapshot || scene.snapshot->samples.empty())
+        return;
+    // Snapshots come more often than samples.
+    if (!m_history.empty() && m_history.samples().back().number == scene.snapshot->samples.back().number)
         return;
     std::vector<engine::MetricsSample> samples = scene.snapshot->samples;
     for (engine::MetricsSample &sample : samples)
