@@ -17,16 +17,11 @@ bool holds(const std::vector<Path> &paths, const Path &path)
     return std::find(paths.begin(), paths.end(), path) != paths.end();
 }
 
-/// The all-zero address stands for whoever is at the other end of a link that has one peer.
-bool serves(const Path &session, const Path &target)
-{
-    return session == target || (session.link == target.link && target.remote == Address{});
-}
-
 } // namespace
 
 Agent::Agent(EndpointCore &core, TimePoint now)
-    : m_core(core), m_announcement(core.config.identity->publicKey), m_announceDue(now),
+    : m_core(core), m_announcement(core.config.identity->publicKey),
+      m_announced(now - core.config.timing.announceBesideEvery),
       m_limit(core.around.random, now), m_cookies(core.config.identity->publicKey, core.around.random),
       m_floodTold(TimePoint::min()), m_numberTold(TimePoint::min())
 {
@@ -184,10 +179,11 @@ bool Agent::expects(const Path &from)
     return found;
 }
 
-std::vector<Path> Agent::announceTargets(TimePoint now)
+Agent::Targets Agent::announceTargets(TimePoint now)
 {
-    std::vector<Path> targets = m_core.config.announceTo;
+    Targets out{m_core.config.announceTo, m_core.config.timing.announceEvery};
     std::vector<Path> served;
+    std::size_t peersServed = 0;
     m_core.table.forEach([&](SessionTable::Entry &entry) {
         if (!entry.up)
             return;
@@ -195,14 +191,23 @@ std::vector<Path> Agent::announceTargets(TimePoint now)
         if (now < session.quietFrom()) {
             served.push_back(session.path());
             served.push_back(session.origin());
-        } else if (!holds(targets, session.path())) {
-            targets.push_back(session.path());
+            ++peersServed; // who has one session at most
+        } else if (!holds(out.paths, session.path())) {
+            out.paths.push_back(session.path());
         }
     });
-    std::erase_if(targets, [&](const Path &target) {
-        return std::any_of(served.begin(), served.end(), [&](const Path &path) { return serves(path, target); });
-    });
-    return targets;
+    std::erase_if(out.paths, [&](const Path &target) { return holds(served, target); });
+
+    // More stations than the one that is served may be on a link: behind a router, at a listening port, at another address.
+    // Who came first must not keep the others from ever hearing of us.
+    const auto sharesLink = [&](const Path &target) {
+        return std::any_of(served.begin(), served.end(), [&](const Path &path) { return path.link == target.link; });
+    };
+    if (peersServed >= m_core.config.peers.size())
+        std::erase_if(out.paths, sharesLink);
+    else if (std::all_of(out.paths.begin(), out.paths.end(), sharesLink))
+        out.every = m_core.config.timing.announceBesideEvery;
+    return out;
 }
 
 void Agent::handleDeadline(TimePoint now)
@@ -211,15 +216,13 @@ void Agent::handleDeadline(TimePoint now)
         if (now >= m_answered[i].until)
             forget(PublicKey(m_answered[i].peer));
     }
-    if (now < m_announceDue)
-        return;
-    const auto targets = announceTargets(now);
-    if (targets.empty())
+    const Targets targets = announceTargets(now);
+    if (targets.paths.empty() || now < announceDue(targets))
         return;
     const auto datagram = m_announcement.make(m_core.around.random);
-    for (const Path &path : targets)
+    for (const Path &path : targets.paths)
         m_core.around.outbox.send(path, datagram);
-    m_announceDue = now + m_core.config.timing.announceEvery;
+    m_announced = now;
 }
 
 TimePoint Agent::deadline(TimePoint now)
@@ -227,13 +230,18 @@ TimePoint Agent::deadline(TimePoint now)
     TimePoint due = kNever;
     for (const Answered &answered : m_answered)
         due = std::min(due, answered.until);
-    if (!announceTargets(now).empty())
-        return std::min(due, m_announceDue);
-    m_core.table.forEach([&](SessionTable::Entry &entry) {
+    if (const Targets targets = announceTargets(now); !targets.paths.empty())
+        due = std::min(due, announceDue(targets));
+    m_core.table.forEach([&](SessionTable::Entry &entry) { // which is announced to then
         if (entry.up && now < entry.session->quietFrom())
-            due = std::min(due, std::max(m_announceDue, entry.session->quietFrom()));
+            due = std::min(due, entry.session->quietFrom());
     });
     return due;
+}
+
+TimePoint Agent::announceDue(const Targets &targets) const
+{
+    return m_announced + targets.every;
 }
 
 } // namespace skyseal::channel

@@ -39,12 +39,19 @@ private:
     bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
     bool expects(const Path &from);
     void forget(const PublicKey &peer);
-    std::vector<Path> announceTargets(TimePoint now);
+    /// Where to announce ourselves, and how often.
+    struct Targets
+    {
+        std::vector<Path> paths;
+        Duration every;
+    };
+    Targets announceTargets(TimePoint now);
+    TimePoint announceDue(const Targets &targets) const;
 
     EndpointCore &m_core;
     Announcement m_announcement;
     std::vector<Answered> m_answered;
-    TimePoint m_announceDue;
+    TimePoint m_announced; ///< last
     HandshakeLimit m_limit;
     CookieMaker m_cookies;
     TimePoint m_floodTold;

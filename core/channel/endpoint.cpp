@@ -329,7 +329,15 @@ void Endpoint::setPolicy(TimePoint now, Policy policy)
         if (entry.up)
             entry.session->policyChanged(now);
     });
+    if (state.station)
+        state.station->policyChanged();
     state.refresh(now);
+}
+
+void Endpoint::setAnnounceTo(TimePoint now, std::vector<Path> paths)
+{
+    m_state->core.config.announceTo = std::move(paths);
+    m_state->refresh(now);
 }
 
 // ---- output

@@ -53,6 +53,8 @@ public:
 struct Timing
 {
     Duration announceEvery = std::chrono::milliseconds(500); ///< while no session is up
+    /// While a session is up on the same link, but a peer that is listed has none.
+    Duration announceBesideEvery = std::chrono::seconds(2);
     Duration handshakeRetry = std::chrono::milliseconds(250); ///< doubled each time, with jitter, up to 2 s
     Duration keepAliveAfter = std::chrono::seconds(1);        ///< send something when nothing was sent for so long
     /// Then a station handshakes anew, beside the old session. An agent announces itself after 1.5 x keepAliveAfter already.
@@ -195,6 +197,8 @@ public:
     /// A new list of peers; sessions with keys that are no longer in it end at once.
     void setPeers(TimePoint now, std::vector<Peer> peers);
     void setPolicy(TimePoint now, Policy policy);
+    /// An agent's: where to announce itself from now on.
+    void setAnnounceTo(TimePoint now, std::vector<Path> paths);
 
     // output
     std::optional<Transmit> pollTransmit();

@@ -71,6 +71,7 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
     const SessionInfo info = session.info(now);
     around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path,
                                       session.agreedFraming()});
+    session.policyChanged(now); // which may have been made stricter while the handshake was on its way
 }
 
 void EndpointCore::end(TimePoint now, Session &session, DownReason reason)

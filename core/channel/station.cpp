@@ -39,6 +39,15 @@ void Station::peersChanged()
     dropUnwanted(TimePoint::min());
 }
 
+void Station::policyChanged()
+{
+    for (Attempt &attempt : m_attempts) {
+        if (attempt.handshake)
+            m_core.table.release(attempt.handshake->connection());
+        attempt.handshake.reset();
+    }
+}
+
 Station::Attempt *Station::attemptWith(const PublicKey &peer, Carrier carrier)
 {
     const auto found = std::find_if(m_attempts.begin(), m_attempts.end(),

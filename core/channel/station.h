@@ -12,6 +12,8 @@ public:
     explicit Station(EndpointCore &core);
 
     void peersChanged();
+    /// First messages that carry the old offer are not answered any more: the next copies are new ones.
+    void policyChanged();
     void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
     /// An agent remembers a greater counter than ours.

@@ -59,7 +59,7 @@ std::uint32_t messageIdOf(const mavlink::ScanItem &item)
 } // namespace
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
-    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)),
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_tell(std::move(tell)), m_ground(groundOf(m_config)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
       m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_tell(event); }),
@@ -97,7 +97,7 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
     config.identity = m_secrets->identity;
     config.name = std::move(name);
     config.passphraseKey = std::move(passphraseKey);
-    config.callTo = {groundOf(m_config)};
+    config.callTo = {m_ground};
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();
     return {};
@@ -182,6 +182,11 @@ void AgentCore::linkChanged(link::Link &link)
         scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
     if (link.id() == kVehicleLink && hasOneRemote)
         m_ways.setFixed({kVehicleLink, {}});
+    // Whoever is at the address that we were given comes before strangers when many call at once.
+    if (link.id() == kGroundLink && scheme == link::LinkScheme::UdpOut && link.remote() != Address{}) {
+        m_ground.remote = link.remote();
+        m_channel.endpoint().setAnnounceTo(steadyNow(), {m_ground});
+    }
     m_tell(AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});
 }
 

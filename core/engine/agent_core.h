@@ -130,6 +130,7 @@ private:
     AgentConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
     Tell m_tell;
+    Path m_ground; ///< where stations are looked for; the address is known once a name was looked up
     LinkPool m_links;
     ChannelDriver m_channel;
     PairingDriver m_pairing;
