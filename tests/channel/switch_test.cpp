@@ -17,6 +17,8 @@ class SwitchTest : public QObject
 
 private Q_SLOTS:
     void stricterPolicyMovesOrEndsTheSession();
+    void stricterPolicyReachesHandshakesUnderWay_data();
+    void stricterPolicyReachesHandshakesUnderWay();
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void everySecondOnABadLink();
     void every50MillisecondsOnAGoodLink();
@@ -243,6 +245,34 @@ void SwitchTest::refusedByThePeer()
     QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
     QCOMPARE(pair.air().all<SwitchPending>().size(), 0u);
     QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::ChaCha20Poly1305);
+}
+
+void SwitchTest::stricterPolicyReachesHandshakesUnderWay_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::addColumn<int>("after");
+    for (const Side side : {Ground, Air}) {
+        for (const int after : {150, 250, 350, 450}) // while each of the messages is on its way
+            QTest::addRow("%s, %d ms", side == Ground ? "station" : "agent", after) << int(side) << after;
+    }
+}
+
+void SwitchTest::stricterPolicyReachesHandshakesUnderWay()
+{
+    QFETCH(int, side);
+    QFETCH(int, after);
+    PairOptions options;
+    options.link.delay = 100ms;
+    Pair pair(options);
+    pair.run(std::chrono::milliseconds(after));
+    pair.ends[static_cast<std::size_t>(side)].endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Ctr}, false, false});
+    const auto strict = [&pair](const Pair::End &end) {
+        const auto info = end.endpoint->sessionInfo(end.session());
+        return info && info->suite == SuiteId::Aes256Ctr && !info->pending;
+    };
+    QVERIFY(pair.run(5s, [&] { return strict(pair.ground()) && strict(pair.air()); }));
+    pair.run(20s);
+    QVERIFY(strict(pair.ground()) && strict(pair.air()));
 }
 
 void SwitchTest::unansweredRollsBackOnce()
