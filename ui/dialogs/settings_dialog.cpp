@@ -2,6 +2,7 @@
 
 #include "core/channel/suite_strength.h"
 #include "core/link/link_url.h"
+#include "ui/dialogs/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
 
@@ -18,25 +19,6 @@
 #include <QtWidgets/QVBoxLayout>
 
 namespace skyseal::ui {
-
-namespace {
-
-template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
-{
-    widget->setObjectName(QLatin1String(objectName));
-    widget->setAccessibleName(accessible);
-    return widget;
-}
-
-QLabel *smallPrint(const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setWordWrap(true);
-    label->setForegroundRole(QPalette::PlaceholderText);
-    return label;
-}
-
-} // namespace
 
 SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDialog(parent), m_start(settings)
 {

@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_dialog.h"
 
+#include "ui/dialogs/form_pieces.h"
 #include "ui/sweep/sweep_words.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
@@ -26,21 +27,6 @@ using experiment::Load;
 namespace {
 
 constexpr double kBetweenRuns = 0.3; ///< seconds, about: a switch and waiting for it
-
-template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
-{
-    widget->setObjectName(QLatin1String(objectName));
-    widget->setAccessibleName(accessible);
-    return widget;
-}
-
-QLabel *smallPrint(const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setWordWrap(true);
-    label->setForegroundRole(QPalette::PlaceholderText);
-    return label;
-}
 
 } // namespace
 

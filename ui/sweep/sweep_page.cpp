@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_page.h"
 
 #include "core/experiment/analysis.h"
+#include "ui/dialogs/form_pieces.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_table_model.h"
 #include "ui/sweep/sweep_words.h"
@@ -22,17 +23,6 @@
 #include <algorithm>
 
 namespace skyseal::ui {
-
-namespace {
-
-template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
-{
-    widget->setObjectName(QLatin1String(objectName));
-    widget->setAccessibleName(accessible);
-    return widget;
-}
-
-} // namespace
 
 SweepPage::SweepPage(QWidget *parent)
     : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
