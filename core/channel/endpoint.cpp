@@ -114,12 +114,14 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
         if (!agent->handleFirst(now, from, datagram))
             return; // Refused, perhaps one of a flood: nothing has changed.
     } else if (message == HandshakeMessage::Answer && station) {
-        station->handleAnswer(now, from, datagram);
+        if (!station->handleAnswer(now, from, datagram))
+            return;
     } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kCookieLength) {
         station->handleCookie(now, from, datagram);
         return; // No timer has changed.
     } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kNumberLength) {
-        station->handleNumber(now, from, datagram);
+        if (!station->handleNumber(now, from, datagram))
+            return;
     } else if (message == HandshakeMessage::Announcement && station) {
         station->handleAnnouncement(now, from, datagram);
     } else {

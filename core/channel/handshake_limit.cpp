@@ -24,13 +24,7 @@ HandshakeLimit::HandshakeLimit(RandomSource &random, TimePoint now, double perSe
     m_random.fill(m_key);
 }
 
-void HandshakeLimit::Bucket::fill(TimePoint now, double perSecond, double atOnce)
-{
-    credit = at == TimePoint::min() ? atOnce : std::min(atOnce, credit + seconds(now - at) * perSecond);
-    at = now;
-}
-
-HandshakeLimit::Bucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
+Bucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
 {
     if (now >= m_keySince + kKeyLife) {
         m_random.fill(m_key);
@@ -60,13 +54,8 @@ bool HandshakeLimit::admit(TimePoint now, const Path &from, Standing standing)
     m_all.fill(now, m_perSecond, kAtOnce);
     if (m_all.credit < kLeft[static_cast<std::size_t>(standing)] + 1)
         return false;
-    if (standing != Standing::Claimed) {
-        Bucket &share = shareOf(now, from);
-        share.fill(now, kShareBySecond, kShareAtOnce);
-        if (share.credit < 1)
-            return false;
-        share.credit -= 1;
-    }
+    if (standing != Standing::Claimed && !shareOf(now, from).take(now, kShareBySecond, kShareAtOnce))
+        return false;
     m_all.credit -= 1;
     return true;
 }

@@ -6,6 +6,7 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/base/random_source.h"
+#include "core/channel/bucket.h"
 
 #include <array>
 
@@ -30,12 +31,6 @@ public:
     bool admit(TimePoint now, const Path &from, Standing standing);
 
 private:
-    struct Bucket
-    {
-        double credit = 0;
-        TimePoint at = TimePoint::min();
-        void fill(TimePoint now, double perSecond, double atOnce);
-    };
     Bucket &shareOf(TimePoint now, const Path &from);
 
     // Not a list of addresses, which a flood could fill: each falls into one of these, by a secret that changes, so that

@@ -12,6 +12,11 @@ constexpr Duration kHeardOfLate = std::chrono::seconds(3);
 constexpr Duration kAttempt = std::chrono::seconds(3);
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
 constexpr Duration kThirdRepeat = std::chrono::milliseconds(250);
+/// Whoever hears the first message can send false answers to it, a Diffie-Hellman each. Where no more may be computed on,
+/// the true one would not be read either: the next call begins anew, with an id that must be heard first.
+constexpr double kAnswersPerSecond = 50;
+constexpr double kAnswersAtOnce = 20;
+constexpr Duration kPauseAfterFlood = std::chrono::milliseconds(250);
 
 } // namespace
 
@@ -31,7 +36,8 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
     }
     caller->heard = now;
     if (!m_attempt) {
-        begin(now);
+        if (now >= m_nextFrom)
+            begin(now);
         return;
     }
     // One first message for one call, so that a forged sender gains nothing.
@@ -68,8 +74,14 @@ void PairingStation::begin(TimePoint now)
 
 void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
-    if (!m_attempt || m_attempt->voice || m_attempt->path != from)
+    if (!m_attempt || m_attempt->voice || m_attempt->path != from
+        || answeredPairing(datagram) != m_attempt->handshake.id())
         return;
+    if (!m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) && !weakened(Weakness::NoRateLimit)) {
+        m_attempt.reset();
+        m_nextFrom = now + kPauseAfterFlood;
+        return;
+    }
     const auto about = m_attempt->handshake.takeAnswer(datagram);
     if (!about)
         return;

@@ -1,6 +1,7 @@
 // The station's side of coming to talk: it hears calls and takes up one after the other, until one comes to a talk.
 #pragma once
 
+#include "core/channel/bucket.h"
 #include "core/channel/pairing_talk.h"
 
 namespace skyseal::channel {
@@ -50,6 +51,8 @@ private:
     PairingCore &m_core;
     std::vector<Caller> m_callers;
     std::optional<Attempt> m_attempt;
+    Bucket m_answers; ///< that may be computed on
+    TimePoint m_nextFrom = TimePoint::min(); ///< not before then another attempt
 };
 
 } // namespace skyseal::channel

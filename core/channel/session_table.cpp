@@ -4,9 +4,13 @@
 
 namespace skyseal::channel {
 
-std::optional<ConnectionId> SessionTable::reserve(RandomSource &random)
+std::optional<ConnectionId> SessionTable::reserve(RandomSource &random, bool anywhere)
 {
-    for (std::size_t i = 0; i < kSlots; ++i) {
+    std::uint8_t start = 0;
+    if (anywhere)
+        random.fill({&start, 1});
+    for (std::size_t tried = 0; tried < kSlots; ++tried) {
+        const std::size_t i = (start + tried) % kSlots;
         Slot &slot = m_slots[i];
         if (slot.taken)
             continue;

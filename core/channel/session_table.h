@@ -21,8 +21,9 @@ public:
         TimePoint since{};
     };
 
-    /// A connection id that no session has, kept for one; nullopt when all slots are taken.
-    std::optional<ConnectionId> reserve(RandomSource &random);
+    /// A connection id that no session has, kept for one; nullopt when all slots are taken. `anywhere`: any of the free
+    /// ones, for who must not guess it; otherwise in the lowest free slot, which keeps the table short.
+    std::optional<ConnectionId> reserve(RandomSource &random, bool anywhere = false);
     void release(ConnectionId connection);
     /// The number of the session that will live under a reserved id.
     SessionId number(ConnectionId connection);

@@ -19,6 +19,12 @@ constexpr Duration kLongestPause = std::chrono::seconds(2);
 /// An agent that was announced and is not heard again is gone.
 constexpr Duration kWantedFor = std::chrono::seconds(10);
 constexpr Duration kAnnouncementPause = std::chrono::milliseconds(50);
+/// Each answer costs two Diffie-Hellmans before it is known to be false, and who hears the link can make such: the
+/// connection id stands clear in an answer. So a first message with so many wrong ones is given up, and with it the number
+/// that they were sent to, and no more are computed on than an agent does.
+constexpr unsigned kWrongAnswers = 8;
+constexpr double kAnswersPerSecond = 50;
+constexpr double kAnswersAtOnce = 20;
 
 } // namespace
 
@@ -147,14 +153,18 @@ Station::Attempt *Station::attemptAnswered(const Path &from, ByteView datagram)
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
-void Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
+bool Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
 {
     Attempt *attempt = attemptAnswered(from, datagram);
-    const auto number = attempt ? attempt->handshake->takeNumber(datagram) : std::nullopt;
-    if (!number) {
+    if (!attempt || !m_core.ownMac.verify(datagram)) {
         ++m_core.strays.forged;
-        return;
+        return false;
     }
+    if (!mayCompute(now, *attempt))
+        return true;
+    const auto number = attempt->handshake->takeNumber(datagram);
+    if (!number)
+        return countWrong(now, *attempt);
     const bool skipped = *number >= attempt->handshake->counter() && *number < kGreatestCounter
         && m_core.counters.skipTo(*number);
     m_core.tellRefused(now, from, RefusalReason::CounterBehind, attempt->peer);
@@ -162,20 +172,58 @@ void Station::handleNumber(TimePoint now, const Path &from, ByteView datagram)
     place.proven = true;
     if (renew(now, *attempt) && skipped)
         sendTo(now, *attempt, place);
+    return true;
 }
 
-void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
+/// Whether another answer to the attempt's first message may cost us a computation. Where it may not, the true answer
+/// would not be read either.
+bool Station::mayCompute(TimePoint now, Attempt &attempt)
+{
+    if (m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) || weakened(Weakness::NoRateLimit))
+        return true;
+    ++m_core.strays.malformed;
+    giveUpFirst(now, attempt);
+    return false;
+}
+
+/// One that was computed on in vain; true when that changed something.
+bool Station::countWrong(TimePoint now, Attempt &attempt)
+{
+    ++m_core.strays.forged;
+    if (++attempt.wrong < kWrongAnswers || weakened(Weakness::NoRateLimit))
+        return false;
+    giveUpFirst(now, attempt);
+    return true;
+}
+
+/// The next one has another connection id, which stands in it encrypted: nobody can forge answers to it before its own is
+/// on the wire. What is sent to the old number costs nothing more.
+void Station::giveUpFirst(TimePoint now, Attempt &attempt)
+{
+    m_core.table.release(attempt.handshake->connection());
+    attempt.handshake.reset();
+    attempt.flooded = true;
+    attempt.due = attempt.freshFrom = std::max(now, attempt.begun + m_core.config.timing.handshakeRetry);
+}
+
+bool Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
     Attempt *found = attemptAnswered(from, datagram);
     if (!found) { // Also the second copy of an answer.
         ++m_core.strays.malformed;
-        return;
+        return false;
     }
+    if (!m_core.ownMac.verify(datagram)) {
+        ++m_core.strays.forged;
+        m_core.tellRefused(now, from, RefusalReason::WrongKey, found->peer);
+        return false;
+    }
+    if (!mayCompute(now, *found))
+        return true;
     auto agreement = found->handshake->takeAnswer(datagram);
     if (!agreement) {
-        ++m_core.strays.forged;
         m_core.tellRefused(now, from, agreement.error(), found->peer);
-        return;
+        return countWrong(now, *found);
     }
     const ConnectionId ours = found->handshake->connection();
     SessionSetup setup{m_core.table.number(ours), true, *m_core.peer(found->peer), ours, agreement->peerConnection,
@@ -185,6 +233,7 @@ void Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
     sessionLives(entry.session->peer().key); // the same wish in another carrier
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
+    return true;
 }
 
 std::vector<Unanswered> Station::unanswered() const
@@ -271,23 +320,28 @@ void Station::sendTo(TimePoint now, Attempt &attempt, Place &place)
 /// A first message is there to be sent.
 bool Station::ready(TimePoint now, Attempt &attempt)
 {
-    return (attempt.handshake && (attempt.copies < kCopies || now < attempt.begun + kRenewAfter)) || renew(now, attempt);
+    if (attempt.handshake && (attempt.copies < kCopies || now < attempt.begun + kRenewAfter))
+        return true;
+    return now >= attempt.freshFrom && renew(now, attempt);
 }
 
 bool Station::renew(TimePoint now, Attempt &attempt)
 {
-    const auto connection = attempt.handshake ? attempt.handshake->connection()
-                                              : m_core.table.reserve(m_core.around.random);
-    if (!connection)
-        return false;
     const Peer *peer = m_core.peer(attempt.peer);
     if (!peer)
+        return false;
+    if (attempt.handshake) // Each has a number of its own, so that what answers another costs nothing.
+        m_core.table.release(attempt.handshake->connection());
+    attempt.handshake.reset();
+    const auto connection = m_core.table.reserve(m_core.around.random, attempt.flooded);
+    if (!connection)
         return false;
     attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
                                          m_core.around.random, attempt.carrier);
     attempt.copies = 0;
     attempt.uncookied = 0;
+    attempt.wrong = 0;
     attempt.begun = now;
     if (!attempt.handshake)
         m_core.table.release(*connection);

@@ -1,6 +1,7 @@
 // The station's side of getting sessions: it hears announcements, or that a session fell silent, and shakes hands.
 #pragma once
 
+#include "core/channel/bucket.h"
 #include "core/channel/cookie.h"
 #include "core/channel/endpoint_core.h"
 
@@ -15,9 +16,10 @@ public:
     /// First messages that carry the old offer are not answered any more: the next copies are new ones.
     void policyChanged();
     void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
-    void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
-    /// An agent remembers a greater counter than ours.
-    void handleNumber(TimePoint now, const Path &from, ByteView datagram);
+    /// False when it changed nothing: refused, perhaps one of a flood.
+    bool handleAnswer(TimePoint now, const Path &from, ByteView datagram);
+    /// An agent remembers a greater counter than ours. False as above.
+    bool handleNumber(TimePoint now, const Path &from, ByteView datagram);
     void handleCookie(TimePoint now, const Path &from, ByteView datagram);
     /// An authentic record of a session came: its peer is there and still has it, so no other is needed.
     void sessionLives(const PublicKey &peer);
@@ -55,6 +57,9 @@ private:
         unsigned copies = 0;      ///< of the present first message
         unsigned uncookied = 0;   ///< of these without a cookie, and not answered by one
         TimePoint begun{};        ///< when it was made
+        unsigned wrong = 0;       ///< answers to it that were computed on in vain
+        bool flooded = false;     ///< one was given up for these
+        TimePoint freshFrom = TimePoint::min(); ///< not before then the next one is made in its place
         unsigned unanswered = 0;  ///< of all, since the last cookie
         TimePoint unansweredSince{};
         std::optional<TimePoint> announced; ///< none while it is only a session that fell silent
@@ -70,6 +75,9 @@ private:
     bool ready(TimePoint now, Attempt &attempt);
     bool renew(TimePoint now, Attempt &attempt);
     Attempt *attemptAnswered(const Path &from, ByteView datagram);
+    bool mayCompute(TimePoint now, Attempt &attempt);
+    bool countWrong(TimePoint now, Attempt &attempt);
+    void giveUpFirst(TimePoint now, Attempt &attempt);
     void drop(Attempt &attempt);
     void dropUnwanted(TimePoint now);
     Duration pauseAfter(unsigned sent) const;
@@ -77,6 +85,7 @@ private:
     EndpointCore &m_core;
     std::vector<Known> m_known;
     std::vector<Attempt> m_attempts;
+    Bucket m_answers; ///< that may be computed on
 };
 
 } // namespace skyseal::channel

@@ -22,6 +22,8 @@ private Q_SLOTS:
     void forgeriesInAFlood();
     void handshakeFlood();
     void handshakeFloodWithTheRightMac();
+    void answerFloodWithTheRightMac_data();
+    void answerFloodWithTheRightMac();
     void floodIsToldInFewWords();
     void noMoreOutThanIn();
 
@@ -149,6 +151,69 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     const auto computed = pair.air().endpoint->strays().forged - before;
     HOLDS(computed <= 20 + 2 * 50, "at most fifty computations a second");
     QVERIFY(!pair.air().up());
+}
+
+void AttackFloodTest::answerFloodWithTheRightMac_data()
+{
+    QTest::addColumn<bool>("asNumber");
+    QTest::addColumn<bool>("hadASession");
+    QTest::newRow("answers, first session") << false << false;
+    QTest::newRow("answers, restarted agent") << false << true;
+    QTest::newRow("numbers, first session") << true << false;
+    QTest::newRow("numbers, restarted agent") << true << true;
+}
+
+void AttackFloodTest::answerFloodWithTheRightMac()
+{
+    // Who hears the link learns from an answer what number the station has given itself, and who knows the station's key
+    // can make mac1 right. The true answers are kept off the wire for a while, so that there is something to learn.
+    QFETCH(bool, asNumber);
+    QFETCH(bool, hadASession);
+    Pair pair(attackOptions());
+    if (hadASession) {
+        QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+        pair.kill(Air);
+        pair.run(3s);
+        pair.start(Air);
+    }
+    const std::size_t sessions = pair.ground().all<SessionUp>().size();
+    Bytes heard;
+    TimePoint knownFrom = kNever;
+    bool jammed = true;
+    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+        if (flight.bytes[0] != 0x5a)
+            return true;
+        heard = flight.bytes;
+        knownFrom = at + 2ms; // it is no nearer to the agent than the station is
+        return !jammed;
+    };
+    const Mac1 mac(pair.ground().identity->publicKey);
+    pair.every(1ms, [&] {
+        if (heard.empty())
+            return;
+        Bytes forged(asNumber ? 75 : 74);
+        for (int i = 0; i < 20; ++i) {
+            fill(forged);
+            forged[0] = asNumber ? 0x5b : 0x5a;
+            forged[1] = pair.now >= knownFrom ? heard[1] : 0;
+            if (pair.now >= knownFrom && i % 2 == 0)
+                forged[2] = heard[2]; // the others go where they may
+            mac.sign(forged);
+            offer(pair, Ground, forged);
+        }
+    });
+    const TimePoint begun = pair.now;
+    const auto before = pair.ground().endpoint->strays().forged;
+    pair.run(2s);
+    QVERIFY(!heard.empty());
+    QCOMPARE(pair.ground().all<SessionUp>().size(), sessions);
+    jammed = false;
+    QVERIFY(pair.run(3s, [&] { return pair.ground().all<SessionUp>().size() > sessions && pair.bothUp(); }));
+    // Each that was computed on was counted so; but a number that is for nobody here is, too.
+    const auto computed = pair.ground().endpoint->strays().forged - before;
+    HOLDS(asNumber || static_cast<double>(computed) <= 20 + 50 * seconds(pair.now - begun),
+          "at most fifty computations a second");
+    QVERIFY(computed > 0);
 }
 
 void AttackFloodTest::floodIsToldInFewWords()

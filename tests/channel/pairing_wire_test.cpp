@@ -25,6 +25,7 @@ private Q_SLOTS:
     void lateAnswerOfAnother();
     void floodWithoutTheToken();
     void floodWithTheToken();
+    void floodOfFalseAnswers();
     void forgedCalls();
     void noMoreOutThanIn();
     void onlyTheLastAnswersAreKept();
@@ -276,6 +277,49 @@ void PairingWireTest::floodWithTheToken()
     QVERIFY(shown);
     QVERIFY(static_cast<double>(answers) <= 15 * seconds(pair.now - start) + 20);
     QVERIFY(out <= in);
+}
+
+void PairingWireTest::floodOfFalseAnswers()
+{
+    // Somebody hears the station's first messages, which name the pairing in the clear, and sends twenty false answers a
+    // millisecond. What the station must not compute on is turned away with the id that it was sent to.
+    PairingPair pair;
+    SeededRandom random(24);
+    std::set<PairingId> ids;
+    std::optional<PairingId> known, heard;
+    TimePoint knownFrom = kNever;
+    bool jammed = true;
+    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+        if (const auto head = firstHead(flight.bytes); head && heard != head->id) {
+            heard = head->id;
+            knownFrom = at + 3ms; // it is no nearer than the agent
+            ids.insert(head->id);
+        }
+        return !jammed || flight.bytes[0] != firstByte(PairingMessage::Answer);
+    };
+    const auto flood = [&] {
+        if (pair.now >= knownFrom)
+            known = heard;
+        PairingDatagram datagram;
+        for (int i = 0; i < 20 && known; ++i) {
+            random.fill(datagram);
+            datagram[0] = firstByte(PairingMessage::Answer);
+            for (unsigned k = 0; k < 4; ++k)
+                datagram[1 + k] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(*known) >> 8 * k);
+            pair.ground().pairing->handleDatagram(pair.now, PairingPair::pathOf(Air), datagram);
+        }
+        pair.pump();
+    };
+    pair.openBoth();
+    bool shown = false;
+    for (int ms = 0; ms < 5000 && !shown; ++ms) {
+        jammed = ms < 2000;
+        flood();
+        pair.run(1ms);
+        shown = pair.shown();
+    }
+    QVERIFY(shown);
+    QVERIFY2(ids.size() >= 3, qPrintable(QString::number(ids.size()))); // none was kept for its whole turn of three seconds
 }
 
 void PairingWireTest::forgedCalls()

@@ -54,6 +54,7 @@ inline constexpr Proof kProofs[] = {
     {"NoTagCheck", "channel_attack_flood_test", "forgeriesInAFlood", "each forgery is counted"},
     {"NoMac1", "channel_attack_flood_test", "handshakeFlood", "a station that calls gets its session"},
     {"NoRateLimit", "channel_attack_flood_test", "handshakeFloodWithTheRightMac", "at most fifty computations a second"},
+    {"NoRateLimit", "channel_attack_flood_test", "answerFloodWithTheRightMac", "at most fifty computations a second"},
     {"TellEverything", "channel_attack_flood_test", "floodIsToldInFewWords", "a flood from everywhere is told in few words"},
     {"AnswerTwice", "channel_attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
 
