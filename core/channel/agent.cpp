@@ -11,6 +11,10 @@ namespace {
 constexpr Duration kFloodPause = std::chrono::seconds(10);
 constexpr Duration kNumberPause = std::chrono::milliseconds(200);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
+/// Answers that wait for their station, of one peer and in all. One of a peer would do if only it could write first
+/// messages in its name.
+constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
+constexpr std::size_t kMostAnswered = 64;
 
 bool holds(const std::vector<Path> &paths, const Path &path)
 {
@@ -52,10 +56,10 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     if (!peer)
         return refuse(now, from, RefusalReason::UnknownPeer, key);
     // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could
-    // forge a first message (with our own key stolen) must not be able to spend the station's numbers.
+    // forge a first message (with our own key stolen) must not be able to spend the station's numbers. For the same reason
+    // answers that nobody confirmed have no say in it.
     const std::uint64_t counter = responder->payload().counter;
-    if (counter <= std::max(m_core.counters.lastSeen(key), answeredCounter(key))
-        && !weakened(Weakness::AcceptLowerCounter)) {
+    if (counter <= m_core.counters.lastSeen(key) && !weakened(Weakness::AcceptLowerCounter)) {
         tellNumber(now, from, *peer, std::move(*responder));
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
     }
@@ -64,6 +68,7 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     if (Session *old = m_core.table.upWith(key))
         old->callPeer(now);
 
+    makeRoomFor(key);
     const auto connection = m_core.table.reserve(m_core.around.random);
     if (!connection)
         return false;
@@ -72,7 +77,6 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
         m_core.table.release(*connection);
         return refuse(now, from, answer.error(), key);
     }
-    forget(key);
     if (SessionTable::Entry *here = m_core.table.upAt(from))
         here->session->nameRecordsUntil(now + kAnswerKept); // the station may have a new session there before we know it
     Agreement &agreement = answer->agreement;
@@ -93,50 +97,70 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 void Agent::tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder)
 {
     const std::uint64_t lastSeen = m_core.counters.lastSeen(peer.key);
-    if (responder.payload().counter > lastSeen || now < m_numberTold + kNumberPause)
+    if (now < m_numberTold + kNumberPause)
         return;
     m_numberTold = now;
     if (const auto message = std::move(responder).tellNumber(peer, lastSeen, m_core.around.random))
         m_core.around.outbox.send(from, *message);
 }
 
-bool Agent::confirm(TimePoint now, SessionTable::Entry &entry)
-{
-    const PublicKey peer = entry.session->peer().key;
-    if (!m_core.counters.remember(peer, answeredCounter(peer))) {
-        forget(peer);
-        return false;
-    }
-    std::erase_if(m_answered, [&](const Answered &a) { return a.session == entry.session->id(); });
-    m_core.bringUp(now, entry);
-    return true;
-}
-
-std::uint64_t Agent::answeredCounter(const PublicKey &peer) const
-{
-    const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) { return a.peer == peer; });
-    return found == m_answered.end() ? 0 : found->counter;
-}
-
-void Agent::forget(const PublicKey &peer)
+template<typename Which> void Agent::forgetIf(Which which)
 {
     std::erase_if(m_answered, [&](const Answered &answered) {
-        if (answered.peer != peer)
+        if (!which(answered))
             return false;
         m_core.table.erase(answered.session);
         return true;
     });
 }
 
+bool Agent::confirm(TimePoint now, SessionTable::Entry &entry)
+{
+    const PublicKey peer = entry.session->peer().key;
+    const auto isIts = [session = entry.session->id()](const Answered &a) { return a.session == session; };
+    const auto confirmed = std::find_if(m_answered.begin(), m_answered.end(), isIts);
+    const std::uint64_t counter = confirmed == m_answered.end() ? 0 : confirmed->counter;
+    if (!m_core.counters.remember(peer, counter)) {
+        forgetIf(isIts);
+        return false;
+    }
+    std::erase_if(m_answered, isIts);
+    // Lower ones are old by now: a station's earlier attempts, and replays.
+    forgetIf([&](const Answered &a) { return a.peer == peer && a.counter <= counter; });
+    m_core.bringUp(now, entry);
+    return true;
+}
+
+/// The one with the peer's greatest counter, and the first of several such.
+const Agent::Answered *Agent::furthestOf(const PublicKey &peer) const
+{
+    const Answered *found = nullptr;
+    for (const Answered &answered : m_answered) {
+        if (answered.peer == peer && (!found || answered.counter > found->counter))
+            found = &answered;
+    }
+    return found;
+}
+
+/// Who repeats a station's older messages cannot displace the newest, and who has our key and makes up counters cannot
+/// keep the others out: the oldest goes that is not its peer's furthest.
+void Agent::makeRoomFor(const PublicKey &peer)
+{
+    const bool full = m_answered.size() >= kMostAnswered;
+    const auto ofPeer = std::count_if(m_answered.begin(), m_answered.end(),
+                                      [&](const Answered &a) { return a.peer == peer; });
+    if (ofPeer < kMostAnsweredOfPeer && !full)
+        return;
+    const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) {
+        return (full || a.peer == peer) && &a != furthestOf(a.peer);
+    });
+    if (found != m_answered.end())
+        forgetIf([session = found->session](const Answered &a) { return a.session == session; });
+}
+
 void Agent::peersChanged()
 {
-    std::vector<PublicKey> gone;
-    for (const Answered &answered : m_answered) {
-        if (!m_core.peer(answered.peer))
-            gone.push_back(answered.peer);
-    }
-    for (const PublicKey &key : gone)
-        forget(key);
+    forgetIf([this](const Answered &answered) { return !m_core.peer(answered.peer); });
 }
 
 bool Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer)
@@ -212,10 +236,7 @@ Agent::Targets Agent::announceTargets(TimePoint now)
 
 void Agent::handleDeadline(TimePoint now)
 {
-    for (std::size_t i = m_answered.size(); i-- > 0;) {
-        if (now >= m_answered[i].until)
-            forget(PublicKey(m_answered[i].peer));
-    }
+    forgetIf([now](const Answered &answered) { return now >= answered.until; });
     const Targets targets = announceTargets(now);
     if (targets.paths.empty() || now < announceDue(targets))
         return;

@@ -22,7 +22,7 @@ public:
     TimePoint deadline(TimePoint now);
 
 private:
-    /// An answered first message whose station has not shown yet that it took the answer; one for each peer at most.
+    /// An answered first message whose station has not shown yet that it took the answer.
     struct Answered
     {
         PublicKey peer{};
@@ -34,11 +34,12 @@ private:
     };
 
     bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
-    std::uint64_t answeredCounter(const PublicKey &peer) const;
     void tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder);
     bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
     bool expects(const Path &from);
-    void forget(const PublicKey &peer);
+    void makeRoomFor(const PublicKey &peer);
+    const Answered *furthestOf(const PublicKey &peer) const;
+    template<typename Which> void forgetIf(Which which);
     /// Where to announce ourselves, and how often.
     struct Targets
     {
@@ -50,7 +51,7 @@ private:
 
     EndpointCore &m_core;
     Announcement m_announcement;
-    std::vector<Answered> m_answered;
+    std::vector<Answered> m_answered; ///< in the order in which they came
     TimePoint m_announced; ///< last
     HandshakeLimit m_limit;
     CookieMaker m_cookies;

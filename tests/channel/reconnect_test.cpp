@@ -28,6 +28,29 @@ private Q_SLOTS:
     void numberThatCannotBeKept();
     void greatestNumberIsNotBelieved();
     void changedNumberIsRefused();
+    void firstsOfAThiefKeepNobodyOut_data();
+    void firstsOfAThiefKeepNobodyOut();
+    void repeatedOlderFirstsDisplaceNothing();
+    void unconfirmedAnswersAreBounded();
+
+private:
+    SeededRandom m_random{13};
+
+    /// In the name of the pair's station, as who has the agent's key can write it: the answer is of no use to the thief.
+    Bytes firstOfAThief(Pair &pair, std::uint64_t counter)
+    {
+        const Peer agent{pair.air().identity->publicKey, "air", {}, {}, {}};
+        const auto forged = Initiator::begin(*pair.ground().identity, agent,
+                                             {ConnectionId{1}, offerOf(Policy{defaultSuites(), true, false}), counter},
+                                             m_random);
+        return Bytes(forged->message().begin(), forged->message().end());
+    }
+    static Path elsewhere(const Pair &pair)
+    {
+        Path path = pair.pathOf(Ground);
+        path.remote.ip[15] = 66;
+        return path;
+    }
 };
 
 void ReconnectTest::startsInAnyOrder()
@@ -316,6 +339,81 @@ void ReconnectTest::changedNumberIsRefused()
     QVERIFY(!initiator->takeNumber(ByteView(number).first(74)));
     QCOMPARE(initiator->takeNumber(number), std::optional<std::uint64_t>(77));
     QVERIFY(!initiator->takeNumber(number));
+}
+
+void ReconnectTest::firstsOfAThiefKeepNobodyOut_data()
+{
+    QTest::addColumn<quint64>("counter");
+    QTest::addColumn<bool>("rising");
+    QTest::newRow("greatest") << quint64(UINT64_MAX) << false;
+    QTest::newRow("great") << (quint64(1) << 60) << true;
+    QTest::newRow("those that the station is about to use") << quint64(1) << true;
+}
+
+void ReconnectTest::firstsOfAThiefKeepNobodyOut()
+{
+    QFETCH(quint64, counter);
+    QFETCH(bool, rising);
+    PairOptions options;
+    options.link.delay = 20ms;
+    Pair pair(options);
+    pair.kill(Ground);
+    std::uint64_t next = counter;
+    pair.every(50ms, [&] {
+        Bytes forged = firstOfAThief(pair, rising ? next++ : next);
+        pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
+    });
+    pair.run(3s);
+    pair.start(Ground);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(15s);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) < 10);
+}
+
+void ReconnectTest::repeatedOlderFirstsDisplaceNothing()
+{
+    // Somebody kept the answers of a minute off the wire, and with them first messages that nobody ever confirmed. Later he
+    // repeats them all behind each true one.
+    Pair pair;
+    std::vector<Flight> kept;
+    bool jammed = true;
+    pair.link.attacker = [&](TimePoint at, Flight &flight) {
+        if (flight.bytes[0] != 0x59)
+            return !jammed || flight.bytes[0] != 0x5a;
+        if (!jammed) {
+            for (const Flight &old : kept)
+                pair.link.inject(at + 1100us, old);
+        } else if (kept.empty() || kept.back().bytes != flight.bytes) {
+            kept.push_back(flight);
+        }
+        return true;
+    };
+    pair.run(60s);
+    QVERIFY2(kept.size() > 5, qPrintable(QString::number(kept.size())));
+    QVERIFY(!pair.bothUp());
+    jammed = false;
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    pair.run(5s);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+}
+
+void ReconnectTest::unconfirmedAnswersAreBounded()
+{
+    // As fast as the agent computes, for as long as it keeps an answer: it never runs out of room for the true station.
+    Pair pair;
+    pair.kill(Ground);
+    for (int i = 0; i < 400; ++i) {
+        Bytes forged = firstOfAThief(pair, UINT64_MAX);
+        pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
+        pair.run(25ms);
+    }
+    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(0)); // each was answered
+    pair.start(Ground);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
 }
 
 QTEST_GUILESS_MAIN(ReconnectTest)
