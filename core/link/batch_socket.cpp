@@ -141,10 +141,10 @@ Address BatchSocket::local() const
     return fromSocket(address);
 }
 
-DatagramSocket::Batch BatchSocket::receive(LinkId id, LinkCounters &counters)
+DatagramSocket::Batch BatchSocket::receive(LinkId id, LinkCounters &counters, std::size_t most)
 {
     Slots &in = m_buffers->in;
-    const int count = ::recvmmsg(m_fd, in.headers.data(), kBatch, MSG_DONTWAIT, nullptr);
+    const int count = ::recvmmsg(m_fd, in.headers.data(), static_cast<unsigned>(most), MSG_DONTWAIT, nullptr);
     if (count < 0) {
         // An ICMP error of some earlier datagram ends up here on some kernels: the peer is not there yet, no more.
         const bool peerAbsent = errno == ECONNREFUSED;
@@ -166,7 +166,7 @@ DatagramSocket::Batch BatchSocket::receive(LinkId id, LinkCounters &counters)
         m_buffers->blocks[used++] = {{id, fromSocket(in.addresses[i])}, MutableByteView(in.bytes[i]).first(length), now};
     }
     counters.rxBlocks += used;
-    return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), static_cast<std::size_t>(count) < kBatch};
+    return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), static_cast<std::size_t>(count) < most};
 }
 
 void BatchSocket::send(const Address &to, ByteView datagram, LinkCounters &counters)

@@ -18,7 +18,7 @@ public:
     std::optional<LinkError> bind(const Address &local, int receiveBufferBytes) override;
     Address local() const override;
     void shut() override;
-    Batch receive(LinkId id, LinkCounters &counters) override;
+    Batch receive(LinkId id, LinkCounters &counters, std::size_t most) override;
     void send(const Address &to, ByteView datagram, LinkCounters &counters) override;
     void flush(LinkCounters &counters) override;
     std::uint64_t kernelDrops() const override;

@@ -24,14 +24,14 @@ public:
     /// Gives the port back at once; buffers stay, so that a caller may be inside receive()'s views.
     virtual void shut() = 0;
 
-    /// Up to kBatch datagrams that wait now; the views hold until the next call. Fewer than kBatch (even none) means
+    /// Up to `most` (1 to kBatch) datagrams that wait now; the views hold until the next call. Fewer (even none) means
     /// that the socket is drained. Datagrams that are too long are counted and left out.
     struct Batch
     {
         std::span<const ReceivedBlock> blocks;
         bool drained = true;
     };
-    virtual Batch receive(LinkId id, LinkCounters &counters) = 0;
+    virtual Batch receive(LinkId id, LinkCounters &counters, std::size_t most) = 0;
 
     /// Queues one datagram, sending the queue first when it is full.
     virtual void send(const Address &to, ByteView datagram, LinkCounters &counters) = 0;

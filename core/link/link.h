@@ -76,8 +76,9 @@ struct LinkOptions
     /// Use QUdpSocket even where the system can receive in batches.
     bool portableUdp = false;
     int receiveBufferBytes = 4 << 20; ///< asked of the system for UDP
-    /// Upper bound of the work of one wake-up, in batches of 64 datagrams, so that a flood cannot starve the timers.
-    int batchesPerWake = 8;
+    /// About how long the datagrams of one wake-up may take before timers and the other links have their turn: a frame
+    /// from the vehicle does not wait for a whole burst of handshakes that somebody sends to the other link.
+    Duration turn = std::chrono::microseconds(50);
     std::size_t streamQueueBytes = 256 << 10; ///< unsent bytes per stream before blocks are dropped
     Duration retryFirst = std::chrono::milliseconds(500);
     Duration retryMax = std::chrono::seconds(5);

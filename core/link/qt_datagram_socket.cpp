@@ -43,12 +43,12 @@ Address QtDatagramSocket::local() const
     return fromQt(m_socket.localAddress(), m_socket.localPort());
 }
 
-DatagramSocket::Batch QtDatagramSocket::receive(LinkId id, LinkCounters &counters)
+DatagramSocket::Batch QtDatagramSocket::receive(LinkId id, LinkCounters &counters, std::size_t most)
 {
     std::size_t used = 0;
     std::size_t read = 0;
     const TimePoint now = steadyNow();
-    for (; read < kBatch && m_socket.hasPendingDatagrams(); ++read) {
+    for (; read < most && m_socket.hasPendingDatagrams(); ++read) {
         auto &bytes = m_buffers->bytes[used];
         QHostAddress host;
         quint16 port = 0;
@@ -65,7 +65,7 @@ DatagramSocket::Batch QtDatagramSocket::receive(LinkId id, LinkCounters &counter
         m_buffers->blocks[used++] = {{id, fromQt(host, port)}, MutableByteView(bytes).first(static_cast<std::size_t>(length)), now};
     }
     counters.rxBlocks += used;
-    return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), read < kBatch};
+    return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), read < most};
 }
 
 void QtDatagramSocket::send(const Address &to, ByteView datagram, LinkCounters &counters)

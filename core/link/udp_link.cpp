@@ -2,6 +2,7 @@
 
 #include "core/link/address_text.h"
 #include "core/link/port_owner.h"
+#include "core/link/steady_now.h"
 
 namespace skyseal::link {
 
@@ -81,13 +82,24 @@ void UdpLink::use(const Address &address)
 
 void UdpLink::receive()
 {
+    const TimePoint start = steadyNow();
+    bool drained = false;
+    std::size_t taken = 0;
+    TimePoint now = start;
     // The listener may close the link: the socket is looked at afresh for every batch.
-    for (int batch = 0; m_socket && batch < options().batchesPerWake; ++batch) {
-        const DatagramSocket::Batch received = m_socket->receive(id(), m_counters);
+    do {
+        const DatagramSocket::Batch received = m_socket->receive(id(), m_counters, m_batch);
         if (!received.blocks.empty())
             listener().linkReceived(*this, received.blocks);
-        if (received.drained)
-            break;
+        drained = received.drained;
+        taken += received.blocks.size();
+        now = steadyNow();
+    } while (m_socket && !drained && now - start < options().turn);
+    // As many the next time as fit into a turn at what they cost this time.
+    if (taken > 0) {
+        const Duration each = std::max<Duration>((now - start) / static_cast<Duration::rep>(taken), Duration(1));
+        const auto fitting = static_cast<std::size_t>(options().turn / each);
+        m_batch = std::clamp(fitting, kLeastBatch, DatagramSocket::kBatch);
     }
 }
 

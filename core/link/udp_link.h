@@ -36,6 +36,10 @@ private:
     void dropSocket();
 
     std::unique_ptr<DatagramSocket> m_socket;
+    /// A turn of fewer would go into waking up.
+    static constexpr std::size_t kLeastBatch = 8;
+
+    std::size_t m_batch = DatagramSocket::kBatch; ///< datagrams for the next batch
     Address m_remote;
     std::uint64_t m_earlierDrops = 0; ///< of sockets that are gone
     HostLookup m_lookup;

@@ -15,6 +15,9 @@
 #include <cstdio>
 #include <thread>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 using namespace skyseal;
 using namespace skyseal::test;
 using namespace std::chrono_literals;
@@ -41,10 +44,19 @@ public:
 private:
     void run(std::uint16_t port, const channel::PublicKey *knownKey)
     {
+        // It stands for another machine: the making of the messages, and its place on the processor, are not the agent's to pay.
+        ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10);
         BareSocket socket;
         crypto::SystemRandom random;
-        std::vector<channel::FirstMessage> messages(kFloodPerMillisecond);
-        std::vector<ByteView> views(messages.begin(), messages.end());
+        std::vector<channel::FirstMessage> messages(1000 * kFloodPerMillisecond);
+        for (auto &message : messages) {
+            random.fill(message);
+            message[0] = channel::firstByte(channel::HandshakeMessage::First);
+            if (knownKey)
+                channel::Mac1(*knownKey).sign(message);
+        }
+        const std::vector<ByteView> views(messages.begin(), messages.end());
+        std::size_t next = 0;
         for (TimePoint due = steadyNow(); !m_ends; due += 1ms) {
             while (steadyNow() < due) {
                 if (socket.waitReadable(1))
@@ -54,14 +66,9 @@ private:
                 due = steadyNow();
                 continue;
             }
-            for (auto &message : messages) {
-                random.fill(message);
-                message[0] = channel::firstByte(channel::HandshakeMessage::First);
-                if (knownKey)
-                    channel::Mac1(*knownKey).sign(message);
-            }
-            socket.send(port, views);
-            m_sent += messages.size();
+            socket.send(port, std::span(views).subspan(next, kFloodPerMillisecond));
+            next = (next + kFloodPerMillisecond) % views.size();
+            m_sent += kFloodPerMillisecond;
         }
     }
 

@@ -1,5 +1,6 @@
 // UDP links over the loopback, each case with the batching socket and with QUdpSocket: both must behave alike.
 #include "core/link/address_text.h"
+#include "core/link/steady_now.h"
 #include "core/link/udp_link.h"
 #include "tests/link/recorder.h"
 
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void absentPeerDoesNotKillTheLink();
     void tooLongDatagramsAreCountedAndLeftOut();
     void floodLeavesRoomForTimers();
+    void dearDatagramsLeaveTheOtherLinksTheirTurn();
     void listenerMayCloseTheLink();
     void receivedBytesMayBeChangedInPlace();
     void sendWithoutPeerIsCounted();
@@ -274,7 +276,7 @@ void UdpLinkTest::floodLeavesRoomForTimers()
     Recorder ground;
     Recorder air;
     LinkOptions bounded = options();
-    bounded.batchesPerWake = 1;
+    bounded.turn = {};
     const auto in = openLink("udpin:127.0.0.1:0", ground, bounded);
     const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
     // Every datagram that arrives is sent again, so the socket never runs dry; the timer must come all the same.
@@ -293,6 +295,38 @@ void UdpLinkTest::floodLeavesRoomForTimers()
     QTRY_VERIFY(ticks >= 20);
     QVERIFY(ground.batches > 20);
     in->close();
+}
+
+void UdpLinkTest::dearDatagramsLeaveTheOtherLinksTheirTurn()
+{
+    Recorder ground;
+    Recorder air;
+    Recorder other;
+    const auto in = openLink("udpin:127.0.0.1:0", ground, options());
+    const auto beside = openLink("udpin:127.0.0.1:0", other, options());
+    const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
+    const auto toBeside = openLink("udpout:127.0.0.1:" + portOf(*beside), air, options());
+    const auto burst = [&](int count) {
+        for (int i = 0; i < count; ++i)
+            out->send({}, text("x"));
+        out->flush();
+    };
+    // A datagram costs four turns: after the first burst has told so, the other link does not wait for a whole one.
+    ground.onReceived = [&](Link &) {
+        for (const TimePoint stop = steadyNow() + 4 * options().turn; steadyNow() < stop;) {
+        }
+        if (ground.blocks.size() == 64) {
+            burst(64);
+            toBeside->send({}, text("y"));
+            toBeside->flush();
+        }
+    };
+    std::size_t before = 0;
+    other.onReceived = [&](Link &) { before = ground.blocks.size() - 64; };
+    burst(64);
+    QTRY_COMPARE(ground.blocks.size(), std::size_t(128));
+    QTRY_COMPARE(other.blocks.size(), std::size_t(1));
+    QVERIFY2(before <= 16, qPrintable(QString::number(before)));
 }
 
 void UdpLinkTest::listenerMayCloseTheLink()
