@@ -106,8 +106,10 @@ void HeadlessRun::watchLinks(const LinkSnapshot &link)
 void HeadlessRun::tick()
 {
     const TimePoint now = steadyNow();
-    for (const SwitchPlan::Order &order : m_switching.poll(now))
-        m_station.switchSuite(order.session, order.suite);
+    if (!m_plan.duration || elapsed() < seconds(*m_plan.duration)) {
+        for (const SwitchPlan::Order &order : m_switching.poll(now))
+            m_station.switchSuite(order.session, order.suite);
+    }
     fly(now);
     if (const int second = static_cast<int>(m_clock.elapsed() / 1000); second > m_seconds && m_snapshot) {
         m_seconds = second;
@@ -141,7 +143,9 @@ void HeadlessRun::drainScript()
 
 void HeadlessRun::endIfDue()
 {
-    const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration);
+    // A switch that is under way is let finish: cut off, it would be told as rolled back though nothing is wrong with it.
+    const double grace = m_switching.isPending() ? 1 : 0;
+    const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
     const bool played = !m_played.empty() && m_played.size() == m_links.size() && !m_plan.duration
         && std::all_of(m_played.begin(), m_played.end(), [](const auto &log) { return log.second; });

@@ -40,6 +40,11 @@ std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
     return out;
 }
 
+bool SwitchPlan::isPending() const
+{
+    return std::any_of(m_walks.begin(), m_walks.end(), [](const auto &walk) { return walk.second.pending.has_value(); });
+}
+
 std::vector<crypto::SuiteId> SwitchPlan::notReached() const
 {
     std::vector<crypto::SuiteId> out;

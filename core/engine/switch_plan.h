@@ -29,6 +29,8 @@ public:
     /// The switches that are due now.
     std::vector<Order> poll(TimePoint now);
 
+    /// Whether a switch was ordered whose result is not known yet.
+    bool isPending() const;
     /// Suites that were tried and never came into use.
     std::vector<crypto::SuiteId> notReached() const;
 

@@ -55,9 +55,12 @@ void SwitchPlanTest::neverTwoAtOnce()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm, SuiteId::ChaCha20}, std::chrono::seconds(1));
     plan.sessionUp(kStart, kSession);
+    QVERIFY(!plan.isPending());
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(1)).size(), std::size_t(1));
+    QVERIFY(plan.isPending());
     QVERIFY(plan.poll(kStart + std::chrono::seconds(7)).empty());
     plan.switchDone(done(SuiteId::Aes256Gcm, channel::SwitchFailure::NotConfirmed));
+    QVERIFY(!plan.isPending());
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(7)).size(), std::size_t(1));
     plan.switchDone(done(SuiteId::ChaCha20));
     QVERIFY(plan.poll(kStart + std::chrono::milliseconds(7100)).empty()); // no burst to catch up
