@@ -47,6 +47,7 @@ enum class Weakness : std::uint8_t {
     ShowNewest,         ///< another device takes the place of the one that is compared
     // the owners of the channel
     NoRoleCheck,        ///< observers may command
+    Misreadable,        ///< what observers say may be something else when part of it is lost
     NoSenderCheck,      ///< a sealed peer may speak as any system
     ClearAccepted,      ///< clear frames are taken as if nothing had ever been sealed
     // what only the tests' own parts look at

@@ -2,6 +2,7 @@
 
 #include "core/base/weakness.h"
 #include "core/engine/dialect_facts.h"
+#include "core/engine/misreading.h"
 #include "core/engine/observer_rules.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
@@ -354,9 +355,15 @@ void AgentCore::takeFromGround(channel::SessionId session, const mavlink::ScanIt
     if (!isWhole(item))
         return;
     const std::uint8_t systemId = systemOf(item);
-    if (!m_policy.mayCommand(session) && !(item.frame && observerMaySend(*item.frame, m_policy.pilotThere())))
-        refuse(session, item, FramesRefused::Reason::Observer);
-    else if ((m_ways.isVehicle(systemId) && !weakened(Weakness::NoSenderCheck)) || !m_policy.acceptSealed(session, systemId))
+    if (!m_policy.mayCommand(session)) {
+        if (!item.frame || !observerMaySend(*item.frame, m_policy.pilotThere()))
+            return refuse(session, item, FramesRefused::Reason::Observer);
+        if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
+            ++m_counters.observerUnclear; // as if the link had lost it: no alarm
+            return;
+        }
+    }
+    if ((m_ways.isVehicle(systemId) && !weakened(Weakness::NoSenderCheck)) || !m_policy.acceptSealed(session, systemId))
         refuse(session, item, FramesRefused::Reason::System); // nobody on the ground speaks as the vehicle
     else
         deliver(item);

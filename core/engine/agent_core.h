@@ -64,6 +64,7 @@ struct AgentCounters
 {
     std::uint64_t toGround = 0, toVehicle = 0;  ///< frames carried
     std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look, but for harmless questions
+    std::uint64_t observerUnclear = 0; ///< of these questions, what a line that loses bytes could turn into something else
     std::uint64_t spoofRefused = 0; ///< frames of a system that their peer may not speak as, or of the vehicle itself
     std::uint64_t clearRefused = 0;             ///< clear frames from the ground
     std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session

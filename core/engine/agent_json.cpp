@@ -25,7 +25,8 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     writeChannel(json, snapshot.channel);
     json.key("forwarded").beginObject();
     json.field("to_ground", snapshot.counters.toGround).field("to_vehicle", snapshot.counters.toVehicle);
-    json.field("observer_refused", snapshot.counters.observerRefused).field("spoof_refused", snapshot.counters.spoofRefused);
+    json.field("observer_refused", snapshot.counters.observerRefused);
+    json.field("observer_unclear", snapshot.counters.observerUnclear).field("spoof_refused", snapshot.counters.spoofRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);

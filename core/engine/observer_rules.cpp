@@ -1,7 +1,13 @@
 #include "core/engine/observer_rules.h"
 
+#include "core/base/weakness.h"
+#include "core/engine/misreading.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
+
+#include <bit>
+#include <cmath>
+#include <type_traits>
 
 namespace skyseal::engine {
 
@@ -10,11 +16,36 @@ namespace {
 /// Messages that are not among the typed ones.
 constexpr std::uint32_t kParamExtRequestRead = 320, kParamExtRequestList = 321;
 
+bool isWholeUpTo(float value, float most)
+{
+    return value >= 0 && value <= most && std::trunc(value) == value;
+}
+
+/// Zero, or the one NaN that libraries put there; others would be room again.
+bool isUnused(float value)
+{
+    return value == 0 || std::bit_cast<std::uint32_t>(value) == 0x7fc00000;
+}
+
+/// A question has a number of a message, an index and whom to answer; the rest of the parameters would be room for
+/// something else.
+template<typename Command> bool asks(const Command &said)
+{
+    bool rest = isUnused(said.param3) && isUnused(said.param4);
+    if constexpr (std::is_same_v<Command, mavlink::CommandLong>)
+        rest = rest && isUnused(said.param5) && isUnused(said.param6) && (isWholeUpTo(said.param7, 2) || isUnused(said.param7));
+    else
+        rest = rest && said.x == 0 && said.y == 0 && (isWholeUpTo(said.z, 2) || isUnused(said.z));
+    return rest && isQuestion(said.command) && (isWholeUpTo(said.param1, 0xffffff) || isUnused(said.param1))
+        && (isWholeUpTo(said.param2, 255) || isUnused(said.param2));
+}
+
+} // namespace
+
 bool isQuestion(std::uint16_t command)
 {
     switch (command) {
     case mavlink::MAV_CMD_GET_HOME_POSITION:
-    case mavlink::MAV_CMD_GET_MESSAGE_INTERVAL:
     case mavlink::MAV_CMD_REQUEST_MESSAGE:
     case mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION:
     case mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES:
@@ -24,12 +55,11 @@ bool isQuestion(std::uint16_t command)
     }
 }
 
-} // namespace
-
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
 {
+    if (!isPlainlySaid(frame) && !weakened(Weakness::Misreadable))
+        return false;
     switch (frame.messageId()) {
-    case mavlink::Ping::kId:
     case mavlink::ParamRequestRead::kId:
     case mavlink::ParamRequestList::kId:
     case kParamExtRequestRead:
@@ -45,9 +75,9 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
     case mavlink::RequestDataStream::kId:
         return !pilotThere && mavlink::RequestDataStream::decode(frame.payload()).start_stop == 1;
     case mavlink::CommandLong::kId:
-        return isQuestion(mavlink::CommandLong::decode(frame.payload()).command);
+        return asks(mavlink::CommandLong::decode(frame.payload()));
     case mavlink::CommandInt::kId:
-        return isQuestion(mavlink::CommandInt::decode(frame.payload()).command);
+        return asks(mavlink::CommandInt::decode(frame.payload()));
     default:
         return false;
     }

@@ -6,14 +6,19 @@
 //   own link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
 // - SET_MESSAGE_INTERVAL, and REQUEST_DATA_STREAM while a pilot is there: the rates are the autopilot's, one set for all
 //   stations behind an agent, so that an observer could take the pilot's instruments away.
-// - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads; LOG_REQUEST_DATA stops logging.
+// - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads;
+//   LOG_REQUEST_DATA stops logging.
+// - PING, which TIMESYNC replaced long ago, is fourteen bytes of the sender's choice: a whole frame of MAVLink 1. And
+//   GET_MESSAGE_INTERVAL, whose number 510 holds a frame's first byte: REQUEST_MESSAGE asks the same (misreading.h).
 #pragma once
 
 #include "core/mavlink/frame.h"
 
 namespace skyseal::engine {
 
-/// `pilotThere`: a peer that may command has a session.
+/// A command that only asks.
+bool isQuestion(std::uint16_t command);
+/// `pilotThere`: a peer that may command has a session. What is true here may still have to be left out by mayBeMisread().
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere);
 
 } // namespace skyseal::engine

@@ -81,6 +81,7 @@ inline constexpr Proof kProofs[] = {
 
     {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
     {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
+    {"Misreadable", "attack_observer_test", "nothingIsNestedInAQuestion", "nothing else is found in what it said"},
     {"NoSenderCheck", "attack_flight_test", "nobodySpeaksAsTheVehicle", "nothing of it reaches the autopilot"},
     {"ClearAccepted", "attack_flight_test", "spoofedTelemetryIsNotShown", "the list of vehicles is unchanged"},
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},

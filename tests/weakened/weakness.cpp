@@ -58,6 +58,7 @@ constexpr Named kNames[] = {
     {Weakness::NoPassphrase, "NoPassphrase"},
     {Weakness::ShowNewest, "ShowNewest"},
     {Weakness::NoRoleCheck, "NoRoleCheck"},
+    {Weakness::Misreadable, "Misreadable"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},
     {Weakness::ClearAccepted, "ClearAccepted"},
     {Weakness::Impatient, "Impatient"},
