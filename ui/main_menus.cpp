@@ -1,5 +1,6 @@
 #include "ui/main_menus.h"
 
+#include "ui/flight/command_permits.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
@@ -81,6 +82,7 @@ void MainMenus::askAndSend(const QString &question, const vehicle::VehicleComman
 void MainMenus::fillVehicle(QMenu &menu)
 {
     menu.setObjectName(QStringLiteral("menuVehicle"));
+    menu.setToolTipsVisible(true);
     const auto ask = [this, &menu](const QString &text, const QString &name, const QString &question,
                                    const vehicle::VehicleCommand &command) {
         return add(menu, text, name, {}, [this, question, command] { askAndSend(question, command); });
@@ -126,10 +128,14 @@ void MainMenus::fillVehicle(QMenu &menu)
             connect(action, &QAction::triggered, &m_window, [this, id] { m_window.chooseVehicle(id); });
         }
     });
-    all << choose->menuAction();
-    connect(&menu, &QMenu::aboutToShow, &m_window, [this, all] {
-        for (QAction *action : all)
-            action->setEnabled(m_window.m_scene.vehicle != nullptr);
+    connect(&menu, &QMenu::aboutToShow, &m_window, [this, all, choose] {
+        const QString reason = whyNoCommands(m_window.m_scene);
+        for (QAction *action : all) {
+            action->setEnabled(reason.isEmpty());
+            action->setToolTip(reason); // empty: its own text
+            action->setStatusTip(reason);
+        }
+        choose->setEnabled(m_window.m_scene.vehicle != nullptr);
     });
 }
 

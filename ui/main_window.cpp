@@ -129,7 +129,8 @@ void MainWindow::connectPanels()
 void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 {
     m_scene = sceneOf(snapshot, m_chosenVehicle);
-    m_commands->setVehicle(m_scene.vehicle ? m_scene.vehicle->state.systemId : 0);
+    m_scene.inSweep = m_sweep && m_sweep->holdsLink();
+    m_commands->showScene(m_scene);
     m_map->showScene(m_scene);
     m_docks->showMoving(m_scene);
     SceneState state = stateOf(m_scene);

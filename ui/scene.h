@@ -14,6 +14,7 @@ struct Scene
     SnapshotPtr snapshot;
     const engine::VehicleSnapshot *vehicle = nullptr;
     const engine::SessionSnapshot *session = nullptr;
+    bool inSweep = false; ///< the connected link is being measured: it may be in clear by consent, and sessions begin anew
 
     /// True where the vehicle's values are older than the limit.
     bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }

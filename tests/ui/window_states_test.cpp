@@ -102,57 +102,6 @@ private Q_SLOTS:
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
     }
 
-    void endedSessionIsNotPlain_data()
-    {
-        QTest::addColumn<int>("reason");
-        QTest::addColumn<QString>("title");
-        QTest::addColumn<QString>("words");
-        const auto row = [](const char *name, channel::DownReason reason, const char *title, const char *words) {
-            QTest::newRow(name) << static_cast<int>(reason) << QString::fromUtf8(title) << QString::fromUtf8(words);
-        };
-        row("revoked", channel::DownReason::Revoked, "Revoked · air-1", "no longer among the known peers");
-        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "Nothing was heard of air-1");
-        row("goodbye", channel::DownReason::PeerClosed, "Session ended · air-1", "closed by the other end");
-        row("restart", channel::DownReason::PeerRestarted, "Session ended · air-1", "the other end restarted");
-        row("keys", channel::DownReason::Exhausted, "Session ended · air-1", "its keys were used up");
-        row("here", channel::DownReason::Closed, "Session ended · air-1", "closed here");
-    }
-
-    void endedSessionIsNotPlain()
-    {
-        QFETCH(int, reason);
-        QFETCH(QString, title);
-        QFETCH(QString, words);
-        const auto why = static_cast<channel::DownReason>(reason);
-        engine::Snapshot snapshot = sealedSnapshot(1);
-        m_station->show(snapshot);
-        QVERIFY(!find<QPushButton>("secureKeys")->isVisible());
-        snapshot.sessions.clear();
-        snapshot.security = engine::Security::Nothing;
-        snapshot.vehicles.front().ended = engine::EndedSession{"air-1", why, 7};
-        m_station->show(snapshot);
-        const QString advice = find<QLabel>("secureAdvice")->text();
-        QCOMPARE(find<QLabel>("secureTitle")->text(), title);
-        QVERIFY2(advice.contains(words), qPrintable(advice));
-        QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
-        QCOMPARE(advice.contains(QStringLiteral("Waiting for it")), why != channel::DownReason::Revoked);
-        QCOMPARE(find<StripItem>("stripLock")->text(), title);
-        QVERIFY(find<QPushButton>("secureKeys")->isVisible());
-
-        // The agent is back, and does not know our key any more.
-        snapshot.time = 2;
-        snapshot.unanswering.push_back({"air-1", "192.0.2.7:40000", "SHA256:own", 4});
-        m_station->show(snapshot);
-        QCOMPARE(find<StripItem>("stripLock")->text(), QStringLiteral("air-1 does not answer"));
-        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("air-1 does not answer"));
-        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("SHA256:own")));
-
-        m_station->show(sealedSnapshot(3));
-        QVERIFY(find<QLabel>("secureTitle")->text().startsWith(QStringLiteral("Sealed")));
-        m_station->show(plainSnapshot(4));
-        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed"));
-    }
-
     void valuesAreThoseOfTheVehicle()
     {
         engine::Snapshot snapshot = plainSnapshot(1);

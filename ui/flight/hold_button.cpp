@@ -20,10 +20,19 @@ bool isHoldKey(int key)
 HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text, parent)
 {
     setAccessibleDescription(tr("Hold for half a second to confirm; Escape aborts"));
-    setToolTip(tr("Hold to confirm (mouse, Space or Enter); Esc aborts"));
+    setWhyNot({});
     setAutoDefault(false);
     m_ticker.setInterval(16);
     connect(&m_ticker, &QTimer::timeout, this, &HoldButton::tick);
+}
+
+void HoldButton::setWhyNot(const QString &reason)
+{
+    setEnabled(reason.isEmpty());
+    const QString tip = reason.isEmpty() ? tr("Hold to confirm (mouse, Space or Enter); Esc aborts")
+                                         : tr("Nothing can be sent: %1").arg(reason);
+    if (toolTip() != tip)
+        setToolTip(tip);
 }
 
 void HoldButton::begin()

@@ -48,6 +48,8 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
     column->addLayout(buttons);
     setMinimumWidth(44 * kGrid);
 
+    go->setWhyNot(commands.whyNot());
+    connect(&commands, &VehicleCommands::whyNotChanged, go, &HoldButton::setWhyNot);
     connect(go, &HoldButton::confirmed, this, [this, &commands, altitude] {
         commands.setTakeOffAltitude(altitude->metres());
         commands.send(vehicle::TakeOff{altitude->metres()});

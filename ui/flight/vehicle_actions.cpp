@@ -1,6 +1,7 @@
 #include "ui/flight/vehicle_actions.h"
 
 #include "ui/flight/altitude_box.h"
+#include "ui/flight/command_permits.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -74,8 +75,6 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
 void VehicleActions::showScene(const Scene &scene)
 {
     const bool present = scene.vehicle != nullptr;
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_arm, m_takeOff, m_land, m_return, m_altitude})
-        widget->setEnabled(present);
     m_armed = present && scene.vehicle->state.armed;
     const QString word = m_armed ? tr("Disarm") : tr("Arm");
     if (m_arm->text() != word) {
@@ -86,8 +85,27 @@ void VehicleActions::showScene(const Scene &scene)
         showModes(scene.vehicle->state.modes, scene.vehicle->state.mode);
     else
         showModes({}, {});
-    m_modes->setEnabled(!m_knownModes.empty());
-    m_setMode->setEnabled(!m_knownModes.empty());
+    showPermit(scene);
+}
+
+void VehicleActions::showPermit(const Scene &scene)
+{
+    const QString reason = whyNoCommands(scene);
+    for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return})
+        button->setWhyNot(reason);
+    const bool noModes = reason.isEmpty() && m_knownModes.empty();
+    m_setMode->setWhyNot(noModes ? tr("its modes are not known") : reason);
+    m_altitude->setEnabled(reason.isEmpty());
+    m_modes->setEnabled(m_setMode->isEnabled());
+    // Without a vehicle there is nothing to explain.
+    const QString line = reason.isEmpty() || !scene.vehicle ? QString() : tr("Nothing can be sent: %1").arg(reason);
+    if (line == m_whyNot)
+        return;
+    if (!line.isEmpty())
+        say(line, false);
+    else if (m_result->text() == m_whyNot)
+        say({}, true);
+    m_whyNot = line;
 }
 
 void VehicleActions::showModes(const std::vector<std::string> &modes, const std::string &current)

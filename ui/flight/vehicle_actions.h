@@ -27,6 +27,7 @@ public:
     void say(const QString &line, bool ok);
 
 private:
+    void showPermit(const Scene &scene);
     void showModes(const std::vector<std::string> &modes, const std::string &current);
 
     VehicleCommands &m_commands;
@@ -35,6 +36,7 @@ private:
     AltitudeBox *m_altitude;
     QLabel *m_result;
     std::vector<std::string> m_knownModes;
+    QString m_whyNot; ///< why nothing can be sent to the vehicle, as the line says it
     bool m_armed = false;
 };
 

@@ -1,5 +1,6 @@
 #include "ui/flight/vehicle_commands.h"
 
+#include "ui/flight/command_permits.h"
 #include "ui/text/words.h"
 
 #include <algorithm>
@@ -11,11 +12,25 @@ VehicleCommands::VehicleCommands(StationPort &station, QObject *parent) : QObjec
     connect(&station, &StationPort::happened, this, &VehicleCommands::take);
 }
 
+void VehicleCommands::showScene(const Scene &scene)
+{
+    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
+    const QString reason = whyNoCommands(scene);
+    if (reason == m_whyNot)
+        return;
+    m_whyNot = reason;
+    Q_EMIT whyNotChanged(reason);
+}
+
 void VehicleCommands::send(const vehicle::VehicleCommand &command)
 {
     if (m_systemId == 0)
         return;
     const QString words = commandWords(command);
+    if (!m_whyNot.isEmpty()) {
+        Q_EMIT said(tr("%1: not sent: %2").arg(words, m_whyNot), false);
+        return;
+    }
     const vehicle::CommandId id = m_station.command(m_systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
     Q_EMIT said(tr("%1: asked …").arg(words), true);

@@ -20,7 +20,10 @@ class VehicleCommands : public QObject
 public:
     explicit VehicleCommands(StationPort &station, QObject *parent = nullptr);
 
-    void setVehicle(std::uint8_t systemId) { m_systemId = systemId; }
+    void showScene(const Scene &scene);
+    /// Empty when a command can go to the vehicle.
+    const QString &whyNot() const { return m_whyNot; }
+    /// Says no where there is a reason: one that was asked for before it was there, too.
     void send(const vehicle::VehicleCommand &command);
     void take(const engine::Happening &happening);
 
@@ -30,12 +33,14 @@ public:
 
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
+    void whyNotChanged(const QString &reason);
     /// One line for the operator; `ok` is false when the vehicle refused or did not answer.
     void said(const QString &line, bool ok);
 
 private:
     StationPort &m_station;
     std::uint8_t m_systemId = 0;
+    QString m_whyNot;
     double m_takeOffAltitude = 10;
     QHash<quint32, QString> m_asked;
 };

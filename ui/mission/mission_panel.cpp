@@ -1,6 +1,7 @@
 #include "ui/mission/mission_panel.h"
 
 #include "ui/mission/mission_file.h"
+#include "ui/flight/command_permits.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -105,8 +106,11 @@ void MissionPanel::showScene(const Scene &scene)
 {
     m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
     m_mission = scene.vehicle ? scene.vehicle->mission : nullptr;
-    m_read->setEnabled(scene.vehicle != nullptr);
-    m_send->setEnabled(scene.vehicle != nullptr);
+    const QString reason = whyNoCommands(scene);
+    for (QPushButton *button : {m_read, m_send}) {
+        button->setEnabled(reason.isEmpty());
+        button->setToolTip(reason);
+    }
     m_save->setEnabled(m_mission && !m_mission->empty());
     m_model.setMission(m_mission, scene.vehicle ? scene.vehicle->state.missionCurrent : -1);
 }

@@ -1,5 +1,6 @@
 #include "ui/parameters/parameters_panel.h"
 
+#include "ui/flight/command_permits.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -63,8 +64,12 @@ ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidge
     column->addWidget(view, 1);
 
     connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.requestParameters(m_systemId); });
-    connect(&m_model, &ParameterModel::writeWanted, this,
-            [this](const QString &name, double value) { m_station.writeParameter(m_systemId, name.toStdString(), value); });
+    connect(&m_model, &ParameterModel::writeWanted, this, [this](const QString &name, double value) {
+        if (m_whyNot.isEmpty())
+            m_station.writeParameter(m_systemId, name.toStdString(), value);
+        else
+            m_model.written({name.toStdString(), value}, false, m_whyNot);
+    });
     connect(&station, &StationPort::happened, this, &ParametersPanel::take);
     showScene({});
 }
@@ -72,7 +77,9 @@ ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidge
 void ParametersPanel::showScene(const Scene &scene)
 {
     m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
-    m_fetch->setEnabled(scene.vehicle != nullptr);
+    m_whyNot = whyNoCommands(scene);
+    m_fetch->setEnabled(m_whyNot.isEmpty());
+    m_fetch->setToolTip(m_whyNot);
     m_model.setParameters(scene.vehicle ? scene.vehicle->parameters : nullptr);
     const int have = m_model.rowCount();
     const int all = scene.vehicle ? static_cast<int>(scene.vehicle->parametersExpected) : 0;

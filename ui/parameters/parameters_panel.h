@@ -30,6 +30,7 @@ private:
     QProgressBar *m_progress;
     QLabel *m_count;
     std::uint8_t m_systemId = 0;
+    QString m_whyNot; ///< why nothing can be sent to the vehicle
 };
 
 } // namespace skyseal::ui

@@ -188,6 +188,11 @@ void SecureLinkPanel::showHead(const Scene &scene)
         title = tr("Not sealed");
         advice = tr(
             "This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
+        if (scene.inSweep) {
+            title = tr("Not sealed, in a sweep");
+            advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals "
+                        "the link again by itself.");
+        }
         color = colors.warning;
         break;
     case Security::Sealed:
@@ -213,8 +218,8 @@ void SecureLinkPanel::showHead(const Scene &scene)
     }
     put(m_title, title);
     put(m_advice, advice);
-    m_help->setVisible(!scene.session && !face.lost);
-    m_keys->setVisible(face.lost);
+    m_help->setVisible(!scene.session && !face.lost && !scene.inSweep);
+    m_keys->setVisible(face.lost && !scene.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);

@@ -30,6 +30,9 @@ std::optional<LinkEnded> linkEndedOf(const Scene &scene)
     const QString waiting = QLatin1Char(' ')
         + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
                     "last, and clear MAVLink in its name stays refused.");
+    if (scene.inSweep && ended.reason == DownReason::Closed)
+        return LinkEnded{Words::tr("Beginning anew · %1").arg(name),
+                         Words::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
         return LinkEnded{Words::tr("Revoked · %1").arg(name),

@@ -75,6 +75,11 @@ LockFace lockFaceOf(const Scene &scene)
         face.variants = {Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")};
         face.toolTip = Words::tr(
             "Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
+        if (scene.inSweep) {
+            face.variants.front() = Words::tr("Not sealed · in a sweep");
+            face.toolTip = Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and "
+                                     "change what is sent. It seals the link again by itself.");
+        }
         face.suite = crypto::SuiteId::None;
         return face;
     }

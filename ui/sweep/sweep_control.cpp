@@ -19,7 +19,7 @@ SweepControl::SweepControl(SweepPort &port, SweepPage &page, SuiteActions &suite
     connect(&port, &SweepPort::finished, this,
             [this](const std::shared_ptr<const experiment::Results> &results, const QString &problem) {
                 m_page.finish(results, problem);
-                m_suites.setHeld(false);
+                hold(false);
                 Q_EMIT finished();
             });
     connect(&page, &SweepPage::runWanted, this, &SweepControl::askWanted);
@@ -47,9 +47,15 @@ void SweepControl::start(const SweepOrder &order)
     if (isRunning())
         return;
     m_page.begin(order.plan);
-    m_suites.setHeld(!order.ownVehicle);
+    hold(!order.ownVehicle);
     Q_EMIT began();
     m_port.start(order);
+}
+
+void SweepControl::hold(bool on)
+{
+    m_holdsLink = on;
+    m_suites.setHeld(on);
 }
 
 void SweepControl::cancel()

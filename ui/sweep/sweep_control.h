@@ -22,6 +22,8 @@ public:
     SweepControl(SweepPort &port, SweepPage &page, SuiteActions &suites, QWidget &window);
 
     bool isRunning() const;
+    /// One runs, on the connected link.
+    bool holdsLink() const { return m_holdsLink; }
     /// Opens the dialog, unless a sweep runs.
     void ask(const Scene &scene, bool requireSealed);
     void cancel();
@@ -37,12 +39,14 @@ Q_SIGNALS:
 
 private:
     void start(const SweepOrder &order);
+    void hold(bool on);
     void askFolder();
 
     SweepPort &m_port;
     SweepPage &m_page;
     SuiteActions &m_suites;
     QWidget &m_window;
+    bool m_holdsLink = false;
 };
 
 } // namespace skyseal::ui

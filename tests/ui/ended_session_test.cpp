@@ -1,0 +1,229 @@
+// A vehicle whose sealed session is over: it is told as such and not as plain MAVLink, and nothing is offered that could not
+// be sent. What a sweep does to the link on purpose is told as that.
+#include "fake_station.h"
+#include "scripted_snapshots.h"
+#include "ui/flight/hold_button.h"
+#include "ui/flight/take_off_dialog.h"
+#include "ui/main_window.h"
+#include "ui/security/secure_link_panel.h"
+#include "ui/security/suite_actions.h"
+#include "ui/status/lock_face.h"
+#include "ui/status/strip_item.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtGui/QAction>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+#include <algorithm>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class EndedSessionTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init()
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_station = std::make_unique<FakeStation>();
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
+        m_window->resize(1280, 900);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+    }
+
+    void cleanup()
+    {
+        m_window.reset();
+        m_station.reset();
+    }
+
+    void endedSessionIsNotPlain_data()
+    {
+        QTest::addColumn<int>("reason");
+        QTest::addColumn<QString>("title");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *name, channel::DownReason reason, const char *title, const char *words) {
+            QTest::newRow(name) << static_cast<int>(reason) << QString::fromUtf8(title) << QString::fromUtf8(words);
+        };
+        row("revoked", channel::DownReason::Revoked, "Revoked · air-1", "no longer among the known peers");
+        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "Nothing was heard of air-1");
+        row("goodbye", channel::DownReason::PeerClosed, "Session ended · air-1", "closed by the other end");
+        row("restart", channel::DownReason::PeerRestarted, "Session ended · air-1", "the other end restarted");
+        row("keys", channel::DownReason::Exhausted, "Session ended · air-1", "its keys were used up");
+        row("here", channel::DownReason::Closed, "Session ended · air-1", "closed here");
+    }
+
+    void endedSessionIsNotPlain()
+    {
+        QFETCH(int, reason);
+        QFETCH(QString, title);
+        QFETCH(QString, words);
+        const auto why = static_cast<channel::DownReason>(reason);
+        m_station->show(sealedSnapshot(0));
+        QVERIFY(!find<QPushButton>("secureKeys")->isVisible());
+        engine::Snapshot snapshot = ended(1, why);
+        m_station->show(snapshot);
+        const QString advice = find<QLabel>("secureAdvice")->text();
+        QCOMPARE(find<QLabel>("secureTitle")->text(), title);
+        QVERIFY2(advice.contains(words), qPrintable(advice));
+        QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
+        QCOMPARE(advice.contains(QStringLiteral("Waiting for it")), why != channel::DownReason::Revoked);
+        QCOMPARE(find<StripItem>("stripLock")->text(), title);
+        QVERIFY(find<QPushButton>("secureKeys")->isVisible());
+
+        // The agent is back, and does not know our key any more.
+        snapshot.time = 2;
+        snapshot.unanswering.push_back({"air-1", "192.0.2.7:40000", "SHA256:own", 4});
+        m_station->show(snapshot);
+        QCOMPARE(find<StripItem>("stripLock")->text(), QStringLiteral("air-1 does not answer"));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("air-1 does not answer"));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("SHA256:own")));
+
+        m_station->show(sealedSnapshot(3));
+        QVERIFY(find<QLabel>("secureTitle")->text().startsWith(QStringLiteral("Sealed")));
+        m_station->show(plainSnapshot(4));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed"));
+    }
+
+    void nothingIsOfferedThatCannotBeSent_data()
+    {
+        QTest::addColumn<int>("reason");
+        QTest::addColumn<QString>("words");
+        QTest::newRow("lost") << static_cast<int>(channel::DownReason::TimedOut) << QStringLiteral("Session lost · air-1");
+        QTest::newRow("revoked") << static_cast<int>(channel::DownReason::Revoked) << QStringLiteral("Revoked · air-1");
+    }
+
+    void nothingIsOfferedThatCannotBeSent()
+    {
+        QFETCH(int, reason);
+        QFETCH(QString, words);
+        const QList<QPushButton *> buttons{find<HoldButton>("armButton"), find<HoldButton>("landButton"),
+                                           find<HoldButton>("returnButton"), find<HoldButton>("takeOffButton"),
+                                           find<HoldButton>("setModeButton"), find<QPushButton>("missionRead"),
+                                           find<QPushButton>("missionSend"), find<QPushButton>("parameterFetch")};
+        const auto enabled = [&buttons](bool wanted) {
+            return std::ranges::all_of(buttons, [=](const QPushButton *button) { return button->isEnabled() == wanted; });
+        };
+        m_station->show(sealedSnapshot(1));
+        QVERIFY(enabled(true));
+        QVERIFY(find<HoldButton>("landButton")->toolTip().startsWith(QStringLiteral("Hold")));
+
+        // One that is held at that moment, and a dialog that is open, come too late as well.
+        QTest::mousePress(find<HoldButton>("landButton"), Qt::LeftButton);
+        find<QAction>("actionTakeOff")->trigger();
+        auto *takeOff = m_window->findChild<TakeOffDialog *>();
+        QVERIFY(takeOff);
+        m_station->show(ended(2, static_cast<channel::DownReason>(reason)));
+        QVERIFY(enabled(false));
+        for (const QPushButton *button : buttons)
+            QVERIFY2(button->toolTip().contains(words), qPrintable(button->objectName() + button->toolTip()));
+        QVERIFY2(find<QLabel>("commandResult")->text().contains(words), qPrintable(find<QLabel>("commandResult")->text()));
+        auto *go = takeOff->findChild<HoldButton *>(QStringLiteral("takeOffDialogGo"));
+        QVERIFY(!go->isEnabled() && go->toolTip().contains(words));
+        takeOff->close();
+        QCOMPARE(find<HoldButton>("landButton")->progress(), 0.0);
+        QVERIFY(!find<HoldButton>("landButton")->isDown()); // the hold is over, and nothing was sent
+        QVERIFY(m_station->commands.empty());
+
+        auto *menu = find<QMenu>("menuVehicle");
+        Q_EMIT menu->aboutToShow();
+        for (const char *name : {"actionArm", "actionDisarm", "actionTakeOff", "actionLand", "actionReturn", "actionStartMission"}) {
+            QVERIFY2(!find<QAction>(name)->isEnabled(), name);
+            QVERIFY2(find<QAction>(name)->toolTip().contains(words), name);
+        }
+
+        m_station->show(sealedSnapshot(3));
+        QVERIFY(enabled(true));
+        QCOMPARE(find<QLabel>("commandResult")->text(), QString());
+        Q_EMIT menu->aboutToShow();
+        QVERIFY(find<QAction>("actionArm")->isEnabled());
+        m_station->show(plainSnapshot(4));
+        QVERIFY(enabled(true));
+    }
+
+    void questionThatIsAnsweredTooLate()
+    {
+        m_station->show(sealedSnapshot(1));
+        find<QAction>("actionLand")->trigger();
+        auto *box = find<QMessageBox>("confirmCommand");
+        m_station->show(ended(2, channel::DownReason::TimedOut));
+        QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
+        QVERIFY(m_station->commands.empty());
+        const QString line = find<QLabel>("commandResult")->text();
+        QVERIFY2(line.contains(QStringLiteral("not sent")), qPrintable(line));
+    }
+
+    void aSilentLinkStillTakesCommands()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().state.messageAge = 9;
+        snapshot.vehicles.front().state.lost = true;
+        m_station->show(snapshot);
+        QVERIFY(find<HoldButton>("landButton")->isEnabled());
+    }
+
+    void clearByASweepIsToldAsThat()
+    {
+        SuiteActions suites(*m_station);
+        SecureLinkPanel panel(suites);
+        const auto text = [&panel](const char *name) { return panel.findChild<QLabel *>(QLatin1String(name))->text(); };
+        Scene scene = sceneOf(std::make_shared<const engine::Snapshot>(plainSnapshot(1)), 0);
+        panel.showScene(scene);
+        QVERIFY(text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
+        QVERIFY(lockFaceOf(scene).toolTip.contains(QStringLiteral("Start skyseal-air")));
+        scene.inSweep = true;
+        panel.showScene(scene);
+        QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, in a sweep"));
+        QVERIFY(!text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
+        QVERIFY(text("secureAdvice").contains(QStringLiteral("measured now")));
+        QVERIFY(panel.findChild<QPushButton *>(QStringLiteral("secureHelp"))->isHidden());
+        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Not sealed · in a sweep"));
+        QVERIFY(!lockFaceOf(scene).toolTip.contains(QStringLiteral("Start skyseal-air")));
+
+        // Between plain MAVLink and a suite the session is ended by the sweep; one that is lost is told as lost.
+        scene = sceneOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::Closed)), 0);
+        scene.inSweep = true;
+        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Beginning anew · air-1"));
+        scene = sceneOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::TimedOut)), 0);
+        scene.inSweep = true;
+        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Session lost · air-1"));
+    }
+
+private:
+    /// The vehicle as it was heard last over the session that ended.
+    static engine::Snapshot ended(double time, channel::DownReason reason)
+    {
+        engine::Snapshot snapshot = sealedSnapshot(time);
+        snapshot.sessions.clear();
+        snapshot.security = engine::Security::Nothing;
+        snapshot.vehicles.front().ended = engine::EndedSession{"air-1", reason, 7};
+        return snapshot;
+    }
+
+    template<typename W> W *find(const char *name)
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<FakeStation> m_station;
+    std::unique_ptr<MainWindow> m_window;
+};
+
+QTEST_MAIN(EndedSessionTest)
+#include "ended_session_test.moc"

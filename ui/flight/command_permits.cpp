@@ -1,0 +1,26 @@
+#include "ui/flight/command_permits.h"
+
+#include "ui/status/link_ended.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::CommandPermits)
+};
+
+} // namespace
+
+QString whyNoCommands(const Scene &scene)
+{
+    if (!scene.vehicle)
+        return Words::tr("no vehicle");
+    const auto ended = linkEndedOf(scene);
+    return ended ? ended->title : QString();
+}
+
+} // namespace skyseal::ui
