@@ -26,7 +26,12 @@ QString commandOf(const experiment::Plan &plan, bool connected)
         framings << QString::fromUtf8(experiment::name(framing).data());
     for (const experiment::Load load : plan.loads)
         loads << QString::fromUtf8(experiment::name(load).data());
-    return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8")
+    QString links;
+    for (const experiment::Condition &condition : plan.conditions) {
+        if (plan.conditions.size() > 1 || !condition.clean())
+            links += QStringLiteral(" --impair ") + QString::fromStdString(condition.name);
+    }
+    return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8%9")
         .arg(connected ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
                        : QStringLiteral("skyseal; as skyseal-cli sweep"),
              suites.join(QLatin1Char(',')),
@@ -35,7 +40,7 @@ QString commandOf(const experiment::Plan &plan, bool connected)
         .arg(seconds(plan.measure))
         .arg(plan.repeats)
         .arg(plan.seed)
-        .arg(noise ? QString() : QStringLiteral(" --no-noise"));
+        .arg(links, noise ? QString() : QStringLiteral(" --no-noise"));
 }
 
 } // namespace

@@ -159,7 +159,7 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
     const Plan &plan = results.plan;
     BarChart out;
     out.title = info(metric).title;
-    out.subtitle = "link: " + plan.conditions[condition].name + "; load: " + std::string(name(plan.loads[load])) + "; "
+    out.subtitle = "link: " + words(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load])) + "; "
                    + std::to_string(plan.repeats) + " runs of " + readable(seconds(plan.measure))
                    + " s each; bar: mean, whisker: 95 % confidence interval, dots: single runs";
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {

@@ -42,7 +42,7 @@ std::string armText(const Arm &arm)
 
 std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
 {
-    return "link " + escaped(plan.conditions[condition].name) + ", " + std::string(name(plan.loads[load])) + " load";
+    return "link " + escaped(words(plan.conditions[condition])) + "; " + std::string(name(plan.loads[load])) + " load";
 }
 
 template<typename Each> void forEachPlace(const Plan &plan, Each each)
@@ -173,6 +173,9 @@ std::string settingTable(const Results &results)
     line("runs", std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
                      + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
     line("framing", framingWords(plan));
+    for (const Condition &condition : plan.conditions)
+        line("link", condition.clean() ? "clean, as it is"
+                                       : words(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";

@@ -1,6 +1,7 @@
 #include "core/experiment/plan.h"
 
 #include "core/crypto/inline_cipher.h"
+#include "core/experiment/metric.h"
 
 #include <algorithm>
 #include <charconv>
@@ -159,6 +160,28 @@ Result<Condition, InputError> parseCondition(std::string_view text)
         begin = end + 1;
     }
     return out;
+}
+
+std::string words(const Condition &condition)
+{
+    if (condition.clean())
+        return condition.name;
+    std::string out;
+    const auto add = [&out](bool is, const std::string &text) {
+        if (is)
+            out += (out.empty() ? "" : ", ") + text;
+    };
+    const auto percent = [](double share) { return readable(100 * share) + " % "; };
+    const auto ms = [](Duration time) { return readable(1000 * seconds(time)) + " ms"; };
+    const impair::Settings &link = condition.settings;
+    add(link.baud > 0, readable(static_cast<double>(link.baud)) + " baud");
+    add(link.loss > 0, percent(link.loss) + "loss");
+    add(link.duplicate > 0, percent(link.duplicate) + "duplicates");
+    add(link.reorder > 0, percent(link.reorder) + "reordered");
+    add(link.corrupt > 0, percent(link.corrupt) + "corrupted");
+    add(link.delay > Duration::zero(), ms(link.delay) + " delay");
+    add(link.jitter > Duration::zero(), "up to " + ms(link.jitter) + " jitter");
+    return out.empty() ? "nothing impaired" : out;
 }
 
 std::vector<Run> schedule(const Plan &plan)

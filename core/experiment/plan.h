@@ -56,6 +56,9 @@ struct Condition
 /// rate= (baud). The text is the condition's name.
 Result<Condition, InputError> parseCondition(std::string_view text);
 
+/// The same for people: "57,600 baud, 5 % loss, 20 ms delay"; "clean".
+std::string words(const Condition &condition);
+
 struct Plan
 {
     std::vector<Arm> arms;

@@ -161,7 +161,7 @@ void SweepTest::checkPage(const QJsonObject &report, const QString &page)
 {
     int checked = 0;
     for (const char *load : {"natural", "saturated"}) {
-        const qsizetype begin = page.indexOf(q("<h2>Results: link clean, %1 load").arg(q(load)));
+        const qsizetype begin = page.indexOf(q("<h2>Results: link clean; %1 load").arg(q(load)));
         QVERIFY(begin > 0);
         const QString table = page.mid(begin, page.indexOf(q("</table>"), begin) - begin);
         for (const QJsonValue metric : report[QLatin1String("metrics")].toArray()) {

@@ -8,8 +8,9 @@
 #include "core/experiment/metric.h"
 #include "tests/support/flight.h"
 #include "ui/main_window.h"
-#include "ui/settings.h"
 #include "ui/security/suite_actions.h"
+#include "ui/settings.h"
+#include "ui/status/strip_item.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_control.h"
 #include "ui/sweep/sweep_dialog.h"
@@ -28,8 +29,9 @@
 #include <QtTest/QAbstractItemModelTester>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
-#include <QtWidgets/QAbstractButton>
 #include <QtGui/QAction>
+#include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QDoubleSpinBox>
 #include <QtWidgets/QLabel>
@@ -63,6 +65,7 @@ private Q_SLOTS:
     void saysWhyNot();
     void showsWhatItSaves();
     void cancelGoesBack();
+    void overARadio();
     void onAVehicleOfItsOwn();
     void lossGoesBack();
     void closingGoesBack();
@@ -320,9 +323,47 @@ void SweepWindowTest::cancelGoesBack()
     run(*dialog);
     QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
     QVERIFY(!m_window->scene().session);
+    const QString advice = find<QLabel>("secureAdvice")->text();
+    QVERIFY2(advice.contains(q("measured now")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
+    QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("measures plain MAVLink")),
+             qPrintable(find<StripItem>("stripLock")->toolTip()));
+    picture("sweep-in-clear");
     QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);
     QTRY_COMPARE_WITH_TIMEOUT(suite(), SuiteId::Aes256Gcm, 10'000);
+    QVERIFY(find<QLabel>("secureTitle")->text().startsWith(q("Sealed")));
+}
+
+/// A radio's line, by clicks: the page and the report name it, and it shows in what comes through.
+void SweepWindowTest::overARadio()
+{
+    SweepDialog *dialog = openDialog();
+    set(*dialog, "sweepOwn", true);
+    choose(*dialog, {q("chacha20-poly1305")}, 2, 1, false);
+    set(*dialog, "sweepNatural", false);
+    set(*dialog, "sweepClean", false);
+    set(*dialog, "sweepRadio57600", true);
+    picture("sweep-dialog-radio");
+    run(*dialog);
+    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(q("Run 1 of 1")), 30'000);
+    QVERIFY2(status().contains(q("57,600 baud, 20 ms delay")), qPrintable(status()));
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    QVERIFY2(page().results()->complete, qPrintable(status()));
+    const experiment::Sample &sample = page().results()->samples.front();
+    QVERIFY2(sample.problem.empty(), sample.problem.c_str());
+    const double rate = sample.values[experiment::Metric::WireRate];
+    QVERIFY2(rate > 1000 && rate < 5760 * 1.1, qPrintable(QString::number(rate))); // ten bits a byte
+    auto *place = find<QComboBox>("sweepPlace");
+    QVERIFY(place->isVisible() && place->currentText().contains(q("57,600 baud")));
+
+    QSignalSpy saved(m_desk.get(), &SweepPort::saved);
+    m_window->sweep()->saveIn(m_folder.path());
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
+    QFile report(saved[0][0].toString() + q("/report.html"));
+    QVERIFY(report.open(QIODevice::ReadOnly));
+    const QByteArray html = report.readAll();
+    QVERIFY(html.contains("link 57,600 baud, 20 ms delay; saturated load"));
+    QVERIFY(html.contains("--impair rate=57600,delay=20")); // how to do it again
 }
 
 void SweepWindowTest::onAVehicleOfItsOwn()

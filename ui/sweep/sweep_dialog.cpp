@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_dialog.h"
 
 #include "ui/dialogs/form_pieces.h"
+#include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_words.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
@@ -31,7 +32,7 @@ constexpr double kBetweenRuns = 0.3; ///< seconds, about: a switch and waiting f
 } // namespace
 
 SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
-    : QDialog(parent), m_around(around), m_warning(new QLabel(this)), m_summary(new QLabel(this)),
+    : QDialog(parent), m_around(around), m_link(new LinkConditions(this)), m_warning(new QLabel(this)), m_summary(new QLabel(this)),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("sweepDialog"));
@@ -43,6 +44,7 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
     column->addWidget(makeWhere());
+    column->addWidget(m_link);
     column->addWidget(makeWhat());
     column->addWidget(makeHow());
     column->addWidget(m_warning);
@@ -50,6 +52,7 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     column->addWidget(m_buttons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_link, &LinkConditions::changed, this, &SweepDialog::sumUp);
     m_warning->setMinimumWidth(72 * kGrid);
     offer();
 }
@@ -186,6 +189,7 @@ void SweepDialog::offer()
     permit(m_saturated, notSaturated.isEmpty() ? tr("Saturated load: as much as the link carries") : tr("Saturated load"),
            notSaturated);
     m_saturated->setChecked(own);
+    m_link->setWhyNot(whyNotOtherLink(own));
     sumUp();
 }
 
@@ -196,7 +200,7 @@ void SweepDialog::sumUp()
     const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());
     const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
     m_summary->setText(possible ? tr("%1 runs, %2").arg(runs).arg(aboutTime(static_cast<double>(runs) * each))
-                                : tr("Choose a suite, a framing that it can be in, and a load."));
+                                : tr("Choose a link, a suite, a framing that it can be in, and a load."));
     const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
     m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, "
                                   "and anyone can speak to the vehicle.")
@@ -224,6 +228,7 @@ SweepOrder SweepDialog::order() const
     plan.measure = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(m_seconds->value()));
     plan.seed = m_seed->text().toULongLong();
     plan.arms = experiment::armsOf(suites, framings, m_noise->isChecked() && plan.repeats > 1);
+    plan.conditions = m_link->conditions();
     plan.loads.clear();
     if (m_natural->isChecked())
         plan.loads.push_back(Load::Natural);

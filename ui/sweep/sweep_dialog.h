@@ -1,4 +1,4 @@
-// What a sweep is to measure: where, which suites in which framings, how long and how often. What cannot be measured says
+// What a sweep is to measure: where, over which links, which suites in which framings, how long and how often. What cannot be measured says
 // why.
 #pragma once
 
@@ -18,6 +18,8 @@ class QRadioButton;
 class QSpinBox;
 
 namespace skyseal::ui {
+
+class LinkConditions;
 
 class SweepDialog : public QDialog
 {
@@ -45,6 +47,7 @@ private:
     static void permit(QCheckBox *box, const QString &text, const QString &whyNot);
 
     SweepSurroundings m_around;
+    LinkConditions *m_link;
     QRadioButton *m_connected, *m_own;
     std::vector<Choice> m_suites;
     QCheckBox *m_sealed, *m_inline, *m_natural, *m_saturated, *m_noise;

@@ -110,10 +110,7 @@ void SweepPage::fillChoices()
     m_place->clear();
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
-            const QString name = loadWords(plan.loads[load]);
-            const QString link = fromStd(plan.conditions[condition].name) + QStringLiteral(", ");
-            m_place->addItem(plan.conditions.size() > 1 ? link + name : name,
-                             QPoint(static_cast<int>(condition), static_cast<int>(load)));
+            m_place->addItem(placeWords(plan, condition, load), QPoint(static_cast<int>(condition), static_cast<int>(load)));
         }
     }
     const QVariant before = m_metric->currentData();
@@ -217,7 +214,7 @@ void SweepPage::showStatus()
     m_bar->setVisible(m_running);
     m_save->setVisible(!m_running && m_results && !m_results->samples.empty());
     m_save->setEnabled(true);
-    m_place->setVisible(m_results && m_place->count() > 1);
+    m_place->setVisible(m_results && (m_place->count() > 1 || !m_results->plan.conditions.front().clean()));
     m_metric->setVisible(m_results != nullptr);
     if (!m_running)
         return;
@@ -231,7 +228,7 @@ void SweepPage::showStatus()
     setStatus(tr("Run %1 of %2: %3, %4; %5 left")
                   .arg(std::min(m_progress.done + 1, m_progress.runs))
                   .arg(m_progress.runs)
-                  .arg(armWords(plan.arms[m_run->arm]), loadWords(plan.loads[m_run->load]),
+                  .arg(armWords(plan.arms[m_run->arm]), placeWords(plan, m_run->condition, m_run->load),
                        aboutTime(m_progress.remaining)));
 }
 

@@ -67,6 +67,11 @@ QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
     return {};
 }
 
+QString whyNotOtherLink(bool ownVehicle)
+{
+    return ownVehicle ? QString() : Words::tr("the connected one is measured as it is");
+}
+
 QString whyNotSaturated(bool ownVehicle)
 {
     return ownVehicle ? QString() : Words::tr("the vehicle sends what it sends");

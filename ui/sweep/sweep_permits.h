@@ -23,5 +23,6 @@ QString whyNoConnectedLink(const SweepSurroundings &around);
 QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, crypto::SuiteId suite);
 QString whyNotInline(const SweepSurroundings &around, bool ownVehicle);
 QString whyNotSaturated(bool ownVehicle);
+QString whyNotOtherLink(bool ownVehicle);
 
 } // namespace skyseal::ui

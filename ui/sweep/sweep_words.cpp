@@ -5,6 +5,7 @@
 
 #include <QtCore/QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace skyseal::ui {
@@ -38,6 +39,15 @@ QString armWords(const Arm &arm)
 QString loadWords(experiment::Load load)
 {
     return load == experiment::Load::Natural ? Words::tr("natural load") : Words::tr("saturated load");
+}
+
+QString placeWords(const experiment::Plan &plan, std::size_t condition, std::size_t load)
+{
+    const QString words = loadWords(plan.loads[load]);
+    if (std::ranges::all_of(plan.conditions, &experiment::Condition::clean))
+        return words;
+    const experiment::Condition &link = plan.conditions[condition];
+    return (link.clean() ? Words::tr("clean link") : fromStd(experiment::words(link))) + QStringLiteral(" · ") + words;
 }
 
 QString aboutTime(double seconds)

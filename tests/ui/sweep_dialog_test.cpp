@@ -1,0 +1,174 @@
+// The question before a sweep, by clicks and without any program: what is chosen is what is ordered, above all over which
+// links.
+#include "fake_station.h"
+#include "scripted_snapshots.h"
+#include "ui/security/suite_actions.h"
+#include "ui/sweep/link_conditions.h"
+#include "ui/sweep/sweep_dialog.h"
+#include "ui/sweep/sweep_page.h"
+#include "ui/sweep/sweep_words.h"
+
+#include <QtTest/QTest>
+#include <QtWidgets/QAbstractButton>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
+
+#include <memory>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+QStringList namesOf(const std::vector<experiment::Condition> &conditions)
+{
+    QStringList out;
+    for (const experiment::Condition &condition : conditions)
+        out << QString::fromStdString(condition.name);
+    return out;
+}
+
+} // namespace
+
+class SweepDialogTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void linksAreThoseThatWereClicked()
+    {
+        SweepDialog &dialog = open({});
+        QVERIFY(dialog.order().ownVehicle);
+        QCOMPARE(namesOf(dialog.order().plan.conditions), QStringList{QStringLiteral("clean")});
+        const std::size_t once = runs();
+        click("sweepRadio57600");
+        QCOMPARE(namesOf(dialog.order().plan.conditions),
+                 (QStringList{QStringLiteral("clean"), QStringLiteral("rate=57600,delay=20")}));
+        QCOMPARE(dialog.order().plan.conditions[1].settings.baud, std::uint64_t(57600));
+        QCOMPARE(runs(), 2 * once);
+        click("sweepRadio115200");
+        QCOMPARE(runs(), 3 * once);
+        QCOMPARE(dialog.order().plan.conditions[2].settings.baud, std::uint64_t(115200));
+
+        QVERIFY(!find<QWidget>("sweepLoss")->isEnabled());
+        click("sweepOwnLink");
+        type("sweepLoss", "2.5");
+        type("sweepDelay", "40");
+        type("sweepJitter", "15");
+        type("sweepRate", "38400");
+        QCOMPARE(runs(), 4 * once);
+        for (const char *name : {"sweepClean", "sweepRadio57600", "sweepRadio115200"})
+            click(name);
+        const auto conditions = dialog.order().plan.conditions;
+        QCOMPARE(namesOf(conditions), QStringList{QStringLiteral("loss=0.025,delay=40,jitter=15,rate=38400")});
+        const impair::Settings &link = conditions.front().settings;
+        QCOMPARE(link.loss, 0.025);
+        QVERIFY(link.delay == std::chrono::milliseconds(40) && link.jitter == std::chrono::milliseconds(15));
+        QCOMPARE(link.baud, std::uint64_t(38400));
+
+        QVERIFY(run().isEnabled());
+        click("sweepOwnLink");
+        QVERIFY(!run().isEnabled()); // no link at all
+        QVERIFY(find<QLabel>("sweepSummary")->text().contains(QStringLiteral("Choose a link")));
+    }
+
+    void theSameLinkIsMeasuredOnce()
+    {
+        SweepDialog &dialog = open({});
+        click("sweepRadio57600");
+        click("sweepOwnLink");
+        type("sweepLoss", "0");
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2)); // nothing set: clean, which is there
+        type("sweepRate", "57600");
+        type("sweepDelay", "20");
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2));
+        type("sweepDelay", "21");
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(3));
+    }
+
+    void connectedLinkIsMeasuredAsItIs()
+    {
+        const Scene scene = sceneOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
+        SweepDialog &dialog = open(scene);
+        QVERIFY(!dialog.order().ownVehicle);
+        auto &links = *dialog.findChild<LinkConditions *>();
+        QVERIFY(!links.isEnabled());
+        QVERIFY2(links.title().contains(QStringLiteral("as it is")), qPrintable(links.title()));
+        click("sweepOwn");
+        QVERIFY(links.isEnabled());
+        click("sweepRadio57600");
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2));
+        click("sweepConnected");
+        QVERIFY(!links.isEnabled());
+        QCOMPARE(namesOf(dialog.order().plan.conditions), QStringList{QStringLiteral("clean")});
+        click("sweepOwn");
+        QCOMPARE(dialog.order().plan.conditions.size(), std::size_t(2)); // the choice was kept
+    }
+
+    void pageNamesTheLink()
+    {
+        SweepPage page;
+        page.show();
+        auto *place = page.findChild<QComboBox *>(QStringLiteral("sweepPlace"));
+        auto *status = page.findChild<QLabel *>(QStringLiteral("sweepStatus"));
+        experiment::Plan plan;
+        plan.arms = experiment::armsOf({crypto::SuiteId::Aes256Gcm}, {channel::Framing::Sealed}, false);
+        page.begin(plan);
+        QVERIFY(!place->isVisible()); // one clean link under one load needs no word
+        plan.conditions = {*experiment::parseCondition("rate=57600,delay=20")};
+        page.begin(plan);
+        QVERIFY(place->isVisible());
+        QCOMPARE(place->currentText(), QStringLiteral("57,600 baud, 20 ms delay · natural load"));
+        plan.conditions.insert(plan.conditions.begin(), experiment::Condition{});
+        page.begin(plan);
+        QCOMPARE(place->itemText(0), QStringLiteral("clean link · natural load"));
+        page.showRun({1, 0, 0, 0}, {3, 6, 12});
+        QVERIFY2(status->text().contains(QStringLiteral("57,600 baud")), qPrintable(status->text()));
+    }
+
+private:
+    SweepDialog &open(const Scene &scene)
+    {
+        m_scene = scene;
+        m_suites.showScene(m_scene);
+        m_dialog = std::make_unique<SweepDialog>(SweepSurroundings{m_scene, m_suites, false, {}});
+        m_dialog->show();
+        return *m_dialog;
+    }
+    void click(const char *name)
+    {
+        auto *box = find<QAbstractButton>(name);
+        const bool before = box->isChecked();
+        QTest::mouseClick(box, Qt::LeftButton, {}, QPoint(10, box->height() / 2));
+        QVERIFY2(box->isChecked() != before, name);
+    }
+    void type(const char *name, const char *text)
+    {
+        auto *edit = find<QWidget>(name)->findChild<QLineEdit *>();
+        QVERIFY2(edit->isEnabled(), name);
+        edit->setFocus();
+        edit->selectAll();
+        QTest::keyClicks(edit, QLatin1String(text));
+        QTest::keyClick(edit, Qt::Key_Tab);
+    }
+    std::size_t runs() { return experiment::schedule(m_dialog->order().plan).size(); }
+    QAbstractButton &run() { return *m_dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok); }
+    template<typename W> W *find(const char *name)
+    {
+        W *found = m_dialog->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+
+    FakeStation m_station;
+    SuiteActions m_suites{m_station};
+    Scene m_scene;
+    std::unique_ptr<SweepDialog> m_dialog;
+};
+
+QTEST_MAIN(SweepDialogTest)
+#include "sweep_dialog_test.moc"

@@ -1,0 +1,139 @@
+#include "ui/sweep/link_conditions.h"
+
+#include "ui/dialogs/form_pieces.h"
+#include "ui/text/words.h"
+#include "ui/theme/grid.h"
+
+#include <QtWidgets/QCheckBox>
+#include <QtWidgets/QDoubleSpinBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QSpinBox>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+using experiment::Condition;
+
+namespace {
+
+Condition conditionOf(const QString &text)
+{
+    return experiment::parseCondition(text.toStdString()).value_or(Condition{});
+}
+
+} // namespace
+
+LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
+{
+    auto *upper = new QHBoxLayout;
+    upper->setSpacing(3 * kGrid);
+    const auto add = [&](const char *objectName, const QString &title, const char *text) {
+        const QString condition = QLatin1String(text);
+        auto *box = named(new QCheckBox(title, this), objectName, QString(title).remove(QLatin1Char('&')));
+        box->setToolTip(fromStd(experiment::words(conditionOf(condition))));
+        upper->addWidget(box);
+        m_presets.push_back({condition, box});
+    };
+    add("sweepClean", tr("Clea&n"), "clean");
+    // What a radio adds by turns of its own on the air, about.
+    add("sweepRadio57600", tr("Radio of &57,600 baud"), "rate=57600,delay=20");
+    add("sweepRadio115200", tr("Radio of &115,200 baud"), "rate=115200,delay=20");
+    upper->addStretch(1);
+    m_presets.front().box->setChecked(true);
+    m_own = named(new QCheckBox(tr("&Of its own:"), this), "sweepOwnLink", tr("A link of its own"));
+    auto *lower = new QHBoxLayout;
+    lower->setSpacing(kGrid);
+    lower->addWidget(m_own);
+    addFields(*lower);
+    lower->addStretch(1);
+    auto *column = new QVBoxLayout(this);
+    column->setSpacing(kHalfGrid);
+    column->addLayout(upper);
+    column->addLayout(lower);
+    for (const Preset &preset : m_presets)
+        connect(preset.box, &QCheckBox::toggled, this, &LinkConditions::changed);
+    connect(m_own, &QCheckBox::toggled, this, &LinkConditions::changed);
+    setWhyNot({});
+}
+
+void LinkConditions::addFields(QHBoxLayout &row)
+{
+    m_loss = named(new QDoubleSpinBox(this), "sweepLoss", tr("Packets lost"));
+    m_loss->setRange(0, 100);
+    m_loss->setDecimals(1);
+    m_loss->setValue(5);
+    m_loss->setSuffix(tr(" %"));
+    const auto number = [this](const char *name, const QString &accessible, int most, const QString &suffix) {
+        auto *box = named(new QSpinBox(this), name, accessible);
+        box->setRange(0, most);
+        box->setSuffix(suffix);
+        return box;
+    };
+    m_delay = number("sweepDelay", tr("Delay"), 60'000, tr(" ms"));
+    m_jitter = number("sweepJitter", tr("Jitter: more delay, up to this"), 60'000, tr(" ms"));
+    m_rate = number("sweepRate", tr("Line rate"), 10'000'000, tr(" baud"));
+    m_rate->setSingleStep(9'600);
+    m_rate->setGroupSeparatorShown(true);
+    m_rate->setSpecialValueText(tr("any rate"));
+    const auto place = [&](const QString &title, QWidget *field) {
+        field->setToolTip(tr("In both directions"));
+        field->setEnabled(false);
+        connect(m_own, &QCheckBox::toggled, field, &QWidget::setEnabled);
+        auto *label = new QLabel(title, this);
+        label->setBuddy(field);
+        row.addWidget(label);
+        row.addWidget(field);
+    };
+    place(tr("&loss"), m_loss);
+    place(tr("&delay"), m_delay);
+    place(tr("&jitter"), m_jitter);
+    place(tr("r&ate"), m_rate);
+    connect(m_loss, &QDoubleSpinBox::valueChanged, this, &LinkConditions::changed);
+    for (QSpinBox *box : {m_delay, m_jitter, m_rate})
+        connect(box, &QSpinBox::valueChanged, this, &LinkConditions::changed);
+}
+
+void LinkConditions::setWhyNot(const QString &reason)
+{
+    m_whyNot = reason;
+    setEnabled(reason.isEmpty());
+    setTitle(reason.isEmpty() ? tr("Link between the agent and the station") : tr("Link · %1").arg(reason));
+}
+
+QString LinkConditions::ownText() const
+{
+    QStringList out;
+    if (m_loss->value() > 0)
+        out << QStringLiteral("loss=%1").arg(m_loss->value() / 100);
+    if (m_delay->value() > 0)
+        out << QStringLiteral("delay=%1").arg(m_delay->value());
+    if (m_jitter->value() > 0)
+        out << QStringLiteral("jitter=%1").arg(m_jitter->value());
+    if (m_rate->value() > 0)
+        out << QStringLiteral("rate=%1").arg(m_rate->value());
+    return out.isEmpty() ? QStringLiteral("clean") : out.join(QLatin1Char(','));
+}
+
+std::vector<Condition> LinkConditions::conditions() const
+{
+    if (!m_whyNot.isEmpty())
+        return {Condition{}};
+    std::vector<Condition> out;
+    const auto add = [&out](const QString &text) {
+        Condition wanted = conditionOf(text);
+        const auto same = [&](const Condition &there) { return there.settings == wanted.settings; };
+        if (std::ranges::none_of(out, same))
+            out.push_back(std::move(wanted));
+    };
+    for (const Preset &preset : m_presets) {
+        if (preset.box->isChecked())
+            add(preset.text);
+    }
+    if (m_own->isChecked())
+        add(ownText());
+    return out;
+}
+
+} // namespace skyseal::ui
