@@ -18,14 +18,47 @@ void WindowPairing::use(StationAdapter &station, const std::string &peersFile)
     connect(&station, &StationAdapter::pairing, this, &WindowPairing::take);
 }
 
+WindowPairing::~WindowPairing()
+{
+    if (m_deriving)
+        m_deriving->wait();
+}
+
 void WindowPairing::open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase)
 {
-    std::shared_ptr<const Key32> key;
-    if (passphrase && !(key = channel::pairingPassphraseKey(*passphrase))) {
+    forgetDerivation();
+    if (!passphrase)
+        return m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, nullptr);
+    if (m_deriving)
+        m_deriving->wait();
+    m_derives = true;
+    m_deriving.reset(QThread::create([this, roleAsked, number = m_derivation, typed = passphrase->clone()] {
+        auto key = channel::pairingPassphraseKey(typed);
+        QMetaObject::invokeMethod(
+            this,
+            [this, roleAsked, number, key = std::move(key)] {
+                if (number == m_derivation)
+                    openWith(roleAsked, key);
+            },
+            Qt::QueuedConnection);
+    }));
+    m_deriving->setObjectName(QStringLiteral("skyseal-pairing-key"));
+    m_deriving->start();
+}
+
+void WindowPairing::openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key)
+{
+    m_derives = false;
+    if (key)
+        m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, std::move(key));
+    else
         Q_EMIT failed(tr("this machine has not the memory to make a key of the passphrase"));
-        return;
-    }
-    m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, std::move(key));
+}
+
+void WindowPairing::forgetDerivation()
+{
+    ++m_derivation;
+    m_derives = false;
 }
 
 void WindowPairing::confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey)
@@ -42,6 +75,7 @@ void WindowPairing::refuse()
 
 void WindowPairing::cancel()
 {
+    forgetDerivation();
     m_station->station().cancelPairing();
 }
 
@@ -51,6 +85,8 @@ void WindowPairing::take(const channel::PairingEvent &event)
         keep(paired->peer);
         return;
     }
+    if (m_derives) // it is of the window before this one, which had another passphrase or none
+        return;
     const auto known = keys::PeersFile::loadOrEmpty(m_peersFile);
     const auto news = newsOf(event, known ? *known : keys::PeersFile());
     if (!news)

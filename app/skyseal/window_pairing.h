@@ -4,6 +4,10 @@
 #include "app/skyseal/station_adapter.h"
 #include "ui/keys/pairing_port.h"
 
+#include <QtCore/QThread>
+
+#include <memory>
+
 namespace skyseal::app {
 
 class WindowPairing : public ui::PairingPort
@@ -12,16 +16,22 @@ class WindowPairing : public ui::PairingPort
 
 public:
     explicit WindowPairing(QObject *parent = nullptr) : PairingPort(parent) {}
+    /// Waits for a key that is being derived.
+    ~WindowPairing() override;
 
     /// The station, which must outlive it, and the list that belongs to it.
     void use(StationAdapter &station, const std::string &peersFile);
 
+    /// The key of a passphrase takes a tenth of a second, on a thread of its own; the window opens when it is there.
     void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override;
     void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) override;
     void refuse() override;
     void cancel() override;
 
 private:
+    /// Null: no memory for the key.
+    void openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key);
+    void forgetDerivation();
     void take(const channel::PairingEvent &event);
     void keep(channel::Peer peer);
 
@@ -29,6 +39,9 @@ private:
     std::string m_peersFile;
     std::string m_name;
     bool m_replace = false;
+    std::unique_ptr<QThread> m_deriving;
+    quint64 m_derivation = 0; ///< number of the newest one; an older one comes to nothing
+    bool m_derives = false;   ///< and nobody waits for an agent under its key yet
 };
 
 } // namespace skyseal::app
