@@ -12,7 +12,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr int kWidth = 800, kLeft = 230, kRight = 140, kTop = 62, kRow = 30, kBar = 16, kBottom = 48;
+constexpr int kWidth = 800, kLeft = 230, kRight = 140, kTop = 76, kRow = 30, kBar = 16, kBottom = 48;
 
 struct Scale
 {
@@ -20,8 +20,16 @@ struct Scale
     std::string unit;
 };
 
-Scale scaleFor(std::string_view unit, double highest)
+bool isShare(Metric metric)
 {
+    return metric == Metric::Loss || metric == Metric::RecordLoss || metric == Metric::RecordLossUp;
+}
+
+Scale scaleFor(Metric metric, double highest)
+{
+    const std::string_view unit = info(metric).unit;
+    if (isShare(metric))
+        return {100, "%"};
     if (unit == "B" && highest >= 1e6)
         return {1e-6, "MB"};
     if (unit == "B" && highest >= 1e4)
@@ -112,7 +120,8 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
     if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
         const double low = axis.x(bar.low), high = axis.x(bar.high);
         drawLine(out, low, middle, high, middle);
-        drawLine(out, low, middle - 5, low, middle + 5);
+        if (bar.low > 0) // an interval that goes on below zero has no end to be seen
+            drawLine(out, low, middle - 5, low, middle + 5);
         drawLine(out, high, middle - 5, high, middle + 5);
     }
     for (std::size_t i = 0; i < bar.samples.size(); ++i) {
@@ -159,9 +168,10 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
     const Plan &plan = results.plan;
     BarChart out;
     out.title = info(metric).title;
-    out.subtitle = "link: " + words(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load])) + "; "
-                   + std::to_string(plan.repeats) + " runs of " + readable(seconds(plan.measure))
-                   + " s each; bar: mean, whisker: 95 % confidence interval, dots: single runs";
+    out.subtitle = "link: " + words(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
+    out.legend = std::to_string(plan.repeats) + (plan.repeats == 1 ? " run of " : " runs of ") + readable(seconds(plan.measure))
+                 + " s for each; bar: mean, hatched: insecure, whisker: 95 % confidence interval, dots: single runs";
+    bool anyOutlier = false;
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
         Bar bar;
         bar.label = fullName(plan.arms[arm]);
@@ -174,11 +184,14 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
         bar.low = summary.low();
         bar.high = summary.high();
         bar.outlier.assign(bar.samples.size(), false);
+        anyOutlier = anyOutlier || !summary.outliers.empty();
         for (const std::size_t index : summary.outliers)
             bar.outlier[index] = true;
         out.bars.push_back(std::move(bar));
     }
-    const Scale scale = scaleFor(info(metric).unit, highestOf(out.bars));
+    if (anyOutlier)
+        out.legend += ", white ones: outliers";
+    const Scale scale = scaleFor(metric, highestOf(out.bars));
     for (Bar &bar : out.bars) {
         for (double *value : {&bar.mean, &bar.low, &bar.high})
             *value *= scale.factor;
@@ -192,16 +205,18 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
 std::string svg(const BarChart &chart)
 {
     const double bottom = kTop + kRow * static_cast<double>(chart.bars.size()) + 4;
-    const double step = axisStep(highestOf(chart.bars));
-    const Axis axis{step, step * std::max(1.0, std::ceil(highestOf(chart.bars) / step - 1e-9))};
+    const double highest = highestOf(chart.bars), step = axisStep(highest);
+    const Axis axis{step, step * (highest > 0 ? std::ceil(highest / step - 1e-9) : 5)};
     std::string out;
     put(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
              "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n", kWidth, bottom + kBottom, kWidth, bottom + kBottom);
     put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, bottom + kBottom);
     put(out, "<text x=\"12\" y=\"24\" font-size=\"16\" font-weight=\"bold\" fill=\"#111111\">");
     out += escaped(chart.title) + "</text>\n";
-    put(out, "<text x=\"12\" y=\"42\" font-size=\"10\" fill=\"#555555\">");
+    put(out, "<text x=\"12\" y=\"42\" font-size=\"11\" fill=\"#333333\">");
     out += escaped(chart.subtitle) + "</text>\n";
+    put(out, "<text x=\"12\" y=\"57\" font-size=\"10\" fill=\"#555555\">");
+    out += escaped(chart.legend) + "</text>\n";
     drawAxis(out, axis, chart, bottom);
     for (std::size_t i = 0; i < chart.bars.size(); ++i)
         drawBar(out, axis, chart.bars[i], static_cast<int>(i));

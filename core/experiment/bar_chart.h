@@ -23,12 +23,13 @@ struct Bar
 struct BarChart
 {
     std::string title;
-    std::string subtitle; ///< conditions and how often it was measured
+    std::string subtitle; ///< link and load
+    std::string legend;   ///< how often it was measured, and what is drawn
     std::string axis;     ///< "CPU time per frame, ns"
     std::vector<Bar> bars;
 };
 
-/// The chart of one metric in one place of the design; large units are scaled (B to MB, ns to µs).
+/// The chart of one metric in one place of the design; large units are scaled (B to MB, ns to µs), shares are per cent.
 BarChart chartOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 
 /// A whole SVG document, 800 wide, of rect, line, circle and text alone, so that it is easily drawn elsewhere.

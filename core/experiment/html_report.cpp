@@ -242,17 +242,17 @@ std::string body(const ReportParts &parts, bool inlineFigures)
            + " runs each, in random order, ± half of the 95 % confidence interval (Student's t); * marks outliers by Tukey's "
              "fences, which stay in.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
+    // On paper each begins a page, so that no head of a table stands alone at the foot of one.
+    const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
-        // On paper each begins a page, so that no head of a table stands alone at the foot of one.
-        out += inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
-        out += "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
+        out += section + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
                + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
                + differences(results, condition, load);
     });
-    out += "<h2>The machine's noise (A/A)</h2>\n" + noiseTable(results);
+    out += section + "The machine's noise (A/A)</h2>\n" + noiseTable(results);
     out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
     out += expectationList(results, parts.verdicts);
-    out += "<h2>Setting</h2>\n" + settingTable(results);
+    out += section + "Setting</h2>\n" + settingTable(results);
     out += "<h2>What was measured</h2>\n" + metricList();
     return out + "<h2>Every run</h2>\n<div class=\"wide\">" + rawTable(results) + "</div>\n";
 }

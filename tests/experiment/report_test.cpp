@@ -73,6 +73,7 @@ private Q_SLOTS:
     void axisSteps();
     void insecureIsSaidSo();
     void unmeasuredIsSaidSo();
+    void lossIsInPerCent();
     void claimsFollowSignificance();
     void unharmedNeedsAsManyPackets();
     void noiseIsNoDifference();
@@ -138,6 +139,16 @@ void ReportTest::unmeasuredIsSaidSo()
     const std::string text = svg(chartOf(results, 0, 0, Metric::OpenP50));
     QVERIFY(text.find("not measured") != std::string::npos);
     QVERIFY(text.find("nan") == std::string::npos);
+}
+
+void ReportTest::lossIsInPerCent()
+{
+    const BarChart chart = chartOf(resultsWith(Metric::Loss, [](SuiteId) { return 0.05; }), 0, 0, Metric::Loss);
+    QVERIFY(std::abs(chart.bars[0].mean - 5) < 0.1);
+    QCOMPARE(chart.axis, std::string("Frames lost, %"));
+    const std::string nothing = svg(chartOf(resultsWith(Metric::Loss, [](SuiteId) { return 0.0; }), 0, 0, Metric::Loss));
+    for (const char *tick : {">0<", ">0.2<", ">0.8<", ">1<"}) // an axis, though there is nothing on it
+        QVERIFY2(nothing.find(tick) != std::string::npos, tick);
 }
 
 void ReportTest::claimsFollowSignificance()
