@@ -327,6 +327,7 @@ void SweepWindowTest::cancelGoesBack()
     QVERIFY2(advice.contains(q("measured now")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
     QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("measures plain MAVLink")),
              qPrintable(find<StripItem>("stripLock")->toolTip()));
+    QCOMPARE(find<QLabel>("switchNote")->text(), QString()); // the session ended as was wanted
     picture("sweep-in-clear");
     QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);

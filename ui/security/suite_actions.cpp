@@ -100,7 +100,10 @@ void SuiteActions::take(const engine::Happening &happening)
         }
         refresh();
     } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
-        if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
+        const bool wanted = m_held && down->reason == channel::DownReason::Closed; // by the sweep
+        if (wanted)
+            setNote({}, false);
+        else if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
             setNote(tr("Session ended: %1").arg(downReasonWords(down->reason)), true);
     }
 }

@@ -47,6 +47,7 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     column->addWidget(m_link);
     column->addWidget(makeWhat());
     column->addWidget(makeHow());
+    column->addStretch(1);
     column->addWidget(m_warning);
     column->addWidget(m_summary);
     column->addWidget(m_buttons);
@@ -199,7 +200,8 @@ void SweepDialog::sumUp()
     const std::size_t runs = experiment::schedule(plan).size();
     const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());
     const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
-    m_summary->setText(possible ? tr("%1 runs, %2").arg(runs).arg(aboutTime(static_cast<double>(runs) * each))
+    const QString time = aboutTime(static_cast<double>(runs) * each);
+    m_summary->setText(possible ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
                                 : tr("Choose a link, a suite, a framing that it can be in, and a load."));
     const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
     m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, "
