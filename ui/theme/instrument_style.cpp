@@ -61,8 +61,46 @@ void InstrumentStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
 {
     if (element == PE_IndicatorRadioButton || element == PE_IndicatorCheckBox)
         drawMark(element == PE_IndicatorRadioButton, *option, *painter);
-    else
+    else if (const auto *frame = qstyleoption_cast<const QStyleOptionFrame *>(option);
+             frame && (element == PE_FrameLineEdit || element == PE_Frame)) {
+        QStyleOptionFrame ours(*frame);
+        ours.palette = edged(*frame);
+        QProxyStyle::drawPrimitive(element, &ours, painter, widget);
+    } else
         QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void InstrumentStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
+                                         const QWidget *widget) const
+{
+    if (const auto *spin = qstyleoption_cast<const QStyleOptionSpinBox *>(option); spin && control == CC_SpinBox) {
+        QStyleOptionSpinBox ours(*spin);
+        ours.palette = edged(*spin);
+        QProxyStyle::drawComplexControl(control, &ours, painter, widget);
+    } else if (const auto *combo = qstyleoption_cast<const QStyleOptionComboBox *>(option); combo && control == CC_ComboBox) {
+        QStyleOptionComboBox ours(*combo);
+        ours.palette = edged(*combo);
+        QProxyStyle::drawComplexControl(control, &ours, painter, widget);
+    } else {
+        QProxyStyle::drawComplexControl(control, option, painter, widget);
+    }
+}
+
+const QPalette &InstrumentStyle::edged(const QStyleOption &option) const
+{
+    constexpr int kFusionDarkens = 140, kMany = 64;
+    const bool enabled = option.state & State_Enabled;
+    auto &made = enabled ? m_edged : m_edgedDisabled;
+    if (made.size() > kMany)
+        made.clear();
+    const auto found = made.constFind(option.palette.cacheKey());
+    if (found != made.constEnd())
+        return *found;
+    const StateColors &colors = stateColors(option.palette);
+    QPalette palette = option.palette;
+    palette.setColor(QPalette::Window, (enabled ? colors.edge : colors.line).lighter(kFusionDarkens));
+    palette.setColor(QPalette::Highlight, colors.accent);
+    return *made.insert(option.palette.cacheKey(), palette);
 }
 
 } // namespace skyseal::ui

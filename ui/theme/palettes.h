@@ -13,6 +13,7 @@ enum class Theme : int { Desktop, Light, Dark, HighContrast };
 struct StateColors
 {
     QColor good, warning, alarm, dim, line, panel, sky, ground, accent, grid;
+    QColor edge; ///< of what can be filled in: at least 3 to 1 against the window and the field (WCAG 2.1, 1.4.11)
 };
 
 /// The palette of a theme; `Desktop` gives light or dark after the desktop's own palette.

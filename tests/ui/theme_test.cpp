@@ -1,0 +1,87 @@
+// What can be filled in is seen as such in every theme: the edges of fields, measured in pictures of them.
+#include "ui/theme/palettes.h"
+
+#include <QtTest/QTest>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QHBoxLayout>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPlainTextEdit>
+#include <QtWidgets/QSpinBox>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace skyseal::ui;
+
+namespace {
+
+/// WCAG 2.1's relative luminance.
+double luminance(const QColor &color)
+{
+    const auto linear = [](double channel) {
+        return channel <= 0.03928 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
+double contrast(const QColor &one, const QColor &other)
+{
+    const auto [low, high] = std::minmax({luminance(one), luminance(other)});
+    return (high + 0.05) / (low + 0.05);
+}
+
+} // namespace
+
+class ThemeTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void fieldsHaveAnEdge_data()
+    {
+        QTest::addColumn<Theme>("theme");
+        QTest::addColumn<bool>("focused");
+        for (const bool focused : {false, true}) {
+            const char *word = focused ? "focused" : "resting";
+            QTest::addRow("light %s", word) << Theme::Light << focused;
+            QTest::addRow("dark %s", word) << Theme::Dark << focused;
+            QTest::addRow("high contrast %s", word) << Theme::HighContrast << focused;
+        }
+    }
+
+    void fieldsHaveAnEdge()
+    {
+        QFETCH(Theme, theme);
+        QFETCH(bool, focused);
+        applyTheme(theme);
+        QWidget window;
+        auto *row = new QHBoxLayout(&window);
+        const QList<QWidget *> fields{new QLineEdit, new QSpinBox, new QComboBox, new QPlainTextEdit};
+        for (QWidget *field : fields)
+            row->addWidget(field);
+        window.show();
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        for (QWidget *field : fields) {
+            window.setFocus();
+            if (focused)
+                field->setFocus();
+            QCOMPARE(field->hasFocus(), focused);
+            const QImage picture = window.grab().toImage();
+            // Across the left edge; the caret is further in.
+            const QColor around = window.palette().color(QPalette::Window), inside = field->palette().color(QPalette::Base);
+            double best = 0;
+            for (int x = field->x() - 1; x < field->x() + 3; ++x) {
+                const QColor pixel = picture.pixelColor(x, field->y() + field->height() / 2);
+                best = std::max(best, std::min(contrast(pixel, around), contrast(pixel, inside)));
+            }
+            QVERIFY2(best >= 3, qPrintable(QStringLiteral("%1: %2 to 1")
+                                               .arg(QLatin1String(field->metaObject()->className()))
+                                               .arg(best)));
+        }
+    }
+};
+
+QTEST_MAIN(ThemeTest)
+#include "theme_test.moc"
