@@ -51,6 +51,7 @@ enum class Weakness : std::uint8_t {
     NoSenderCheck,      ///< a sealed peer may speak as any system
     ClearAccepted,      ///< clear frames are taken as if nothing had ever been sealed
     // what only the tests' own parts look at
+    SameRandomEveryLife, ///< an end that starts anew gets the random bytes of the one before it
     Impatient,          ///< a session ends after ten seconds of silence
     CountersFromClock,  ///< the numbers in first messages are the time of day
 };

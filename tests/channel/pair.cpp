@@ -49,6 +49,8 @@ Config Pair::configOf(Side side) const
 
 void Pair::start(Side side)
 {
+    if (weakened(Weakness::SameRandomEveryLife))
+        m_random = SeededRandom(m_options.seed);
     ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, now);
 }
 

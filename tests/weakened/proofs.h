@@ -46,7 +46,8 @@ inline constexpr Proof kProofs[] = {
     {"CountersFromClock", "channel_attack_session_test", "clocksJump", "a handshake needs no clock"},
     {"TrustAnnouncements", "channel_attack_session_test", "replayedAnnouncementsEndNothing",
      "no handshake is begun while the session lives"},
-    {"SharedNonce", "channel_attack_session_test", "killedTwoHundredTimes", "no pair of key and nonce comes twice"},
+    {"SameRandomEveryLife,CountersFromClock,AcceptLowerCounter", "channel_attack_session_test", "killedTwoHundredTimes",
+     "no pair of key and nonce comes twice"},
     {"NoHardStop", "channel_attack_session_test", "everyControlRecordDropped", "an epoch ends at its limit"},
 
     {"NoTagCheck", "channel_attack_flood_test", "injectedGarbage", "no garbage is accepted"},

@@ -61,6 +61,7 @@ constexpr Named kNames[] = {
     {Weakness::Misreadable, "Misreadable"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},
     {Weakness::ClearAccepted, "ClearAccepted"},
+    {Weakness::SameRandomEveryLife, "SameRandomEveryLife"},
     {Weakness::Impatient, "Impatient"},
     {Weakness::CountersFromClock, "CountersFromClock"},
 };
