@@ -21,6 +21,7 @@ enum class Weakness : std::uint8_t {
     WindowBeforeTag,    ///< the window moves before the tag is verified
     RoamOnForged,       ///< a record that was refused moves the session's address
     RoamOnLate,         ///< an authentic record moves it even when it is not the newest
+    NoTrial,            ///< the session's address stays where one record moved it, though nobody was heard there since
     NoHardStop,         ///< an epoch has no end
     KeepOldKeys,        ///< the previous epoch never dies by itself
     NoWipe,             ///< secrets stay in memory when they die

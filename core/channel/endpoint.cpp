@@ -229,7 +229,7 @@ void Endpoint::handleStreamBegan(TimePoint now, LinkId link)
 {
     m_state->core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up && entry.session->path().link == link)
-            entry.session->callPeer(now);
+            entry.session->lineBegan(now);
     });
     m_state->refresh(now);
 }

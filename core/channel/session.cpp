@@ -28,7 +28,8 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_since(now),
       m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
-      m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause)
+      m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause),
+      m_lineBegan(now - kEventPause), m_heardHere(now)
 {
     prepare(Epoch{0}, m_setup.suite, {}, {});
     m_epochs.advance();
@@ -122,14 +123,13 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHea
         if (!m_peerMovedOn)
             m_peerMovedOn = now;
         // Only the newest record moves the address: a late or withheld one says where the peer was.
-        if ((newest || weakened(Weakness::RoamOnLate)) && from != m_setup.path) {
-            m_setup.path = from;
-            tellMove(now);
-            routine = false;
+        if (newest || weakened(Weakness::RoamOnLate)) {
+            routine = routine && from == m_setup.path;
+            follow(now, from);
         }
     }
     if (isControl(plaintext))
-        handleControl(now, plaintext);
+        handleControl(now, from, plaintext);
     if (m_closingUntil) {
         routine = false;
         if (nothingMissing())
@@ -139,6 +139,22 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHea
         return {true, false, std::nullopt};
     epoch.rx.openedBytes += plaintext.size();
     return {true, routine, Delivery{id(), epoch.number, epoch.suite, plaintext}};
+}
+
+/// A record that was kept from us says no more than that its writer was somewhere: whoever kept it could give it to us from
+/// his own address. So a new path is on trial until the peer has heard us there.
+void Session::follow(TimePoint now, const Path &from)
+{
+    m_heardHere = now;
+    if (from == m_setup.path)
+        return;
+    if (from == m_former)
+        m_former.reset();
+    else if (!m_former && from.carrier != Carrier::Serial) // Of a line that was joined anew the former end is gone.
+        m_former = m_setup.path;
+    m_trialStamp = stamp(now);
+    m_setup.path = from;
+    tellMove(now);
 }
 
 bool Session::nothingMissing() const
@@ -172,13 +188,13 @@ void Session::send(TimePoint now, const ControlMessage &message)
         m_around.outbox.commit(m_setup.path, *sealed);
 }
 
-void Session::handleControl(TimePoint now, ByteView plaintext)
+void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
 {
     const auto message = readControl(plaintext);
     if (!message)
         return countMalformed();
     if (const auto *report = std::get_if<Report>(&*message))
-        handleReport(now, *report);
+        handleReport(now, from, *report);
     else if (std::holds_alternative<Close>(*message))
         m_closingUntil = now + std::max(m_roundTrip.generous(), m_around.timing.oldKeysLinger);
     else if (const auto *propose = std::get_if<Propose>(&*message))
@@ -215,7 +231,7 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     send(now, report);
 }
 
-void Session::handleReport(TimePoint now, const Report &report)
+void Session::handleReport(TimePoint now, const Path &from, const Report &report)
 {
     const bool newer = !m_peerReport || static_cast<std::int32_t>(report.stamp - m_peerReport->stamp) > 0;
     if (newer) {
@@ -224,6 +240,8 @@ void Session::handleReport(TimePoint now, const Report &report)
         if (report.echo != 0) {
             const std::uint32_t passed = stamp(now) - report.echo;
             m_roundTrip.add(std::chrono::microseconds(static_cast<std::int32_t>(passed - report.held)));
+            if (from == m_setup.path && static_cast<std::int32_t>(report.echo - m_trialStamp) > 0)
+                m_former.reset();
         }
     }
     if (report.answerAtOnce)

@@ -97,6 +97,8 @@ public:
     void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
     /// A report with the wish for an answer: a sign of life, sent at once.
     void callPeer(TimePoint now) { sendReport(now, true); }
+    /// The line that we are on was joined anew: calls the peer, at most once a second, whoever joins it how often.
+    void lineBegan(TimePoint now);
     /// Keys changed in the list of peers: role and name follow.
     void updatePeer(const Peer &peer) { m_setup.peer = peer; }
     void policyChanged(TimePoint now);
@@ -129,8 +131,10 @@ private:
     bool nothingMissing() const;
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
-    void handleControl(TimePoint now, ByteView plaintext);
-    void handleReport(TimePoint now, const Report &report);
+    void follow(TimePoint now, const Path &from);
+    void goBackWhenDue(TimePoint now);
+    void handleControl(TimePoint now, const Path &from, ByteView plaintext);
+    void handleReport(TimePoint now, const Path &from, const Report &report);
     void sendReport(TimePoint now, bool answerAtOnce);
     void rekeyWhenDue(TimePoint now);
     /// A session that was only answered is not known to its owner yet.
@@ -174,6 +178,11 @@ private:
     std::uint64_t m_forgedUntold = 0;
     std::uint64_t m_replayedUntold = 0;
     TimePoint m_alarmTold;
+    TimePoint m_lineBegan;
+
+    std::optional<Path> m_former;   ///< where the peer was known to hear us; set while the present path is on trial
+    std::uint32_t m_trialStamp = 0; ///< a report that echoes a later one has heard us at the present path
+    TimePoint m_heardHere;          ///< the newest record from the present path
 };
 
 } // namespace skyseal::channel

@@ -1,6 +1,8 @@
 // What a session does when time passes, and what it tells about itself.
 #include "core/channel/session.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -25,6 +27,8 @@ TimePoint Session::deadline() const
         due = std::min(due, *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()));
     if (m_toldPath != m_setup.path)
         due = std::min(due, m_moveTold + kEventPause);
+    if (m_former)
+        due = std::min(due, m_heardHere + timing.peerSilentAfter);
     if (m_forgedUntold > 0 && mayTell())
         due = std::min(due, m_alarmTold + kEventPause);
     return due;
@@ -61,9 +65,28 @@ void Session::handleDeadline(TimePoint now)
         m_reportDue = now + (calm ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry);
         sendReport(now, !m_confirmed);
     }
+    goBackWhenDue(now);
     if (m_toldPath != m_setup.path && now >= m_moveTold + kEventPause)
         tellMove(now);
     alarmWhenDue(now);
+}
+
+/// Nothing more came from where one record did, and nobody there has heard us.
+void Session::goBackWhenDue(TimePoint now)
+{
+    if (!m_former || now < m_heardHere + m_around.timing.peerSilentAfter)
+        return;
+    if (!weakened(Weakness::NoTrial))
+        m_setup.path = *m_former;
+    m_former.reset();
+}
+
+void Session::lineBegan(TimePoint now)
+{
+    if (now < m_lineBegan + kEventPause)
+        return; // The next report says it soon enough.
+    m_lineBegan = now;
+    callPeer(now);
 }
 
 void Session::tellMove(TimePoint now)

@@ -23,6 +23,7 @@ private Q_SLOTS:
     void windowPoisoning();
     void hijackOfAnAddress();
     void newPortResumesAtOnce();
+    void keptRecordDivertsForMoments();
     void storm();
     void deletion_data();
     void deletion();
@@ -191,6 +192,35 @@ void AttackSessionTest::newPortResumesAtOnce()
     pair.stopTraffic();
     pair.run(1s);
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
+    QVERIFY(aliveAndExact(pair));
+}
+
+void AttackSessionTest::keptRecordDivertsForMoments()
+{
+    // Somebody keeps the newest record from the agent, lets nothing more of the station through, and delivers that one from
+    // his own address: the telemetry is his for two and a half seconds, not until the session is forgotten.
+    auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
+    Pair &pair = *owner;
+    const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
+    const Path home = where();
+    Path thief = home;
+    thief.remote.port = 6666;
+    const Caught kept = catchOne(pair, 28, Ground);
+    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Air; };
+    pair.every(20ms, [&pair] { pair.sendFrame(Air); });
+    pair.run(300ms);
+    QVERIFY(offer(pair, Air, kept.flight.bytes, thief));
+    ++pair.air().delivered[kept.number];
+    QVERIFY(where() == thief);
+    pair.run(2s);
+    QVERIFY(where() == thief); // as long as an honest peer may be out of reach after it moved
+    pair.run(1s);
+    HOLDS(where() == home, "the session goes back to its peer");
+    const auto moved = pair.air().all<PeerMoved>();
+    QCOMPARE(moved.size(), std::size_t(2)); // there and back: the owner is told
+    QVERIFY(moved[0].to == thief && moved[1].to == home);
+    pair.link.attacker = nullptr;
+    pair.stopTraffic();
     QVERIFY(aliveAndExact(pair));
 }
 

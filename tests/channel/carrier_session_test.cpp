@@ -41,6 +41,7 @@ private Q_SLOTS:
     void twentyBytesOnALine();
     void restartsOnALine();
     void aLineJoinedAnew();
+    void aLineJoinedAgainAndAgain();
     void anotherStationOnTheLine();
     void singleRecordsAreForLines();
     void noInlineFramesElsewhere();
@@ -180,6 +181,21 @@ void CarrierSessionTest::aLineJoinedAnew()
     pair.run(100ms);
     QCOMPARE(pair.ground().delivered.size(), delivered + 21);
     QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
+}
+
+void CarrierSessionTest::aLineJoinedAgainAndAgain()
+{
+    // Somebody who connects a hundred times a second makes nobody say more than two reports in it: the call, and its own.
+    for (const Carrier carrier : kCarriers) {
+        Pair pair(in(carrier));
+        QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+        pair.run(2s);
+        const std::uint64_t before = pair.air().datagramsOut;
+        pair.every(10ms, [&] { pair.air().endpoint->handleStreamBegan(pair.now, LinkId{1}); });
+        pair.run(20s);
+        const std::uint64_t said = pair.air().datagramsOut - before;
+        QVERIFY2(said >= 38 && said <= 42, qPrintable(QString::number(said)));
+    }
 }
 
 void CarrierSessionTest::anotherStationOnTheLine()

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void restartsAgainAndAgain();
     void outageResumesWithoutHandshake();
     void roams();
+    void staysWhereItWasHeard();
     void closesOnce();
     void countersAgreeOnBothEnds();
 };
@@ -222,6 +223,24 @@ void SessionTest::roams()
     pair.stopTraffic();
     pair.run(2s);
     VERIFY_ACCOUNTS(pair);
+}
+
+void SessionTest::staysWhereItWasHeard()
+{
+    // An end that moved, heard the other one there, and then is out of reach for long, is looked for where it moved to.
+    Pair pair;
+    pair.run(3s);
+    pair.air().port = 50001;
+    const auto where = [&] { return pair.ground().endpoint->recordPath(pair.ground().session()).remote.port; };
+    QVERIFY(pair.run(1100ms, [&] { return where() == 50001; }));
+    pair.run(2100ms); // a report there, and one back
+    pair.link.attacker = [](TimePoint, Flight &) { return false; };
+    pair.run(60s);
+    QCOMPARE(where(), std::uint16_t(50001));
+    pair.link.attacker = nullptr;
+    pair.run(3s);
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
+    QVERIFY(!pair.ground().endpoint->sessionInfo(pair.ground().session())->silent);
 }
 
 void SessionTest::closesOnce()

@@ -39,6 +39,7 @@ inline constexpr Proof kProofs[] = {
     {"RoamOnForged", "channel_attack_session_test", "hijackOfAnAddress", "no refused record moves the session"},
     {"RoamOnLate", "channel_attack_session_test", "hijackOfAnAddress", "no late record moves the session"},
     {"RoamOnForged", "channel_attack_session_test", "newPortResumesAtOnce", "the session "},
+    {"NoTrial", "channel_attack_session_test", "keptRecordDivertsForMoments", "the session goes back to its peer"},
     {"NoReplayWindow", "channel_attack_session_test", "storm", "each frame arrives once"},
     {"WindowBeforeTag", "channel_attack_session_test", "deletion", "lost is exactly what was dropped"},
     {"Impatient", "channel_attack_session_test", "outageOfFiveMinutes", "the first record after it is accepted"},

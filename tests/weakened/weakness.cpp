@@ -36,6 +36,7 @@ constexpr Named kNames[] = {
     {Weakness::WindowBeforeTag, "WindowBeforeTag"},
     {Weakness::RoamOnForged, "RoamOnForged"},
     {Weakness::RoamOnLate, "RoamOnLate"},
+    {Weakness::NoTrial, "NoTrial"},
     {Weakness::NoHardStop, "NoHardStop"},
     {Weakness::KeepOldKeys, "KeepOldKeys"},
     {Weakness::NoWipe, "NoWipe"},
