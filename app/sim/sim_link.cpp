@@ -44,6 +44,7 @@ void SimLink::linkReceived(link::Link &link, std::span<const link::ReceivedBlock
         const auto deliver = [&](const mavlink::ScanItem &item) {
             if (!item.frame)
                 return;
+            link.noteUse(block.path.remote);
             if (!link.isStream())
                 remember(block.time, block.path.remote);
             m_receive(block.time, *item.frame);

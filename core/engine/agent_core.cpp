@@ -231,7 +231,7 @@ void AgentCore::takeGround(const link::Link &link, const link::ReceivedBlock &bl
 {
     const auto takeFrame = [&](const mavlink::ScanItem &item) {
         if (m_config.carrier != Carrier::Tunnel || !CarrierReader::isTunnel(item))
-            return takeClearFromGround(item);
+            return takeClearFromGround(block.path, item);
         if (const auto message = m_carriers.takeTunnel(block.time, block.path, *item.frame, m_links.carriers().node()))
             takeMessage(*message);
     };
@@ -287,6 +287,7 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
     if (!isWhole(item))
         return;
     if (item.frame) {
+        m_links.noteUse(from);
         m_ways.heard(now, from, *item.frame);
         noteArmed(now, *item.frame);
         if (m_ways.isVehicle(item.frame->systemId()))
@@ -318,7 +319,7 @@ void AgentCore::takeUnowned(const link::ReceivedBlock &block)
     m_intake.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
         anyFrame = anyFrame || isWhole(item) || isSealedInPlace(item);
         if (!isSealedInPlace(item))
-            return takeClearFromGround(item);
+            return takeClearFromGround(block.path, item);
         const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
         if (const auto delivery = m_channel.receiveInline(block.time, block.path, frame))
             takeDelivery(block, *delivery);
@@ -337,6 +338,7 @@ void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::De
     });
     m_channel.countFrames(delivery.session, frames);
     m_links.noteRemote(kGroundLink, block.path.remote);
+    m_links.noteUse(block.path);
 }
 
 /// The station cannot know what of its frames was lost before or behind the channel; it is told with the next report.
@@ -387,14 +389,16 @@ void AgentCore::refuse(channel::SessionId session, const mavlink::ScanItem &item
         refused.command = mavlink::CommandInt::decode(item.frame->payload()).command;
 }
 
-void AgentCore::takeClearFromGround(const mavlink::ScanItem &item)
+void AgentCore::takeClearFromGround(const Path &from, const mavlink::ScanItem &item)
 {
     if (!isWhole(item))
         return;
-    if ((m_config.allowPlain && m_sessions.empty()) || weakened(Weakness::ClearAccepted))
+    if ((m_config.allowPlain && m_sessions.empty()) || weakened(Weakness::ClearAccepted)) {
+        m_links.noteUse(from);
         deliver(item);
-    else
+    } else {
         ++m_counters.clearRefused;
+    }
 }
 
 void AgentCore::deliver(const mavlink::ScanItem &item)

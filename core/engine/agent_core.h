@@ -120,7 +120,7 @@ private:
     void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
     void countFromGround(TimePoint now, channel::SessionId session, const mavlink::ScanItem &item);
     void takeFromGround(channel::SessionId session, const mavlink::ScanItem &item);
-    void takeClearFromGround(const mavlink::ScanItem &item);
+    void takeClearFromGround(const Path &from, const mavlink::ScanItem &item);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
     void deliver(const mavlink::ScanItem &item);
     void noteArmed(TimePoint now, const mavlink::Frame &frame);

@@ -206,6 +206,12 @@ void ChannelDriver::roll(TimePoint now)
 {
     for (auto &[session, meter] : m_meters)
         meter.roll(now);
+    // Also where a session carries nothing but its own reports.
+    for (const channel::SessionId session : m_endpoint.sessions()) {
+        const auto info = m_endpoint.sessionInfo(session);
+        if (info && now < info->lastReceived + std::chrono::seconds(2))
+            m_links.noteUse(info->path);
+    }
 }
 
 SuiteCost ChannelDriver::cost(channel::SessionId session) const

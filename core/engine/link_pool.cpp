@@ -116,6 +116,12 @@ void LinkPool::noteRemote(LinkId id, const Address &remote)
         from->remote = remote;
 }
 
+void LinkPool::noteUse(const Path &from)
+{
+    if (link::Link *link = find(from.link))
+        link->noteUse(from.remote);
+}
+
 void LinkPool::countBadFrame(LinkId id, std::uint64_t count)
 {
     if (Entry *from = entry(id))

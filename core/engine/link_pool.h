@@ -52,6 +52,8 @@ public:
 
     /// `remoteHeard`, `badCrc`: what the engine knows besides.
     void noteRemote(LinkId id, const Address &remote);
+    /// What came from there was of use; see link::Link.
+    void noteUse(const Path &from);
     void countBadFrame(LinkId id, std::uint64_t count = 1);
     std::uint64_t badFrames() const;
     std::vector<LinkSnapshot> snapshots(TimePoint now);

@@ -182,6 +182,7 @@ void StationCore::tellRefusals(TimePoint now)
 void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
                             std::optional<channel::SessionId> session)
 {
+    m_links.noteUse(from);
     const link::Link *link = m_links.find(from.link);
     const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
     const std::uint8_t systemId = frame.systemId();

@@ -65,8 +65,10 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
         return;
     }
     const Direction direction = from == 0 ? Direction::Forward : Direction::Backward;
-    for (const ReceivedBlock &block : blocks)
+    for (const ReceivedBlock &block : blocks) {
+        link.noteUse(block.path.remote); // what is of use to others, it cannot tell
         take(block, direction, target);
+    }
     release();
 }
 

@@ -80,6 +80,8 @@ struct LinkOptions
     /// from the vehicle does not wait for a whole burst of handshakes that somebody sends to the other link.
     Duration turn = std::chrono::microseconds(50);
     std::size_t streamQueueBytes = 256 << 10; ///< unsent bytes per stream before blocks are dropped
+    /// tcpin: a client that was of no use for so long gives way to a new one when there is no room.
+    Duration uselessAfter = std::chrono::seconds(5);
     Duration retryFirst = std::chrono::milliseconds(500);
     Duration retryMax = std::chrono::seconds(5);
     double replayFactor = 1.0; ///< tlog: 2 = twice as fast as recorded, 0 = as fast as possible
@@ -120,6 +122,10 @@ public:
     virtual void send(const Address &to, ByteView block) = 0;
     /// Call at the end of every wake-up in which something was sent.
     virtual void flush() = 0;
+
+    /// What came from there just now was of use: a valid frame, an authentic record. Only the listener can tell. Where there
+    /// are places for a few peers only, who is of no use gives way.
+    virtual void noteUse(const Address &) {}
 
 Q_SIGNALS:
     void stateChanged(skyseal::link::LinkState state);

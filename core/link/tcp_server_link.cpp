@@ -3,6 +3,7 @@
 #include "core/link/address_text.h"
 #include "core/link/port_owner.h"
 #include "core/link/socket_error.h"
+#include "core/link/steady_now.h"
 
 #include <QtCore/QVariant>
 #include <QtNetwork/QNetworkProxy>
@@ -12,6 +13,12 @@
 namespace skyseal::link {
 
 static constexpr qint64 kReadBuffer = 256 << 10;
+
+/// An IPv6 host owns the lower half of its address.
+static bool isSameHost(const Address &a, const Address &b)
+{
+    return isIpv4(a) == isIpv4(b) && std::equal(a.ip.begin(), a.ip.begin() + (isIpv4(a) ? 16 : 8), b.ip.begin());
+}
 
 TcpServerLink::TcpServerLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions)
@@ -66,22 +73,80 @@ void TcpServerLink::listen(std::optional<Address> address)
 void TcpServerLink::accept()
 {
     while (QTcpSocket *socket = m_server.nextPendingConnection()) {
-        if (m_clients.size() == kMostClients) {
+        if (m_clients.size() == kMostClients && !makeRoomFor(*socket)) {
             socket->abort();
             socket->deleteLater();
+            if (state() == LinkState::Closed)
+                return;
             continue;
         }
         socket->setReadBufferSize(kReadBuffer);
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
         socket->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
         const Path path{id(), fromQt(socket->peerAddress(), socket->peerPort())};
-        m_clients.push_back({socket, std::make_shared<StreamPeer>(*socket, path, options().streamQueueBytes)});
+        m_clients.push_back(
+            {socket, std::make_shared<StreamPeer>(*socket, path, options().streamQueueBytes), steadyNow()});
         connect(socket, &QTcpSocket::readyRead, this, [this, socket] { receive(socket); });
         connect(socket, &QTcpSocket::disconnected, this, [this, socket] { drop(socket); });
         listener().linkPeerJoined(*this, path);
         if (state() == LinkState::Closed)
             return;
         receive(socket);
+    }
+}
+
+/// Ends one connection; false when each has a better right to its place than the newcomer, or the link was closed over it.
+bool TcpServerLink::makeRoomFor(const QTcpSocket &newcomer)
+{
+    auto victim = mostUseless();
+    if (victim == m_clients.end())
+        victim = mostUselessOfGreedyHost(fromQt(newcomer.peerAddress(), 0));
+    if (victim == m_clients.end())
+        return false;
+    QTcpSocket *const socket = victim->socket;
+    receive(socket); // what it said last may be of use after all, but its place is gone
+    socket->abort();
+    drop(socket);
+    return state() != LinkState::Closed && m_clients.size() < kMostClients;
+}
+
+std::vector<TcpServerLink::Client>::iterator TcpServerLink::mostUseless()
+{
+    const TimePoint since = steadyNow() - options().uselessAfter;
+    auto found = m_clients.end();
+    for (auto client = m_clients.begin(); client != m_clients.end(); ++client) {
+        const bool useless = std::max(client->joined, client->useful.value_or(client->joined)) <= since;
+        if (useless && (found == m_clients.end() || client->rank() < found->rank()))
+            found = client;
+    }
+    return found;
+}
+
+std::vector<TcpServerLink::Client>::iterator TcpServerLink::mostUselessOfGreedyHost(const Address &newcomer)
+{
+    const auto clientsOf = [this](const Address &host) {
+        return std::count_if(m_clients.begin(), m_clients.end(),
+                             [&](const Client &client) { return isSameHost(client.address(), host); });
+    };
+    const auto greediest = std::max_element(m_clients.begin(), m_clients.end(), [&](const Client &a, const Client &b) {
+        return clientsOf(a.address()) < clientsOf(b.address());
+    });
+    const auto had = clientsOf(greediest->address());
+    if (had <= kShareOfHost || clientsOf(newcomer) >= had - 1)
+        return m_clients.end();
+    auto found = greediest;
+    for (auto client = m_clients.begin(); client != m_clients.end(); ++client) {
+        if (isSameHost(client->address(), greediest->address()) && client->rank() < found->rank())
+            found = client;
+    }
+    return found;
+}
+
+void TcpServerLink::noteUse(const Address &from)
+{
+    for (Client &client : m_clients) {
+        if (client.address() == from)
+            client.useful = steadyNow();
     }
 }
 

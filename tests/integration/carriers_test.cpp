@@ -69,6 +69,7 @@ private Q_SLOTS:
     void noisySerialLine();
     void tcp();
     void tcpConnectionCut();
+    void idleConnectionsKeepNobodyOut();
     void tunnelThroughAHub();
     void tunnelToAStationThatCalls();
     void tunnelOnASerialLine();
@@ -194,6 +195,37 @@ void CarriersTest::tcpConnectionCut()
     // It is the same session all the time, found again by its first report.
     QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
     QCOMPARE(received("forged"), 0);
+}
+
+void CarriersTest::idleConnectionsKeepNobodyOut()
+{
+    // More connections than there are places, from which nothing ever comes; and more of them while a session is up.
+    Flight flight;
+    QVERIFY(flight.ready());
+    const quint16 port = freeTcpPort();
+    Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    std::vector<std::unique_ptr<QTcpSocket>> idle;
+    const auto connectIdle = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            idle.push_back(std::make_unique<QTcpSocket>());
+            idle.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), port);
+            QVERIFY(idle.back()->waitForConnected(10000));
+        }
+    };
+    connectIdle(40);
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("tcp", port)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 20000).isEmpty());
+    connectIdle(80);
+    const auto good = [&monitor] {
+        return number(monitor.waitFor(QStringLiteral("stats"), 5000)[QLatin1String("channel")][QLatin1String("rx")].toObject(),
+                      "good");
+    };
+    monitor.skipWhatCame();
+    const qint64 before = good();
+    QTRY_VERIFY_WITH_TIMEOUT(good() > before + 100, 10000);
+    QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
 }
 
 void CarriersTest::tunnelThroughAHub()

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void lastWordsBeforeTheEndArrive();
     void serverKeepsClientsApart();
     void serverRefusesTooManyClients();
+    void uselessClientsGiveWay();
+    void oneHostCannotTakeAllPlaces();
     void portInUseFails();
     void unknownHostIsSaid();
     void fullQueueDropsWholeBlocks();
@@ -202,6 +204,94 @@ void TcpLinkTest::serverRefusesTooManyClients()
     QTRY_COMPARE(sockets.back()->state(), QAbstractSocket::UnconnectedState);
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients);
     QCOMPARE(sockets.front()->state(), QAbstractSocket::ConnectedState);
+}
+
+namespace {
+
+/// Connects from one of this machine's own addresses.
+std::unique_ptr<QTcpSocket> clientOf(const Link &server, const char *from = "127.0.0.1")
+{
+    auto socket = std::make_unique<QTcpSocket>();
+    socket->bind(QHostAddress(QLatin1String(from)));
+    socket->connectToHost(QHostAddress(QHostAddress::LocalHost), server.localEndpoint()->port);
+    return socket->waitForConnected() ? std::move(socket) : nullptr;
+}
+
+bool isOut(const QTcpSocket &socket)
+{
+    return socket.state() == QAbstractSocket::UnconnectedState;
+}
+
+} // namespace
+
+void TcpLinkTest::uselessClientsGiveWay()
+{
+    LinkOptions options = quick();
+    options.uselessAfter = Duration::zero();
+    Recorder server;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, options);
+    std::vector<std::unique_ptr<QTcpSocket>> sockets;
+    const auto add = [&] {
+        sockets.push_back(clientOf(*in));
+        QVERIFY(sockets.back());
+        QTRY_COMPARE(server.joined.size(), sockets.size());
+    };
+    for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i)
+        add();
+    // Two were never of use, the tenth was so longest ago of the others.
+    for (std::size_t i = 0; i < sockets.size(); ++i) {
+        if (i != 5 && i != 20)
+            in->noteUse(server.joined[i].remote);
+    }
+    for (std::size_t i = 0; i < sockets.size(); ++i) {
+        if (i != 5 && i != 20 && i != 10)
+            in->noteUse(server.joined[i].remote);
+    }
+    for (const std::size_t gone : {5u, 20u}) {
+        add();
+        in->noteUse(server.joined.back().remote);
+        QTRY_VERIFY(isOut(*sockets[gone]));
+        QCOMPARE(server.left.back(), server.joined[gone]);
+    }
+    add();
+    QTRY_VERIFY(isOut(*sockets[10]));
+    QCOMPARE(server.left.back(), server.joined[10]);
+    QCOMPARE(server.left.size(), std::size_t(3));
+    QCOMPARE(static_cast<const TcpServerLink &>(*in).clients(), TcpServerLink::kMostClients);
+    sockets.back()->write("here"); // and the newcomers are served
+    sockets.back()->flush();
+    QTRY_COMPARE(server.stream(), std::string("here"));
+}
+
+void TcpLinkTest::oneHostCannotTakeAllPlaces()
+{
+    Recorder server;
+    const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
+    std::vector<std::unique_ptr<QTcpSocket>> sockets;
+    for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i) {
+        sockets.push_back(clientOf(*in));
+        QVERIFY(sockets.back());
+        QTRY_COMPARE(server.joined.size(), sockets.size());
+        in->noteUse(server.joined.back().remote); // all of them busy
+    }
+    const auto other = clientOf(*in, "127.0.0.2");
+    QVERIFY(other);
+    QTRY_VERIFY(isOut(*sockets.front()));
+    QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
+    // The first host's next one does not get it back.
+    const auto again = clientOf(*in);
+    QVERIFY(again);
+    QTRY_VERIFY(isOut(*again));
+    QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
+    QVERIFY(!isOut(*other) && !isOut(*sockets.back()));
+    // Others take their part, down to the first one's share.
+    std::vector<std::unique_ptr<QTcpSocket>> more;
+    for (std::ptrdiff_t i = 0; i < 40; ++i)
+        more.push_back(clientOf(*in, qPrintable(QStringLiteral("127.0.0.%1").arg(10 + i))));
+    const auto firstsLeft = [&] {
+        return std::count_if(sockets.begin(), sockets.end(), [](const auto &socket) { return !isOut(*socket); });
+    };
+    QTRY_COMPARE(firstsLeft(), TcpServerLink::kShareOfHost);
 }
 
 void TcpLinkTest::portInUseFails()
