@@ -215,9 +215,14 @@ void Station::switchSuite(channel::SessionId session, crypto::SuiteId suite)
     d->post([=](StationCore &core) { core.switchSuite(session, suite); });
 }
 
-void Station::setPreferredSuite(crypto::SuiteId suite)
+void Station::holdSuite(std::optional<crypto::SuiteId> suite)
 {
-    d->post([suite](StationCore &core) { core.setPreferredSuite(suite); });
+    d->post([suite](StationCore &core) { core.holdSuite(suite); });
+}
+
+void Station::resumeSuite(crypto::SuiteId suite)
+{
+    d->post([suite](StationCore &core) { core.resumeSuite(suite); });
 }
 
 void Station::setWeakestSuite(crypto::SuiteId weakest)

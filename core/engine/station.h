@@ -41,8 +41,11 @@ public:
     LinkId addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId);
     void switchSuite(channel::SessionId, crypto::SuiteId);
-    /// Every session that is up now or comes up later begins with this suite.
-    void setPreferredSuite(crypto::SuiteId);
+    /// While something is measured: sessions that come up begin with this suite, in place of the one that the configuration
+    /// prefers. nullopt ends that.
+    void holdSuite(std::optional<crypto::SuiteId>);
+    /// The sessions that are up go over to this suite. Where none is heard, the next one that comes up does, and no other.
+    void resumeSuite(crypto::SuiteId);
     void setAllowResearch(bool);
     /// Suites weaker than this one are no longer offered; see channel::strengthOf. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);

@@ -88,16 +88,6 @@ void StationCore::switchSuite(channel::SessionId session, crypto::SuiteId suite)
     finishWake();
 }
 
-void StationCore::setPreferredSuite(crypto::SuiteId suite)
-{
-    m_config.preferredSuite = suite;
-    if (m_channel) {
-        for (const channel::SessionId session : m_channel->endpoint().sessions())
-            m_channel->endpoint().switchSuite(steadyNow(), session, suite);
-    }
-    finishWake();
-}
-
 void StationCore::setAllowResearch(bool allow)
 {
     m_config.policy.allowResearch = allow;
@@ -297,8 +287,7 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         m_outlets.ofSession(up->session);
         noteUp(*up);
         noteUnanswering(now);
-        if (m_config.preferredSuite && *m_config.preferredSuite != up->suite)
-            m_channel->endpoint().switchSuite(now, up->session, *m_config.preferredSuite);
+        beginWithSuite(now, *up);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         m_policy.sessionDown(down->session);
         m_outlets.sessionDown(down->session);

@@ -54,7 +54,8 @@ public:
     void addMavsecLink(LinkId id, const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId id);
     void switchSuite(channel::SessionId session, crypto::SuiteId suite);
-    void setPreferredSuite(crypto::SuiteId suite);
+    void holdSuite(std::optional<crypto::SuiteId> suite);
+    void resumeSuite(crypto::SuiteId suite);
     void setAllowResearch(bool allow);
     void setWeakestSuite(crypto::SuiteId weakest);
     void setPeers(std::vector<channel::Peer> peers);
@@ -155,11 +156,14 @@ private:
     TimePoint nextDeadline() const;
     SecureMode secureMode() const; ///< in station_protection.cpp, as the next
     channel::Policy policy() const;
+    void beginWithSuite(TimePoint now, const channel::SessionUp &up);
     bool isSealing(std::optional<Protection> protection) const { return m_channel && protection != Protection::Plain; }
     bool isSealing() const { return isSealing(m_protection); }
 
     StationConfig m_config;
     std::optional<Protection> m_protection; ///< of a measurement
+    std::optional<crypto::SuiteId> m_heldSuite; ///< of a measurement: every session begins with it
+    std::optional<crypto::SuiteId> m_nextSuite; ///< the next session begins with it
     std::vector<crypto::SuiteId> m_suites; ///< as they were configured, before the weak ones were taken out
     StationSinks m_sinks;
     std::unique_ptr<SecretFiles> m_secrets;

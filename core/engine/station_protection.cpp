@@ -1,6 +1,9 @@
 // The part of StationCore that carries MAVLink for a while as a measurement wants it, on links that stay open. Both ends
-// agree on the framing when a session begins, so sessions that do not fit are ended and begin anew.
+// agree on the framing when a session begins, so sessions that do not fit are ended and begin anew. A session that is lost
+// and comes back meanwhile begins with the suite that is measured.
 #include "core/engine/station_core.h"
+
+#include <utility>
 
 namespace skyseal::engine {
 
@@ -21,9 +24,11 @@ channel::Policy StationCore::policy() const
 
 void StationCore::setProtection(std::optional<Protection> protection)
 {
+    const auto kindOf = [](std::optional<Protection> one) { return one.value_or(Protection::Sealed); };
     const bool inlineBefore = policy().allowInline;
     const auto before = std::exchange(m_protection, protection);
-    const bool plain = secureMode() == SecureMode::Off, other = policy().allowInline != inlineBefore;
+    const bool plain = secureMode() == SecureMode::Off;
+    const bool other = policy().allowInline != inlineBefore || kindOf(before) != kindOf(protection);
     if (m_channel && isSealing(before) && (plain || other)) {
         m_channel->flushAll(steadyNow());
         for (const channel::SessionId session : m_channel->endpoint().sessions())
@@ -38,6 +43,33 @@ void StationCore::setProtection(std::optional<Protection> protection)
     m_links.forEach([this](link::Link &link) { noteRemoteOf(link); });
     m_changed = true;
     finishWake();
+}
+
+void StationCore::holdSuite(std::optional<crypto::SuiteId> suite)
+{
+    m_heldSuite = suite;
+}
+
+void StationCore::resumeSuite(crypto::SuiteId suite)
+{
+    m_nextSuite = suite;
+    if (m_channel) {
+        channel::Endpoint &endpoint = m_channel->endpoint();
+        for (const channel::SessionId session : endpoint.sessions()) {
+            if (!endpoint.sessionInfo(session)->silent)
+                m_nextSuite.reset();
+            endpoint.switchSuite(steadyNow(), session, suite);
+        }
+    }
+    finishWake();
+}
+
+void StationCore::beginWithSuite(TimePoint now, const channel::SessionUp &up)
+{
+    const auto next = std::exchange(m_nextSuite, std::nullopt);
+    const auto wanted = m_heldSuite ? m_heldSuite : next ? next : m_config.preferredSuite;
+    if (wanted && wanted != up.suite)
+        m_channel->endpoint().switchSuite(now, up.session, *wanted);
 }
 
 } // namespace skyseal::engine

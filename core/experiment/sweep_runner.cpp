@@ -9,12 +9,8 @@ namespace skyseal::experiment {
 
 namespace {
 
-using engine::Protection;
 using std::chrono::milliseconds;
 
-constexpr Duration kConnectPatience = std::chrono::seconds(20);
-constexpr Duration kSwitchPatience = std::chrono::seconds(15);
-constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 constexpr Duration kSettle = milliseconds(500); ///< a station that just connected asks for much that it never asks again
 constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kSettleMost = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
@@ -22,21 +18,6 @@ constexpr unsigned kMostFailures = 3;           ///< runs in a row; the link is 
 constexpr Duration kLatencyEvery = milliseconds(200);
 constexpr int kSnapshotsPerSecond = 20;
 const std::string kNothingClear = "no vehicle was heard in clear; do both ends consent to it?";
-
-double tripsOf(const engine::Snapshot &snapshot)
-{
-    double out = 0;
-    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
-        out += static_cast<double>(vehicle.state.trips);
-    return out;
-}
-
-/// Whether both ends make a new session on the way from one to the other.
-bool renews(std::optional<Protection> from, std::optional<Protection> to)
-{
-    const auto kind = [](std::optional<Protection> one) { return one.value_or(Protection::Sealed); };
-    return kind(from) != kind(to);
-}
 
 } // namespace
 
@@ -58,12 +39,13 @@ SweepRunner::~SweepRunner()
         giveBack();
 }
 
-Protection SweepRunner::wantedProtection() const
+/// Answers to TIMESYNC, of all vehicles.
+double SweepRunner::tripsOf(const engine::Snapshot &snapshot)
 {
-    const Arm &arm = m_config.plan.arms[run().arm];
-    if (arm.suite == crypto::SuiteId::None)
-        return Protection::Plain;
-    return arm.framing == channel::Framing::Inline ? Protection::Inline : Protection::Sealed;
+    double out = 0;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
+        out += static_cast<double>(vehicle.state.trips);
+    return out;
 }
 
 /// The session that is alive, other than one that is about to end.
@@ -138,43 +120,12 @@ void SweepRunner::next()
     }
     m_runStart = static_cast<double>(m_clock.elapsed()) / 1000;
     m_switchTook = std::numeric_limits<double>::quiet_NaN();
-    m_switchOrdered = false;
+    m_switchOrdered.reset();
     m_fresh = !m_station;
     Q_EMIT runBegan(run());
     if (!m_station)
         return openStation();
     connectUp(*m_snapshot);
-}
-
-/// Decides, on a link that works, what the run still lacks.
-void SweepRunner::connectUp(const engine::Snapshot &snapshot)
-{
-    const engine::SessionSnapshot *up = session(snapshot);
-    if (up) {
-        const auto &offered = up->info.peerOffered;
-        m_plainRefused = std::find(offered.begin(), offered.end(), crypto::SuiteId::None) == offered.end();
-        m_inlineRefused = m_inlineRefused || (m_protection == Protection::Inline && m_framing != channel::Framing::Inline);
-    }
-    if (wantedProtection() == Protection::Plain && m_plainRefused)
-        return refuseRun("the other end does not allow plain MAVLink");
-    if (wantedProtection() == Protection::Inline && m_inlineRefused)
-        return refuseRun("the other end does not allow inline framing");
-    if (m_protection == wantedProtection()) {
-        enter(Stage::Switching, kSwitchPatience);
-        return switchSuite(snapshot);
-    }
-    protect(wantedProtection());
-    enter(Stage::Connecting, kConnectPatience);
-}
-
-void SweepRunner::protect(std::optional<Protection> protection)
-{
-    const engine::SessionSnapshot *up = m_snapshot ? session(*m_snapshot) : nullptr;
-    if (up && renews(m_protection, protection))
-        m_ended = up->info.session;
-    m_tripsBefore = m_snapshot ? tripsOf(*m_snapshot) : 0;
-    m_protection = protection;
-    m_station->setProtection(protection);
 }
 
 void SweepRunner::enterBlock(const Run &run)
@@ -241,19 +192,6 @@ void SweepRunner::closeStation()
     QTimer::singleShot(0, this, [this] { end(); });
 }
 
-/// The borrowed station as it was. Where its session is not back yet, it begins with the suite that the link had.
-void SweepRunner::giveBack()
-{
-    const engine::SessionSnapshot *up = m_snapshot ? session(*m_snapshot) : nullptr;
-    const bool back = up && m_protection != Protection::Plain && up->info.suite == m_firstSuite && !up->info.pending;
-    m_station->setProtection(std::nullopt);
-    if (!back && m_firstSuite)
-        m_station->setPreferredSuite(*m_firstSuite);
-    m_station->setMeasuring(false);
-    disconnect(m_station, nullptr, this, nullptr);
-    m_station = nullptr;
-}
-
 void SweepRunner::hear(const engine::Happening &happening)
 {
     if (const auto *changed = std::get_if<engine::LinkChanged>(&happening)) {
@@ -264,12 +202,7 @@ void SweepRunner::hear(const engine::Happening &happening)
     } else if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
         m_framing = up->framing;
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
-        if (done->rekey || m_stage != Stage::Switching || done->to != wantedSuite())
-            return;
-        if (done->failure == channel::SwitchFailure::None)
-            m_switchTook = seconds(done->took) * 1000;
-        else if (done->failure != channel::SwitchFailure::Superseded)
-            endRun("the other end did not take this suite");
+        hearSwitch(*done);
     }
 }
 
@@ -303,11 +236,13 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
         switchSuite(snapshot);
         break;
     case Stage::WarmingUp:
-        if (since >= seconds(m_config.plan.warmUp))
+        if (!isUnderWantedSuite(snapshot))
+            beginSwitching(snapshot); // the link was lost, and nothing was measured yet
+        else if (since >= seconds(m_config.plan.warmUp))
             beginRun();
         break;
     case Stage::Measuring:
-        if (since >= seconds(m_config.plan.measure))
+        if (isAnotherSession(snapshot) || since >= seconds(m_config.plan.measure))
             endRun();
         break;
     case Stage::Restoring:
@@ -316,19 +251,6 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
     case Stage::Idle:
     case Stage::Closing:
         break;
-    }
-}
-
-void SweepRunner::switchSuite(const engine::Snapshot &snapshot)
-{
-    const engine::SessionSnapshot *up = session(snapshot);
-    if (!isPlain() && (!up || up->info.pending))
-        return;
-    if (isPlain() || up->info.suite == wantedSuite()) {
-        enter(Stage::WarmingUp, m_config.plan.warmUp + kConnectPatience);
-    } else if (!m_switchOrdered) {
-        m_switchOrdered = true;
-        m_station->switchSuite(up->info.session, wantedSuite());
     }
 }
 
@@ -412,37 +334,6 @@ void SweepRunner::record(Sample sample)
     ++m_next;
     m_results.samples.push_back(sample);
     Q_EMIT sampleTaken(sample);
-}
-
-void SweepRunner::restore()
-{
-    if (!m_station)
-        return end();
-    if (m_own && (isPlain() || !m_snapshot || !session(*m_snapshot)))
-        return closeStation();
-    if (!m_firstSuite)
-        return closeStation();
-    m_switchOrdered = false;
-    if (!m_own)
-        protect(std::nullopt);
-    enter(Stage::Restoring, kRestorePatience);
-    putBack(*m_snapshot);
-}
-
-/// The suite that the link had, on a session of the kind that it had.
-void SweepRunner::putBack(const engine::Snapshot &snapshot)
-{
-    const engine::SessionSnapshot *up = session(snapshot);
-    if (!up && m_own)
-        return closeStation();
-    if (!up || up->info.pending)
-        return;
-    if (up->info.suite == *m_firstSuite)
-        return closeStation();
-    if (!m_switchOrdered) {
-        m_switchOrdered = true;
-        m_station->switchSuite(up->info.session, *m_firstSuite);
-    }
 }
 
 void SweepRunner::giveUp(const std::string &problem)

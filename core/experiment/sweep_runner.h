@@ -57,6 +57,7 @@ Q_SIGNALS:
     void finished(bool opened, const std::string &problem);
 
 private:
+    static constexpr Duration kConnectPatience = std::chrono::seconds(20);
     enum class Stage : std::uint8_t { Idle, Closing, Connecting, Settling, Switching, WarmingUp, Measuring, Restoring };
 
     void next();
@@ -69,8 +70,11 @@ private:
     void connectUp(const engine::Snapshot &snapshot);
     void take(const std::shared_ptr<const engine::Snapshot> &snapshot);
     void hear(const engine::Happening &happening);
+    void hearSwitch(const channel::SwitchDone &done);
     void advance(const engine::Snapshot &snapshot);
+    void beginSwitching(const engine::Snapshot &snapshot);
     void switchSuite(const engine::Snapshot &snapshot);
+    void order(channel::SessionId session, crypto::SuiteId suite);
     void beginRun();
     void endRun(std::string problem = {});
     void refuseRun(const std::string &problem);
@@ -82,6 +86,7 @@ private:
     void enter(Stage stage, Duration patience);
     void tick();
 
+    static double tripsOf(const engine::Snapshot &snapshot);
     Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot);
     double sessionMemory(crypto::SuiteId suite);
     const Run &run() const { return m_schedule[m_next]; }
@@ -89,6 +94,8 @@ private:
     engine::Protection wantedProtection() const;
     bool isPlain() const { return m_protection == engine::Protection::Plain; }
     const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;
+    bool isUnderWantedSuite(const engine::Snapshot &snapshot) const;
+    bool isAnotherSession(const engine::Snapshot &snapshot) const;
     bool vehicleSpeaks(const engine::Snapshot &snapshot) const;
 
     SweepConfig m_config;
@@ -118,7 +125,7 @@ private:
     metrics::EnergyMeter m_energy;
     std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();
-    bool m_switchOrdered = false;
+    std::optional<channel::SessionId> m_switchOrdered; ///< of this session, for this run
     unsigned m_failuresInARow = 0;
     bool m_cancelled = false;
     std::string m_problem;
