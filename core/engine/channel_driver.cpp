@@ -23,12 +23,6 @@ ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_en
 {
 }
 
-void ChannelDriver::wake()
-{
-    if (!std::exchange(m_awake, true))
-        m_clock.wake();
-}
-
 void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 {
     if (size == 0)
@@ -39,15 +33,13 @@ void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
-    wake();
-    const std::uint64_t begin = metrics::CycleClock::now();
+    const std::uint64_t begin = m_clock.begin();
     return taken(begin, datagram.size(), m_endpoint.handleDatagram(now, from, datagram));
 }
 
 std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
 {
-    wake();
-    const std::uint64_t begin = metrics::CycleClock::now();
+    const std::uint64_t begin = m_clock.begin();
     return taken(begin, frame.size(), m_endpoint.handleInlineFrame(now, from, frame));
 }
 
@@ -104,8 +96,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
         return false;
     if (!batch.sealedInPlace) // what came before goes first, counters rise
         sealBatch(now, session, batch);
-    wake();
-    const std::uint64_t begin = metrics::CycleClock::now();
+    const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint.sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
     if (!size)
@@ -134,8 +125,7 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         m_links.send(m_endpoint.recordPath(session), frames);
         return;
     }
-    wake();
-    const std::uint64_t begin = metrics::CycleClock::now();
+    const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint.seal(now, session, frames, m_record);
     if (!size)
         return;
@@ -168,7 +158,6 @@ void ChannelDriver::flush(TimePoint now)
     }
     transmit();
     m_slept = true; // the thread goes to sleep after this
-    m_awake = false;
 }
 
 void ChannelDriver::flushAll(TimePoint now)
@@ -178,7 +167,6 @@ void ChannelDriver::flushAll(TimePoint now)
         sealBatch(now, session, batch);
     transmit();
     m_slept = true; // the thread goes to sleep after this
-    m_awake = false;
 }
 
 std::optional<channel::Event> ChannelDriver::pollEvent()

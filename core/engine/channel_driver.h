@@ -73,12 +73,10 @@ private:
     bool mayWait(TimePoint now, const Path &path, const Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
-    void wake();
 
     channel::Endpoint m_endpoint;
     LinkPool &m_links;
     metrics::WorkClock m_clock;
-    bool m_awake = false; ///< the clock was told
     std::map<channel::SessionId, Batch> m_batches;
     std::map<channel::SessionId, SuiteMeter> m_meters;
     std::map<channel::SessionId, crypto::SuiteId> m_sendSuites; ///< as the events told

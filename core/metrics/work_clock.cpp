@@ -4,10 +4,17 @@
 
 namespace skyseal::metrics {
 
-void WorkClock::wake()
+void WorkClock::look()
 {
     m_cpu = threadCpuTime();
     m_cycles = CycleClock::now();
+}
+
+std::uint64_t WorkClock::begin()
+{
+    if (m_clock.between(m_cycles, CycleClock::now()) > kFresh)
+        look();
+    return CycleClock::now();
 }
 
 std::uint64_t WorkClock::between(std::uint64_t begin, std::uint64_t end)
@@ -18,7 +25,7 @@ std::uint64_t WorkClock::between(std::uint64_t begin, std::uint64_t end)
     const auto worked = static_cast<std::uint64_t>((threadCpuTime() - m_cpu).count());
     const std::uint64_t since = m_clock.between(m_cycles, CycleClock::now());
     const std::uint64_t taken = since > worked ? since - worked : 0;
-    wake();
+    look();
     return passed > taken ? passed - taken : 0;
 }
 
