@@ -122,7 +122,7 @@ struct SessionInfo
     Framing framing{}; ///< how frames are sent now
     std::optional<crypto::SuiteId> pending;   ///< a switch that is under way
     std::vector<crypto::SuiteId> permitted;   ///< by both ends
-    std::vector<crypto::SuiteId> peerOffered; ///< what the other end would accept, as it said in the handshake
+    std::vector<crypto::SuiteId> peerOffered; ///< what the other end would accept, as it said; None among them: plain as well
     bool silent = false; ///< nothing authentic for Timing::peerSilentAfter
     TimePoint since{};
     TimePoint lastReceived{};

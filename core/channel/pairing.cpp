@@ -207,11 +207,6 @@ bool Pairing::confirmedThere() const
     return m_state->talk && m_state->talk->theirs() == Decision::Yes;
 }
 
-TimePoint Pairing::closesAt() const
-{
-    return m_state->closesAt;
-}
-
 bool Pairing::finished() const
 {
     return m_state->over && !m_state->talk && m_state->farewells.empty();

@@ -120,7 +120,6 @@ public:
     const PairingPeer *peer() const; ///< whom the person is asked about; null when nobody is there
     bool confirmedHere() const;
     bool confirmedThere() const;
-    TimePoint closesAt() const;
     /// Over, and the other end was told as well as could be.
     bool finished() const;
     TimePoint nextDeadline() const;

@@ -1,5 +1,5 @@
 // The command line as scripts see it: exit statuses, one clear line for what is wrong, JSON that parses.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>

@@ -1,6 +1,6 @@
 // Sealed private keys as a person and as a script use them: the passphrase is typed without an echo or read from a file or a
 // descriptor, and no byte of it or of the key shows anywhere.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 #include "tests/support/terminal.h"
 
 #include <QtCore/QFile>

@@ -1,5 +1,5 @@
 // The work with keys and peers, as a person does it before the first flight.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonDocument>

@@ -1,5 +1,5 @@
 // A flight by script with a simulator on a plain link, and then what became of its recording.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QJsonArray>

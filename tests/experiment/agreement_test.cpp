@@ -1,6 +1,6 @@
 // Two real sweeps of one setting, one after the other: the confidence intervals of the same suite meet, and the A/A pair within
 // each is reported as no difference. Wants a machine that does nothing else meanwhile.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>

@@ -95,8 +95,9 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
         QSKIP("perf is not installed (linux-perf)");
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
-    if (runTool(QStringLiteral("perf"), {QStringLiteral("record"), QStringLiteral("-q"), QStringLiteral("-e"), QStringLiteral("cpu-clock:u"),
-                                         QStringLiteral("-o"), data, QStringLiteral("true")}, 20000).status != 0)
+    const RunResult trial =
+        runToItsEnd(QStringLiteral("perf"), words("record -q -e cpu-clock:u -o") << data << QStringLiteral("true"));
+    if (trial.status != 0)
         QSKIP("perf may not sample here (kernel.perf_event_paranoid)");
     QProcess sweep;
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
@@ -116,7 +117,8 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     }
     const QJsonObject values = runIn(sweep.readAllStandardOutput());
     const double measured = values[QLatin1String("cpu_suite")].toDouble() / values[QLatin1String("cpu")].toDouble();
-    const ToolRun script = runTool(QStringLiteral("perf"), words("script --no-inline -F tid,ip,sym -i") << data, 300000);
+    const RunResult script =
+        runToItsEnd(QStringLiteral("perf"), words("script --no-inline -F tid,ip,sym -i") << data, {}, 300000);
     QVERIFY2(script.status == 0, script.err.constData());
     const Attribution found = attributed(script.out);
     qInfo("%s: measured %.2f %% of the I/O thread's CPU time, perf %.2f %% (%d of %d samples), ratio %.3f", qPrintable(suite),

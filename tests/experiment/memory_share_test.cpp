@@ -52,13 +52,13 @@ std::optional<Profile> profiled(const QStringList &command)
 {
     const QTemporaryDir folder;
     const QString file = folder.filePath(q("profile"));
-    const ToolRun run = runTool(q("heaptrack"), QStringList{q("-o"), file} + command, 120000);
+    const RunResult run = runToItsEnd(q("heaptrack"), QStringList{q("-o"), file} + command, {}, 120000);
     if (run.status != 0)
         return std::nullopt;
     const QStringList written = QDir(folder.path()).entryList({q("profile*")});
     if (written.isEmpty())
         return std::nullopt;
-    const ToolRun print = runTool(q("heaptrack_print"), {q("-f"), folder.filePath(written.first())}, 120000);
+    const RunResult print = runToItsEnd(q("heaptrack_print"), {q("-f"), folder.filePath(written.first())}, {}, 120000);
     return Profile{run.out, figureIn(print.out, "peak heap memory consumption"), figureIn(print.out, "peak RSS (including heaptrack overhead)")};
 }
 

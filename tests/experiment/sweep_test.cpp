@@ -1,6 +1,6 @@
 // A whole sweep by the real programs: files that agree with each other and with the arithmetic, losses that are those of the
 // link, assertions that decide the exit status, a cancel that ends in good order.
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 #include "tests/support/flight.h"
 
 #include <QtCore/QFile>

@@ -72,6 +72,16 @@ QString difference(const QJsonValue &counters, const std::vector<RelayLedger::Fr
     return said == books[arrived] ? QString() : QStringLiteral("said %1; the relay did %2").arg(words(said), words(books[arrived]));
 }
 
+/// Over a link that loses, and one that does everything; in records, and sealed in place.
+void addLinks(const char *loss, const char *all)
+{
+    QTest::addColumn<bool>("inPlace");
+    QTest::addColumn<QByteArray>("impairment");
+    QTest::newRow("records, loss") << false << QByteArray(loss);
+    QTest::newRow("records, loss, duplicates, reordering") << false << QByteArray(all);
+    QTest::newRow("sealed in place, loss, duplicates, reordering") << true << QByteArray(all);
+}
+
 } // namespace
 
 #define AGREES(counters, books)                                                                                                \
@@ -116,14 +126,9 @@ void LossAccountingTest::drain(Program &impair, Program &monitor)
 
 void LossAccountingTest::liveCountersAreExact_data()
 {
-    QTest::addColumn<bool>("inPlace");
-    QTest::addColumn<QByteArray>("impairment");
     const char *const kLoss = "--loss 0.15 --seed 3";
-    const char *const kAll = "--loss 0.15 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 4";
-    QTest::newRow("records, loss") << false << QByteArray(kLoss);
-    QTest::newRow("records, loss, duplicates, reordering") << false << QByteArray(kAll);
+    addLinks(kLoss, "--loss 0.15 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 4");
     QTest::newRow("sealed in place, loss") << true << QByteArray(kLoss);
-    QTest::newRow("sealed in place, loss, duplicates, reordering") << true << QByteArray(kAll);
 }
 
 void LossAccountingTest::liveCountersAreExact()
@@ -200,12 +205,7 @@ void LossAccountingTest::plainFramesAreCountedExactly()
 
 void LossAccountingTest::sweepsLossIsExact_data()
 {
-    QTest::addColumn<bool>("inPlace");
-    QTest::addColumn<QByteArray>("impairment");
-    const char *const kAll = "--loss 0.1 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 7";
-    QTest::newRow("records, loss") << false << QByteArray("--loss 0.1 --seed 6");
-    QTest::newRow("records, loss, duplicates, reordering") << false << QByteArray(kAll);
-    QTest::newRow("sealed in place, loss, duplicates, reordering") << true << QByteArray(kAll);
+    addLinks("--loss 0.1 --seed 6", "--loss 0.1 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 7");
 }
 
 void LossAccountingTest::sweepsLossIsExact()

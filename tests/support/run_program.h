@@ -1,4 +1,4 @@
-// One of our programs run to its end.
+// A program run to its end: one of ours, or another one.
 #pragma once
 
 #include <QtCore/QProcess>
@@ -13,11 +13,12 @@ struct RunResult
     QByteArray err;
 };
 
-inline RunResult runProgram(const char *name, const QStringList &arguments, const QByteArray &input = {},
-                            int milliseconds = 60000)
+/// `program` is a path, or a name to be found on the PATH.
+inline RunResult runToItsEnd(const QString &program, const QStringList &arguments, const QByteArray &input = {},
+                             int milliseconds = 60000)
 {
     QProcess process;
-    process.start(QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name), arguments);
+    process.start(program, arguments);
     if (!process.waitForStarted(10000))
         return {};
     process.write(input);
@@ -29,6 +30,13 @@ inline RunResult runProgram(const char *name, const QStringList &arguments, cons
     }
     const bool ended = process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+/// One of ours, by its name.
+inline RunResult runProgram(const char *name, const QStringList &arguments, const QByteArray &input = {},
+                            int milliseconds = 60000)
+{
+    return runToItsEnd(QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name), arguments, input, milliseconds);
 }
 
 } // namespace skyseal::test
