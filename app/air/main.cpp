@@ -47,6 +47,9 @@ void declare(Options &options)
     options.addFlag("allow-inline",
                     "Also seal frames in place where the station asks for it: headers stay clear, tags are short.");
     options.addFlag("pair", "Open the window for pairing of the agent that runs here with this --identity, and confirm in it.");
+    options.addValue("role", "pilot|observer",
+                     "With --pair: what the other end may do here. Without it who is known keeps the role, and who is new gets "
+                     "what it asks for, pilot as a rule.");
     PairingTalk::declare(options); // with --json
     PairingPassphraseInput::declare(options);
 }
@@ -87,6 +90,8 @@ int pair(Options &options)
 {
     const std::string identity = options.required("identity");
     PairingTalk::Settings settings = PairingTalk::read(options);
+    if (options.has("role") && !(settings.role = keys::peerRoleFromText(options.text("role"))))
+        options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     for (const char *option : {"vehicle", "ground", "carrier", "peers"}) {
         if (options.has(option))

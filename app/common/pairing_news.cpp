@@ -63,10 +63,13 @@ PairingNews seen(const channel::PairingPeer &peer, const keys::PeersFile &known,
     PairingNews news = about(State::Seen, peer);
     if (!callIt.empty())
         news.name = callIt;
-    if (const keys::PeerEntry *same = known.findKey(peer.key))
+    if (const keys::PeerEntry *same = known.findKey(peer.key)) {
         news.name = same->peer.name;
-    else if (const keys::PeerEntry *other = known.find(news.name))
+        news.knownRole = same->peer.role;
+    } else if (const keys::PeerEntry *other = known.find(news.name)) {
         news.knownKey = other->peer.key;
+        news.knownRole = other->peer.role;
+    }
     return news;
 }
 
@@ -113,6 +116,8 @@ std::string PairingNews::toJson() const
         json.field("public", keys::publicKeyText(key)).field("fingerprint", keys::fingerprint(key));
     if (knownKey)
         json.field("known_public", keys::publicKeyText(*knownKey)).field("known_fingerprint", keys::fingerprint(*knownKey));
+    if (knownRole)
+        json.field("known_role", keys::peerRoleText(*knownRole));
     if (!reason.empty())
         json.field("reason", reason);
     if (seconds > 0)
@@ -134,6 +139,7 @@ std::optional<PairingNews> PairingNews::fromJson(const QByteArray &line)
         news.role = keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString()).value_or(channel::PeerRole::Pilot);
         news.key = keyIn(object, "public").value_or(channel::PublicKey{});
         news.knownKey = keyIn(object, "known_public");
+        news.knownRole = keys::peerRoleFromText(object[QLatin1String("known_role")].toString().toStdString());
         news.reason = object[QLatin1String("reason")].toString().toStdString();
         news.seconds = object[QLatin1String("seconds")].toInt();
         return news;

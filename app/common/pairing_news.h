@@ -31,6 +31,7 @@ struct PairingNews
     channel::PeerRole role = channel::PeerRole::Pilot;
     channel::PublicKey key{};
     std::optional<channel::PublicKey> knownKey; ///< by that name another key is known
+    std::optional<channel::PeerRole> knownRole; ///< of that key or name, when it is known
     std::string reason; ///< in words
     int seconds = 0;    ///< that the window stays open
 

@@ -29,6 +29,7 @@ void PairingTalk::declare(Options &options)
 {
     options.addFlag("json", "One JSON object a line on stdout.");
     options.addValue("expect", "FINGERPRINT", "Confirm the peer of this fingerprint without a question, and refuse any other.");
+    options.addFlag("replace", "With --expect: also when another key is known by that name, which it then replaces.");
     options.addValue("as", "NAME", "How the other end is to be called here, instead of as it calls itself.");
 }
 
@@ -42,6 +43,9 @@ PairingTalk::Settings PairingTalk::read(Options &options)
         if (out.expected.size() != kDigits || out.expected.find_first_not_of("0123456789abcdef") != std::string::npos)
             options.fail("--expect: a whole fingerprint is expected, 64 hex digits");
     }
+    out.replaces = options.has("replace");
+    if (out.replaces && out.expected.empty())
+        options.fail("--replace: goes with --expect; without it you are asked");
     if (options.has("as")) {
         keys::PeerEntry entry;
         entry.peer.name = out.callIt = options.required("as");
@@ -111,27 +115,28 @@ void PairingTalk::take(PairingNews news)
 void PairingTalk::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
-    const std::string role = m_settings.decidesRole ? ", as " + std::string(keys::peerRoleText(m_asked->role)) : "";
-    say("\"" + m_asked->name + "\" wants to be paired" + role + ". Its fingerprint:");
+    const std::string asked = m_settings.decidesRole ? ", as " + std::string(keys::peerRoleText(m_asked->role)) : "";
+    say("\"" + m_asked->name + "\" wants to be paired" + asked + ". Its fingerprint:");
     say("    " + print);
     if (m_asked->knownKey) {
         say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. Known until now:");
         say("    " + keys::fingerprint(*m_asked->knownKey));
         say("Either it was made anew there, or somebody pretends to be it.");
     }
+    if (m_settings.decidesRole && role() != m_asked->role)
+        say("Here it is to be " + std::string(keys::peerRoleText(role())) + ".");
     if (!m_settings.expected.empty()) {
-        if (withoutBlanks(print) == m_settings.expected) {
-            confirm(m_asked->role);
-        } else {
-            say("It is not the expected one: refused.");
-            m_asked.reset();
-            Q_EMIT refused();
-        }
+        if (withoutBlanks(print) != m_settings.expected)
+            refuse("It is not the expected one: refused.");
+        else if (m_asked->knownKey && !m_settings.replaces)
+            refuse("It is the expected one, but a known key is replaced only with --replace: refused.");
+        else
+            confirm(role());
         return;
     }
     const std::string yes = m_asked->knownKey ? "replace" : "yes";
     say("Compare both fingerprints with those that the other end shows. Are both the same? Type " + yes
-        + (m_settings.decidesRole ? ", observer (it may only look)" : "") + " or no:");
+        + (mayBeObserver() ? ", observer (it may only look)" : "") + " or no:");
 }
 
 void PairingTalk::hear()
@@ -161,16 +166,32 @@ void PairingTalk::answer(const std::string &line)
         return; // what is typed before the question is no answer to it
     const std::string word = withoutBlanks(line);
     if (word == "no") {
-        m_asked.reset();
-        Q_EMIT refused();
-        say("Refused. Waiting for the other end …");
+        refuse("Refused. Waiting for the other end …");
     } else if (word == (m_asked->knownKey ? "replace" : "yes")) {
-        confirm(m_asked->role);
-    } else if (word == "observer" && m_settings.decidesRole && !m_asked->knownKey) {
+        confirm(role());
+    } else if (word == "observer" && mayBeObserver()) {
         confirm(channel::PeerRole::Observer);
     } else {
         ask();
     }
+}
+
+/// A role that is known here is not the other end's to change.
+channel::PeerRole PairingTalk::role() const
+{
+    return m_settings.role ? *m_settings.role : m_asked->knownRole.value_or(m_asked->role);
+}
+
+bool PairingTalk::mayBeObserver() const
+{
+    return m_settings.decidesRole && !m_asked->knownKey && role() == channel::PeerRole::Pilot;
+}
+
+void PairingTalk::refuse(const std::string &words)
+{
+    m_asked.reset();
+    Q_EMIT refused();
+    say(words);
 }
 
 void PairingTalk::confirm(channel::PeerRole role)

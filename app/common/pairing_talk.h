@@ -31,10 +31,13 @@ public:
         bool json = false;
         std::string expected; ///< fingerprint that is confirmed without a question, and no other; empty = ask
         std::string callIt;   ///< name to be given to the other end (newsOf wants it); empty = what it calls itself
+        bool replaces = false;    ///< with `expected`: a key known by that name, too
         bool decidesRole = false; ///< the agent's side: whether the other one may command
+        /// What is granted there; otherwise who is known keeps the role, and who is new gets what it asks for.
+        std::optional<channel::PeerRole> role;
     };
 
-    /// --json, --expect and --as.
+    /// --json, --expect, --replace and --as.
     static void declare(Options &options);
     static Settings read(Options &options);
 
@@ -54,6 +57,9 @@ private:
     void ask();
     void hear();
     void answer(const std::string &line);
+    channel::PeerRole role() const;
+    bool mayBeObserver() const;
+    void refuse(const std::string &words);
     void confirm(channel::PeerRole role);
     void say(const std::string &words) const;
 

@@ -48,7 +48,9 @@ private Q_SLOTS:
     void oneNoIsEnough();
     void somebodyInBetweenGetsNothing();
     void changedKeyIsReplacedKnowingly();
+    void expectedButChangedKeyIsRefused();
     void observerIsKeptAsOne();
+    void knownRoleStays();
     void armedVehicleOpensNoWindow();
     void armingClosesTheWindow();
     void leavingClosesTheWindow();
@@ -230,6 +232,34 @@ void PairingTest::changedKeyIsReplacedKnowingly()
     QCOMPARE(read("ground.peers").count('\n'), 1);
 }
 
+void PairingTest::expectedButChangedKeyIsRefused()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const QStringList named = {QStringLiteral("--as"), QStringLiteral("base")};
+    {
+        const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
+        QCOMPARE(window("air.key", named + expecting(m_ground) + QStringList{QStringLiteral("--role"), QStringLiteral("observer")})->waitForExit(15000), 0);
+        QCOMPARE(ground->waitForExit(15000), 0);
+    }
+    const QByteArray before = read("air.peers");
+    QVERIFY2(before.startsWith("base observer "), before.constData());
+    const QString other = newKey("other.key");
+    {
+        const auto ground = station("other.key", "mallory.peers", m_port, expecting(m_air));
+        const auto desk = window("air.key", named + expecting(other));
+        QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("gone")).isEmpty());
+        QTRY_VERIFY2(desk->errors().contains("only with --replace"), desk->errors().constData());
+        QVERIFY(desk->running());
+    }
+    QCOMPARE(read("air.peers"), before);
+    const auto ground = station("other.key", "mallory.peers", m_port, expecting(m_air));
+    QCOMPARE(window("air.key", named + expecting(other) + QStringList{QStringLiteral("--replace")})->waitForExit(15000), 0);
+    QVERIFY(read("air.peers") != before);
+    QVERIFY2(read("air.peers").startsWith("base observer "), read("air.peers").constData()); // what it may do was decided here
+    QCOMPARE(read("air.peers").count('\n'), 1);
+}
+
 void PairingTest::observerIsKeptAsOne()
 {
     const auto air = agent("air.key", "air.peers", m_port);
@@ -240,6 +270,23 @@ void PairingTest::observerIsKeptAsOne()
     desk->tell(QStringLiteral("observer"));
     QCOMPARE(desk->waitForExit(10000), 0);
     QVERIFY2(read("air.peers").startsWith("tablet observer any "), read("air.peers").constData());
+}
+
+void PairingTest::knownRoleStays()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto pairAgain = [&](const QStringList &more) {
+        const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air)); // asks to be a pilot
+        QCOMPARE(window("air.key", QStringList{QStringLiteral("--as"), QStringLiteral("tablet")} + expecting(m_ground) + more)->waitForExit(15000), 0);
+        QCOMPARE(ground->waitForExit(15000), 0);
+    };
+    pairAgain({QStringLiteral("--role"), QStringLiteral("observer")});
+    QVERIFY2(read("air.peers").startsWith("tablet observer "), read("air.peers").constData());
+    pairAgain({});
+    QVERIFY2(read("air.peers").startsWith("tablet observer "), read("air.peers").constData());
+    pairAgain({QStringLiteral("--role"), QStringLiteral("pilot")});
+    QVERIFY2(read("air.peers").startsWith("tablet pilot "), read("air.peers").constData());
 }
 
 /// Speaks as the autopilot until the program says what is waited for.

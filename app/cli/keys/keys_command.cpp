@@ -24,7 +24,7 @@ constexpr Subcommand kOwn[] = {
     {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
     {"psk", newPresharedKey, "psk --out FILE"},
     {"pair", pairWithAgent, 
-     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT] [--pair-passphrase]"},
+     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT [--replace]] [--pair-passphrase]"},
 };
 constexpr Subcommand kPeers[] = {
     {"add", addPeer,
