@@ -82,10 +82,15 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     Agreement &agreement = answer->agreement;
     SessionSetup setup{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection,
                        std::move(agreement.peerOffer), agreement.suite, std::move(agreement.chain), from};
-    Answered answered{key, counter, setup.id, now + kAnswerKept, {}, answer->message};
+    auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
+    if (!session->usable()) {
+        m_core.table.release(*connection);
+        return refuse(now, from, RefusalReason::NoCommonSuite, key);
+    }
+    Answered answered{key, counter, session->id(), now + kAnswerKept, {}, answer->message};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(answered);
-    auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
+    auto &entry = m_core.table.put(std::move(session), false, now);
     m_core.around.outbox.send(from, answer->message);
     if (weakened(Weakness::NoConfirmation))
         return confirm(now, entry);

@@ -27,6 +27,7 @@ EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterSt
 void EndpointCore::offerPolicy()
 {
     around.offer = offerOf(config.policy);
+    std::erase_if(around.offer.suites, [](crypto::SuiteId suite) { return !crypto::suiteAvailable(suite); });
     around.offer.allowInline = around.offer.allowInline && around.facts;
     around.offer.preferInline = around.offer.preferInline && around.offer.allowInline;
 }

@@ -35,6 +35,7 @@ struct LiveEpoch
 class Epochs
 {
 public:
+    bool begun() const { return m_current != nullptr; }
     /// Precondition of this and of all sums: the first epoch was prepared, and `advance` called.
     LiveEpoch &current() { return *m_current; }
     const LiveEpoch &current() const { return *m_current; }

@@ -120,8 +120,11 @@ void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &ac
     theirs.rekey = theirs.from == theirs.to;
     theirs.since = now;
     theirs.answer = actions.freshNonce();
+    if (!actions.prepareNext(message.suite, message.nonce, theirs.answer)) {
+        m_refusedNewest = true;
+        return actions.send(now, Refuse{message.id});
+    }
     m_theirs = theirs;
-    actions.prepareNext(message.suite, message.nonce, theirs.answer);
     tellPending(theirs, true, actions);
     actions.send(now, Accept{message.id, theirs.answer});
     if (weakened(Weakness::CommitEarly))
@@ -134,7 +137,10 @@ void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &act
         return;
     // An in-doubt proposal of the peer is void now: it would not have accepted ours had it committed its own.
     m_theirs.reset();
-    actions.prepareNext(m_own->to, m_own->nonce, message.nonce);
+    if (!actions.prepareNext(m_own->to, m_own->nonce, message.nonce)) {
+        actions.dropNext();
+        return finishOwn(now, SwitchFailure::NotAllowedHere, actions);
+    }
     actions.commitNext(now);
     m_settled = false;
     m_confirming = Confirming{m_own->epoch, now, now + std::max(m_timing.switchRetry, actions.answerTime())};

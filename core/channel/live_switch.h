@@ -36,7 +36,8 @@ public:
     virtual EpochNonce freshNonce() = 0;
     virtual void send(TimePoint now, const ControlMessage &message) = 0;
     /// Makes the keys of the epoch after the current one and installs those for reading; replaces prepared ones.
-    virtual void prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) = 0;
+    /// False when this machine cannot make them; then nothing has changed.
+    virtual bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) = 0;
     virtual void dropNext() = 0;
     /// The prepared epoch becomes the current one, for sending too.
     virtual void commitNext(TimePoint now) = 0;

@@ -31,7 +31,8 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause),
       m_lineBegan(now - kEventPause), m_heardHere(now)
 {
-    prepare(Epoch{0}, m_setup.suite, {}, {});
+    if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
+        return;
     m_epochs.advance();
     m_chain = std::move(*m_chainAfterNext);
     m_chainAfterNext.reset();
@@ -323,7 +324,8 @@ EpochNonce Session::freshNonce()
     return nonce;
 }
 
-void Session::prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
+/// False, and nothing has changed, when this machine cannot make the ciphers.
+bool Session::prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
 {
     EpochSecrets secrets = m_chain.derive(number, suite, proposal, answer);
     Key32 &ours = m_setup.initiator ? secrets.fromInitiator : secrets.fromResponder;
@@ -337,13 +339,16 @@ void Session::prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &pro
     }
     epoch.writer = crypto::makeRecordCipher(suite, std::move(ours));
     epoch.reader = crypto::makeRecordCipher(suite, std::move(theirs));
+    if (!epoch.writer || !epoch.reader)
+        return false;
     m_chainAfterNext = std::move(secrets.next);
     m_epochs.prepareNext(std::move(epoch));
+    return true;
 }
 
-void Session::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
+bool Session::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
 {
-    prepare(Epoch{static_cast<std::uint32_t>(currentEpoch()) + 1}, suite, proposal, answer);
+    return prepare(Epoch{static_cast<std::uint32_t>(currentEpoch()) + 1}, suite, proposal, answer);
 }
 
 void Session::dropNext()

@@ -63,6 +63,8 @@ public:
     bool silent(TimePoint now) const { return now - m_lastReceived >= m_around.timing.peerSilentAfter; }
     /// True once something authentic came: only then is the other end known to be alive and not a replay.
     bool confirmed() const { return m_confirmed; }
+    /// False when the ciphers of its first epoch could not be made: to be thrown away at once.
+    bool usable() const { return m_epochs.begun(); }
     /// The peer said goodbye.
     bool closing() const { return m_closingUntil.has_value(); }
     /// Set when the session cannot go on.
@@ -115,14 +117,14 @@ private:
     Duration answerTime() const override { return m_roundTrip.smoothed(); }
     EpochNonce freshNonce() override;
     void send(TimePoint now, const ControlMessage &message) override;
-    void prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override;
+    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override;
     void dropNext() override;
     void commitNext(TimePoint now) override;
     std::uint32_t sentBefore() const override { return m_sentBefore; }
     void peerSentBefore(std::uint32_t records) override;
     void tell(const Event &event) override { m_around.events.push_back(event); }
 
-    void prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
+    bool prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
     Direction ourDirection() const { return m_setup.initiator ? Direction::FromInitiator : Direction::FromResponder; }
     std::vector<crypto::SuiteId> permitted() const;
 

@@ -228,8 +228,14 @@ bool Station::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
     const ConnectionId ours = found->handshake->connection();
     SessionSetup setup{m_core.table.number(ours), true, *m_core.peer(found->peer), ours, agreement->peerConnection,
                        std::move(agreement->peerOffer), agreement->suite, std::move(agreement->chain), from};
+    auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
+    if (!session->usable()) {
+        m_core.tellRefused(now, from, RefusalReason::NoCommonSuite, found->peer);
+        giveUpFirst(now, *found);
+        return true;
+    }
     m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // Its slot goes on as the session's.
-    auto &entry = m_core.table.put(std::make_unique<Session>(std::move(setup), m_core.around, now), false, now);
+    auto &entry = m_core.table.put(std::move(session), false, now);
     sessionLives(entry.session->peer().key); // the same wish in another carrier
     m_core.bringUp(now, entry);
     entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
