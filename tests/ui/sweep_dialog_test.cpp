@@ -126,6 +126,10 @@ private Q_SLOTS:
         page.begin(plan);
         QCOMPARE(place->itemText(0), QStringLiteral("clean link · natural load"));
         page.showRun({1, 0, 0, 0}, {3, 6, 12});
+        QCOMPARE(place->currentIndex(), 1); // what is measured is what is seen, until something else is chosen
+        QTest::keyClick(place, Qt::Key_Up);
+        page.showRun({1, 0, 0, 1}, {4, 6, 9});
+        QCOMPARE(place->currentIndex(), 0);
         QVERIFY2(status->text().contains(QStringLiteral("57,600 baud")), qPrintable(status->text()));
     }
 

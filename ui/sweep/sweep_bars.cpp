@@ -19,10 +19,7 @@ constexpr int kLeastRow = 18, kMostRow = 30;
 
 QString valueText(const experiment::Bar &bar)
 {
-    QString out = fromStd(experiment::readable(bar.mean));
-    if (std::isfinite(bar.high))
-        out += QStringLiteral(" ± ") + fromStd(experiment::readable(bar.high - bar.mean));
-    return out;
+    return fromStd(experiment::readable(bar.mean, bar.high - bar.mean));
 }
 
 double highestOf(const experiment::BarChart &chart)

@@ -144,9 +144,11 @@ QWidget *SweepDialog::makeHow()
                     tr("Measure the noise"));
     m_noise->setChecked(true);
     auto *left = new QFormLayout;
+    left->setVerticalSpacing(kGrid);
     left->addRow(tr("&Each run"), m_seconds);
     left->addRow(tr("Re&peats"), m_repeats);
     auto *right = new QFormLayout;
+    right->setVerticalSpacing(kGrid);
     right->addRow(tr("&Seed of the order"), m_seed);
     right->addRow(m_noise);
     auto *row = new QHBoxLayout(box);

@@ -10,6 +10,7 @@
 #include "ui/theme/palettes.h"
 
 #include <QtCore/QTimer>
+#include <QtWidgets/QAbstractItemView>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QHBoxLayout>
 #include <QtWidgets/QHeaderView>
@@ -37,6 +38,11 @@ SweepPage::SweepPage(QWidget *parent)
     m_status->setMinimumWidth(10 * kGrid);
     m_bar->setMaximumWidth(20 * kGrid);
     m_bar->setTextVisible(false);
+    // The line beside them says how far it is: it gets the room, and the lists open as wide as they want.
+    for (QComboBox *choice : {m_place, m_metric}) {
+        choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        choice->setMinimumContentsLength(18);
+    }
     auto *top = new QHBoxLayout;
     top->setSpacing(kGrid);
     top->addWidget(m_status, 1);
@@ -75,6 +81,7 @@ SweepPage::SweepPage(QWidget *parent)
     connect(m_cancel, &QPushButton::clicked, this, &SweepPage::cancelWanted);
     connect(m_save, &QPushButton::clicked, this, &SweepPage::saveWanted);
     connect(m_place, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
+    connect(m_place, &QComboBox::activated, this, [this] { m_follows = false; });
     connect(m_metric, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
     setStatus(tr("No sweep yet. It measures what each suite costs, one after the other."));
     showStatus();
@@ -96,6 +103,7 @@ void SweepPage::begin(const experiment::Plan &plan)
     m_running = true;
     m_stopping = false;
     m_run.reset();
+    m_follows = true;
     m_progress = {0, experiment::schedule(plan).size(), 0};
     fillChoices();
     showResults();
@@ -118,13 +126,23 @@ void SweepPage::fillChoices()
     for (const experiment::MetricInfo &info : experiment::metrics())
         m_metric->addItem(metricWords(info.metric), static_cast<int>(info.metric));
     m_metric->setCurrentIndex(std::max(0, m_metric->findData(before)));
+    for (QComboBox *choice : {m_place, m_metric})
+        choice->view()->setMinimumWidth(choice->view()->sizeHintForColumn(0) + 3 * kGrid);
 }
 
 void SweepPage::showRun(const experiment::Run &run, const SweepProgress &progress)
 {
     m_run = run;
     m_progress = progress;
+    showRunningPlace();
     showStatus();
+}
+
+void SweepPage::showRunningPlace()
+{
+    const auto at = QPoint(static_cast<int>(m_run->condition), static_cast<int>(m_run->load));
+    if (const int index = m_place->findData(at); m_follows && index >= 0)
+        m_place->setCurrentIndex(index);
 }
 
 void SweepPage::take(const experiment::Sample &sample, const SweepProgress &progress)
@@ -226,11 +244,11 @@ void SweepPage::showStatus()
     if (!m_run)
         return setStatus(tr("Starting …"));
     const experiment::Plan &plan = m_results->plan;
-    setStatus(tr("Run %1 of %2: %3, %4; %5 left")
+    setStatus(tr("Run %1 of %2, %3 left: %4, %5")
                   .arg(std::min(m_progress.done + 1, m_progress.runs))
                   .arg(m_progress.runs)
-                  .arg(armWords(plan.arms[m_run->arm]), placeWords(plan, m_run->condition, m_run->load),
-                       aboutTime(m_progress.remaining)));
+                  .arg(aboutTime(m_progress.remaining), armWords(plan.arms[m_run->arm]),
+                       placeWords(plan, m_run->condition, m_run->load)));
 }
 
 void SweepPage::setStatus(const QString &text, bool problem)

@@ -51,6 +51,7 @@ Q_SIGNALS:
 
 private:
     void fillChoices();
+    void showRunningPlace();
     void spanRows();
     void showResults();
     void showStatus();
@@ -58,6 +59,7 @@ private:
 
     std::shared_ptr<const experiment::Results> m_results;
     bool m_running = false, m_stopping = false;
+    bool m_follows = true; ///< shows the place that is measured, until another one is chosen
     std::optional<experiment::Run> m_run;
     SweepProgress m_progress;
     QLabel *m_status;
