@@ -249,7 +249,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
                + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
                + differences(results, condition, load);
     });
-    out += section + "The machine's noise (A/A)</h2>\n" + noiseTable(results);
+    out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
     out += expectationList(results, parts.verdicts);
     out += section + "Setting</h2>\n" + settingTable(results);

@@ -11,6 +11,7 @@ namespace {
 using engine::Protection;
 
 constexpr Duration kSwitchPatience = std::chrono::seconds(15);
+constexpr unsigned kMostSwitches = 8; ///< where a full queue takes the time that a switch has, about every other one fails
 constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
 
 /// Whether both ends make a new session on the way from one to the other.
@@ -112,8 +113,12 @@ void SweepRunner::hearSwitch(const channel::SwitchDone &done)
         m_switchTook = seconds(done.took) * 1000;
     else if (done.failure == Failure::NotAllowedHere || done.failure == Failure::NotAllowedByPeer)
         endRun("the other end did not take this suite");
-    else if (done.failure == Failure::NotConfirmed || done.failure == Failure::Superseded)
+    else if (done.failure == Failure::NotConfirmed || done.failure == Failure::Superseded) {
         m_switchOrdered.reset(); // the link may be gone for a while; as long as there is patience, once more
+        const engine::SessionSnapshot *up = session(*m_snapshot);
+        if (up && !up->info.silent && ++m_switchesFailed < kMostSwitches) // it is not gone, only slow
+            enter(Stage::Switching, kSwitchPatience);
+    }
 }
 
 void SweepRunner::restore()

@@ -126,6 +126,7 @@ private:
     std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();
     std::optional<channel::SessionId> m_switchOrdered; ///< of this session, for this run
+    unsigned m_switchesFailed = 0;                     ///< in this run: not confirmed in time
     unsigned m_failuresInARow = 0;
     bool m_cancelled = false;
     std::string m_problem;
