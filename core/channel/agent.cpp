@@ -165,7 +165,11 @@ void Agent::makeRoomFor(const PublicKey &peer)
 
 void Agent::peersChanged()
 {
-    forgetIf([this](const Answered &answered) { return !m_core.peer(answered.peer); });
+    forgetIf([this](const Answered &answered) {
+        const SessionTable::Entry *entry = m_core.table.find(answered.session);
+        const Peer *peer = m_core.peer(answered.peer);
+        return !entry || !peer || !samePresharedKey(peer->presharedKey, entry->session->peer().presharedKey);
+    });
 }
 
 bool Agent::refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer)

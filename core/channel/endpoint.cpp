@@ -310,10 +310,11 @@ void Endpoint::setPeers(TimePoint now, std::vector<Peer> peers)
     State &state = *m_state;
     state.core.config.peers = std::move(peers);
     state.core.table.forEach([&](SessionTable::Entry &entry) {
-        if (const Peer *peer = state.core.peer(entry.session->peer().key))
+        const Peer *peer = state.core.peer(entry.session->peer().key);
+        if (peer && samePresharedKey(peer->presharedKey, entry.session->peer().presharedKey))
             entry.session->updatePeer(*peer);
         else if (entry.up)
-            state.core.end(now, *entry.session, DownReason::Revoked);
+            state.core.end(now, *entry.session, peer ? DownReason::Closed : DownReason::Revoked);
     });
     if (state.station)
         state.station->peersChanged();

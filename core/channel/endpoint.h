@@ -194,7 +194,8 @@ public:
     void rekey(TimePoint now, SessionId);
     /// Tells the peer, once and sealed, and forgets the session.
     void close(TimePoint now, SessionId);
-    /// A new list of peers; sessions with keys that are no longer in it end at once.
+    /// A new list of peers; sessions with keys that are no longer in it end at once, as do those made with another
+    /// pre-shared key than the one that is listed now.
     void setPeers(TimePoint now, std::vector<Peer> peers);
     void setPolicy(TimePoint now, Policy policy);
     /// An agent's: where to announce itself from now on.

@@ -17,6 +17,11 @@ bool sayGoodbyeFor(DownReason reason)
 
 } // namespace
 
+bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared_ptr<const Key32> &other)
+{
+    return one == other || (one && other && one->equals(*other));
+}
+
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)), counters(store),
       around{random, {}, {}, {}, config.timing, config.frameFacts.get()}, ownMac(config.identity->publicKey)

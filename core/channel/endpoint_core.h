@@ -8,6 +8,9 @@
 
 namespace skyseal::channel {
 
+/// Of two peers or attempts: the same secret, or none for both.
+bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared_ptr<const Key32> &other);
+
 struct EndpointCore
 {
     EndpointCore(Config configuration, RandomSource &random, CounterStore &store);

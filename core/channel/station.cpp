@@ -39,19 +39,26 @@ void Station::peersChanged()
     for (const Peer &peer : m_core.config.peers)
         m_known.push_back({peer.key, Announcement(peer.key)});
     for (Attempt &attempt : m_attempts) {
-        if (!m_core.peer(attempt.peer))
+        const Peer *peer = m_core.peer(attempt.peer);
+        if (!peer)
             attempt.wantedUntil = TimePoint::min();
+        else if (!samePresharedKey(peer->presharedKey, attempt.presharedKey))
+            forgetFirst(attempt);
     }
     dropUnwanted(TimePoint::min());
 }
 
 void Station::policyChanged()
 {
-    for (Attempt &attempt : m_attempts) {
-        if (attempt.handshake)
-            m_core.table.release(attempt.handshake->connection());
-        attempt.handshake.reset();
-    }
+    for (Attempt &attempt : m_attempts)
+        forgetFirst(attempt);
+}
+
+void Station::forgetFirst(Attempt &attempt)
+{
+    if (attempt.handshake)
+        m_core.table.release(attempt.handshake->connection());
+    attempt.handshake.reset();
 }
 
 Station::Attempt *Station::attemptWith(const PublicKey &peer, Carrier carrier)
@@ -200,8 +207,7 @@ bool Station::countWrong(TimePoint now, Attempt &attempt)
 /// on the wire. What is sent to the old number costs nothing more.
 void Station::giveUpFirst(TimePoint now, Attempt &attempt)
 {
-    m_core.table.release(attempt.handshake->connection());
-    attempt.handshake.reset();
+    forgetFirst(attempt);
     attempt.flooded = true;
     attempt.due = attempt.freshFrom = std::max(now, attempt.begun + m_core.config.timing.handshakeRetry);
 }
@@ -336,15 +342,14 @@ bool Station::renew(TimePoint now, Attempt &attempt)
     const Peer *peer = m_core.peer(attempt.peer);
     if (!peer)
         return false;
-    if (attempt.handshake) // Each has a number of its own, so that what answers another costs nothing.
-        m_core.table.release(attempt.handshake->connection());
-    attempt.handshake.reset();
+    forgetFirst(attempt); // Each has a number of its own, so that what answers another costs nothing.
     const auto connection = m_core.table.reserve(m_core.around.random, attempt.flooded);
     if (!connection)
         return false;
     attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
                                          FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
                                          m_core.around.random, attempt.carrier);
+    attempt.presharedKey = peer->presharedKey;
     attempt.copies = 0;
     attempt.uncookied = 0;
     attempt.wrong = 0;
@@ -365,8 +370,7 @@ Duration Station::pauseAfter(unsigned sent) const
 
 void Station::drop(Attempt &attempt)
 {
-    if (attempt.handshake)
-        m_core.table.release(attempt.handshake->connection());
+    forgetFirst(attempt);
     m_attempts.erase(m_attempts.begin() + (&attempt - m_attempts.data()));
 }
 

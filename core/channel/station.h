@@ -13,7 +13,7 @@ public:
     explicit Station(EndpointCore &core);
 
     void peersChanged();
-    /// First messages that carry the old offer are not answered any more: the next copies are new ones.
+    /// Answers to first messages that carry the old offer are not taken any more: the next copies are new ones.
     void policyChanged();
     void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
     /// False when it changed nothing: refused, perhaps one of a flood.
@@ -65,6 +65,7 @@ private:
         std::optional<TimePoint> announced; ///< none while it is only a session that fell silent
         Path announcedFrom;
         std::optional<Initiator> handshake;
+        std::shared_ptr<const Key32> presharedKey; ///< that it is made with
     };
 
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
@@ -73,6 +74,7 @@ private:
     void send(TimePoint now, Attempt &attempt);
     void sendTo(TimePoint now, Attempt &attempt, Place &place);
     bool ready(TimePoint now, Attempt &attempt);
+    void forgetFirst(Attempt &attempt);
     bool renew(TimePoint now, Attempt &attempt);
     Attempt *attemptAnswered(const Path &from, ByteView datagram);
     bool mayCompute(TimePoint now, Attempt &attempt);

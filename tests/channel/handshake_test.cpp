@@ -37,6 +37,9 @@ private Q_SLOTS:
     void otherVersionIsTold();
     void refusalsDoNotFlood();
     void revokedPeerIsOut();
+    void newPresharedKeyEndsTheSession();
+    void newPresharedKeyReachesHandshakesUnderWay_data();
+    void newPresharedKeyReachesHandshakesUnderWay();
 
 private:
     SeededRandom m_random{11};
@@ -44,6 +47,14 @@ private:
     X25519KeyPair m_agent = X25519KeyPair::generate(m_random);
     const SuiteOffer m_offer = offerOf(Policy{defaultSuites(), false, false});
 
+    /// 0 for none.
+    static void setPresharedKey(Pair &pair, Side side, std::uint8_t value)
+    {
+        Peer other = pair.configOf(side).peers.at(0);
+        if (value != 0)
+            other.presharedKey = std::make_shared<const Key32>(std::span<const std::uint8_t, 32>(Bytes(32, value)));
+        pair.ends[side].endpoint->setPeers(pair.now, {other});
+    }
     static Peer known(const X25519KeyPair &identity) { return {identity.publicKey, "known", {}, {}, {}}; }
     Initiator begin(std::uint64_t counter = 1)
     {
@@ -323,6 +334,60 @@ void HandshakeTest::revokedPeerIsOut()
     QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::PeerClosed);
     pair.run(5s);
     QVERIFY(!pair.air().up());
+}
+
+void HandshakeTest::newPresharedKeyEndsTheSession()
+{
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    setPresharedKey(pair, Air, 1);
+    pair.run(5s);
+    QCOMPARE(pair.air().all<SessionDown>().at(0).reason, DownReason::Closed);
+    QCOMPARE(pair.ground().all<SessionDown>().at(0).reason, DownReason::PeerClosed);
+    QVERIFY(!pair.air().up() && !pair.ground().up()); // until the other end has it as well
+    setPresharedKey(pair, Ground, 1);
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+
+    setPresharedKey(pair, Ground, 1); // read again
+    pair.run(5s);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.ground().all<SessionUp>().size(), 2u);
+    setPresharedKey(pair, Ground, 2);
+    pair.run(5s);
+    QCOMPARE(pair.ground().all<SessionDown>().back().reason, DownReason::Closed);
+    QVERIFY(!pair.air().up() && !pair.ground().up());
+    setPresharedKey(pair, Air, 2);
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    setPresharedKey(pair, Air, 0);
+    pair.run(5s);
+    QVERIFY(!pair.air().up() && !pair.ground().up());
+}
+
+void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay_data()
+{
+    QTest::addColumn<int>("after");
+    QTest::newRow("first message") << 150;
+    QTest::newRow("answer") << 250;
+    QTest::newRow("first record") << 350;
+}
+
+void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay()
+{
+    QFETCH(int, after);
+    PairOptions options;
+    options.link.delay = 100ms;
+    Pair pair(options);
+    pair.run(std::chrono::milliseconds(after));
+    for (const Side side : {Ground, Air})
+        setPresharedKey(pair, side, 1);
+    pair.run(std::chrono::milliseconds(420 - after)); // when the session without it would be there
+    QVERIFY(!pair.air().up() && !pair.ground().up());
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    QVERIFY(pair.bothUp());
+    QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
 }
 
 QTEST_GUILESS_MAIN(HandshakeTest)
