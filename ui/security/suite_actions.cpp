@@ -1,6 +1,7 @@
 #include "ui/security/suite_actions.h"
 
 #include "core/channel/suite_strength.h"
+#include "ui/text/units.h"
 #include "ui/text/words.h"
 
 #include <QtGui/QAction>
@@ -94,7 +95,8 @@ void SuiteActions::take(const engine::Happening &happening)
         if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
-            setNote(tr("Now %1, after %2 ms").arg(suiteName(done->to)).arg(qRound(seconds(done->took) * 1000)), false);
+            const double took = seconds(done->took) * 1000;
+            setNote(tr("Now %1, after %2 ms").arg(suiteName(done->to), number(took, took < 10 ? 1 : 0)), false);
         } else {
             setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureWords(done->failure)), true);
         }
