@@ -2,6 +2,310 @@
 <!DOCTYPE TS>
 <TS version="2.1">
 <context>
+    <name>PeerModel</name>
+    <message>
+        <source>pilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>Known peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Remember it in the desktop&apos;s keyring</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remember it in the desktop&apos;s keyring (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whoever is logged in as you, and each program of yours, can then use the key without being asked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Sweep</name>
+    <message>
+        <source>nothing is connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link is not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link is silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>other links would be measured with it: leave one sealed link open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missing on this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the settings require sealing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no sealed link yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the agent does not allow it (skyseal-air --allow-plain)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not while the vehicle is armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connected one is measured as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle sends what it sends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>inline</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (A/A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>natural load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>saturated load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clean link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>about %1 min %2 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::AltitudeBox</name>
+    <message>
+        <source>Take-off altitude</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ft</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Above home, %1 to %2%3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChangePassphraseDialog</name>
+    <message>
+        <source>Change the passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The passphrase seals the private key in its file: without it, whoever copies the file has the key. Skyseal asks for it at each start. Nobody can restore it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Present passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New passphrase, again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No passphrase: whoever has the file has the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Present passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ne&amp;w passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same &amp;again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two new ones differ.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Working …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChangedKeyWarning</name>
+    <message>
+        <source>Fingerprint known until now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint of the new key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>I compared the new fingerprint at the device itself: &amp;replace the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>known until now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of %1 has changed. Either it was made anew there, or somebody pretends to be %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChartBuilder</name>
+    <message>
+        <source>no link</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChartExport</name>
+    <message>
+        <source>Skyseal diagnostics</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChartMarks</name>
+    <message>
+        <source>link back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>new keys, epoch %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 forged, replayed or clear, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChartView</name>
+    <message>
+        <source>nothing measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: mean %2 %3, from %4 to %5, %6 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::ChartWords</name>
+    <message>
+        <source>now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>! %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::CommandPermits</name>
+    <message>
+        <source>no vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::CountersTable</name>
     <message>
         <source>good</source>
@@ -71,23 +375,90 @@
         <source>%1 %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 replayed, %2 forged, %3 malformed, %4 plain</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::DiagnosticsPanel</name>
     <message>
-        <source>Cost of the suite in use</source>
+        <source>Suites compared</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time shown</source>
+        <source>Save the samples</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Comma-separated values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dashed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 dotted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 could not be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::DiagnosticsTools</name>
     <message>
         <source>%1 s</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>%1 min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How it is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suite over suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time; or each suite from the beginning of its use, over one another; or means in numbers; or one suite after the other, measured by plan</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -99,31 +470,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Decryption rate</source>
+        <source>Stops the picture, not the measurement (Space). Drag over a chart or turn the wheel to look closer; a double click, Home or Esc goes back to now.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>frames/s</source>
+        <source>Save</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Packet loss</source>
+        <source>Save the measurements</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>% (to it dotted)</source>
+        <source>Samples as &amp;CSV …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPU load</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>% of a core (suite dotted)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>open %1 ns, p99 %2 ns</source>
+        <source>&amp;Picture as PNG or SVG …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -166,13 +529,28 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Start an agent beside an autopilot:
+        <source>Command that starts an agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>or let any autopilot send plain MAVLink here: it is shown, but not sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent %1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is there, at %1, but it answers no handshake. Does it know this station&apos;s key?
 
-skyseal-air --vehicle tcp:127.0.0.1:5760 \
-        --ground udpout:127.0.0.1:14550 \
-        --identity air.key --peers air.peers
+Its list of peers needs the key with the fingerprint
+%2
 
-or let any autopilot send plain MAVLink here.</source>
+It is as silent when it permits none of the suites that are offered here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start an agent, skyseal-air, beside an autopilot:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -281,6 +659,10 @@ or let any autopilot send plain MAVLink here.</source>
         <source>Under attack: %1 forged and %2 replayed records refused</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The agent %1 at %2 is there but does not answer: does it know this station&apos;s key? %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::HelpDialog</name>
@@ -305,6 +687,10 @@ or let any autopilot send plain MAVLink here.</source>
     </message>
     <message>
         <source>Hold to confirm (mouse, Space or Enter); Esc aborts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -374,43 +760,156 @@ or let any autopilot send plain MAVLink here.</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::KeyDialog</name>
+    <name>skyseal::ui::KeysDialog</name>
     <message>
-        <source>Own key</source>
+        <source>Keys and peers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Give this public key to the agent beside the vehicle. It is no secret, but make sure that it is this one that arrives there.</source>
+        <source>No peers yet.
+
+Add the public key of the agent beside your vehicle: there, skyseal-cli keys show prints it. And the agent needs the key of this station.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This station has no identity: it can only speak plain MAVLink.</source>
+        <source>&amp;Add …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Own public key</source>
+        <source>Add a peer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fingerprint
-%1</source>
+        <source>&amp;Pair …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key as a QR code</source>
+        <source>Pair with an agent</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Copy</source>
+        <source>&amp;Edit …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Identity: %1
-Known peers: %2</source>
+        <source>Edit the chosen peer</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>none</source>
+        <source>&amp;Revoke …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revoke the chosen peer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No peers yet.
+
+Pair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its session ends at once, and it cannot connect any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It cannot connect any more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revoke %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revoke</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LinkConditions</name>
+    <message>
+        <source>Clea&amp;n</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio of &amp;57,600 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Radio of &amp;115,200 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Of its own:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A link of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packets lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Jitter: more delay, up to this</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In both directions</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>r&amp;ate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link between the agent and the station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link · %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -492,6 +991,98 @@ Known peers: %2</source>
         <source>Telemetry logs (*.tlog);;All files (*)</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sealed, or plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>INSECURE: MAVSec 2019, ChaCha20, only read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>INSECURE: MAVSec 2019, AES-256-CTR, only read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the published key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the published nonce</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Browse for the key file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>P&amp;rotection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>K&amp;ey file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Nonce</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The nonce has %1 hex digits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+INSECURE: anybody can read, change and invent what comes. Nothing is sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key of the stream</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::LinkEnded</name>
+    <message>
+        <source>the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard last, and clear MAVLink in its name stays refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Beginning anew · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep changes how the link is protected; both ends agree on that in a new handshake.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revoked · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is shown is what was heard last. Pair it again to go on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Session lost · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was heard of %1 for too long; the session ended %2 ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Session ended · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The session with %1 ended %2 ago: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LinkModel</name>
@@ -529,6 +1120,10 @@ Known peers: %2</source>
     </message>
     <message>
         <source>Bad frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · MAVSec 2019, INSECURE, only read</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -613,6 +1208,35 @@ Fingerprint %5</source>
     </message>
     <message>
         <source>epoch %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent %1 at %2 is there but does not answer. Does it know this station&apos;s key?
+Fingerprint %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Revoked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed · in a sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and change what is sent. It seals the link again by itself.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -738,10 +1362,6 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take off to 10 m?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Land …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -783,10 +1403,6 @@ Fingerprint %5</source>
     </message>
     <message>
         <source>Cipher suite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Own key …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -840,6 +1456,18 @@ A ground control station whose MAVLink link is sealed.
 GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Keys and peers …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a s&amp;weep …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Diagnostics</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MainWindow</name>
@@ -852,47 +1480,7 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Flight</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Secure link</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Diagnostics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parameters</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mission</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Logs</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Links</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is in use by another program: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Port %1 is in use, probably by another ground station on this machine (%2).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -920,17 +1508,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Arrow keys move it, plus and minus zoom, Home follows the vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::MarkedChartView</name>
-    <message>
-        <source>now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 s</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1107,6 +1684,221 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::OwnKeyBox</name>
+    <message>
+        <source>This station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own fingerprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Own public key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The public key as a QR code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy the public key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the public key to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not sealed any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This station has no key: it can only speak plain MAVLink.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No key is in use: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The other end needs this public key. It is no secret, but compare its fingerprint there with this one:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, sealed with a passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, not sealed: whoever copies the file has the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the pa&amp;ssphrase …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Set a pa&amp;ssphrase …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the public key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Public keys (*.pub);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PairingDialog</name>
+    <message>
+        <source>Pair with an agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint of this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint of the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this station asks to be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pilot: may command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer: may only look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask to &amp;be</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passphrase of this pairing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>none; or the same as at the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
+It serves for this one pairing. The fingerprints have to be compared all the same.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Both are the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>They &amp;differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try a&amp;gain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent&apos;s side said yes. Compare both fingerprints with those that it shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is not there any more: %1. Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Somebody else tried to be paired meanwhile, fingerprint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paired with %1. The link is sealed as soon as both find each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not paired: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused. If it was not a slip of the eye, somebody is in between. Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the window at the agent, while the vehicle is disarmed:
+
+    skyseal-air --pair --identity FILE
+
+Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent is there. Compare both fingerprints with those that it shows; every group.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirmed here. Now somebody at the agent must say yes as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::ParameterModel</name>
     <message>
         <source>written, read back %1</source>
@@ -1173,6 +1965,160 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::PassphraseDialog</name>
+    <message>
+        <source>Passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key of this station is sealed. Its passphrase?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>That one does not open it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without sealed links</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PeerDialog</name>
+    <message>
+        <source>Peer %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a peer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Public key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From a &amp;file …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pilot: may command</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer: may only look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink system ids</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any; or e.g. 1,2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Public key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Systems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Public key of a peer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Public keys (*.pub);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste the public key that keys show prints at the other end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give it a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the key knowingly, or choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PeerModel</name>
+    <message>
+        <source>%1
+with a pre-shared key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Systems</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::ProblemBanner</name>
     <message>
         <source>Solve the problem</source>
@@ -1191,6 +2137,217 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     <name>skyseal::ui::QtTimeSeriesChart</name>
     <message>
         <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::Quantities</name>
+    <message>
+        <source>Decryption rate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink frames that were opened and believed, over the last second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kB/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>received</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wire overhead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes of the channel&apos;s datagrams beyond those of the frames in them: headers, tags, handshakes and reports. 0 on a plain link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to us</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packet loss, channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records that never arrived, by their counters, over the last second; the other end reports its direction once a second. On a plain link: MAVLink&apos;s.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Packet loss, MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that never arrived, by their sequence numbers for each sender, over the last second; those to the vehicle as its agent counts them and tells once a second. Loss between autopilot and agent counts here and not in the channel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Latency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel&apos;s reports.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TIMESYNC</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>% of a core</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU time of the process with its window, of the thread that carries the link, and of the suite in seal and open (elapsed time of each call, added up), over the last second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>process</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to open a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records that follow in the same wake-up, which come closer to the suite itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p99</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>next p50</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time to seal a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the frames to the record that is sent, with the cold caches of a thread that slept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MB resident</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the whole process, as the system counts it. It does not belong to a suite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Memory of a session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heap that one end&apos;s session takes under the suite in use, its keyed ciphers included: measured once for each suite, with a session of this program&apos;s own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Power of the processor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>By the kernel&apos;s energy counters, over the last second: the whole processor and all that runs on it, not this program alone (%1).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not readable here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Overview</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cost</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1245,14 +2402,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Under attack: %1 forged, %2 replayed in the last minute, all refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Under attack</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>unnamed peer</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1271,6 +2420,46 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>%1 · %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and peers …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open keys and peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is there, at %1, and silent: does it know this station&apos;s key? Look there for the fingerprint %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed, in a sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals the link again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, but nothing is heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It goes on by itself as soon as the agent is heard again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack, all refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 forged, %2 replayed in a minute</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1410,6 +2599,30 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>RC4 is broken: who records the link may read it. It is here to be measured against the others, is never chosen by itself, and works only when the vehicle&apos;s agent allows it as well. I understand that while it is in use the link is not confidential.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weakest suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any sealed suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 or stronger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 or stronger</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and %2 only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Weakest suite</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1557,6 +2770,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <source>%1: %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>in a sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>weaker than allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SuiteLegend</name>
@@ -1569,6 +2790,329 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     <name>skyseal::ui::SuiteRow</name>
     <message>
         <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SuiteTableModel</name>
+    <message>
+        <source>%1
+%2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 to %2, %3 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SweepControl</name>
+    <message>
+        <source>Save the sweep in a new folder of</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SweepDialog</name>
+    <message>
+        <source>Run a sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What this comes to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connected link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated &amp;vehicle of its own, on this machine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A simulated vehicle of its own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The &amp;connected link, to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The &amp;connected link · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The suites change on the live link, and in the end it has the one that it has now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed: whole frames in records</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed framing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inline framing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Natural load: what a station asks for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Natural load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturated load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inline is what the paper measured: payloads encrypted in place, headers clear. Only a cipher with an HMAC can do it, and the agent must allow it (skyseal-air --allow-inline).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Length of each run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs for each suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The same seed gives the same order of runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One suite twice, to see the noise (A/A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure the noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Each run</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;peats</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Seed of the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inline: payloads sealed in place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saturated load: as much as the link carries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One run, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a link, a suite, a framing that it can be in, and a load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You consent to plain MAVLink: during these runs telemetry and commands travel in clear, and anyone can speak to the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SweepPage</name>
+    <message>
+        <source>The sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Runs made</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a sweep …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the sweep&apos;s files</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Load and link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measurement in the bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Means of the sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sweep yet. It measures what each suite costs, one after the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One run in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 runs in %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Incomplete, %1 of %2 runs: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>; %1 failed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writing the files …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved in %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved in %1; %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not in this framing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping: the link goes back to its suite …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Starting …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run %1 of %2, %3 left: %4, %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SweepTableModel</name>
+    <message>
+        <source>%1 (A/A)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from %1 to %2 in %3 runs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Framing</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::TakeOffDialog</name>
+    <message>
+        <source>Take off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the button for half a second. The propellers turn faster and the vehicle climbs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Altitude above home</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1697,10 +3241,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take-off altitude</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Result of the last command</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1712,6 +3252,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <source>Disarm</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>its modes are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleCommands</name>
@@ -1721,6 +3269,49 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>%1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not sent: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::WindowDocks</name>
+    <message>
+        <source>Flight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Secure link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Diagnostics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Logs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Links</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2016,6 +3607,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Command %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the file of counters was lost or put back; going on from the number that the other end remembers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>too many of them; only senders that prove their address get through</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
