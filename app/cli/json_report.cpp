@@ -23,6 +23,7 @@ void JsonReport::happened(const engine::Happening &happening)
                    [](const engine::VehicleBack &e) { printLine(engine::vehicleLostEvent(e.systemId, false)); },
                    [](const engine::TextReceived &e) { printLine(engine::statusTextEvent(e)); },
                    [](const engine::PlaintextRefused &e) { printLine(engine::plaintextEvent(e)); },
+                   [](const engine::SystemRefused &e) { printLine(engine::systemRefusedEvent(e)); },
                    [](const engine::AgentUnanswering &e) { printLine(engine::unansweringEvent(e)); },
                    [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
                    [](const engine::MissionTransferDone &) {},

@@ -94,6 +94,14 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
             },
+            [](const engine::SystemRefused &e) {
+                const std::string what = format("refused %llu frames of %s: it speaks as system %u",
+                                                static_cast<unsigned long long>(e.frames), e.peer.c_str(), unsigned(e.systemId));
+                if (e.owner.empty())
+                    return what + ", which it may not";
+                return what + ", which is " + e.owner + "'s. Is it a new agent of the same vehicle? Then remove " + e.owner
+                    + " from the list of peers, or bind the system to " + e.peer;
+            },
             [](const engine::AgentUnanswering &e) {
                 if (e.over)
                     return std::string(); // the session that is up, or the silence, says enough

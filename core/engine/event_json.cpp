@@ -163,6 +163,14 @@ std::string plaintextEvent(const PlaintextRefused &refused)
     return end(json);
 }
 
+std::string systemRefusedEvent(const SystemRefused &refused)
+{
+    JsonWriter json = begin("system_refused");
+    json.field("sysid", number(refused.systemId)).field("peer", refused.peer).field("owner", refused.owner);
+    json.field("frames", refused.frames);
+    return end(json);
+}
+
 std::string commandEvent(const vehicle::StepReport &report)
 {
     JsonWriter json = begin("command");

@@ -26,6 +26,7 @@ std::string refusedEvent(const channel::HandshakeRefused &refused, const std::st
 std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
 std::string unansweringEvent(const AgentUnanswering &event);
 std::string plaintextEvent(const PlaintextRefused &refused);
+std::string systemRefusedEvent(const SystemRefused &refused);
 /// One step of a flight script.
 std::string commandEvent(const vehicle::StepReport &report);
 std::string recordingEvent(const RecordingProblem &problem);

@@ -21,16 +21,16 @@ void SenderPolicy::setPeers(const std::vector<channel::Peer> &peers)
 
 void SenderPolicy::applyRules(Speaker &speaker) const
 {
+    speaker.bound.reset();
     speaker.allowed.reset();
     speaker.pilot = false;
     for (const channel::Peer &known : m_peers) {
         if (known.key != speaker.peer)
             continue;
         speaker.pilot = known.role == channel::PeerRole::Pilot;
-        if (known.systemIds.empty())
-            speaker.allowed = ~m_pinned;
         for (const std::uint8_t systemId : known.systemIds)
-            speaker.allowed.set(systemId);
+            speaker.bound.set(systemId);
+        speaker.allowed = known.systemIds.empty() ? ~m_pinned : speaker.bound;
     }
     speaker.spoken &= speaker.allowed;
 }
@@ -97,6 +97,10 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
         return true;
     if (!speaker.allowed.test(systemId))
         return false;
+    const auto own = m_heard.find(speaker.peer);
+    const bool known = speaker.bound.test(systemId) || (own != m_heard.end() && own->second.test(systemId));
+    if (m_rule == Speakers::OnePerSystem && !known && holderOf(systemId, speaker.peer))
+        return false;
     for (const auto &[other, holder] : m_speakers) {
         if (m_rule == Speakers::OnePerSystem && holder.spoken.test(systemId) && holder.peer != speaker.peer)
             return false;
@@ -105,6 +109,27 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
     m_heard[speaker.peer].set(systemId);
     m_sealed.set(systemId);
     return true;
+}
+
+/// The peer of the list that the system is bound to, or one that was heard as it and still may be.
+const channel::Peer *SenderPolicy::holderOf(std::uint8_t systemId, const channel::PublicKey &except) const
+{
+    const auto holds = [&](const channel::Peer &peer) {
+        if (!peer.systemIds.empty())
+            return std::find(peer.systemIds.begin(), peer.systemIds.end(), systemId) != peer.systemIds.end();
+        const auto heard = m_heard.find(peer.key);
+        return heard != m_heard.end() && heard->second.test(systemId);
+    };
+    const auto found = std::find_if(m_peers.begin(), m_peers.end(),
+                                    [&](const channel::Peer &peer) { return peer.key != except && holds(peer); });
+    return found == m_peers.end() ? nullptr : &*found;
+}
+
+std::string SenderPolicy::ownerOf(std::uint8_t systemId, channel::SessionId asker) const
+{
+    const auto found = m_speakers.find(asker);
+    const channel::Peer *holder = holderOf(systemId, found == m_speakers.end() ? channel::PublicKey{} : found->second.peer);
+    return holder ? holder->name : std::string();
 }
 
 bool SenderPolicy::acceptClear(const Path &from, std::uint8_t systemId) const

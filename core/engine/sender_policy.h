@@ -12,6 +12,7 @@
 #include <bitset>
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace skyseal::engine {
@@ -43,9 +44,11 @@ public:
     /// A peer that may command has a session.
     bool pilotThere() const;
     /// Whether a frame that came sealed may speak as this system id. A system that is bound to peers by the list is theirs
-    /// alone; with Speakers::OnePerSystem any other belongs to the first peer that spoke as it, for as long as that peer
-    /// has a session.
+    /// alone; with Speakers::OnePerSystem any other belongs to the first peer that was ever heard sealed as it, until that
+    /// one is taken off the list: while a vehicle is silent no other agent can take its place.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+    /// The name of another peer to which the system belongs; empty when there is none.
+    std::string ownerOf(std::uint8_t systemId, channel::SessionId asker) const;
 
     /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing
     /// is required, not for a system that is bound to a peer or was ever heard sealed, and not from the very place where a
@@ -65,11 +68,13 @@ private:
         channel::PublicKey peer{};
         Path path;
         bool pilot = false;
-        std::bitset<256> allowed; ///< by the list of peers
+        std::bitset<256> bound;   ///< to it, by the list of peers
+        std::bitset<256> allowed; ///< by the same
         std::bitset<256> spoken;  ///< as what it has spoken: checked once, then cheap
     };
 
     void applyRules(Speaker &speaker) const;
+    const channel::Peer *holderOf(std::uint8_t systemId, const channel::PublicKey &except) const;
     void collectSealed();
 
     SecureMode m_mode;

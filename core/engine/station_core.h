@@ -78,11 +78,11 @@ public:
     std::shared_ptr<const Snapshot> stop();
 
 private:
-    /// Clear frames that were refused and not told yet: one happening a second at the most.
-    struct Refusals
+    /// Frames that were refused and not told yet: one happening a second at the most.
+    template<typename Refused> struct Refusals
     {
         std::uint64_t total = 0;
-        PlaintextRefused untold;
+        Refused untold;
         TimePoint told = TimePoint::min();
     };
     /// What is measured of one session beside its own counters.
@@ -127,7 +127,9 @@ private:
     void takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     void refuseClear(TimePoint now, const Path &from, std::uint8_t systemId);
     void takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session);
+    void refuseSystem(TimePoint now, channel::SessionId session, std::uint8_t systemId);
     void tellRefusals(TimePoint now);
+    template<typename Refused> void tellRefusals(TimePoint now, Refusals<Refused> &refusals);
 
     void finishWake();
     void handleDeadline();
@@ -183,10 +185,10 @@ private:
     MetricsSampler m_sampler;
     std::map<channel::SessionId, SessionWatch> m_sessionWatches;
     std::map<std::uint8_t, VehicleWatch> m_vehicleWatches;
-    Refusals m_refusals;
+    Refusals<PlaintextRefused> m_refusals;
+    Refusals<SystemRefused> m_spoofed; ///< sealed frames of a system that their peer may not speak as
     UnansweringAgents m_unanswering{std::string()};
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
-    std::uint64_t m_spoofed = 0;      ///< sealed frames of a system that their peer may not speak as
     bool m_readerAlive = true;
     bool m_measuring = false;
     bool m_stopped = false;

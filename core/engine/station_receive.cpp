@@ -135,7 +135,7 @@ void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Del
         if (m_policy.acceptSealed(delivery.session, item.frame->systemId()))
             takeFrame(now, from, *item.frame, delivery.session);
         else
-            ++m_spoofed;
+            refuseSystem(now, delivery.session, item.frame->systemId());
     });
     m_channel->countFrames(delivery.session, frames);
     m_links.noteRemote(from.link, from.remote);
@@ -167,16 +167,33 @@ void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t syst
         if (const auto session = m_policy.sessionConcerned(from, systemId))
             m_channel->endpoint().countPlaintextDropped(*session, 1);
     }
-    tellRefusals(now);
+    tellRefusals(now, m_refusals);
+}
+
+void StationCore::refuseSystem(TimePoint now, channel::SessionId session, std::uint8_t systemId)
+{
+    ++m_spoofed.total;
+    ++m_spoofed.untold.frames;
+    m_spoofed.untold.systemId = systemId;
+    if (const auto info = m_channel->endpoint().sessionInfo(session))
+        m_spoofed.untold.peer = info->peerName;
+    m_spoofed.untold.owner = m_policy.ownerOf(systemId, session);
+    tellRefusals(now, m_spoofed);
 }
 
 void StationCore::tellRefusals(TimePoint now)
 {
-    if (m_refusals.untold.frames == 0
-        || (m_refusals.told != TimePoint::min() && now - m_refusals.told < std::chrono::seconds(1)))
+    tellRefusals(now, m_refusals);
+    tellRefusals(now, m_spoofed);
+}
+
+template<typename Refused> void StationCore::tellRefusals(TimePoint now, Refusals<Refused> &refusals)
+{
+    if (refusals.untold.frames == 0
+        || (refusals.told != TimePoint::min() && now - refusals.told < std::chrono::seconds(1)))
         return;
-    m_refusals.told = now;
-    tell(std::exchange(m_refusals.untold, {}));
+    refusals.told = now;
+    tell(std::exchange(refusals.untold, {}));
 }
 
 void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,

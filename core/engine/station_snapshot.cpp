@@ -101,7 +101,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
     out->processCpuPercent = m_sampler.processCpuPercent();
     out->residentBytes = m_sampler.residentBytes();
     out->plaintextRefused = m_refusals.total;
-    out->spoofed = m_spoofed;
+    out->spoofed = m_spoofed.total;
     out->mavlink = mavlinkTotals();
     out->channel = channelTotals();
     if (m_measuring)

@@ -2,6 +2,7 @@
 // after a restart, and lets through only what is allowed.
 #include "tests/engine/ground.h"
 
+#include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
 
 #include <QtCore/QElapsedTimer>
@@ -21,6 +22,7 @@ private Q_SLOTS:
     void comesBackAfterTheAgentWasKilled();
     void clearFramesOfAPinnedVehicleAreRefused();
     void clearFramesAreRefusedAfterARestartAsWell();
+    void systemOfAnotherPeerIsRefusedAndTold();
     void observerCannotCommand();
     void pilotCanCommand();
     void unknownStationGetsNothing();
@@ -140,6 +142,34 @@ void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
     VehicleOnUdp impostor(again.ears->listening(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(!again.ears->all<engine::PlaintextRefused>().empty(), 10000);
     QVERIFY(again.ears->snapshot->vehicles.empty());
+}
+
+void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
+{
+    // Another agent, which is silent now, was heard as system 1 in an earlier run.
+    FlightRig rig;
+    const engine::StationConfig config = rig.stationConfig();
+    auto peers = keys::PeersFile::load(config.keys.peers);
+    QVERIFY(peers);
+    keys::PeerEntry owner;
+    owner.peer.name = "air-0";
+    owner.peer.key = peers->peers()[0].key;
+    owner.peer.key[5] ^= 1;
+    engine::SealedSystems systems;
+    systems[owner.peer.key].set(1);
+    QVERIFY(peers->add(owner) && peers->save(config.keys.peers));
+    QVERIFY(engine::writeSealedSystems(engine::sealedSystemsFile(config.keys), systems));
+
+    Ground ground(config);
+    rig.startAgent(ground.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::SystemRefused>().empty(), 10000);
+    const engine::SystemRefused told = ground.ears->all<engine::SystemRefused>()[0];
+    QCOMPARE(int(told.systemId), 1);
+    QCOMPARE(told.peer, std::string("air-1"));
+    QCOMPARE(told.owner, std::string("air-0"));
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->spoofed > 20, 10000);
+    QVERIFY(ground.ears->snapshot->vehicles.empty());
 }
 
 void SealedStationTest::observerCannotCommand()

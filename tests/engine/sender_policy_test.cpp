@@ -16,6 +16,7 @@ channel::Peer peerWith(std::uint8_t number, std::vector<std::uint8_t> systemIds,
 {
     channel::Peer peer;
     peer.key[0] = number;
+    peer.name = "peer-" + std::to_string(number);
     peer.role = role;
     peer.systemIds = std::move(systemIds);
     return peer;
@@ -30,6 +31,7 @@ class SenderPolicyTest : public QObject
 private Q_SLOTS:
     void peerSpeaksOnlyAsItsSystems();
     void systemBelongsToTheFirstThatSpokeAsIt();
+    void systemStaysWithWhoHadItInAnEarlierRun();
     void stationsShareASystem();
     void systemBoundToAPeerIsNobodyElses();
     void samePeerKeepsItsSystemOverARestart();
@@ -63,8 +65,34 @@ void SenderPolicyTest::systemBelongsToTheFirstThatSpokeAsIt()
     QVERIFY(policy.acceptSealed(kFirst, 1));
     QVERIFY(!policy.acceptSealed(kSecond, 1));
     QVERIFY(policy.acceptSealed(kSecond, 2));
+    QCOMPARE(policy.ownerOf(1, kSecond), a.name);
+    QCOMPARE(policy.ownerOf(1, kFirst), std::string());
     policy.sessionDown(kFirst);
-    QVERIFY(policy.acceptSealed(kSecond, 1));
+    QVERIFY(!policy.acceptSealed(kSecond, 1)); // a vehicle that is silent has no other agent
+    policy.setPeers({b});
+    QVERIFY(policy.acceptSealed(kSecond, 1)); // until a person removes the first one
+}
+
+void SenderPolicyTest::systemStaysWithWhoHadItInAnEarlierRun()
+{
+    const channel::Peer a = peerWith(1, {}), b = peerWith(2, {}), bound = peerWith(2, {1}), others = peerWith(1, {5});
+    SealedSystems heard;
+    heard[a.key].set(1);
+    const auto policyOf = [&](std::vector<channel::Peer> peers, Speakers rule = Speakers::OnePerSystem) {
+        SenderPolicy policy(SecureMode::Preferred, rule);
+        policy.setPeers(peers);
+        policy.rememberSealed(heard);
+        policy.sessionUp(kSecond, b.key, kPathB);
+        return policy;
+    };
+    QVERIFY(!policyOf({a, b}).acceptSealed(kSecond, 1)); // though its owner has no session
+    QVERIFY(policyOf({a, b}).acceptSealed(kSecond, 2));
+    QVERIFY(policyOf({b}).acceptSealed(kSecond, 1));
+    QVERIFY(policyOf({a, bound}).acceptSealed(kSecond, 1)); // a person said so
+    QVERIFY(policyOf({others, b}).acceptSealed(kSecond, 1)); // and that the first one is something else now
+    QVERIFY(policyOf({a, b}, Speakers::MayShareASystem).acceptSealed(kSecond, 1));
+    heard[b.key].set(1);
+    QVERIFY(policyOf({a, b}).acceptSealed(kSecond, 1)); // both had it, by an earlier rule: one session at a time
 }
 
 void SenderPolicyTest::stationsShareASystem()

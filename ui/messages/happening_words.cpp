@@ -45,6 +45,15 @@ public:
         return HappeningLine{tr("Refused %1 clear frames from %2 that claim to be this sealed vehicle")
                                  .arg(e.frames).arg(fromStd(e.remoteAddress)), kError, e.systemId};
     }
+    Line operator()(const engine::SystemRefused &e) const
+    {
+        const QString peer = fromStd(e.peer), owner = fromStd(e.owner);
+        const QString what = tr("Refused %1 frames of %2, which speaks as this vehicle").arg(e.frames).arg(peer);
+        if (e.owner.empty())
+            return HappeningLine{tr("%1 and may not").arg(what), kError, e.systemId};
+        return HappeningLine{tr("%1: it is %2's. Is it a new agent of the same vehicle? Then remove %2 from the keys, or bind "
+                                "the system to %3").arg(what, owner, peer), kError, e.systemId};
+    }
     Line operator()(const engine::AgentUnanswering &e) const
     {
         const QString name = fromStd(e.agent.peerName);
