@@ -1,0 +1,122 @@
+// An agent that was told a station's host by name, under a flood from many hosts that answer its cookies: the station at that
+// host is expected there, and gets its session before any of them. The whole way from the configuration on, over real
+// sockets; the limit itself is tested with addresses in channel_attack_cookie_test.
+#include "core/channel/cookie.h"
+#include "core/channel/handshake.h"
+#include "core/crypto/init_crypto.h"
+#include "core/engine/agent_core.h"
+#include "tests/engine/bare_end.h"
+
+#include <QtCore/QTimer>
+#include <QtNetwork/QNetworkDatagram>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// One of the flooding hosts: 127.1.0.x. It knows the agent's public key, and brings back the cookie that it is given.
+class FloodingHost
+{
+public:
+    FloodingHost(unsigned number, std::uint16_t agentPort, const channel::PublicKey &agent)
+        : m_agentPort(agentPort), m_agent(agent), m_mac(agent)
+    {
+        if (!m_socket.bind(QHostAddress(0x7f010000u + number), 0))
+            qFatal("cannot bind 127.1.0.%u", number);
+        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { take(); });
+    }
+    void sendOne()
+    {
+        channel::FirstMessage message;
+        m_random.fill(message);
+        message[0] = channel::firstByte(channel::HandshakeMessage::First);
+        m_mac.sign(message);
+        if (m_cookie)
+            channel::signWithCookie(*m_cookie, message);
+        else
+            m_asked = message;
+        m_socket.writeDatagram(reinterpret_cast<const char *>(message.data()), static_cast<qint64>(message.size()),
+                               QHostAddress::LocalHost, m_agentPort);
+    }
+    bool hasCookie() const { return m_cookie.has_value(); }
+
+private:
+    void take()
+    {
+        while (m_socket.hasPendingDatagrams()) {
+            const QByteArray data = m_socket.receiveDatagram().data();
+            const ByteView bytes(reinterpret_cast<const std::uint8_t *>(data.constData()), static_cast<std::size_t>(data.size()));
+            if (const auto cookie = channel::openCookie(m_agent, ByteView(m_asked).last(channel::kMacLength), bytes))
+                m_cookie = cookie;
+        }
+    }
+
+    QUdpSocket m_socket;
+    std::uint16_t m_agentPort;
+    channel::PublicKey m_agent;
+    channel::Mac1 m_mac;
+    channel::FirstMessage m_asked{};
+    std::optional<channel::Cookie> m_cookie;
+    crypto::SystemRandom m_random;
+};
+
+} // namespace
+
+class ExpectedHostTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void stationAtTheNamedHostComesFirst();
+};
+
+void ExpectedHostTest::stationAtTheNamedHostComesFirst()
+{
+    QVERIFY(crypto::initCrypto());
+    Introduced keys;
+    BareEnd station(keys, channel::Role::Station, {channel::defaultSuites(), false, false});
+    bool agentUp = false, floodTold = false;
+    engine::AgentConfig config{*link::LinkUrl::parse("udpin:127.0.0.1:0"),
+                               *link::LinkUrl::parse("udpout:localhost:" + std::to_string(station.port())),
+                               {channel::defaultSuites(), false, false}, false};
+    engine::AgentCore agent(std::move(config), keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
+        const auto *happened = std::get_if<channel::Event>(&event);
+        agentUp = agentUp || (happened && std::holds_alternative<channel::SessionUp>(*happened));
+        const auto *refused = happened ? std::get_if<channel::HandshakeRefused>(happened) : nullptr;
+        floodTold = floodTold || (refused && refused->reason == channel::RefusalReason::Flood);
+    });
+    agent.start();
+    QTRY_COMPARE_WITH_TIMEOUT(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected), 10000);
+    const std::string address = agent.snapshot().ground.localAddress;
+    const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+
+    // Each host has a share of two a second; sixty of them want more than the fifty that there are.
+    std::vector<std::unique_ptr<FloodingHost>> hosts;
+    for (unsigned i = 1; i <= 60; ++i)
+        hosts.push_back(std::make_unique<FloodingHost>(i, port, keys.air->publicKey));
+    QTimer flood;
+    std::size_t next = 0;
+    connect(&flood, &QTimer::timeout, this, [&] {
+        for (int i = 0; i < 5; ++i)
+            hosts[next++ % hosts.size()]->sendOne();
+    });
+    flood.start(1);
+    const auto allHaveCookies = [&] {
+        return std::all_of(hosts.begin(), hosts.end(), [](const auto &host) { return host->hasCookie(); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(allHaveCookies() && floodTold, 20000);
+    const std::size_t exhausted = next + 1500; // the shares that they had at once are used up by then
+    QTRY_VERIFY_WITH_TIMEOUT(next >= exhausted, 20000);
+
+    const TimePoint start = steadyNow();
+    QVERIFY(QTest::qWaitFor([&] { return station.pump(), station.up() && agentUp; }, 3000));
+    qInfo("the station's session is up after %.3f s beside %zu messages of the flood", seconds(steadyNow() - start),
+          next - exhausted);
+}
+
+QTEST_GUILESS_MAIN(ExpectedHostTest)
+#include "expected_host_test.moc"
