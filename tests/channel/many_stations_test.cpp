@@ -37,6 +37,8 @@ public:
         config.peers.push_back({m_air.identity->publicKey, "air", PeerRole::Pilot, {}, {}});
         end.endpoint = std::make_unique<Endpoint>(std::move(config), m_random, end.counters, m_now);
     }
+    /// It comes back, if it does, from another port.
+    void move(std::size_t station) { ++m_stations[station].port; }
     void kill(std::size_t station) { m_stations[station].endpoint.reset(); }
     bool up(std::size_t station) const { return m_stations[station].endpoint && !m_stations[station].endpoint->sessions().empty(); }
     std::vector<Event> &events(std::size_t station) { return m_stations[station].events; }
@@ -65,6 +67,7 @@ private:
         std::unique_ptr<Endpoint> endpoint;
         MemoryCounterStore counters;
         std::vector<Event> events;
+        std::uint16_t port = 14550;
     };
 
     std::shared_ptr<const crypto::X25519KeyPair> newIdentity()
@@ -79,11 +82,18 @@ private:
         config.policy = {defaultSuites(), false, false};
         return config;
     }
-    static Path pathOf(std::size_t number)
+    Path pathOf(std::size_t station) const
     {
         Path path{LinkId{1}, {}};
-        path.remote.ip[15] = static_cast<std::uint8_t>(number + 1);
-        path.remote.port = 14550;
+        path.remote.ip[15] = static_cast<std::uint8_t>(station + 1);
+        path.remote.port = m_stations[station].port;
+        return path;
+    }
+    static Path pathOfAir()
+    {
+        Path path{LinkId{1}, {}};
+        path.remote.ip[15] = 100;
+        path.remote.port = 40000;
         return path;
     }
     void step()
@@ -105,7 +115,7 @@ private:
             for (auto &[to, bytes] : down) {
                 Bytes copy = bytes;
                 if (to.remote == Address{} || to == pathOf(i))
-                    station.endpoint->handleDatagram(m_now, pathOf(99), copy);
+                    station.endpoint->handleDatagram(m_now, pathOfAir(), copy);
             }
             while (const auto transmit = station.endpoint->pollTransmit())
                 up.emplace_back(i, Bytes(transmit->bytes.begin(), transmit->bytes.end()));
@@ -172,15 +182,19 @@ void ManyStationsTest::nobodyAnnouncesForNothing()
 
 void ManyStationsTest::restartedStationIsBackSoon()
 {
-    Crowd crowd(3);
-    for (const std::size_t station : {0, 1})
-        crowd.start(station);
-    QVERIFY(crowd.run(3s, [&] { return crowd.up(0) && crowd.up(1); }));
-    crowd.kill(1);
-    crowd.run(100ms);
-    crowd.start(1);
-    QVERIFY(crowd.run(3s, [&] { return crowd.up(1); }));
-    QCOMPARE(crowd.events(0).size(), std::size_t(1));
+    for (const bool elsewhere : {false, true}) {
+        Crowd crowd(3);
+        for (const std::size_t station : {0, 1})
+            crowd.start(station);
+        QVERIFY(crowd.run(3s, [&] { return crowd.up(0) && crowd.up(1); }));
+        crowd.kill(1);
+        crowd.run(100ms);
+        if (elsewhere)
+            crowd.move(1);
+        crowd.start(1);
+        QVERIFY(crowd.run(3s, [&] { return crowd.up(1); }));
+        QCOMPARE(crowd.events(0).size(), std::size_t(1));
+    }
 }
 
 QTEST_APPLESS_MAIN(ManyStationsTest)
