@@ -72,6 +72,9 @@ Result<void, InputError> checkAccess(const std::string &path, const struct stat 
 {
     if (!S_ISREG(status.st_mode))
         return tl::unexpected(fileError(path, "is not a regular file"));
+    if (status.st_uid != ::geteuid() && status.st_uid != 0)
+        return tl::unexpected(fileError(path, "belongs to another user (number " + std::to_string(status.st_uid)
+                                                  + "), who can change it, refused"));
     const mode_t mode = status.st_mode & 0777;
     if (access == FileAccess::Private && (mode & 077) != 0)
         return tl::unexpected(fileError(path, "can be read by other users (mode " + octal(mode) + "), refused; run: chmod 600"));

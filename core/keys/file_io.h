@@ -10,7 +10,7 @@
 
 namespace skyseal::keys {
 
-/// Who else may touch a file that we are willing to read.
+/// Who else may touch a file that we are willing to read. It must be our own or the superuser's.
 enum class FileAccess {
     Private, ///< nobody else may read it, and it is no symbolic link: private keys
     Trusted, ///< nobody else may write it: whom we trust

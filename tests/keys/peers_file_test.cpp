@@ -8,6 +8,8 @@
 
 #include <QtTest/QTest>
 
+#include <unistd.h>
+
 #include <thread>
 
 using namespace skyseal;
@@ -174,6 +176,10 @@ void PeersFileTest::refusesAFileThatOthersCanChange()
     QVERIFY(loadPeers(path).error().text().find("other users") != std::string::npos);
     ::chmod(path.c_str(), 0644);
     QCOMPARE(loadPeers(path)->size(), std::size_t(1));
+    if (::geteuid() != 0)
+        QSKIP("only the superuser can give files away");
+    QCOMPARE(::chown(path.c_str(), 65534, 65534), 0);
+    QVERIFY(loadPeers(path).error().text().find("another user") != std::string::npos);
 }
 
 void PeersFileTest::renames()

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void writtenForTheOwnerAloneAndReadBack();
     void neverOverwrites();
     void refusesWhatOthersCanRead();
+    void refusesWhatBelongsToAnother();
     void refusesASymbolicLink();
     void refusesEveryTruncation();
     void refusesEveryDamagedCharacter();
@@ -80,6 +81,18 @@ void SecretFileTest::refusesWhatOthersCanRead()
         QVERIFY2(contains(errorOf(loadIdentity(path)), "other users"), std::to_string(mode).c_str());
     }
     ::chmod(path.c_str(), 0400);
+    QCOMPARE(errorOf(loadIdentity(path)), std::string());
+}
+
+void SecretFileTest::refusesWhatBelongsToAnother()
+{
+    if (::geteuid() != 0)
+        QSKIP("only the superuser can give files away");
+    const std::string path = m_folder.path("given.key");
+    QVERIFY(writeNewIdentity(path, m_random));
+    QCOMPARE(::chown(path.c_str(), 65534, 65534), 0);
+    QVERIFY(contains(errorOf(loadIdentity(path)), "another user"));
+    QCOMPARE(::chown(path.c_str(), 0, 65534), 0);
     QCOMPARE(errorOf(loadIdentity(path)), std::string());
 }
 
