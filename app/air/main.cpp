@@ -171,13 +171,13 @@ int main(int argc, char **argv)
     desk = &pairings;
     if (!pairings.problem().isEmpty())
         remark("no pairing: " + pairings.problem().toStdString());
-    const PeersWatch watch(paths.peers, [&]() -> Result<std::size_t, InputError> {
+    const PeersWatch watch(paths.peers, [&]() -> Result<keys::PeersInForce, InputError> {
         auto peers = engine::readPeers(paths);
         if (!peers)
             return tl::unexpected(peers.error());
-        const std::size_t count = peers->size();
-        agent.setPeers(std::move(*peers));
-        return count;
+        auto inForce = peers->inForce();
+        agent.setPeers(std::move(peers->peers));
+        return inForce;
     });
     tellPeers(watch, options.has("json"));
     QElapsedTimer clock;

@@ -73,10 +73,13 @@ PeersWatch::Stamp PeersWatch::stamp() const
             nanoseconds(status.st_ctim)};
 }
 
-std::string peersEvent(std::uint64_t peers)
+std::string peersEvent(const keys::PeersInForce &peers)
 {
     JsonWriter line;
-    line.beginObject().field("event", "peers").field("count", peers).endObject();
+    line.beginObject().field("event", "peers").field("count", std::uint64_t{peers.count});
+    if (!peers.leftOut.empty())
+        line.field("problem", peers.leftOut);
+    line.endObject();
     return line.text();
 }
 
@@ -87,9 +90,10 @@ std::string peersEvent(const std::string &problem)
     return line.text();
 }
 
-std::string peersWords(std::uint64_t peers)
+std::string peersWords(const keys::PeersInForce &peers)
 {
-    return "the list of known peers was changed: " + std::to_string(peers) + (peers == 1 ? " peer" : " peers");
+    return "the list of known peers was changed: " + std::to_string(peers.count) + (peers.count == 1 ? " peer" : " peers")
+        + (peers.leftOut.empty() ? "" : "; left out: " + peers.leftOut);
 }
 
 std::string peersWords(const std::string &problem)
@@ -105,7 +109,7 @@ void tellPeers(const PeersWatch &watch, bool json)
         else
             remark(peersWords(what));
     };
-    QObject::connect(&watch, &PeersWatch::reloaded, &watch, [say](quint64 peers) { say(std::uint64_t{peers}); });
+    QObject::connect(&watch, &PeersWatch::reloaded, &watch, say);
     QObject::connect(&watch, &PeersWatch::refused, &watch, [say](const QString &problem) { say(problem.toStdString()); });
 }
 

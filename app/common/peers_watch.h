@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/keys/peers_file.h"
 
 #include <QtCore/QFileSystemWatcher>
 #include <QtCore/QObject>
@@ -20,13 +21,13 @@ class PeersWatch : public QObject
     Q_OBJECT
 
 public:
-    /// Reads the file and puts it into force; the number of peers, or why not.
-    using Reload = std::function<Result<std::size_t, InputError>()>;
+    /// Reads the file and puts it into force; what of it, or why not.
+    using Reload = std::function<Result<keys::PeersInForce, InputError>()>;
 
     PeersWatch(const std::string &file, Reload reload, QObject *parent = nullptr);
 
 Q_SIGNALS:
-    void reloaded(quint64 peers);
+    void reloaded(const skyseal::keys::PeersInForce &peers);
     /// `problem` is a sentence for people.
     void refused(const QString &problem);
 
@@ -50,11 +51,11 @@ private:
     Stamp m_seen;
 };
 
-/// {"event":"peers","count":…} and {"event":"peers","problem":…}
-std::string peersEvent(std::uint64_t peers);
+/// {"event":"peers","count":…}, with a "problem" when somebody is left out, and {"event":"peers","problem":…}
+std::string peersEvent(const keys::PeersInForce &peers);
 std::string peersEvent(const std::string &problem);
 /// The same for people.
-std::string peersWords(std::uint64_t peers);
+std::string peersWords(const keys::PeersInForce &peers);
 std::string peersWords(const std::string &problem);
 
 /// Says on stdout (with `json`) or stderr what the watch meets.

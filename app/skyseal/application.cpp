@@ -68,7 +68,10 @@ void Application::useKeys(const engine::KeyPaths &keys)
     if (keys.peers.empty())
         return;
     m_peersWatch = std::make_unique<PeersWatch>(keys.peers, [this] { return m_station->reloadPeers(); });
-    connect(m_peersWatch.get(), &PeersWatch::reloaded, &m_keyring, &Keyring::touched);
+    connect(m_peersWatch.get(), &PeersWatch::reloaded, this, [this](const keys::PeersInForce &peers) {
+        m_keyring.touched();
+        tellLeftOut(peers);
+    });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
         m_window->tellProblem(tr("The changed list of peers is refused, the old one stays: %1").arg(problem));
@@ -77,8 +80,16 @@ void Application::useKeys(const engine::KeyPaths &keys)
 
 void Application::reloadPeers()
 {
-    if (const auto peers = m_station->reloadPeers(); !peers)
+    if (const auto peers = m_station->reloadPeers())
+        tellLeftOut(*peers);
+    else
         m_window->tellProblem(QString::fromStdString(peers.error().text()));
+}
+
+void Application::tellLeftOut(const keys::PeersInForce &peers)
+{
+    if (!peers.leftOut.empty())
+        m_window->tellProblem(tr("Left out of the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
 }
 
 void Application::tellKeyProblem()

@@ -36,6 +36,7 @@ private:
     void tellKeyProblem();
     void tryKeysAgain();
     void reloadPeers();
+    void tellLeftOut(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();
     void beginDemo();

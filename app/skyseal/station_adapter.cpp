@@ -31,9 +31,9 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station->setInspecting(m_inspecting);
 }
 
-Result<std::size_t, InputError> StationAdapter::reloadPeers()
+Result<keys::PeersInForce, InputError> StationAdapter::reloadPeers()
 {
-    return m_station ? m_station->reloadPeers() : std::size_t(0);
+    return m_station ? m_station->reloadPeers() : keys::PeersInForce{};
 }
 
 Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)

@@ -14,6 +14,8 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     auto peers = readPeers(paths);
     if (!peers)
         return tl::unexpected(peers.error());
+    if (!peers->unusable.empty())
+        return tl::unexpected(peers->unusable.front());
     // Beside the key that they belong to: a copied key without its counters would repeat numbers.
     auto counters = keys::FileCounterStore::open(paths.identity + ".counters");
     if (!counters)
@@ -27,27 +29,39 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     out->sealedSystems = std::move(*sealed);
     out->paths = paths;
     out->identity = std::make_shared<const crypto::X25519KeyPair>(std::move(*identity));
-    out->peers = std::move(*peers);
+    out->peers = std::move(peers->peers);
     out->counters = std::move(*counters);
     return out;
 }
 
-Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths)
+keys::PeersInForce PeerList::inForce() const
+{
+    keys::PeersInForce out{peers.size(), {}};
+    for (const InputError &error : unusable)
+        out.leftOut += (out.leftOut.empty() ? "" : "; ") + error.text();
+    return out;
+}
+
+Result<PeerList, InputError> readPeers(const KeyPaths &paths)
 {
     if (paths.peers.empty())
-        return std::vector<channel::Peer>{};
+        return PeerList{};
     const auto file = keys::PeersFile::load(paths.peers);
     if (!file)
         return tl::unexpected(file.error());
-    std::vector<channel::Peer> out;
+    PeerList out;
     for (const keys::PeerEntry &entry : file->entries()) {
-        out.push_back(entry.peer);
-        if (entry.presharedKeyFile.empty())
-            continue;
-        auto key = keys::loadPresharedKey(keys::presharedKeyPath(paths.peers, entry));
-        if (!key)
-            return tl::unexpected(key.error());
-        out.back().presharedKey = std::make_shared<const Key32>(std::move(*key));
+        channel::Peer peer = entry.peer;
+        if (!entry.presharedKeyFile.empty()) {
+            auto key = keys::loadPresharedKey(keys::presharedKeyPath(paths.peers, entry));
+            if (!key) {
+                out.unusable.push_back(std::move(key.error()));
+                out.unusable.back().message += " (pre-shared key of \"" + peer.name + "\")";
+                continue;
+            }
+            peer.presharedKey = std::make_shared<const Key32>(std::move(*key));
+        }
+        out.peers.push_back(std::move(peer));
     }
     return out;
 }

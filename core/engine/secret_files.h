@@ -6,6 +6,7 @@
 #include "core/crypto/system_random.h"
 #include "core/engine/sealed_systems.h"
 #include "core/engine/station_config.h"
+#include "core/keys/peers_file.h"
 
 #include <memory>
 #include <vector>
@@ -22,7 +23,7 @@ struct SecretFiles
     crypto::SystemRandom random;
 };
 
-/// An error names the file and what is wrong with it: missing, readable by others, damaged.
+/// An error names the file and what is wrong with it: missing, readable by others, damaged. Here no peer is left out.
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths);
 /// Where the systems of the peers are remembered.
 inline std::string sealedSystemsFile(const KeyPaths &paths)
@@ -30,7 +31,16 @@ inline std::string sealedSystemsFile(const KeyPaths &paths)
     return paths.peers + ".systems";
 }
 
-/// The peers file alone, as it is now.
-Result<std::vector<channel::Peer>, InputError> readPeers(const KeyPaths &paths);
+/// The peers of the file as it is now, but for those whose pre-shared key cannot be used: one bad file must not keep anybody
+/// else who was removed in force.
+struct PeerList
+{
+    std::vector<channel::Peer> peers;
+    std::vector<InputError> unusable; ///< pre-shared keys; each message names its peer
+
+    keys::PeersInForce inForce() const;
+};
+/// An error when the list itself cannot be read.
+Result<PeerList, InputError> readPeers(const KeyPaths &paths);
 
 } // namespace skyseal::engine

@@ -235,14 +235,14 @@ void Station::setAllowResearch(bool allow)
     d->post([allow](StationCore &core) { core.setAllowResearch(allow); });
 }
 
-Result<std::size_t, InputError> Station::reloadPeers()
+Result<keys::PeersInForce, InputError> Station::reloadPeers()
 {
     auto peers = readPeers(d->paths);
     if (!peers)
         return tl::unexpected(peers.error());
-    const std::size_t count = peers->size();
-    d->post([list = std::move(*peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
-    return count;
+    auto inForce = peers->inForce();
+    d->post([list = std::move(peers->peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
+    return inForce;
 }
 
 void Station::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)

@@ -11,6 +11,7 @@
 #include "core/engine/protection.h"
 #include "core/engine/station_config.h"
 #include "core/engine/snapshot.h"
+#include "core/keys/peers_file.h"
 #include "core/link/link_url.h"
 #include "core/vehicle/vehicle_command.h"
 
@@ -51,7 +52,7 @@ public:
     void setWeakestSuite(crypto::SuiteId weakest);
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
     /// force; otherwise the number of peers.
-    Result<std::size_t, InputError> reloadPeers();
+    Result<keys::PeersInForce, InputError> reloadPeers();
     /// Waits for an agent that is open for pairing; what happens comes as pairing(). Needs an identity. `name` is what we
     /// call ourselves, `roleAsked` what we want to be there; `passphraseKey` is of channel::pairingPassphraseKey(), null without
     /// a passphrase. Nothing is stored.

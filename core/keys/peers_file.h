@@ -91,6 +91,13 @@ std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entr
 /// The peers of a file, as the channel wants them, but without their pre-shared keys.
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);
 
+/// What became of a list that changed while a program runs.
+struct PeersInForce
+{
+    std::size_t count = 0;
+    std::string leftOut; ///< in words: whose pre-shared key cannot be used, and why; empty when nobody is left out
+};
+
 /// "pilot" or "observer"; nullopt for anything else.
 std::optional<channel::PeerRole> peerRoleFromText(std::string_view text);
 std::string_view peerRoleText(channel::PeerRole role);

@@ -34,6 +34,7 @@ private Q_SLOTS:
     void backAgainWhenAddedAgain();
     void badEditChangesNothing();
     void missingFileChangesNothing();
+    void unusablePresharedKeyKeepsNobodyElse();
     void roleIsObeyedAtOnce();
 
 private:
@@ -143,6 +144,23 @@ void RevocationTest::missingFileChangesNothing()
     // It is noticed when it comes back, as an empty list.
     write("air.peers", "");
     QVERIFY(!m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
+    QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(-1), 0);
+}
+
+void RevocationTest::unusablePresharedKeyKeepsNobodyElse()
+{
+    // The other peer's pre-shared key is not there. Who is revoked loses the session all the same.
+    QByteArray other = read("ground.peers").trimmed();
+    other.replace("air-1 ", "other ");
+    write("air.peers", read("air.peers") + other + " psk=missing.psk\n");
+    const QJsonObject added = m_air->waitFor(QStringLiteral("peers"), 3000);
+    QCOMPARE(added[QLatin1String("count")].toInt(), 1);
+    const QString problem = added[QLatin1String("problem")].toString();
+    QVERIFY2(problem.contains(QLatin1String("missing.psk")) && problem.contains(QLatin1String("\"other\"")), qPrintable(problem));
+    QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
+
+    QCOMPARE(revoke("air.peers", "ground"), 0);
+    QVERIFY(is(m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")), "reason", "revoked"));
     QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(-1), 0);
 }
 
