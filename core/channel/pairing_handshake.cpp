@@ -69,12 +69,12 @@ std::array<std::uint8_t, PairingAbout::kLength> PairingAbout::write() const
 
 std::optional<PairingAbout> PairingAbout::read(ByteView bytes)
 {
-    if (bytes.size() != kLength || bytes[1] > static_cast<std::uint8_t>(PeerRole::Observer))
+    if (bytes.size() != kLength)
         return std::nullopt;
     PairingAbout about;
     about.wantPresharedKey = bytes[0] & WantsPresharedKey;
     about.hasPassphrase = bytes[0] & HasPassphrase;
-    about.roleAsked = static_cast<PeerRole>(bytes[1]);
+    about.roleAsked = bytes[1] == static_cast<std::uint8_t>(PeerRole::Pilot) ? PeerRole::Pilot : PeerRole::Observer;
     const ByteView name = bytes.subspan(2);
     const auto end = std::find(name.begin(), name.end(), 0);
     std::transform(name.begin(), end, std::back_inserter(about.name),
@@ -184,6 +184,7 @@ std::optional<PairingAbout> PairingHandshake::takeAnswer(ByteView datagram)
     std::array<std::uint8_t, PairingAbout::kLength> about;
     if (answeredPairing(datagram) != m_id || !m_noise.readMessage(datagram.subspan(kAnswerHead), about))
         return std::nullopt;
+    about[1] = 0; // An agent asks for no role.
     return PairingAbout::read(about);
 }
 

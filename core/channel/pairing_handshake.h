@@ -43,10 +43,11 @@ struct PairingAbout
     static constexpr std::size_t kLength = 26;
     bool wantPresharedKey = false;
     bool hasPassphrase = false;
-    PeerRole roleAsked = PeerRole::Pilot;
+    PeerRole roleAsked = PeerRole::Pilot; ///< a number that is unknown here is read as Observer
     std::string name; ///< at most 24 bytes on the wire; read with unfit characters replaced by "-"
 
     std::array<std::uint8_t, kLength> write() const;
+    /// nullopt for another length alone: by then the handshake has taken the message, and must go on.
     static std::optional<PairingAbout> read(ByteView bytes);
 };
 

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void restartsMidway();
     void otherEndDies();
     void namesAreCleaned();
+    void strangeRolesAreHarmless_data();
+    void strangeRolesAreHarmless();
     void oversizedAndShort();
 };
 
@@ -281,10 +283,27 @@ void PairingTest::namesAreCleaned()
     QCOMPARE(sent(std::string(40, 'x')), std::string(24, 'x'));
     QCOMPARE(sent(std::string(23, 'x') + "\xc3\xbc"), std::string(23, 'x')); // Not half of an umlaut.
     QCOMPARE(sent("K\xc3\xb6ln"), std::string("K\xc3\xb6ln"));
-    auto bytes = PairingAbout{}.write();
-    bytes[1] = 2;
-    QVERIFY(!PairingAbout::read(bytes));
+    const auto bytes = PairingAbout{}.write();
     QVERIFY(!PairingAbout::read(ByteView(bytes).first(25)));
+}
+
+void PairingTest::strangeRolesAreHarmless_data()
+{
+    QTest::addColumn<unsigned>("role");
+    for (const unsigned role : {0u, 1u, 2u, 255u})
+        QTest::addRow("%u", role) << role;
+}
+
+void PairingTest::strangeRolesAreHarmless()
+{
+    QFETCH(unsigned, role);
+    const auto number = static_cast<PeerRole>(role);
+    PairingPair pair;
+    pair.ground().config.roleAsked = pair.air().config.roleAsked = number;
+    pair.openBoth();
+    QVERIFY(pair.run(2s, [&] { return pair.shown(); }));
+    QCOMPARE(pair.air().pairing->peer()->roleAsked, role == 0 ? PeerRole::Pilot : PeerRole::Observer);
+    QCOMPARE(pair.ground().pairing->peer()->roleAsked, PeerRole::Pilot); // An agent asks for none.
 }
 
 void PairingTest::oversizedAndShort()
