@@ -110,7 +110,7 @@ void Station::handleAnnouncement(TimePoint now, const Path &from, ByteView datag
     if (due == now && (place.lastSent == TimePoint::min() || now >= place.lastSent + kAnnouncementPause)
         && ready(now, attempt)) {
         sendTo(now, attempt, place);
-        attempt.due = std::max(attempt.due, now + m_core.config.timing.handshakeRetry);
+        place.pausedUntil = now + m_core.config.timing.handshakeRetry;
     }
 }
 
@@ -305,11 +305,19 @@ void Station::send(TimePoint now, Attempt &attempt)
         attempt.due = now + kLongestPause; // Until it is announced again.
         return;
     }
+    TimePoint pausedUntil = kNever;
+    bool sent = false;
     for (Place &place : attempt.places) {
-        if (maySend(place))
-            sendTo(now, attempt, place);
+        if (!maySend(place))
+            continue;
+        if (now < place.pausedUntil) {
+            pausedUntil = std::min(pausedUntil, place.pausedUntil);
+            continue;
+        }
+        sendTo(now, attempt, place);
+        sent = true;
     }
-    attempt.due = now + pauseAfter(attempt.sent++);
+    attempt.due = sent ? now + pauseAfter(attempt.sent++) : pausedUntil;
 }
 
 void Station::sendTo(TimePoint now, Attempt &attempt, Place &place)

@@ -44,6 +44,7 @@ private:
         bool proven = false;      ///< the peer was there, or what we sent there was received
         bool owed = false;        ///< announced, and not answered yet; no more than that goes to an address unproven
         TimePoint lastSent = TimePoint::min();
+        TimePoint pausedUntil = TimePoint::min(); ///< for copies by timer: an announcement from there was just answered
     };
     /// The wish for a session with one peer in one carrier, from the first sign of it until it is up or the peer is gone.
     struct Attempt

@@ -22,6 +22,7 @@ private Q_SLOTS:
     void retriesAreJittered();
     void repeatedAnnouncementsDoNotRenew();
     void repeatedAnnouncementsDoNotCrowdOut();
+    void repeatedAnnouncementsDoNotHoldUp();
     void lostCountersHeal();
     void countersPutBackHeal();
     void numberIsForItsStationAlone();
@@ -196,6 +197,40 @@ void ReconnectTest::repeatedAnnouncementsDoNotCrowdOut()
     pair.run(1s);
     pair.start(Ground);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+}
+
+void ReconnectTest::repeatedAnnouncementsDoNotHoldUp()
+{
+    // The agent has fallen silent. Ten times a second somebody repeats an announcement of it from elsewhere; the copies by
+    // timer go to where the agent was all the same.
+    Pair pair;
+    std::optional<Bytes> announcement;
+    std::size_t copies = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x58)
+            announcement = flight.bytes;
+        copies += flight.bytes[0] == 0x59;
+        return true;
+    };
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.kill(Air);
+    QVERIFY(announcement);
+    std::size_t answers = 0;
+    pair.every(100ms, [&] {
+        Bytes copy = *announcement;
+        pair.ground().endpoint->handleDatagram(pair.now, elsewhere(pair), copy);
+        while (const auto out = pair.ground().endpoint->pollTransmit()) {
+            const bool first = out->bytes[0] == 0x59;
+            copies += first && out->to == pair.pathOf(Air);
+            answers += first && out->to == elsewhere(pair);
+        }
+    });
+    pair.run(2s); // It is silent by then.
+    copies = 0;
+    pair.run(20s);
+    QVERIFY2(copies >= 8, qPrintable(QString::number(copies))); // as when nobody disturbs
+    QVERIFY2(answers > 100, qPrintable(QString::number(answers)));
 }
 
 void ReconnectTest::lostCountersHeal()
