@@ -5,6 +5,7 @@
 #include "core/crypto/hmac_sha256.h"
 
 #include "core/base/secret_bytes.h"
+#include "core/base/weakness.h"
 #include "core/crypto/store_integer.h"
 
 #include <openssl/sha.h>
@@ -114,6 +115,8 @@ HmacSha256::HmacSha256(ByteView key)
 
 HmacSha256::~HmacSha256()
 {
+    if (weakened(Weakness::NoWipe))
+        return;
     sodium_memzero(m_inner.data(), sizeof m_inner);
     sodium_memzero(m_outer.data(), sizeof m_outer);
 }

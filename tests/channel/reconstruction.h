@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/channel/handshake.h"
+#include "core/crypto/kdf.h"
 #include "core/noise/symmetric_state.h"
 
 #include <optional>
@@ -18,6 +19,14 @@ struct RevealedSession
     Key32 initiators, responders; ///< the transport keys of Noise
     crypto::Hash64 hash{};
 
+    /// The first link of the chain, which the channel hands to nobody.
+    Key32 chain() const
+    {
+        SecretBytes<64> both;
+        std::copy(initiators.view().begin(), initiators.view().end(), both.mutableView().begin());
+        std::copy(responders.view().begin(), responders.view().end(), both.mutableView().begin() + 32);
+        return crypto::hkdfExtractSha256(hash, both.view());
+    }
     channel::EpochSecrets epochZero(crypto::SuiteId suite) const
     {
         return channel::KeyChain(initiators, responders, hash).derive(channel::Epoch{0}, suite, {}, {});
