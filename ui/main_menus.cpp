@@ -147,6 +147,7 @@ void MainMenus::fillSecurity(QMenu &menu)
     for (QAction *action : m_window.m_suites->actions())
         menu.addAction(action);
     menu.addSeparator();
+    menu.addAction(m_window.m_suites->changeKeysAction());
     add(menu, tr("&Keys and peers …"), QStringLiteral("actionKeys"), Qt::CTRL | Qt::Key_K, [this] { m_window.openKeys(); });
 }
 

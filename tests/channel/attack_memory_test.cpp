@@ -195,7 +195,8 @@ void AttackMemoryTest::deadSecretsAreGone()
     HOLDS(early.isEmpty(), "the handshake's secrets are gone");
     const QByteArrayList living = found(secrets, true);
     for (const Secret &secret : secrets)
-        QVERIFY2(!secret.livesWithTheEpoch || living.contains(secret.name), "a key in use is not found: the search is blind");
+        QVERIFY2(!secret.livesWithTheEpoch || living.contains(secret.name),
+                 "a key in use is not found: the search is blind");
 
     pair.ground().endpoint->rekey(pair.now, pair.ground().session());
     QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));

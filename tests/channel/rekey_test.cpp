@@ -18,6 +18,7 @@ private Q_SLOTS:
     void byCountOfEitherEnd();
     void byAgeOncePerTerm();
     void onCommand();
+    void bySwitchingToTheSuiteInUse();
     void hardStopExactlyThere();
     void sessionComesBackAfterHardStop();
     void sixteenEpochsAreRemembered();
@@ -82,6 +83,18 @@ void RekeyTest::onCommand()
     QCOMPARE(rekeys(pair.ground()), 1u);
     QVERIFY(pair.ground().all<SwitchDone>()[0].byPeer && pair.ground().all<SwitchDone>()[0].rekey);
     QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->epoch, Epoch{1});
+}
+
+void RekeyTest::bySwitchingToTheSuiteInUse()
+{
+    // As the window asks for it.
+    Pair pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::ChaCha20Poly1305);
+    QVERIFY(pair.run(1s, [&] { return rekeys(pair.ground()) == 1 && rekeys(pair.air()) == 1; }));
+    for (const auto &end : pair.ends)
+        QCOMPARE(end.endpoint->sessionInfo(end.session())->epoch, Epoch{1});
 }
 
 void RekeyTest::hardStopExactlyThere()

@@ -77,6 +77,46 @@ private Q_SLOTS:
         QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Cbc);
     }
 
+    void changeKeysNow()
+    {
+        auto *change = m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"));
+        QVERIFY(change && !change->isEnabled()); // no link yet
+        m_station->show(sealedSnapshot(1));
+        auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
+        QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
+                          m_window->menuBar()->actionGeometry(menu->menuAction()).center());
+        QTRY_VERIFY(menu->isVisible());
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(change).center());
+        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
+        QCOMPARE(m_station->switches[0].second, SuiteId::ChaCha20Poly1305); // the one in use
+        QVERIFY(!change->isEnabled());
+        QVERIFY(change->text().contains(QStringLiteral("changing")));
+
+        channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
+                                 channel::Epoch{4}, false, true, channel::SwitchFailure::None,
+                                 std::chrono::milliseconds(42)};
+        m_station->tell(done);
+        QVERIFY(change->isEnabled());
+        QVERIFY(action(SuiteId::ChaCha20Poly1305)->isChecked());
+        QVERIFY2(note()->text().contains(QStringLiteral("Fresh keys, epoch 4, after 42 ms")), qPrintable(note()->text()));
+
+        QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(m_station->switches.size(), std::size_t(2));
+        done.failure = channel::SwitchFailure::NotConfirmed;
+        m_station->tell(done);
+        QVERIFY(change->isEnabled());
+        QVERIFY(note()->text().contains(QStringLiteral("did not confirm")));
+
+        engine::Snapshot pending = sealedSnapshot(1.1);
+        pending.sessions.front().info.pending = SuiteId::Aes256Gcm;
+        m_station->show(pending);
+        QVERIFY(!change->isEnabled());
+        m_station->show(plainSnapshot(2));
+        QVERIFY(!change->isEnabled());
+        QVERIFY(change->toolTip().contains(QStringLiteral("not sealed")));
+    }
+
     void panelClickPendsThenCommits()
     {
         m_station->show(sealedSnapshot(1));

@@ -14,7 +14,8 @@ namespace skyseal::ui {
 using crypto::SuiteId;
 
 SuiteActions::SuiteActions(StationPort &station, QObject *parent)
-    : QObject(parent), m_station(station), m_group(new QActionGroup(this))
+    : QObject(parent), m_station(station), m_group(new QActionGroup(this)),
+      m_changeKeys(new QAction(this))
 {
     for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
         const SuiteId suite = kChoosableSuites[i];
@@ -27,6 +28,9 @@ SuiteActions::SuiteActions(StationPort &station, QObject *parent)
         m_actions[i] = action;
     }
     m_group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    m_changeKeys->setObjectName(QStringLiteral("actionChangeKeys"));
+    m_changeKeys->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_K);
+    connect(m_changeKeys, &QAction::triggered, this, &SuiteActions::changeKeys);
     connect(&station, &StationPort::happened, this, &SuiteActions::take);
     refresh();
 }
@@ -70,15 +74,36 @@ void SuiteActions::choose(SuiteId suite)
     refresh(); // puts the mark back on the suite that is in use
 }
 
+QString SuiteActions::whyNoFreshKeys() const
+{
+    if (!m_info)
+        return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
+    if (m_held)
+        return tr("in a sweep");
+    return m_keysAsked || pending() ? tr("changing…") : QString();
+}
+
+void SuiteActions::changeKeys()
+{
+    if (!whyNoFreshKeys().isEmpty())
+        return;
+    m_keysAsked = true;
+    m_station.switchSuite(m_info->session, m_info->suite); // a switch to what is in use brings new keys
+    refresh();
+}
+
 void SuiteActions::showScene(const Scene &scene)
 {
     m_plain = scene.vehicle && !scene.session;
     if (!scene.session) {
         m_info.reset();
         m_asked.reset();
+        m_keysAsked = false;
     } else {
-        if (m_info && m_info->session != scene.session->info.session)
+        if (m_info && m_info->session != scene.session->info.session) {
             m_asked.reset();
+            m_keysAsked = false;
+        }
         m_info = scene.session->info;
     }
     refresh();
@@ -87,12 +112,21 @@ void SuiteActions::showScene(const Scene &scene)
 void SuiteActions::take(const engine::Happening &happening)
 {
     if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
-        if (!m_info || done->session != m_info->session || done->rekey)
+        if (!m_info || done->session != m_info->session)
             return;
+        const bool committed = done->failure == channel::SwitchFailure::None;
+        if (done->rekey && (!m_keysAsked || done->byPeer))
+            return; // by itself
         m_asked.reset();
         m_info->pending.reset();
-        const bool committed = done->failure == channel::SwitchFailure::None;
-        if (committed) {
+        m_keysAsked = m_keysAsked && done->byPeer;
+        if (done->rekey && committed) {
+            m_info->epoch = done->epoch;
+            setNote(tr("Fresh keys, epoch %1, after %2 ms").arg(static_cast<quint32>(done->epoch))
+                        .arg(qRound(seconds(done->took) * 1000)), false);
+        } else if (done->rekey) {
+            setNote(tr("Stays with its keys: %1").arg(switchFailureWords(done->failure)), true);
+        } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
             const double took = seconds(done->took) * 1000;
@@ -163,6 +197,17 @@ void SuiteActions::refresh()
     }
     if (any)
         Q_EMIT changed();
+    refreshChangeKeys();
+}
+
+void SuiteActions::refreshChangeKeys()
+{
+    const QString why = whyNoFreshKeys();
+    const QString text = tr("Change keys &now");
+    m_changeKeys->setText(m_info && !why.isEmpty() ? text + QStringLiteral(" · ") + why : text);
+    m_changeKeys->setToolTip(why.isEmpty() ? tr("New keys for the suite in use, while the link goes on") : why);
+    m_changeKeys->setStatusTip(m_changeKeys->toolTip());
+    m_changeKeys->setEnabled(why.isEmpty());
 }
 
 } // namespace skyseal::ui

@@ -1,6 +1,6 @@
 // The choice of the cipher suite, once, as actions: the Security menu and the Secure link panel are two views of it. The
 // mark follows what both ends have agreed, never what was asked for: until a switch is confirmed it reads "switching…",
-// a roll-back leaves the old suite and one line why.
+// a roll-back leaves the old suite and one line why. Beside them fresh keys for the suite in use, in the menu alone.
 #pragma once
 
 #include "ui/scene.h"
@@ -27,6 +27,8 @@ public:
     QAction *action(crypto::SuiteId suite) const;
     const std::array<QAction *, kChoosableSuites.size()> &actions() const { return m_actions; }
 
+    QAction *changeKeysAction() const { return m_changeKeys; }
+
     void showScene(const Scene &scene);
     void take(const engine::Happening &happening);
     void setResearchAllowed(bool allowed);
@@ -50,14 +52,19 @@ Q_SIGNALS:
 
 private:
     void choose(crypto::SuiteId suite);
+    void changeKeys();
+    QString whyNoFreshKeys() const;
     void refresh();
+    void refreshChangeKeys();
     void setNote(const QString &note, bool problem);
 
     StationPort &m_station;
     QActionGroup *m_group;
     std::array<QAction *, kChoosableSuites.size()> m_actions{};
+    QAction *m_changeKeys;
     std::optional<channel::SessionInfo> m_info;
     std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered
+    bool m_keysAsked = false; ///< the same for fresh keys
     bool m_researchAllowed = false;
     crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;
     bool m_plain = false;
