@@ -247,19 +247,27 @@ void AttackSessionTest::storm()
 void AttackSessionTest::deletion_data()
 {
     QTest::addColumn<double>("loss");
+    QTest::addColumn<double>("burst");
+    QTest::addColumn<double>("burstEnd");
     for (const int percent : {1, 10, 30, 50, 70, 90})
-        QTest::addRow("%d percent", percent) << percent / 100.0;
+        QTest::addRow("%d percent", percent) << percent / 100.0 << 0.0 << 0.1;
+    QTest::newRow("bursts of 10, 1 percent between") << 0.01 << 0.02 << 0.1;
+    QTest::newRow("bursts of 100") << 0.0 << 0.01 << 0.01;
 }
 
 void AttackSessionTest::deletion()
 {
     QFETCH(double, loss);
+    QFETCH(double, burst);
+    QFETCH(double, burstEnd);
     auto owner = pairUnder(SuiteId::Aes256Ctr);
     Pair &pair = *owner;
     const Caught sample = catchOne(pair);
     pair.link.inject(pair.now, sample.flight);
     pair.run(10ms);
     pair.link.model.loss = loss;
+    pair.link.model.burst = burst;
+    pair.link.model.burstEnd = burstEnd;
     // While the link loses, a forger names counters that have not come yet: neither loss may hide in the other.
     std::uint64_t sealedByAir = 0;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
@@ -274,7 +282,7 @@ void AttackSessionTest::deletion()
     });
     pair.run(30s);
     pair.stopTraffic();
-    pair.link.model.loss = 0;
+    pair.link.model.loss = pair.link.model.burst = 0;
     pair.sendFrame(Air);
     pair.run(100ms);
     HOLDS(received(pair.ground()).good + received(pair.ground()).lost

@@ -5,6 +5,7 @@
 #include "core/base/bytes.h"
 #include "core/base/clock.h"
 
+#include <array>
 #include <functional>
 #include <map>
 #include <random>
@@ -20,6 +21,8 @@ struct LinkModel
     Duration delay = std::chrono::milliseconds(1);
     Duration jitter{}; ///< delay is uniform in [delay, delay + 2 jitter]
     Duration reorderBy = std::chrono::milliseconds(20);
+    double burst = 0;     ///< chance of each datagram to begin a burst, in which all are lost (Gilbert's model, each way for itself)
+    double burstEnd = .1; ///< chance of each to end it
 };
 
 enum Side { Ground = 0, Air = 1 };
@@ -52,16 +55,20 @@ public:
     void cut() { m_flying.clear(); }
 
 private:
+    bool inBurst(Side from) { return m_inBurst[from] = model.burst > 0 && chance(m_inBurst[from] ? 1 - model.burstEnd : model.burst); }
     bool chance(double p) { return p > 0 && std::uniform_real_distribution<>(0, 1)(m_random) < p; }
     Duration delay();
 
     std::mt19937_64 m_random;
+    std::array<bool, 2> m_inBurst{};
     std::multimap<TimePoint, Flight> m_flying;
 };
 
 inline bool SimulatedLink::send(TimePoint now, Flight flight)
 {
     if (attacker && !attacker(now, flight))
+        return false;
+    if (inBurst(flight.from))
         return false;
     bool intact = false;
     const int copies = chance(model.duplicate) ? 2 : 1;
