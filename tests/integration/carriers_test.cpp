@@ -2,13 +2,20 @@
 // walks through all suites and loses nothing; a command gets through; and routers see nothing but TUNNEL and the agent's
 // heartbeat. With SKYSEAL_MAVLINK_ROUTERD naming the program, also through the real mavlink-router.
 #include "tests/support/flight.h"
+#include "tests/support/heartbeat.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"
 #include "tests/support/tcp_cable.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonDocument>
+#include <QtCore/QTimer>
+#include <QtNetwork/QTcpSocket>
 #include <QtTest/QTest>
+
+#include <algorithm>
+#include <array>
+#include <functional>
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -55,7 +62,46 @@ struct Way
     QString station; ///< the monitor's --link
     QString carrier; ///< empty: the default
     int rate = 20;   ///< Hz of each stream
-    QStringList more = {};
+    bool spoofed = false; ///< somebody sends clear frames beside it
+};
+
+/// Speaks at a router in the names of the vehicle, its agent and the station, each from an end of its own, so that the router
+/// sends there what is for these.
+template<typename Socket> class Spoofers
+{
+public:
+    static constexpr std::array<std::pair<std::uint8_t, std::uint8_t>, 3> kNames{{{1, 1}, {1, 191}, {255, 190}}};
+
+    /// `join` connects the socket of each name.
+    explicit Spoofers(const std::function<void(std::size_t, Socket &)> &join)
+    {
+        for (std::size_t i = 0; i < kNames.size(); ++i) {
+            join(i, m_sockets[i]);
+            QObject::connect(&m_sockets[i], &QIODevice::readyRead, &m_sockets[i], [this, i] { look(m_sockets[i].readAll()); });
+        }
+        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
+            for (std::size_t i = 0; i < kNames.size(); ++i)
+                m_sockets[i].write(clearHeartbeat(kNames[i].first, kNames[i].second, true));
+        });
+        m_timer.start(100);
+    }
+
+    int copied = 0;    ///< TUNNEL messages that the router sent there
+    bool more = false; ///< anything else but HEARTBEAT
+
+private:
+    void look(const QByteArray &bytes)
+    {
+        const ByteView view(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size()));
+        mavlink::FrameScanner scanner(view, mavlink::Dialect::builtin());
+        while (const auto item = scanner.next()) {
+            copied += item->frame && item->frame->messageId() == 385;
+            more = more || (item->frame && item->frame->messageId() != 385 && item->frame->messageId() != 0);
+        }
+    }
+
+    std::array<Socket, kNames.size()> m_sockets;
+    QTimer m_timer;
 };
 
 } // namespace
@@ -74,7 +120,9 @@ private Q_SLOTS:
     void tunnelToAStationThatCalls();
     void tunnelOnASerialLine();
     void routersSeeNoMore();
+    void spoofersAtTheHub();
     void mavlinkRouter();
+    void spoofersAtMavlinkRouter();
     void pairing_data();
     void pairing();
     void optionsThatDoNotFit();
@@ -111,8 +159,13 @@ void CarriersTest::fly(Flight &flight, const Way &way, const char *carrier)
     QVERIFY2(number(mavlink, "frames") > 300, qPrintable(QString::number(number(mavlink, "frames"))));
     for (const char *counter : {"lost", "duplicate", "bad_crc"})
         QVERIFY2(number(mavlink, counter) == 0, counter);
-    for (const char *counter : {"lost", "replayed", "forged", "malformed", "plaintext_dropped"})
+    for (const char *counter : {"lost", "replayed", "forged", "malformed"})
         QVERIFY2(number(received, counter) == 0, counter);
+    QCOMPARE(number(received, "plaintext_dropped") > 0, way.spoofed);
+    const auto sessions = monitor.events(QStringLiteral("session"));
+    QCOMPARE(std::count_if(sessions.begin(), sessions.end(), [](const QJsonObject &event) {
+                 return event[QLatin1String("state")] == QLatin1String("up");
+             }), 1);
     std::size_t committed = 0;
     for (const QJsonObject &event : monitor.events(QStringLiteral("switch"))) {
         QVERIFY2(event[QLatin1String("result")] == QLatin1String("committed"), QJsonDocument(event).toJson());
@@ -285,6 +338,19 @@ void CarriersTest::routersSeeNoMore()
     QCOMPARE(number(channel[QLatin1String("rx")].toObject(), "plaintext_dropped"), 0);
 }
 
+/// Armed heartbeats in all three names, from before the session until after it: it comes up, flies and holds all the same.
+void CarriersTest::spoofersAtTheHub()
+{
+    MavlinkHub hub(5);
+    Flight flight;
+    hub.setRemote(1, flight.groundPort);
+    Spoofers<QUdpSocket> spoofers([&hub](std::size_t i, QUdpSocket &socket) {
+        socket.connectToHost(QHostAddress(QHostAddress::LocalHost), hub.port(2 + i));
+    });
+    fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
+    QVERIFY(spoofers.copied > 100 && !spoofers.more); // what it gets of them is sealed
+}
+
 void CarriersTest::mavlinkRouter()
 {
     const QString program = qEnvironmentVariable("SKYSEAL_MAVLINK_ROUTERD");
@@ -296,6 +362,30 @@ void CarriersTest::mavlinkRouter()
     Program router(program, words({"-t", "0", "-e"}) + QStringList{address.arg(flight.groundPort), address.arg(port)});
     fly(flight, {loopback("udpout", port), loopback("udpin", flight.groundPort), QStringLiteral("tunnel")}, "tunnel");
     QVERIFY2(router.running(), router.errors());
+}
+
+void CarriersTest::spoofersAtMavlinkRouter()
+{
+    const QString program = qEnvironmentVariable("SKYSEAL_MAVLINK_ROUTERD");
+    if (program.isEmpty())
+        QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
+    Flight flight;
+    const quint16 port = freeUdpPort(), door = freeTcpPort();
+    const QString address = QStringLiteral("127.0.0.1:%1");
+    Program router(program, words({"-t"}) + QStringList{QString::number(door), QStringLiteral("-e"), address.arg(flight.groundPort), address.arg(port)});
+    Spoofers<QTcpSocket> spoofers([door](std::size_t, QTcpSocket &socket) {
+        const auto connected = [&] {
+            if (socket.state() == QAbstractSocket::ConnectedState)
+                return true;
+            socket.abort();
+            socket.connectToHost(QHostAddress(QHostAddress::LocalHost), door);
+            return socket.waitForConnected(1000);
+        };
+        QTRY_VERIFY(connected());
+    });
+    fly(flight, {loopback("udpout", port), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
+    QVERIFY2(router.running(), router.errors());
+    QVERIFY(spoofers.copied > 100 && !spoofers.more);
 }
 
 void CarriersTest::pairing_data()

@@ -1,7 +1,7 @@
 // Pairing between real programs over loopback: both persons confirm and a sealed session follows; somebody in between has other
 // fingerprints and gets nothing; the window opens while the vehicle is disarmed, and closes when it is armed or left.
-#include "core/mavlink/crc.h"
 #include "tests/support/flight.h"
+#include "tests/support/heartbeat.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -21,18 +21,6 @@ QString text(const QJsonObject &event, const char *key)
 Program::Predicate stateIs(const char *state)
 {
     return [state](const QJsonObject &event) { return text(event, "state") == QLatin1String(state); };
-}
-
-/// A HEARTBEAT of an autopilot, MAVLink 1.
-QByteArray heartbeat(bool armed, std::uint8_t systemId = 1)
-{
-    static constexpr std::uint8_t kCrcExtra = 50;
-    QByteArray frame = QByteArray::fromHex("fe0900010100000000000203");
-    frame[3] = static_cast<char>(systemId);
-    frame.append(static_cast<char>(armed ? 0x81 : 0x01)).append('\x04').append('\x03');
-    const ByteView covered(reinterpret_cast<const std::uint8_t *>(frame.constData()) + 1, static_cast<std::size_t>(frame.size()) - 1);
-    const std::uint16_t crc = mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, covered), {&kCrcExtra, 1});
-    return frame.append(static_cast<char>(crc & 0xFF)).append(static_cast<char>(crc >> 8));
 }
 
 } // namespace
@@ -296,8 +284,8 @@ void PairingTest::sendHeartbeats(Program &until, const char *event, const Progra
     QVERIFY(autopilot.bind(QHostAddress::LocalHost, 0));
     QJsonObject heard;
     for (int i = 0; i < 100 && heard.isEmpty(); ++i) {
-        autopilot.writeDatagram(heartbeat(armed), QHostAddress::LocalHost, m_vehiclePort);
-        autopilot.writeDatagram(heartbeat(false, 2), QHostAddress::LocalHost, m_vehiclePort); // another one, on the ground
+        autopilot.writeDatagram(clearHeartbeat(1, 1, armed), QHostAddress::LocalHost, m_vehiclePort);
+        autopilot.writeDatagram(clearHeartbeat(2, 1, false), QHostAddress::LocalHost, m_vehiclePort); // another one, on the ground
         heard = until.waitFor(QLatin1String(event), 100, predicate);
     }
     QVERIFY(!heard.isEmpty());

@@ -1,4 +1,4 @@
-// A MAVLink router of two UDP ends that routes as mavlink-router does: each end is known by the systems and components that
+// A MAVLink router of UDP ends that routes as mavlink-router does: each end is known by the systems and components that
 // were heard there, and gets what is for them or for everybody; what is for nobody known goes nowhere. Lives in the test's
 // event loop.
 #pragma once
@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -26,9 +28,10 @@ public:
         std::set<std::pair<int, int>> heard;
     };
 
-    MavlinkHub()
+    explicit MavlinkHub(std::size_t ends = 2)
     {
-        for (End &end : m_ends) {
+        for (std::size_t i = 0; i < ends; ++i) {
+            End &end = m_ends.emplace_back();
             end.socket.bind(QHostAddress::LocalHost, 0);
             QObject::connect(&end.socket, &QUdpSocket::readyRead, &end.socket, [this, &end] { take(end); });
         }
@@ -97,7 +100,7 @@ private:
         return std::any_of(to.heard.begin(), to.heard.end(), [system](const auto &node) { return node.first == system; });
     }
 
-    std::array<End, 2> m_ends;
+    std::deque<End> m_ends; // which do not move
 };
 
 } // namespace skyseal::test
