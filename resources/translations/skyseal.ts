@@ -663,6 +663,18 @@ It is as silent when it permits none of the suites that are offered here.</sourc
         <source>The agent %1 at %2 is there but does not answer: does it know this station&apos;s key? %3</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Refused %1 frames of %2, which speaks as this vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 and may not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: it is %2&apos;s. Is it a new agent of the same vehicle? Then remove %2 from the keys, or bind the system to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::HelpDialog</name>
@@ -2776,6 +2788,26 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>weaker than allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changing…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fresh keys, epoch %1, after %2 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stays with its keys: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change keys &amp;now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys for the suite in use, while the link goes on</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
