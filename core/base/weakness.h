@@ -46,6 +46,12 @@ enum class Weakness : std::uint8_t {
     PairOnOneYes,       ///< the other person's yes is enough
     NoPassphrase,       ///< a passphrase is not mixed into the handshake
     ShowNewest,         ///< another device takes the place of the one that is compared
+    // carriers
+    LoosePart,          ///< parts of TUNNEL messages are put together whatever message and sender they are of
+    // files
+    NoFileCheck,        ///< who may read or change a file is not looked at
+    NoFileChecksum,     ///< a damaged key is taken for a good one
+    Leak,               ///< an error quotes the line that cannot be read
     // the owners of the channel
     NoRoleCheck,        ///< observers may command
     Misreadable,        ///< what observers say may be something else when part of it is lost

@@ -1,5 +1,7 @@
 #include "core/channel/tunnel_parts.h"
 
+#include "core/base/weakness.h"
+
 namespace skyseal::channel {
 
 std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView payload)
@@ -15,7 +17,8 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
         return std::nullopt;
 
     const auto set = static_cast<std::uint16_t>(payload[1] | payload[2] << 8);
-    if (!m_since || set != m_set || now >= *m_since + kKept) {
+    const bool another = set != m_set && !weakened(Weakness::LoosePart);
+    if (!m_since || another || now >= *m_since + kKept) {
         m_set = set;
         m_since = now;
         m_present = 0;
@@ -45,6 +48,8 @@ std::optional<MutableByteView> TunnelReader::take(TimePoint now, const Path &fro
         std::copy(payload.begin(), payload.end(), m_whole.begin());
         return MutableByteView(m_whole).first(payload.size());
     }
+    if (weakened(Weakness::LoosePart))
+        return m_senders[0].message.take(now, payload);
     Sender *sender = &m_senders[0];
     for (Sender &candidate : m_senders) {
         if (candidate.path == from && candidate.heard != TimePoint::min()) {

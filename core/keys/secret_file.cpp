@@ -1,5 +1,6 @@
 #include "core/keys/secret_file.h"
 
+#include "core/base/weakness.h"
 #include "core/keys/checked_base64.h"
 #include "core/keys/file_io.h"
 #include "core/keys/sealed_key.h"
@@ -28,16 +29,17 @@ Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text
     TextLines lines(text);
     const std::string_view header = lines.next();
     const std::string expected(headerOf(kind));
+    const std::string quote = weakened(Weakness::Leak) ? std::string(text) : std::string();
     if (header != expected) {
         if (header.starts_with(kAnyHeader) && header.size() < kLongestHeader)
             return tl::unexpected(fileError(source, "holds \"" + std::string(header) + "\", not \"" + expected + "\"", 1));
-        return tl::unexpected(fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"", 1));
+        return tl::unexpected(fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"" + quote, 1));
     }
     std::optional<Key32> secret;
     while (const auto content = lines.nextContent()) {
         if (secret)
             return tl::unexpected(fileError(source, "has more than one key", lines.number()));
-        if (content->size() < kCheckedBase64Length)
+        if (content->size() < kCheckedBase64Length && !weakened(Weakness::NoFileChecksum))
             return tl::unexpected(fileError(source, "has a truncated key", lines.number()));
         secret = fromCheckedBase64(*content, expected);
         if (!secret)

@@ -95,7 +95,6 @@ private Q_SLOTS:
     void lostPartsCostOneMessage();
     void wrongPartsAreIgnored();
     void numbersThatComeAgain();
-    void sendersDoNotMix();
     void moreSendersThanRoom();
 };
 
@@ -301,20 +300,6 @@ void CarrierCodecTest::numbersThatComeAgain()
     const TimePoint later = TimePoint{1s} + UnfinishedMessage::kKept;
     QVERIFY(!reader.take(later, {}, fresh[1]));
     QVERIFY(same(reader.take(later, {}, fresh[0]), second));
-}
-
-void CarrierCodecTest::sendersDoNotMix()
-{
-    TunnelReader reader;
-    const Bytes one(300, 0x50), other(300, 0x51);
-    const auto ones = partsOf(one, 1), others = partsOf(other, 1);
-    const Path first{LinkId{1}, {}, Carrier::Tunnel, {1, 191}}, second{LinkId{1}, {}, Carrier::Tunnel, {2, 191}};
-    for (std::size_t i = 0; i < 2; ++i) {
-        QVERIFY(!reader.take(TimePoint{1s}, first, ones[i]));
-        QVERIFY(!reader.take(TimePoint{1s}, second, others[i]));
-    }
-    QVERIFY(same(reader.take(TimePoint{1s}, first, ones[2]), one));
-    QVERIFY(same(reader.take(TimePoint{1s}, second, others[2]), other));
 }
 
 void CarrierCodecTest::moreSendersThanRoom()

@@ -8,8 +8,6 @@
 
 #include <QtTest/QTest>
 
-#include <unistd.h>
-
 #include <thread>
 
 using namespace skyseal;
@@ -30,7 +28,6 @@ private Q_SLOTS:
     void replacesKnowingly();
     void removes();
     void savesAsAWhole();
-    void refusesAFileThatOthersCanChange();
     void renames();
     void tellsAChangedKeyFromAStranger();
     void editsUnderALock();
@@ -168,18 +165,6 @@ void PeersFileTest::savesAsAWhole()
     QCOMPARE(test::modeOf(path), mode_t(0644));
     QCOMPARE(loadPeers(path)->size(), std::size_t(2));
     QVERIFY(!file->save(m_folder.path("no/such/folder")));
-}
-
-void PeersFileTest::refusesAFileThatOthersCanChange()
-{
-    const std::string path = m_folder.write("shared", line("a pilot 1", 0), 0664);
-    QVERIFY(loadPeers(path).error().text().find("other users") != std::string::npos);
-    ::chmod(path.c_str(), 0644);
-    QCOMPARE(loadPeers(path)->size(), std::size_t(1));
-    if (::geteuid() != 0)
-        QSKIP("only the superuser can give files away");
-    QCOMPARE(::chown(path.c_str(), 65534, 65534), 0);
-    QVERIFY(loadPeers(path).error().text().find("another user") != std::string::npos);
 }
 
 void PeersFileTest::renames()

@@ -101,6 +101,16 @@ inline constexpr Proof kProofs[] = {
     {"NoPassphrase", "channel_attack_pairing_test", "passphraseMustBeTheSame", "nobody is shown without the passphrase"},
     {"ShowNewest", "channel_attack_pairing_test", "anotherWhileComparing", "who came first stays"},
 
+    {"LoosePart", "channel_attack_parts_test", "splicedParts", "no message is put together of two"},
+    {"LoosePart", "channel_attack_parts_test", "sendersDoNotMix", "no message is put together of two senders'"},
+
+    {"NoFileCheck", "attack_files_test", "keysThatOthersCanRead", "no key is used that others can read"},
+    {"NoFileCheck", "attack_files_test", "peersThatOthersCanChange", "no list is used that others can change"},
+    {"NoFileCheck", "attack_files_test", "symbolicLinks", "no secret is read through a link"},
+    {"NoFileChecksum", "attack_files_test", "everyTruncation", "no piece of a key is a key"},
+    {"NoFileChecksum", "attack_files_test", "everyDamagedCharacter", "no damaged key is a key"},
+    {"Leak", "attack_files_test", "errorsShowNoKey", "no error shows a key"},
+
     {"CommitEarly", "channel_attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
     {"CommitEarly", "channel_attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},
 };

@@ -1,0 +1,137 @@
+// Key files and lists of peers that somebody else can read or has changed, links, damage, and errors that would tell a key.
+#include "core/crypto/init_crypto.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/public_key_text.h"
+#include "core/keys/secret_file.h"
+
+#include "tests/crypto/seeded_random.h"
+#include "tests/keys/temporary_folder.h"
+
+#include <QtTest/QTest>
+
+#include <unistd.h>
+
+using namespace skyseal;
+using namespace skyseal::keys;
+using test::readText;
+
+/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
+#define HOLDS(condition, words) QVERIFY2(condition, words)
+
+namespace {
+
+constexpr uid_t kSomebodyElse = 65534;
+
+/// The error of a result as text, or "" when it is none.
+template<typename T> std::string errorOf(const Result<T, InputError> &result)
+{
+    return result ? std::string() : result.error().text();
+}
+
+bool contains(const std::string &text, const std::string &part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+class AttackFilesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void keysThatOthersCanRead();
+    void peersThatOthersCanChange();
+    void symbolicLinks();
+    void everyTruncation();
+    void everyDamagedCharacter();
+    void errorsShowNoKey();
+
+private:
+    std::string newKey(const char *name)
+    {
+        const std::string path = m_folder.path(name);
+        return writeNewIdentity(path, m_random) ? path : std::string();
+    }
+
+    test::TemporaryFolder m_folder;
+    test::SeededRandom m_random{42};
+};
+
+void AttackFilesTest::keysThatOthersCanRead()
+{
+    const std::string key = newKey("readable.key"), shared = m_folder.path("readable.psk");
+    QVERIFY(writeNewPresharedKey(shared, m_random));
+    for (const mode_t mode : {0640, 0604, 0620, 0602, 0610, 0601, 0644, 0777}) {
+        ::chmod(key.c_str(), mode);
+        ::chmod(shared.c_str(), mode);
+        HOLDS(contains(errorOf(loadIdentity(key)), "other users") && contains(errorOf(loadPresharedKey(shared)), "other users"),
+              "no key is used that others can read");
+    }
+    ::chmod(key.c_str(), 0400);
+    QCOMPARE(errorOf(loadIdentity(key)), std::string());
+    if (::geteuid() != 0)
+        QSKIP("only the superuser can give files away");
+    QCOMPARE(::chown(key.c_str(), kSomebodyElse, 0), 0);
+    HOLDS(contains(errorOf(loadIdentity(key)), "another user"), "no key is used that others can read");
+    QCOMPARE(::chown(key.c_str(), 0, kSomebodyElse), 0);
+    QCOMPARE(errorOf(loadIdentity(key)), std::string());
+}
+
+void AttackFilesTest::peersThatOthersCanChange()
+{
+    const std::string key = publicKeyText(crypto::X25519KeyPair::generate(m_random).publicKey);
+    const std::string path = m_folder.write("shared.peers", "a pilot 1 " + key + "\n");
+    for (const mode_t mode : {0664, 0646, 0666, 0620, 0602}) {
+        ::chmod(path.c_str(), mode);
+        HOLDS(contains(errorOf(loadPeers(path)), "other users"), "no list is used that others can change");
+    }
+    ::chmod(path.c_str(), 0644); // to be read by everybody is no harm
+    QCOMPARE(loadPeers(path)->size(), std::size_t(1));
+    if (::geteuid() != 0)
+        QSKIP("only the superuser can give files away");
+    QCOMPARE(::chown(path.c_str(), kSomebodyElse, 0), 0);
+    HOLDS(contains(errorOf(loadPeers(path)), "another user"), "no list is used that others can change");
+}
+
+void AttackFilesTest::symbolicLinks()
+{
+    const std::string key = newKey("linked.key"), link = m_folder.path("link.key");
+    QCOMPARE(::symlink(key.c_str(), link.c_str()), 0);
+    HOLDS(contains(errorOf(loadIdentity(link)), "symbolic link"), "no secret is read through a link");
+    const std::string dangling = m_folder.path("dangling.key");
+    QCOMPARE(::symlink(m_folder.path("nowhere").c_str(), dangling.c_str()), 0);
+    QVERIFY(contains(errorOf(writeNewIdentity(dangling, m_random)), "exists already"));
+}
+
+void AttackFilesTest::everyTruncation()
+{
+    const std::string whole = readText(newKey("whole.key"));
+    for (std::size_t size = 0; size + 1 < whole.size(); ++size) // only the last newline may be missing
+        HOLDS(!loadIdentity(m_folder.write("cut.key", whole.substr(0, size))), "no piece of a key is a key");
+    QVERIFY(contains(errorOf(loadIdentity(m_folder.write("cut.key", whole.substr(0, whole.size() - 9)))), "truncated"));
+}
+
+void AttackFilesTest::everyDamagedCharacter()
+{
+    const std::string good = readText(newKey("good.key"));
+    const std::size_t keyAt = good.size() - 49;
+    for (std::size_t at = keyAt; at < good.size() - 1; ++at) {
+        std::string bad = good;
+        bad[at] = bad[at] == 'A' ? 'B' : 'A';
+        HOLDS(contains(errorOf(loadIdentity(m_folder.write("bad.key", bad))), ":3: has a damaged key"), "no damaged key is a key");
+    }
+}
+
+void AttackFilesTest::errorsShowNoKey()
+{
+    const std::string text = readText(newKey("secret.key"));
+    const std::string key = text.substr(text.size() - 49, 48);
+    // A key in a file of the wrong kind, without its header, twice, or with something behind it.
+    for (const std::string &content : {key + "\n", "skyseal-preshared-key-v1\n" + key + "\n", text + key + "\n", text + "x" + key})
+        HOLDS(!contains(errorOf(loadIdentity(m_folder.write("other.key", content))), key.substr(0, 8)), "no error shows a key");
+}
+
+QTEST_APPLESS_MAIN(AttackFilesTest)
+#include "attack_files_test.moc"
