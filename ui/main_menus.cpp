@@ -4,6 +4,7 @@
 #include "ui/flight/vehicle_commands.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
+#include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
 #include "ui/text/words.h"
 #include "ui/window_docks.h"
@@ -148,6 +149,23 @@ void MainMenus::fillSecurity(QMenu &menu)
         menu.addAction(action);
     menu.addSeparator();
     menu.addAction(m_window.m_suites->changeKeysAction());
+    QMenu *plain = menu.addMenu(tr("Allow &plain MAVLink"));
+    plain->setObjectName(QStringLiteral("menuAllowPlain"));
+    connect(plain, &QMenu::aboutToShow, &m_window, [this, plain] {
+        plain->clear();
+        if (!m_window.m_scene.snapshot)
+            return;
+        for (const engine::HeldBackVehicle &held : m_window.m_scene.snapshot->heldBack) {
+            QAction *action = plain->addAction(tr("Vehicle %1 at %2 …").arg(held.systemId).arg(fromStd(held.remoteAddress)));
+            connect(action, &QAction::triggered, &m_window,
+                    [this, held] { askAllowPlain(m_window.m_station, held, &m_window); });
+        }
+    });
+    connect(&menu, &QMenu::aboutToShow, &m_window, [this, plain] {
+        const bool any = m_window.m_scene.snapshot && !m_window.m_scene.snapshot->heldBack.empty();
+        plain->setEnabled(any);
+        plain->menuAction()->setToolTip(any ? QString() : tr("No vehicle is held back"));
+    });
     add(menu, tr("&Keys and peers …"), QStringLiteral("actionKeys"), Qt::CTRL | Qt::Key_K, [this] { m_window.openKeys(); });
 }
 

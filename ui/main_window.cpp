@@ -16,6 +16,7 @@
 #include "ui/map/empty_state.h"
 #include "ui/map/map_view.h"
 #include "ui/messages/messages_panel.h"
+#include "ui/security/allow_plain.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
@@ -107,6 +108,8 @@ void MainWindow::connectPanels()
             [this] { m_docks->reveal("dockLinks"); });
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
+    connect(m_empty, &EmptyState::plainWanted, this,
+            [this](const engine::HeldBackVehicle &held) { askAllowPlain(m_station, held, this); });
     connect(m_docks->secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
     connect(m_docks->secure, &SecureLinkPanel::keysWanted, this, &MainWindow::openKeys);
     connect(m_docks->secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
@@ -156,6 +159,15 @@ void MainWindow::take(const engine::Happening &happening)
     m_docks->messages->take(happening);
     if (const auto *changed = std::get_if<engine::LinkChanged>(&happening); changed && changed->link.addressInUse)
         tellPortInUse(changed->link);
+    // Without a vehicle the middle of the window says it.
+    if (const auto *refused = std::get_if<engine::PlaintextRefused>(&happening);
+        refused && !refused->mayBe.empty() && m_scene.vehicle) {
+        const engine::HeldBackVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
+        tellProblem(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.")
+                        .arg(held.systemId)
+                        .arg(fromStd(held.remoteAddress), fromStd(held.mayBe)),
+                    allowPlainText(held), [this, held] { askAllowPlain(m_station, held, this); });
+    }
 }
 
 void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)

@@ -25,6 +25,10 @@ Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
     } else if (!scene.vehicle && !sessions.empty()) {
         scene.session = &sessions.front();
     }
+    for (const engine::HeldBackVehicle &held : scene.snapshot->heldBack) {
+        if (!scene.heldBack && (!scene.vehicle || scene.vehicle->state.systemId == held.systemId))
+            scene.heldBack = &held;
+    }
     return scene;
 }
 
@@ -36,6 +40,7 @@ SceneState stateOf(const Scene &scene)
         state.vehicles = scene.snapshot->vehicles.size();
         state.sessions = scene.snapshot->sessions.size();
         state.links = scene.snapshot->links.size();
+        state.heldBack = scene.snapshot->heldBack.size();
     }
     if (scene.session) {
         state.suite = scene.session->info.suite;

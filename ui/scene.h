@@ -8,12 +8,13 @@ namespace skyseal::ui {
 /// Values older than this are shown as stale (the same limit as a lost link).
 inline constexpr double kStaleAfterSeconds = 3.5;
 
-/// Never null once a first snapshot came; `vehicle` and `session` point into `snapshot`.
+/// Never null once a first snapshot came; the pointers point into it.
 struct Scene
 {
     SnapshotPtr snapshot;
     const engine::VehicleSnapshot *vehicle = nullptr;
     const engine::SessionSnapshot *session = nullptr;
+    const engine::HeldBackVehicle *heldBack = nullptr; ///< the scene's vehicle; without one, the first that is
     bool inSweep = false; ///< the connected link is being measured: it may be in clear by consent, and sessions begin anew
 
     /// True where the vehicle's values are older than the limit.
@@ -28,7 +29,7 @@ struct SceneState
     std::uint8_t systemId = 0;
     bool armed = false, stale = false;
     std::string mode;
-    std::size_t vehicles = 0, sessions = 0, links = 0;
+    std::size_t vehicles = 0, sessions = 0, links = 0, heldBack = 0;
     bool operator==(const SceneState &) const = default;
 };
 

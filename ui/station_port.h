@@ -35,6 +35,7 @@ public:
     virtual void switchSuite(channel::SessionId session, crypto::SuiteId suite) = 0;
     virtual void setAllowResearch(bool allow) = 0;
     virtual void setWeakestSuite(crypto::SuiteId weakest) = 0;
+    virtual void allowClear(std::uint8_t systemId) = 0;
     virtual vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) = 0;
     virtual void requestParameters(std::uint8_t systemId) = 0;
     virtual void writeParameter(std::uint8_t systemId, std::string name, double value) = 0;

@@ -91,6 +91,9 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                 return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str());
             },
             [](const engine::PlaintextRefused &e) {
+                if (!e.mayBe.empty())
+                    return format("vehicle %u at %s is NOT SEALED and held back: it may be an impostor of %s",
+                                  unsigned(e.systemId), e.remoteAddress.c_str(), e.mayBe.c_str());
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
             },

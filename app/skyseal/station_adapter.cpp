@@ -73,6 +73,12 @@ void StationAdapter::switchSuite(channel::SessionId session, crypto::SuiteId sui
         m_station->switchSuite(session, suite);
 }
 
+void StationAdapter::allowClear(std::uint8_t systemId)
+{
+    if (m_station)
+        m_station->allowClear(systemId);
+}
+
 void StationAdapter::setAllowResearch(bool allow)
 {
     if (m_station)

@@ -29,6 +29,7 @@ public:
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override;
     void setAllowResearch(bool allow) override;
     void setWeakestSuite(crypto::SuiteId weakest) override;
+    void allowClear(std::uint8_t systemId) override;
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override;
     void requestParameters(std::uint8_t systemId) override;
     void writeParameter(std::uint8_t systemId, std::string name, double value) override;

@@ -160,6 +160,8 @@ std::string plaintextEvent(const PlaintextRefused &refused)
 {
     JsonWriter json = begin("plaintext");
     json.field("sysid", number(refused.systemId)).field("address", refused.remoteAddress).field("frames", refused.frames);
+    if (!refused.mayBe.empty())
+        json.field("may_be", refused.mayBe);
     return end(json);
 }
 

@@ -15,8 +15,15 @@ struct VehicleFound { std::uint8_t systemId = 0, type = 0, autopilot = 0; bool s
 struct VehicleLost { std::uint8_t systemId = 0; };
 struct VehicleBack { std::uint8_t systemId = 0; };
 struct TextReceived { std::uint8_t systemId = 0; vehicle::StatusText text; };
-/// Clear MAVLink claims to be a vehicle whose key is pinned; at most one a second.
-struct PlaintextRefused { std::uint8_t systemId = 0; std::string remoteAddress; std::uint64_t frames = 0; };
+/// Clear MAVLink claims to be a vehicle whose key is pinned; at most one a second. With `mayBe`, once for each system: a
+/// vehicle that is held back, see HeldBackVehicle.
+struct PlaintextRefused
+{
+    std::uint8_t systemId = 0;
+    std::string remoteAddress;
+    std::uint64_t frames = 0;
+    std::string mayBe = {};
+};
 /// A sealed peer speaks as a system that it may not speak as; `owner` is the peer to which that belongs, by the list or
 /// because it was heard as it before, empty when there is none. At most one a second.
 struct SystemRefused { std::uint8_t systemId = 0; std::string peer, owner; std::uint64_t frames = 0; };

@@ -15,7 +15,8 @@ Security securityOf(const Snapshot &snapshot)
         return Security::Sealed;
     }
     const auto isClear = [](const VehicleSnapshot &vehicle) { return !vehicle.session; };
-    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), isClear) ? Security::Plain : Security::Nothing;
+    const bool plain = !snapshot.heldBack.empty() || std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), isClear);
+    return plain ? Security::Plain : Security::Nothing;
 }
 
 } // namespace skyseal::engine

@@ -138,7 +138,34 @@ bool SenderPolicy::acceptClear(const Path &from, std::uint8_t systemId) const
         return true;
     if (m_mode == SecureMode::Off)
         return true;
+    return mayBeClear(from, systemId) && !isHeldBack(from, systemId);
+}
+
+bool SenderPolicy::mayBeClear(const Path &from, std::uint8_t systemId) const
+{
     return m_mode != SecureMode::Required && !isSealedSystem(systemId) && !sessionAt(from);
+}
+
+bool SenderPolicy::isHeldBack(const Path &from, std::uint8_t systemId) const
+{
+    return m_mode == SecureMode::Preferred && !m_allowed.test(systemId) && mayBeClear(from, systemId)
+        && std::any_of(m_peers.begin(), m_peers.end(), [this](const channel::Peer &peer) { return mayHaveAnySystem(peer); });
+}
+
+bool SenderPolicy::mayHaveAnySystem(const channel::Peer &peer) const
+{
+    const auto heard = m_heard.find(peer.key);
+    return peer.systemIds.empty() && (heard == m_heard.end() || heard->second.none());
+}
+
+std::string SenderPolicy::neverHeard() const
+{
+    std::string out;
+    for (const channel::Peer &peer : m_peers) {
+        if (mayHaveAnySystem(peer))
+            out += (out.empty() ? "" : ", ") + peer.name;
+    }
+    return out;
 }
 
 std::optional<channel::SessionId> SenderPolicy::sessionAt(const Path &path) const

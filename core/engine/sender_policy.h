@@ -51,9 +51,16 @@ public:
     std::string ownerOf(std::uint8_t systemId, channel::SessionId asker) const;
 
     /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing
-    /// is required, not for a system that is bound to a peer or was ever heard sealed, and not from the very place where a
-    /// session's records come from.
+    /// is required, not for a system that is bound to a peer or was ever heard sealed, not from the very place where a
+    /// session's records come from, and not while it is held back.
     bool acceptClear(const Path &from, std::uint8_t systemId) const;
+    /// Whether nothing but a person's word is missing. A peer that is bound to no system and was never heard sealed may have
+    /// any: whoever blocks its handshakes from the start could offer another vehicle, in clear, in its place.
+    bool isHeldBack(const Path &from, std::uint8_t systemId) const;
+    /// The peers for whose sake that is so: their names.
+    std::string neverHeard() const;
+    /// A person takes the system in clear, for as long as this object lives and it is not heard sealed.
+    void allowClear(std::uint8_t systemId) { m_allowed.set(systemId); }
     /// The session whose records come from there.
     std::optional<channel::SessionId> sessionAt(const Path &path) const;
     /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the
@@ -76,6 +83,8 @@ private:
     void applyRules(Speaker &speaker) const;
     const channel::Peer *holderOf(std::uint8_t systemId, const channel::PublicKey &except) const;
     void collectSealed();
+    bool mayBeClear(const Path &from, std::uint8_t systemId) const;
+    bool mayHaveAnySystem(const channel::Peer &peer) const;
 
     SecureMode m_mode;
     Speakers m_rule;
@@ -83,6 +92,7 @@ private:
     std::bitset<256> m_pinned;
     SealedSystems m_heard;
     std::bitset<256> m_sealed; ///< all of m_heard
+    std::bitset<256> m_allowed; ///< in clear, by a person
     std::map<channel::SessionId, Speaker> m_speakers;
 };
 

@@ -154,6 +154,15 @@ struct UnansweringAgent
     double seconds = 0;         ///< since the first message that it did not answer
 };
 
+/// A vehicle in clear of which nothing is shown, and to which nothing is sent, before a person allows it; see
+/// Station::allowClear().
+struct HeldBackVehicle
+{
+    std::uint8_t systemId = 0;
+    std::string remoteAddress;
+    std::string mayBe; ///< names of the known agents that were never heard sealed: it may pretend to be theirs
+};
+
 struct Snapshot
 {
     std::uint64_t number = 0;
@@ -163,13 +172,14 @@ struct Snapshot
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     std::vector<UnansweringAgent> unanswering;
+    std::vector<HeldBackVehicle> heldBack;
     channel::ReceiveCounters strays;
     std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
-    std::uint64_t plaintextRefused = 0; ///< clear frames of a pinned vehicle, never shown as telemetry
+    std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy
     std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
     MavlinkTotals mavlink;   ///< since the start, all links
     ChannelTotals channel;   ///< since the start, ended sessions included

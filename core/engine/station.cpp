@@ -245,6 +245,11 @@ Result<keys::PeersInForce, InputError> Station::reloadPeers()
     return inForce;
 }
 
+void Station::allowClear(std::uint8_t systemId)
+{
+    d->post([systemId](StationCore &core) { core.allowClear(systemId); });
+}
+
 void Station::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
 {
     d->post([name = std::move(name), roleAsked, key = std::move(passphraseKey)](StationCore &core) mutable {

@@ -53,6 +53,9 @@ public:
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
     /// force; otherwise the number of peers.
     Result<keys::PeersInForce, InputError> reloadPeers();
+    /// Takes a vehicle in clear that is held back because it may be an impostor, for as long as this station lives. A
+    /// person's explicit act, and nothing else's.
+    void allowClear(std::uint8_t systemId);
     /// Waits for an agent that is open for pairing; what happens comes as pairing(). Needs an identity. `name` is what we
     /// call ourselves, `roleAsked` what we want to be there; `passphraseKey` is of channel::pairingPassphraseKey(), null without
     /// a passphrase. Nothing is stored.

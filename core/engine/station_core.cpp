@@ -107,8 +107,18 @@ void StationCore::setWeakestSuite(crypto::SuiteId weakest)
 void StationCore::setPeers(std::vector<channel::Peer> peers)
 {
     m_policy.setPeers(peers);
+    m_outlets.forgetClear(); // those that are still taken are heard again soon
+    m_links.forEach([this](link::Link &link) { noteRemoteOf(link); });
     if (m_channel)
         m_channel->endpoint().setPeers(steadyNow(), std::move(peers));
+    finishWake();
+}
+
+void StationCore::allowClear(std::uint8_t systemId)
+{
+    m_policy.allowClear(systemId);
+    m_heldBack.release(systemId);
+    m_changed = true;
     finishWake();
 }
 
@@ -372,6 +382,7 @@ void StationCore::everyQuarterSecond(TimePoint now)
 void StationCore::everySecond(TimePoint now)
 {
     m_outlets.forgetSilent(now);
+    m_heldBack.forgetSilent(now);
     tellRefusals(now);
     keepSealedSystems();
     if (m_channel) {

@@ -11,6 +11,7 @@
 #include "core/engine/deadline_timer.h"
 #include "core/engine/frame_intake.h"
 #include "core/engine/happening.h"
+#include "core/engine/held_back.h"
 #include "core/engine/inspector_table.h"
 #include "core/engine/link_pool.h"
 #include "core/engine/mavsec_stream.h"
@@ -59,6 +60,7 @@ public:
     void setAllowResearch(bool allow);
     void setWeakestSuite(crypto::SuiteId weakest);
     void setPeers(std::vector<channel::Peer> peers);
+    void allowClear(std::uint8_t systemId);
     /// Waits for an agent that is open for pairing; false without an identity. See Station.
     bool openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey);
     void confirmPairing(const channel::PublicKey &key);
@@ -126,6 +128,7 @@ private:
     void takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery);
     void takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     void refuseClear(TimePoint now, const Path &from, std::uint8_t systemId);
+    void holdBack(TimePoint now, const Path &from, const mavlink::Frame &frame);
     void takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session);
     void refuseSystem(TimePoint now, channel::SessionId session, std::uint8_t systemId);
     void tellRefusals(TimePoint now);
@@ -188,6 +191,7 @@ private:
     Refusals<PlaintextRefused> m_refusals;
     Refusals<SystemRefused> m_spoofed; ///< sealed frames of a system that their peer may not speak as
     UnansweringAgents m_unanswering{std::string()};
+    HeldBack m_heldBack;
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
     bool m_readerAlive = true;
     bool m_measuring = false;

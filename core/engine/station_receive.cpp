@@ -152,9 +152,24 @@ void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::Scan
     const mavlink::Frame frame = mavsec == m_mavsec.end() ? *item.frame : mavsec->second.open(*item.frame);
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // our own, looped back
-    if (!m_policy.acceptClear(from, frame.systemId()))
-        return refuseClear(now, from, frame.systemId());
+    if (!m_policy.acceptClear(from, frame.systemId())) {
+        if (!m_policy.isHeldBack(from, frame.systemId()))
+            return refuseClear(now, from, frame.systemId());
+        // A recording, and a stream that is only listened to, were opened as what they are.
+        if (const link::Link *link = m_links.find(from.link); !link || maySeal(*link))
+            return holdBack(now, from, frame);
+    }
     takeFrame(now, from, frame, std::nullopt);
+}
+
+void StationCore::holdBack(TimePoint now, const Path &from, const mavlink::Frame &frame)
+{
+    ++m_refusals.total;
+    if (!m_vehicles.announcesVehicle(frame))
+        return;
+    const std::string address = link::toText(from.remote);
+    if (m_heldBack.note(now, frame.systemId(), address))
+        tell(PlaintextRefused{frame.systemId(), address, 1, m_policy.neverHeard()});
 }
 
 void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t systemId)
@@ -200,6 +215,7 @@ void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Fram
                             std::optional<channel::SessionId> session)
 {
     m_links.noteUse(from);
+    m_heldBack.release(frame.systemId());
     const link::Link *link = m_links.find(from.link);
     const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
     const std::uint8_t systemId = frame.systemId();

@@ -90,6 +90,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
                 out->sessions.push_back(describe(now, *info));
         }
         out->unanswering = m_unanswering.all();
+        out->heldBack = m_heldBack.all(m_policy.neverHeard());
         out->strays = m_channel->endpoint().strays();
     }
     for (const auto &[systemId, vehicle] : m_vehicles.all())

@@ -31,12 +31,17 @@ bool VehicleSet::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame 
         known->second.handleFrame(now, wall, frame);
         return false;
     }
-    if (frame.messageId() != mavlink::Heartbeat::kId || system == 0 || system == m_config.ownSystemId
-        || !isAutopilot(unpack<mavlink::Heartbeat>(frame)))
+    if (!announcesVehicle(frame))
         return false;
     const auto created = m_vehicles.emplace(system, Vehicle(m_config, system, frame.componentId())).first;
     created->second.handleFrame(now, wall, frame);
     return true;
+}
+
+bool VehicleSet::announcesVehicle(const mavlink::Frame &frame) const
+{
+    return frame.messageId() == mavlink::Heartbeat::kId && frame.systemId() != 0 && frame.systemId() != m_config.ownSystemId
+        && isAutopilot(unpack<mavlink::Heartbeat>(frame));
 }
 
 void VehicleSet::handleDeadline(TimePoint now)

@@ -20,6 +20,8 @@ public:
 
     /// True when the frame made a new vehicle known (then `find(frame's system id)` has it).
     bool handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
+    /// Whether the frame would make a vehicle known: a heartbeat of an autopilot.
+    bool announcesVehicle(const mavlink::Frame &frame) const;
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 

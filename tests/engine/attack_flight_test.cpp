@@ -85,6 +85,7 @@ private Q_SLOTS:
     void observerCommandsNothing();
     void nobodySpeaksAsTheVehicle();
     void spoofedTelemetryIsNotShown();
+    void blockedHandshakesOpenNoClearWay_data();
     void blockedHandshakesOpenNoClearWay();
     void nothingReadableOnTheWire();
 };
@@ -174,10 +175,18 @@ void AttackFlightTest::spoofedTelemetryIsNotShown()
     QVERIFY(!flight.ground.ears->all<engine::PlaintextRefused>().empty()); // told, not only counted
 }
 
+void AttackFlightTest::blockedHandshakesOpenNoClearWay_data()
+{
+    QTest::addColumn<bool>("bound");
+    QTest::newRow("the list binds the agent to its system") << true;
+    QTest::newRow("an agent that was never heard") << false;
+}
+
 void AttackFlightTest::blockedHandshakesOpenNoClearWay()
 {
-    // Sealed where it can be; the attacker lets no handshake through and offers the pinned vehicle's telemetry in clear.
-    FlightRig rig(channel::PeerRole::Pilot, {1});
+    // Sealed where it can be; from the start the attacker lets no handshake through, and offers a vehicle in clear.
+    QFETCH(bool, bound);
+    FlightRig rig(channel::PeerRole::Pilot, bound ? std::vector<std::uint8_t>{1} : std::vector<std::uint8_t>{});
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     UdpAttacker attacker(ground.port());
     attacker.passes = [](const UdpAttacker::Seen &) { return false; };
@@ -187,10 +196,21 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
     const auto shown = [&] { return !ground.ears->snapshot->vehicles.empty(); };
     QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 20 || shown(), 20000);
     HOLDS(!shown(), "no telemetry without an explicit act");
+    ground.station->command(1, vehicle::Arm{true});
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 10000);
+    QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Refused));
+    QVERIFY(!impostor.vehicle.autopilot().armed());
     // The agent does not give in either: what its vehicle says stays here.
     QTRY_VERIFY_WITH_TIMEOUT(rig.agent->snapshot().counters.undelivered > 20, 10000);
     for (const UdpAttacker::Seen &seen : attacker.seen)
         QCOMPARE(framesIn(seen.bytes), std::size_t(0));
+    // A person may take what is held back, but not what the list says is sealed.
+    QCOMPARE(ground.ears->snapshot->heldBack.empty(), bound);
+    ground.station->allowClear(1);
+    if (bound)
+        QVERIFY(!QTest::qWaitFor(shown, 2500));
+    else
+        QTRY_VERIFY_WITH_TIMEOUT(shown(), 10000);
 }
 
 void AttackFlightTest::nothingReadableOnTheWire()

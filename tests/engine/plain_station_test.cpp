@@ -1,5 +1,6 @@
 // A station without keys: it shows plain vehicles, says which port is taken, and stops its heartbeat when its reader hangs.
 #include "core/engine/station_core.h"
+#include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/flight_rig.h"
 
@@ -15,6 +16,7 @@ class PlainStationTest : public QObject
 
 private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
+    void plainVehicleWaitsForAPerson();
     void takenPortIsNamed();
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
@@ -22,8 +24,11 @@ private Q_SLOTS:
 
 void PlainStationTest::plainVehicleIsShownAsPlain()
 {
+    // Of who is new to it: with a key, and without any peers yet.
     FlightRig rig;
-    auto station = engine::Station::create(rig.stationConfig(engine::SecureMode::Preferred));
+    const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    auto station = engine::Station::create(config);
     QVERIFY(station);
     StationEars ears(**station);
     (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
@@ -34,6 +39,35 @@ void PlainStationTest::plainVehicleIsShownAsPlain()
     QTRY_COMPARE_WITH_TIMEOUT(int(ears.snapshot->security), int(engine::Security::Plain), 10000);
     // It hears us, too: streams start only when they were asked for.
     QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
+}
+
+void PlainStationTest::plainVehicleWaitsForAPerson()
+{
+    // An agent is known and was never heard: this could be somebody in its place.
+    FlightRig rig;
+    auto station = engine::Station::create(rig.stationConfig(engine::SecureMode::Preferred));
+    QVERIFY(station);
+    StationEars ears(**station);
+    (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
+    QTRY_VERIFY_WITH_TIMEOUT(!ears.listening().empty(), 10000);
+    VehicleOnUdp vehicle(ears.listening());
+    QTRY_COMPARE_WITH_TIMEOUT(ears.snapshot->heldBack.size(), std::size_t(1), 10000);
+    const engine::HeldBackVehicle held = ears.snapshot->heldBack[0];
+    QCOMPARE(int(held.systemId), 1);
+    QCOMPARE(held.mayBe, std::string("air-1"));
+    QCOMPARE(int(ears.snapshot->security), int(engine::Security::Plain));
+    // It sends on, and gets nothing: no heartbeat, and no request for its streams, without which it sends few frames.
+    QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 2500));
+    const auto txDatagrams = [&] { return ears.snapshot->links.empty() ? 0 : ears.snapshot->links[0].txDatagrams; };
+    QCOMPARE(txDatagrams(), std::uint64_t(0));
+    QCOMPARE(ears.all<engine::PlaintextRefused>().size(), std::size_t(1)); // told once
+    QCOMPARE(ears.all<engine::PlaintextRefused>()[0].mayBe, std::string("air-1"));
+    (*station)->allowClear(2);
+    QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 1500));
+    (*station)->allowClear(1);
+    QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
+    QVERIFY(ears.snapshot->heldBack.empty());
+    QVERIFY(!ears.snapshot->vehicles[0].session);
 }
 
 void PlainStationTest::takenPortIsNamed()

@@ -37,6 +37,7 @@ private Q_SLOTS:
     void samePeerKeepsItsSystemOverARestart();
     void clearFramesByMode();
     void systemHeardSealedIsNeverClearAgain();
+    void clearWaitsWhileAnAgentIsStillToBeHeard();
     void clearFramesFromASessionsPlaceAreRefused();
     void removedPeerSpeaksAsNothing();
     void observerMayNotCommand();
@@ -144,7 +145,10 @@ void SenderPolicyTest::systemHeardSealedIsNeverClearAgain()
     const channel::Peer any = peerWith(1, {}), pinned = peerWith(2, {7});
     policy.setPeers({any, pinned});
     QVERIFY(!policy.acceptClear(kElsewhere, 7)); // pinned by the list
+    policy.allowClear(1);
+    policy.allowClear(7);
     QVERIFY(policy.acceptClear(kElsewhere, 1));
+    QVERIFY(!policy.acceptClear(kElsewhere, 7));
     policy.sessionUp(kFirst, any.key, kPathA);
     QVERIFY(policy.acceptSealed(kFirst, 1));
     QVERIFY(!policy.acceptClear(kElsewhere, 1));
@@ -154,12 +158,48 @@ void SenderPolicyTest::systemHeardSealedIsNeverClearAgain()
     QVERIFY(policy.acceptClear(kElsewhere, 2));
 }
 
+void SenderPolicyTest::clearWaitsWhileAnAgentIsStillToBeHeard()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    QVERIFY(policy.acceptClear(kElsewhere, 1)); // nobody is known: there is nobody to pretend to be
+    const channel::Peer a = peerWith(1, {}), b = peerWith(2, {}), bound = peerWith(3, {7});
+    policy.setPeers({a, b, bound});
+    for (const std::uint8_t systemId : {1, 2, 200}) {
+        QVERIFY(!policy.acceptClear(kElsewhere, systemId));
+        QVERIFY(policy.isHeldBack(kElsewhere, systemId));
+    }
+    QVERIFY(!policy.isHeldBack(kElsewhere, 7)); // refused, whatever a person says
+    QCOMPARE(policy.neverHeard(), a.name + ", " + b.name);
+    policy.sessionUp(kFirst, a.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
+    QVERIFY(!policy.acceptClear(kElsewhere, 2)); // the other one is still to be heard
+    QCOMPARE(policy.neverHeard(), b.name);
+    policy.allowClear(2);
+    QVERIFY(policy.acceptClear(kElsewhere, 2));
+    QVERIFY(!policy.acceptClear(kElsewhere, 3)); // that system and no other
+    QVERIFY(!policy.acceptClear(kPathA, 2));
+    policy.sessionUp(kSecond, b.key, kPathB);
+    QVERIFY(policy.acceptSealed(kSecond, 2));
+    QVERIFY(!policy.acceptClear(kElsewhere, 2)); // it was an impostor, as is known now
+    QVERIFY(policy.acceptClear(kElsewhere, 3));
+    // A changed key is another agent, which has to be heard first.
+    channel::Peer changed = a;
+    changed.key[1] ^= 1;
+    policy.setPeers({changed, b, bound});
+    QVERIFY(policy.isHeldBack(kElsewhere, 1));
+    policy.setMode(SecureMode::Required);
+    QVERIFY(!policy.isHeldBack(kElsewhere, 1) && !policy.acceptClear(kElsewhere, 1));
+    policy.setMode(SecureMode::Off);
+    QVERIFY(policy.acceptClear(kElsewhere, 1));
+}
+
 void SenderPolicyTest::clearFramesFromASessionsPlaceAreRefused()
 {
     SenderPolicy policy(SecureMode::Preferred);
     const channel::Peer any = peerWith(1, {});
     policy.setPeers({any});
     policy.sessionUp(kFirst, any.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 1));
     QVERIFY(!policy.acceptClear(kPathA, 40));
     policy.sessionMoved(kFirst, kPathB);
     QVERIFY(policy.acceptClear(kPathA, 40));
@@ -201,6 +241,10 @@ void SenderPolicyTest::earlierRunsCount()
     policy.rememberSealed(heard);
     QVERIFY(!policy.acceptClear(kElsewhere, 1));
     QVERIFY(policy.acceptClear(kElsewhere, 2)); // its peer is no longer known
+    policy.setPeers({a, peerWith(3, {})});
+    QVERIFY(!policy.acceptClear(kElsewhere, 2)); // perhaps the new one's
+    policy.setPeers({a, peerWith(3, {9})});
+    QVERIFY(policy.acceptClear(kElsewhere, 2));
     policy.setPeers({});
     QVERIFY(policy.acceptClear(kElsewhere, 1)); // forgotten by the operator's act
 }

@@ -30,6 +30,7 @@ public:
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
     void setAllowResearch(bool allow) override { allowResearch = allow; }
     void setWeakestSuite(crypto::SuiteId suite) override { weakest = suite; }
+    void allowClear(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override
     {
         commands.emplace_back(systemId, std::move(command));
@@ -57,7 +58,7 @@ public:
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;
     std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;
-    std::vector<std::uint8_t> parameterRequests, missionReads;
+    std::vector<std::uint8_t> parameterRequests, missionReads, allowedClear;
     std::vector<std::pair<std::string, double>> written;
     std::vector<std::vector<vehicle::MissionItem>> missionWrites;
     bool allowResearch = false, inspecting = false, recording = false;

@@ -27,6 +27,18 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
         station.show(waitingSnapshot());
         return;
     }
+    if (state == QLatin1String("held")) {
+        station.show(heldBackSnapshot());
+        return;
+    }
+    if (state == QLatin1String("heldbeside")) {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().state.systemId = 2;
+        snapshot.heldBack = heldBackSnapshot().heldBack;
+        station.show(snapshot);
+        station.tell(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-2"});
+        return;
+    }
     if (auto *raised = window.findChild<QDockWidget *>(dock)) {
         raised->show();
         raised->raise();

@@ -9,6 +9,8 @@ namespace skyseal::ui {
 std::vector<crypto::SuiteId> usualSuites();
 
 engine::Snapshot waitingSnapshot();
+/// Plain vehicle 1 is held back, since the agent air-1 was never heard.
+engine::Snapshot heldBackSnapshot();
 /// `time` in seconds since the start moves the vehicle along its circle.
 engine::Snapshot plainSnapshot(double time);
 engine::Snapshot sealedSnapshot(double time, crypto::SuiteId suite = crypto::SuiteId::ChaCha20Poly1305,

@@ -17,6 +17,8 @@ struct Words
 
 QString whyNoCommands(const Scene &scene)
 {
+    if (scene.heldBack && !scene.session)
+        return Words::tr("not sealed, and not allowed so");
     if (!scene.vehicle)
         return Words::tr("no vehicle");
     const auto ended = linkEndedOf(scene);

@@ -1,5 +1,6 @@
 #include "ui/map/empty_state.h"
 
+#include "ui/security/allow_plain.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -44,6 +45,10 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_connect = new QPushButton(tr("Add a link …"), this);
     m_connect->setObjectName(QStringLiteral("connectButton"));
     m_connect->setAccessibleName(m_connect->text());
+    m_plain = new QPushButton(this);
+    m_plain->setObjectName(QStringLiteral("allowPlainButton"));
+    m_plain->setAccessibleName(tr("Allow plain MAVLink"));
+    m_plain->hide();
     column->addWidget(m_title);
     column->addWidget(m_text);
     column->addWidget(m_command);
@@ -54,7 +59,9 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     buttons->addWidget(m_connect);
     buttons->addStretch(1);
     column->addSpacing(kGrid);
+    column->addWidget(m_plain, 0, Qt::AlignLeft);
     column->addLayout(buttons);
+    connect(m_plain, &QPushButton::clicked, this, [this] { Q_EMIT plainWanted(m_held); });
     connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
     connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
     showScene({});
@@ -91,6 +98,13 @@ void EmptyState::showScene(const Scene &scene)
     if (scene.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
         text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
+    } else if (scene.heldBack) {
+        m_held = *scene.heldBack;
+        title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);
+        text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: this station has the key of that agent, and "
+                  "never heard it. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
+                  "If it is the vehicle of %2, start its agent instead: what it sends is then taken sealed.")
+                   .arg(fromStd(m_held.remoteAddress), fromStd(m_held.mayBe));
     } else if (scene.snapshot && !scene.snapshot->unanswering.empty()) {
         const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));
@@ -112,6 +126,12 @@ void EmptyState::showScene(const Scene &scene)
                                  "  --ground udpout:127.0.0.1:%1 \\\n"
                                  "  --identity air.key --peers air.peers")
                       .arg(listening.section(QLatin1Char(':'), -1));
+    }
+    const bool held = scene.heldBack && !scene.session;
+    m_plain->setVisible(held);
+    if (held && m_plain->text() != allowPlainText(m_held)) {
+        m_plain->setText(allowPlainText(m_held));
+        m_plain->setAccessibleName(m_plain->text());
     }
     m_command->setVisible(!command.isEmpty());
     m_otherwise->setVisible(!command.isEmpty());

@@ -27,10 +27,13 @@ public:
 Q_SIGNALS:
     void demoWanted();
     void connectWanted();
+    /// The operator wants to take this vehicle in clear.
+    void plainWanted(const skyseal::engine::HeldBackVehicle &held);
 
 private:
     QLabel *m_title, *m_text, *m_command, *m_otherwise;
-    QPushButton *m_demo, *m_connect;
+    QPushButton *m_demo, *m_connect, *m_plain;
+    engine::HeldBackVehicle m_held;
 };
 
 } // namespace skyseal::ui

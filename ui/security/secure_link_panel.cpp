@@ -188,6 +188,13 @@ void SecureLinkPanel::showHead(const Scene &scene)
         title = tr("Not sealed");
         advice = tr(
             "This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
+        if (scene.heldBack) {
+            title = tr("Not sealed, held back");
+            advice = tr("Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: "
+                        "Security → Allow plain MAVLink.")
+                         .arg(scene.heldBack->systemId)
+                         .arg(fromStd(scene.heldBack->mayBe));
+        }
         if (scene.inSweep) {
             title = tr("Not sealed, in a sweep");
             advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals "

@@ -75,6 +75,14 @@ LockFace lockFaceOf(const Scene &scene)
         face.variants = {Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")};
         face.toolTip = Words::tr(
             "Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
+        if (scene.heldBack) {
+            face.variants = {Words::tr("Not sealed · vehicle %1 held back").arg(scene.heldBack->systemId),
+                             Words::tr("Not sealed · held back"), Words::tr("Not sealed")};
+            face.toolTip = Words::tr("Vehicle %1 at %2 may be an impostor of %3, whose agent was never heard. Nothing of it is "
+                                     "shown and nothing is sent to it until you allow plain MAVLink for it.")
+                               .arg(scene.heldBack->systemId)
+                               .arg(fromStd(scene.heldBack->remoteAddress), fromStd(scene.heldBack->mayBe));
+        }
         if (scene.inSweep) {
             face.variants.front() = Words::tr("Not sealed · in a sweep");
             face.toolTip = Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and "

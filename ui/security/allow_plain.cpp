@@ -1,0 +1,47 @@
+#include "ui/security/allow_plain.h"
+
+#include "ui/station_port.h"
+#include "ui/text/words.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+namespace skyseal::ui {
+
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::AllowPlain)
+};
+
+} // namespace
+
+QString allowPlainText(const engine::HeldBackVehicle &held)
+{
+    return Words::tr("Allow plain MAVLink for vehicle %1 …").arg(held.systemId);
+}
+
+void askAllowPlain(StationPort &station, const engine::HeldBackVehicle &held, QWidget *parent)
+{
+    const QString question = Words::tr("Take vehicle %1 without a seal?").arg(held.systemId);
+    auto *box = new QMessageBox(QMessageBox::Warning, Words::tr("Plain MAVLink"), question,
+                                QMessageBox::Yes | QMessageBox::Cancel, parent);
+    box->setObjectName(QStringLiteral("confirmPlain"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setInformativeText(Words::tr("Whatever sends from %1 is then shown and flown as vehicle %2, until this program ends. "
+                                      "Anyone on the way can read and change what is sent.\n\n"
+                                      "If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.")
+                                .arg(fromStd(held.remoteAddress)).arg(held.systemId).arg(fromStd(held.mayBe)));
+    box->setDefaultButton(QMessageBox::Cancel);
+    box->setEscapeButton(QMessageBox::Cancel);
+    box->button(QMessageBox::Yes)->setText(Words::tr("Allow plain MAVLink"));
+    QObject::connect(box, &QMessageBox::finished, &station, [&station, systemId = held.systemId](int result) {
+        if (result == QMessageBox::Yes)
+            station.allowClear(systemId);
+    });
+    box->open();
+}
+
+} // namespace skyseal::ui
