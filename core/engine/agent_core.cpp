@@ -329,7 +329,8 @@ void AgentCore::takeUnowned(const link::ReceivedBlock &block)
 
 void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery)
 {
-    handleEvents(); // who it is comes before what it says
+    // Who it is comes before what it says; that it ended, as with a record that its goodbye overtook, after.
+    handleEvents(delivery.session);
     std::uint64_t frames = 0;
     m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
         frames += isWhole(item);
@@ -410,9 +411,9 @@ void AgentCore::deliver(const mavlink::ScanItem &item)
         ++m_counters.undelivered;
 }
 
-void AgentCore::handleEvents()
+void AgentCore::handleEvents(std::optional<channel::SessionId> speaking)
 {
-    while (const auto event = m_channel.pollEvent()) {
+    while (const auto event = m_channel.pollEvent(speaking)) {
         if (const auto *up = std::get_if<channel::SessionUp>(&*event)) {
             m_policy.sessionUp(up->session, up->peer, up->path);
             m_sessions.push_back(up->session);

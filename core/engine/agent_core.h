@@ -124,7 +124,7 @@ private:
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
     void deliver(const mavlink::ScanItem &item);
     void noteArmed(TimePoint now, const mavlink::Frame &frame);
-    void handleEvents();
+    void handleEvents(std::optional<channel::SessionId> speaking = {});
     void handleDeadline();
     void finishWake();
 

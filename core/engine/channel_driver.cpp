@@ -169,11 +169,15 @@ void ChannelDriver::flushAll(TimePoint now)
     m_slept = true; // the thread goes to sleep after this
 }
 
-std::optional<channel::Event> ChannelDriver::pollEvent()
+std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::SessionId> speaking)
 {
-    std::optional<channel::Event> event = m_endpoint.pollEvent();
+    std::optional<channel::Event> event = m_left ? std::exchange(m_left, std::nullopt) : m_endpoint.pollEvent();
     if (!event)
         return event;
+    if (const auto *down = std::get_if<channel::SessionDown>(&*event); down && down->session == speaking) {
+        m_left = std::move(event);
+        return std::nullopt;
+    }
     if (const auto *up = std::get_if<channel::SessionUp>(&*event))
         m_sendSuites[up->session] = up->suite;
     if (const auto *done = std::get_if<channel::SwitchDone>(&*event); done && done->failure == channel::SwitchFailure::None)

@@ -41,8 +41,9 @@ public:
     /// When flush() must be called at the latest.
     TimePoint flushDue() const { return m_flushDue; }
 
-    /// The next event, with the books kept: a session that ended stays in the totals.
-    std::optional<channel::Event> pollEvent();
+    /// The next event, with the books kept: a session that ended stays in the totals. That `speaking` ended, and what came
+    /// after it, is left for a later call: who is about to judge a delivery must still know whose it is.
+    std::optional<channel::Event> pollEvent(std::optional<channel::SessionId> speaking = {});
 
     /// Call about once a second.
     void roll(TimePoint now);
@@ -89,6 +90,7 @@ private:
     channel::ReceiveCounters m_endedRx, m_endedPeerRx;
     std::optional<channel::FrameCounters> m_endedPeerFrames;
     channel::SendCounters m_endedTx;
+    std::optional<channel::Event> m_left; ///< by pollEvent()
 };
 
 } // namespace skyseal::engine

@@ -283,9 +283,9 @@ TimePoint StationCore::nextDeadline() const
     return next;
 }
 
-void StationCore::handleEvents(TimePoint now)
+void StationCore::handleEvents(TimePoint now, std::optional<channel::SessionId> speaking)
 {
-    while (const auto event = m_channel->pollEvent())
+    while (const auto event = m_channel->pollEvent(speaking))
         handleEvent(now, *event);
 }
 

@@ -136,7 +136,7 @@ private:
 
     void finishWake();
     void handleDeadline();
-    void handleEvents(TimePoint now);
+    void handleEvents(TimePoint now, std::optional<channel::SessionId> speaking = {});
     void handleEvent(TimePoint now, const channel::Event &event);
     void serveVehicles(TimePoint now);
     void serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);

@@ -104,8 +104,9 @@ void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
         return;
     }
     if (const auto delivery = m_channel->receive(now, block.path, block.bytes)) {
-        // The session is told of by its event; what it may speak as must be known before its first frame is judged.
-        handleEvents(now);
+        // The session is told of by its event; what it may speak as must be known before its first frame is judged, and
+        // until its last one was, which its goodbye may have overtaken.
+        handleEvents(now, delivery->session);
         takeSealed(now, block.path, *delivery);
     }
 }
@@ -117,7 +118,7 @@ void StationCore::takeInline(const link::ReceivedBlock &block, const mavlink::Sc
         return;
     const MutableByteView frame = block.bytes.subspan(item.offset, item.bytes.size());
     if (const auto delivery = m_channel->receiveInline(block.time, block.path, frame)) {
-        handleEvents(block.time);
+        handleEvents(block.time, delivery->session);
         takeSealed(block.time, block.path, *delivery);
     }
 }

@@ -84,6 +84,13 @@ void BareEnd::say()
     }
 }
 
+Bytes BareEnd::seal(ByteView frame)
+{
+    Bytes record(frame.size() + channel::kMaxRecordOverhead);
+    record.resize(m_endpoint->seal(steadyNow(), session(), frame, record).value_or(0));
+    return record;
+}
+
 void BareEnd::sendEach(std::span<const ByteView> frames)
 {
     m_records.resize(std::max(m_records.size(), frames.size()));

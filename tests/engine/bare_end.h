@@ -53,6 +53,10 @@ public:
     std::size_t pump();
     /// Seals each of the frames into a record of its own and sends them.
     void sendEach(std::span<const ByteView> frames);
+    /// A record of the frame, which is not sent yet.
+    Bytes seal(ByteView frame);
+    /// Sends a datagram as it is.
+    void send(ByteView datagram) { m_socket.send(m_peerPort, std::array{datagram}); }
     /// Waits for at most so long for a datagram.
     bool waitReadable(int milliseconds) { return m_socket.waitReadable(milliseconds); }
 

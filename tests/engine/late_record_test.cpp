@@ -1,0 +1,125 @@
+// The last record of a session comes after its goodbye: it is taken as what it is, and the end is told after it.
+#include "core/crypto/init_crypto.h"
+#include "core/engine/agent_core.h"
+#include "core/engine/station_core.h"
+#include "core/mavlink/frame_writer.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/bare_end.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+const channel::Policy kPolicy{channel::defaultSuites(), false, false};
+
+link::LinkUrl urlOf(const std::string &text)
+{
+    return *link::LinkUrl::parse(text);
+}
+
+std::uint16_t portOf(const std::string &address)
+{
+    return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+}
+
+template<typename Message> Bytes frameOf(const Message &message, std::uint8_t systemId, std::uint8_t componentId)
+{
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    mavlink::FrameWriter writer(systemId, componentId);
+    const ByteView frame = writer.write(message, buffer);
+    return Bytes(frame.begin(), frame.end());
+}
+
+/// Sends the frame behind the goodbye that followed it.
+void sayLate(BareEnd &end, ByteView frame)
+{
+    const Bytes late = end.seal(frame);
+    end.endpoint().close(steadyNow(), end.session());
+    end.pump();
+    end.send(late);
+}
+
+bool waitFor(BareEnd &end, const std::function<bool()> &until)
+{
+    return QTest::qWaitFor([&] { return end.pump(), until(); }, 20000);
+}
+
+} // namespace
+
+class LateRecordTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void agentTakesIt();
+    void stationTakesIt();
+};
+
+void LateRecordTest::agentTakesIt()
+{
+    Introduced keys;
+    BareEnd ground(keys, channel::Role::Station, kPolicy);
+    std::vector<channel::SessionDown> downs;
+    bool refused = false;
+    engine::AgentCore agent({urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())), kPolicy,
+                             false},
+                            keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
+                                const auto *happened = std::get_if<channel::Event>(&event);
+                                if (const auto *down = happened ? std::get_if<channel::SessionDown>(happened) : nullptr)
+                                    downs.push_back(*down);
+                                refused = refused || std::holds_alternative<engine::FramesRefused>(event);
+                            });
+    agent.start();
+    BareSocket vehicle;
+    vehicle.send(portOf(agent.snapshot().vehicle.localAddress),
+                 std::array{ByteView(frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1))});
+    QVERIFY(waitFor(ground, [&] { return ground.up() && agent.snapshot().mavlink.frames > 0; }));
+
+    const std::uint64_t before = agent.snapshot().counters.toVehicle;
+    sayLate(ground, frameOf(mavlink::Timesync{.tc1 = 7, .ts1 = 5}, 255, 190));
+    QVERIFY(waitFor(ground, [&] { return !downs.empty(); }));
+    QCOMPARE(downs.size(), std::size_t(1));
+    QCOMPARE(int(downs[0].reason), int(channel::DownReason::PeerClosed));
+    const engine::AgentSnapshot after = agent.snapshot();
+    QCOMPARE(after.counters.spoofRefused + after.counters.observerRefused, std::uint64_t(0));
+    QVERIFY(!refused);
+    QCOMPARE(after.counters.toVehicle, before + 1);
+}
+
+void LateRecordTest::stationTakesIt()
+{
+    Introduced keys;
+    std::shared_ptr<const engine::Snapshot> snapshot;
+    std::vector<engine::Happening> told;
+    engine::StationConfig config;
+    config.secure = engine::SecureMode::Required;
+    config.record = false;
+    config.policy = kPolicy;
+    engine::StationCore station(config, keys.secrets(channel::Role::Station),
+                                {[&](auto next) { snapshot = std::move(next); },
+                                 [&](engine::Happening happening) { told.push_back(std::move(happening)); }});
+    station.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    QVERIFY(QTest::qWaitFor([&] { return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty(); },
+                            10000));
+    BareEnd air(keys, channel::Role::Agent, kPolicy, portOf(snapshot->links[0].localAddress));
+    QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
+    QVERIFY(snapshot->vehicles.empty());
+
+    sayLate(air, frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1, 1));
+    QVERIFY(waitFor(air, [&] { return snapshot->sessions.empty(); }));
+    QCOMPARE(snapshot->spoofed, std::uint64_t(0));
+    QCOMPARE(snapshot->vehicles.size(), std::size_t(1));
+    QVERIFY(snapshot->vehicles[0].ended);
+    // First that it was found, then that its session ended.
+    const auto indexOf = [&](const auto &is) { return std::find_if(told.begin(), told.end(), is) - told.begin(); };
+    const auto found = indexOf([](const auto &happening) { return std::holds_alternative<engine::VehicleFound>(happening); });
+    const auto down = indexOf([](const auto &happening) { return std::holds_alternative<channel::SessionDown>(happening); });
+    QVERIFY(found < down);
+}
+
+QTEST_GUILESS_MAIN(LateRecordTest)
+#include "late_record_test.moc"
