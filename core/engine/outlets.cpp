@@ -67,7 +67,11 @@ void Outlets::heardClear(TimePoint now, std::uint8_t systemId, const Path &path)
 
 void Outlets::forgetSilent(TimePoint now)
 {
-    removeIf([now](const Outlet &outlet) { return !outlet.session && !outlet.fixed && now - outlet.heard > kForgetAfter; });
+    for (Outlet &outlet : m_outlets) {
+        if (outlet.heard && now - *outlet.heard > kForgetAfter)
+            outlet.heard.reset();
+    }
+    removeIf([](const Outlet &outlet) { return !outlet.session && !outlet.fixed && !outlet.heard; });
 }
 
 void Outlets::forgetClear()

@@ -45,10 +45,11 @@ void SenderPolicy::rememberSealed(const SealedSystems &heard)
 void SenderPolicy::collectSealed()
 {
     // A peer that a person removed from the list no longer stands in the way of its vehicle in clear.
-    std::erase_if(m_heard, [this](const auto &entry) {
-        return std::none_of(m_peers.begin(), m_peers.end(),
-                            [&](const channel::Peer &peer) { return peer.key == entry.first; });
-    });
+    const auto isGone = [this](const channel::PublicKey &key) {
+        return std::none_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) { return peer.key == key; });
+    };
+    std::erase_if(m_heard, [&](const auto &entry) { return isGone(entry.first); });
+    std::erase_if(m_sealedPlaces, [&](const SealedPlace &place) { return isGone(place.peer); });
     m_sealed.reset();
     for (const auto &[peer, systems] : m_heard)
         m_sealed |= systems;
@@ -61,12 +62,30 @@ void SenderPolicy::sessionUp(channel::SessionId session, const channel::PublicKe
     speaker.path = path;
     applyRules(speaker);
     m_speakers[session] = speaker;
+    noteSealedAt(peer, path);
 }
 
 void SenderPolicy::sessionMoved(channel::SessionId session, const Path &path)
 {
-    if (const auto found = m_speakers.find(session); found != m_speakers.end())
-        found->second.path = path;
+    const auto found = m_speakers.find(session);
+    if (found == m_speakers.end())
+        return;
+    found->second.path = path;
+    noteSealedAt(found->second.peer, path);
+}
+
+void SenderPolicy::noteSealedAt(const channel::PublicKey &peer, const Path &path)
+{
+    std::erase_if(m_sealedPlaces, [&](const SealedPlace &place) { return place.path.sharesPlace(path); });
+    m_sealedPlaces.push_back({peer, path});
+    if (m_sealedPlaces.size() > kMostPlaces)
+        m_sealedPlaces.pop_front();
+}
+
+bool SenderPolicy::sealedSpokeAt(const Path &path) const
+{
+    return std::any_of(m_sealedPlaces.begin(), m_sealedPlaces.end(),
+                       [&](const SealedPlace &place) { return place.path.sharesPlace(path); });
 }
 
 void SenderPolicy::sessionDown(channel::SessionId session)

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <bitset>
+#include <deque>
 #include <map>
 #include <optional>
 #include <string>
@@ -63,6 +64,9 @@ public:
     void allowClear(std::uint8_t systemId) { m_allowed.set(systemId); }
     /// The session whose records come from there.
     std::optional<channel::SessionId> sessionAt(const Path &path) const;
+    /// Whether a known peer's session was ever there, in this run.
+    bool sealedSpokeAt(const Path &path) const;
+    bool knowsAnybody() const { return !m_peers.empty(); }
     /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the
     /// system.
     std::optional<channel::SessionId> sessionConcerned(const Path &from, std::uint8_t systemId) const;
@@ -80,8 +84,16 @@ private:
         std::bitset<256> spoken;  ///< as what it has spoken: checked once, then cheap
     };
 
+    struct SealedPlace
+    {
+        channel::PublicKey peer{};
+        Path path;
+    };
+    static constexpr std::size_t kMostPlaces = 64; ///< of peers that move about; the oldest is forgotten first
+
     void applyRules(Speaker &speaker) const;
     const channel::Peer *holderOf(std::uint8_t systemId, const channel::PublicKey &except) const;
+    void noteSealedAt(const channel::PublicKey &peer, const Path &path);
     void collectSealed();
     bool mayBeClear(const Path &from, std::uint8_t systemId) const;
     bool mayHaveAnySystem(const channel::Peer &peer) const;
@@ -94,6 +106,7 @@ private:
     std::bitset<256> m_sealed; ///< all of m_heard
     std::bitset<256> m_allowed; ///< in clear, by a person
     std::map<channel::SessionId, Speaker> m_speakers;
+    std::deque<SealedPlace> m_sealedPlaces;
 };
 
 } // namespace skyseal::engine

@@ -389,7 +389,7 @@ void StationCore::everySecond(TimePoint now)
         m_channel->roll(now);
         if (isSealing())
             noteUnanswering(now);
-        if (secureMode() == SecureMode::Required)
+        if (isSealing() && (secureMode() == SecureMode::Required || m_policy.knowsAnybody()))
             greetRouters();
     }
     for (auto &[session, watch] : m_sessionWatches) {

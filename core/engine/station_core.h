@@ -141,6 +141,7 @@ private:
     void serveVehicles(TimePoint now);
     void serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle);
     void sendHeartbeats(TimePoint now);
+    bool mayBeatAt(const Outlet &outlet) const;
     void greetRouters();
     void send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message);
     void everyQuarterSecond(TimePoint now);

@@ -37,8 +37,23 @@ void StationCore::sendHeartbeats(TimePoint now)
     // Vehicles act on its absence; nobody may send it for an operator whose screen stands still.
     if (!message || !m_readerAlive)
         return;
-    for (Outlet &outlet : m_outlets.all())
-        send(now, outlet, *message);
+    for (Outlet &outlet : m_outlets.all()) {
+        if (mayBeatAt(outlet))
+            send(now, outlet, *message);
+    }
+}
+
+/// An autopilot that hears its station's heartbeat in clear, through a router beside the agent, would not act when the sealed
+/// link is dead. So a station that knows agents beats in clear only where it took a vehicle in clear, and where none of them
+/// is or was.
+bool StationCore::mayBeatAt(const Outlet &outlet) const
+{
+    if (outlet.session || !isSealing() || !m_policy.knowsAnybody())
+        return true;
+    const std::vector<channel::Unanswered> silent = m_channel->endpoint().unanswered();
+    return outlet.heard && !m_policy.sealedSpokeAt(outlet.path)
+        && std::none_of(silent.begin(), silent.end(),
+                        [&](const channel::Unanswered &agent) { return agent.path.sharesPlace(outlet.path); });
 }
 
 void StationCore::send(TimePoint now, Outlet &outlet, const vehicle::OutMessage &message)

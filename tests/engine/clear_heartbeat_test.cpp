@@ -1,0 +1,134 @@
+// To whom a station that may seal beats in clear: a link that calls one place (udpout), with somebody there who looks at what
+// arrives and passes it on between station, agent and vehicle, as a router does.
+#include "core/keys/peers_file.h"
+#include "core/mavlink/frame_scanner.h"
+#include "core/mavlink/messages.h"
+#include "tests/engine/flight_rig.h"
+
+#include <QtNetwork/QNetworkDatagram>
+#include <QtNetwork/QUdpSocket>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+/// Passes datagrams on between the station, which calls it, and whoever else sends to it first.
+class Middle
+{
+public:
+    Middle()
+    {
+        m_socket.bind(QHostAddress::LocalHost, 0);
+        QObject::connect(&m_socket, &QUdpSocket::readyRead, &m_socket, [this] { take(); });
+    }
+    std::string address() const { return "127.0.0.1:" + std::to_string(m_socket.localPort()); }
+
+    int heartbeats = 0; ///< of the station, in clear
+    int greetings = 0;
+
+private:
+    void take()
+    {
+        while (m_socket.hasPendingDatagrams()) {
+            const QNetworkDatagram datagram = m_socket.receiveDatagram();
+            const QByteArray bytes = datagram.data();
+            const auto from = static_cast<quint16>(datagram.senderPort());
+            if (m_station == 0)
+                m_station = from; // it calls before anybody else is started
+            const auto frame = mavlink::readFrame(
+                ByteView(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size())),
+                mavlink::Dialect::builtin());
+            if (from != m_station)
+                m_other = from;
+            else if (frame && frame->systemId() == 255)
+                ++(frame->messageId() == mavlink::Heartbeat::kId ? heartbeats : greetings);
+            const quint16 to = from == m_station ? m_other : m_station;
+            if (to != 0)
+                m_socket.writeDatagram(bytes, QHostAddress::LocalHost, to);
+        }
+    }
+
+    QUdpSocket m_socket;
+    quint16 m_station = 0, m_other = 0;
+};
+
+struct CallingStation
+{
+    CallingStation(const engine::StationConfig &config, const Middle &middle)
+    {
+        auto made = engine::Station::create(config);
+        if (!made)
+            qFatal("%s", made.error().text().c_str());
+        station = std::move(*made);
+        ears = std::make_unique<StationEars>(*station);
+        station->addLink(urlOf("udpout:" + middle.address()));
+    }
+    std::unique_ptr<engine::Station> station;
+    std::unique_ptr<StationEars> ears;
+};
+
+/// For three beats' time.
+bool beatsWithin(const Middle &middle)
+{
+    const int before = middle.heartbeats;
+    return QTest::qWaitFor([&] { return middle.heartbeats > before; }, 3200);
+}
+
+} // namespace
+
+class ClearHeartbeatTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void whoKnowsNoAgentBeats();
+    void noneBesideASessionOrAfterIt();
+    void vehicleThatIsTakenGetsThem();
+};
+
+void ClearHeartbeatTest::whoKnowsNoAgentBeats()
+{
+    FlightRig rig;
+    const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    Middle middle;
+    CallingStation ground(config, middle);
+    QTRY_VERIFY_WITH_TIMEOUT(middle.heartbeats >= 2, 10000);
+}
+
+void ClearHeartbeatTest::noneBesideASessionOrAfterIt()
+{
+    FlightRig rig;
+    Middle middle;
+    CallingStation ground(rig.stationConfig(engine::SecureMode::Preferred), middle);
+    // A router learns where the station is without a heartbeat.
+    QTRY_VERIFY_WITH_TIMEOUT(middle.greetings >= 2, 10000);
+    QCOMPARE(middle.heartbeats, 0);
+    rig.startAgent(middle.address());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::VehicleFound>().empty(), 10000);
+    QVERIFY(ground.ears->all<engine::VehicleFound>()[0].sealed);
+    QVERIFY(!beatsWithin(middle));
+    // The sealed link dies: the autopilot, which may hear the router as well, has to notice.
+    rig.killAgent();
+    QVERIFY(!beatsWithin(middle));
+}
+
+void ClearHeartbeatTest::vehicleThatIsTakenGetsThem()
+{
+    FlightRig rig;
+    Middle middle;
+    CallingStation ground(rig.stationConfig(engine::SecureMode::Preferred), middle);
+    QTRY_VERIFY_WITH_TIMEOUT(middle.greetings >= 1, 10000);
+    VehicleOnUdp vehicle(middle.address());
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QVERIFY(!beatsWithin(middle));
+    ground.station->allowClear(1);
+    QVERIFY(beatsWithin(middle));
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+}
+
+QTEST_GUILESS_MAIN(ClearHeartbeatTest)
+#include "clear_heartbeat_test.moc"
