@@ -119,6 +119,31 @@
     </message>
 </context>
 <context>
+    <name>skyseal::ui::AllowPlain</name>
+    <message>
+        <source>Allow plain MAVLink for vehicle %1 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take vehicle %1 without a seal?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whatever sends from %1 is then shown and flown as vehicle %2, until this program ends. Anyone on the way can read and change what is sent.
+
+If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::AltitudeBox</name>
     <message>
         <source>Take-off altitude</source>
@@ -302,6 +327,10 @@
     <name>skyseal::ui::CommandPermits</name>
     <message>
         <source>no vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not sealed, and not allowed so</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -553,6 +582,20 @@ It is as silent when it permits none of the suites that are offered here.</sourc
         <source>Start an agent, skyseal-air, beside an autopilot:</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Allow plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 is not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It speaks plain MAVLink from %1, and it may be an impostor of %2: this station has the key of that agent, and never heard it. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.
+
+If it is the vehicle of %2, start its agent instead: what it sends is then taken sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FieldModel</name>
@@ -673,6 +716,10 @@ It is as silent when it permits none of the suites that are offered here.</sourc
     </message>
     <message>
         <source>%1: it is %2&apos;s. Is it a new agent of the same vehicle? Then remove %2 from the keys, or bind the system to %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held back: this vehicle, at %1, is not sealed and may be an impostor of %2, which was never heard. Security → Allow plain MAVLink takes it all the same</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1251,6 +1298,18 @@ Fingerprint %3</source>
         <source>The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and change what is sent. It seals the link again by itself.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Not sealed · vehicle %1 held back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed · held back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 may be an impostor of %3, whose agent was never heard. Nothing of it is shown and nothing is sent to it until you allow plain MAVLink for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LogsPanel</name>
@@ -1480,6 +1539,18 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <source>&amp;Diagnostics</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Allow &amp;plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle is held back</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MainWindow</name>
@@ -1505,6 +1576,10 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Vehicle %1 · %2 · not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2472,6 +2547,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1 forged, %2 replayed in a minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed, held back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: Security → Allow plain MAVLink.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
