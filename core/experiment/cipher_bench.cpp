@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kBatch = 64; ///< as many records as a wake-up takes from a socket
 constexpr int kBatches = 24;       ///< of one timing: short enough to be left undisturbed now and then
 constexpr int kRounds = 15;
-constexpr std::size_t kContexts = 64; ///< whose memory is averaged
+constexpr std::size_t kContexts = 64, kSessions = 12; ///< whose memory is averaged
 constexpr std::size_t kAssociated = 9;
 using Buffer = std::array<std::uint8_t, kMostBareBytes + 64>;
 
@@ -157,24 +157,20 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
 std::optional<double> contextBytes(crypto::SuiteId suite)
 {
     std::vector<std::unique_ptr<crypto::RecordCipher>> contexts;
-    contexts.reserve(kContexts);
-    crypto::makeRecordCipher(suite, benchSecret()); // what the libraries keep from the first time is not counted
-    const auto before = heapInUse();
-    for (std::size_t i = 0; i < kContexts; ++i)
-        contexts.push_back(crypto::makeRecordCipher(suite, benchSecret()));
-    const auto after = heapInUse();
-    if (!before || !after || *after < *before)
-        return std::nullopt;
-    return static_cast<double>(*after - *before) / kContexts;
+    contexts.reserve(2 * kContexts);
+    return heapOfEach(kContexts, [&] { contexts.push_back(crypto::makeRecordCipher(suite, benchSecret())); });
 }
 
 std::optional<double> sessionBytes(crypto::SuiteId suite)
 {
-    RecordPair::create(suite); // what the libraries keep from the first time is not counted
-    const std::unique_ptr<RecordPair> pair = RecordPair::create(suite);
-    if (!pair || !pair->heapBytes())
+    if (!RecordPair::create(suite))
         return std::nullopt;
-    return static_cast<double>(*pair->heapBytes()) / 2;
+    std::vector<std::unique_ptr<RecordPair>> pairs(2 * kSessions); // the ends are there before; the sessions are what is counted
+    for (auto &pair : pairs)
+        pair = std::make_unique<RecordPair>();
+    auto next = pairs.begin();
+    const auto ofBothEnds = heapOfEach(kSessions, [&] { (*next++)->connect(suite); });
+    return ofBothEnds ? std::optional(*ofBothEnds / 2) : std::nullopt;
 }
 
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes)

@@ -60,22 +60,18 @@ RecordPair::RecordPair()
 
 std::unique_ptr<RecordPair> RecordPair::create(crypto::SuiteId suite)
 {
-    std::unique_ptr<RecordPair> pair(new RecordPair);
+    auto pair = std::make_unique<RecordPair>();
     return pair->connect(suite) ? std::move(pair) : nullptr;
 }
 
 bool RecordPair::connect(crypto::SuiteId suite)
 {
-    const auto before = heapInUse();
     run(std::chrono::seconds(2));
     if (m_ends[kStation]->sessions().empty())
         return false;
     if (!bothUse(suite))
         m_ends[kStation]->switchSuite(m_now, m_ends[kStation]->sessions().front(), suite);
     run(std::chrono::seconds(6)); // until the previous epoch is gone as well
-    const auto after = heapInUse();
-    if (before && after && *after > *before)
-        m_heapBytes = *after - *before;
     return bothUse(suite);
 }
 

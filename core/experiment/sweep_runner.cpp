@@ -1,6 +1,7 @@
 #include "core/experiment/sweep_runner.h"
 
 #include "core/experiment/cipher_bench.h"
+#include "core/experiment/statistics.h"
 #include "core/metrics/process_usage.h"
 
 #include <algorithm>
@@ -298,7 +299,9 @@ void SweepRunner::endRun(std::string problem)
         sample.seconds = m_snapshot->time - m_begin.station->time;
         sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
         sample.values[Metric::Switch] = m_switchTook;
-        if (m_protection == engine::Protection::Sealed)
+        // Measured once, so it is one sample and no more, however often the suite is run.
+        const Cell cell{run().condition, run().load, run().arm};
+        if (m_protection == engine::Protection::Sealed && summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count == 0)
             sample.values[Metric::SessionMemory] = sessionMemory(wantedSuite());
         sample.begin = countedBy(*m_begin.station);
         sample.end = countedBy(*m_snapshot);
