@@ -11,8 +11,18 @@ static double stepOf(Metric metric, double mean, double other)
     return info(metric).step * std::max(std::abs(mean), std::abs(other));
 }
 
+Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
+{
+    Summary out = summarise(valuesOf(results, cell, metric));
+    if (!info(metric).independent)
+        out.halfWidth = std::numeric_limits<double>::quiet_NaN();
+    return out;
+}
+
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
+    if (!info(metric).independent)
+        return {};
     std::vector<std::size_t> arms;
     std::vector<std::vector<double>> groups;
     for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
@@ -30,9 +40,12 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
     return out;
 }
 
-std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+/// One test, not corrected yet.
+static std::optional<Noise> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
     const std::vector<Arm> &arms = results.plan.arms;
+    if (!info(metric).independent)
+        return std::nullopt;
     const auto again = std::find_if(arms.begin(), arms.end(), [](const Arm &arm) { return arm.again; });
     if (again == arms.end())
         return std::nullopt;
@@ -54,6 +67,26 @@ std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std:
     out.meanAgain = summaryAgain.mean;
     out.test = welch(values, valuesAgain);
     out.step = stepOf(metric, out.mean, out.meanAgain);
+    return out;
+}
+
+std::vector<Noise> noiseOf(const Results &results)
+{
+    std::vector<Noise> out;
+    std::vector<double> p;
+    for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
+        for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {
+            for (const MetricInfo &metric : metrics()) {
+                if (const auto noise = noiseAt(results, condition, load, metric.metric)) {
+                    out.push_back(*noise);
+                    p.push_back(noise->test.p);
+                }
+            }
+        }
+    }
+    const std::vector<double> adjusted = holm(p);
+    for (std::size_t i = 0; i < out.size(); ++i)
+        out[i].adjusted = adjusted[i];
     return out;
 }
 

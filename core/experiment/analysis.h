@@ -21,7 +21,7 @@ struct ArmComparison
     Comparison comparison;
 };
 
-/// The same suite measured twice under two names.
+/// The same suite measured twice under two names. Corrected over all such tests of the sweep.
 struct Noise
 {
     std::size_t condition = 0, load = 0;
@@ -29,13 +29,17 @@ struct Noise
     std::size_t arm = 0, again = 0; ///< indices of arms
     double mean = 0, meanAgain = 0;
     WelchTest test;
-    double step = 0; ///< as in Comparison
-    bool differs() const { return test.p < 0.05 && std::abs(test.difference) > step; } ///< one in twenty does by chance
+    double adjusted = 1; ///< p after Holm's correction
+    double step = 0;     ///< as in Comparison
+    bool differs() const { return adjusted < 0.05 && std::abs(test.difference) > step; }
 };
 
+/// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent).
+Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
+
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
-/// Nothing without an arm that was repeated, and for metrics that it has no two samples of.
-std::optional<Noise> noiseOf(const Results &results, std::size_t condition, std::size_t load, Metric metric);
+/// Of every place and metric; nothing without an arm that was repeated, and for metrics that it has no two samples of.
+std::vector<Noise> noiseOf(const Results &results);
 /// Mean of an arm's samples; NaN when it was not measured.
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const Arm &arm, Metric metric);
 /// Whether any sample of the whole sweep has a value.

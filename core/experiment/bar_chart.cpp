@@ -1,6 +1,6 @@
 #include "core/experiment/bar_chart.h"
 
-#include "core/experiment/statistics.h"
+#include "core/experiment/analysis.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
@@ -169,9 +169,8 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
     BarChart out;
     out.title = info(metric).title;
     out.subtitle = "link: " + words(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
-    out.legend = std::to_string(plan.repeats) + (plan.repeats == 1 ? " run of " : " runs of ") + readable(seconds(plan.measure))
-                 + " s for each; bar: mean, hatched: insecure, whisker: 95 % confidence interval, dots: single runs";
-    bool anyOutlier = false;
+    bool anyOutlier = false, anyInterval = false;
+    std::vector<std::size_t> counts;
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
         Bar bar;
         bar.label = fullName(plan.arms[arm]);
@@ -179,16 +178,24 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
         bar.suite = plan.arms[arm].suite;
         bar.insecure = isInsecure(plan.arms[arm]);
         bar.samples = valuesOf(results, {condition, load, arm}, metric);
-        const Summary summary = summarise(bar.samples);
+        const Summary summary = summaryOf(results, {condition, load, arm}, metric);
         bar.mean = summary.mean;
         bar.low = summary.low();
         bar.high = summary.high();
+        counts.push_back(summary.count);
+        anyInterval = anyInterval || std::isfinite(summary.halfWidth);
         bar.outlier.assign(bar.samples.size(), false);
         anyOutlier = anyOutlier || !summary.outliers.empty();
         for (const std::size_t index : summary.outliers)
             bar.outlier[index] = true;
         out.bars.push_back(std::move(bar));
     }
+    out.legend = runsWords(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
+                 + (anyInterval ? "whisker: 95 % confidence interval, " : "") + "dots: single runs";
+    if (metric == Metric::SessionMemory)
+        out.legend = "measured once for each suite, with sessions of the program's own; hatched: insecure";
+    if (!info(metric).independent)
+        out.legend += "; one process through all suites: not a suite's own";
     if (anyOutlier)
         out.legend += ", white ones: outliers";
     const Scale scale = scaleFor(metric, highestOf(out.bars));

@@ -39,9 +39,11 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::SealP50, "seal_p50", "Sealing a record, median", "ns", "clocked around each call, at the station",
      kHistogramStep},
     {Metric::SealP99, "seal_p99", "Sealing a record, 99th percentile", "ns", "the same", kHistogramStep},
-    {Metric::Memory, "memory", "Memory, station", "B", "resident set of the measuring program at the end of the run"},
+    {Metric::Memory, "memory", "Memory, station", "B",
+     "resident set of the measuring program at the end of the run; one process through all suites, so no suite's own", 0, false},
     {Metric::AgentMemory, "agent_memory", "Memory, agent", "B",
-     "resident set of the agent at the end of the run, from /proc; same machine only"},
+     "resident set of the agent at the end of the run, from /proc; same machine only; one process through all suites, so no "
+     "suite's own", 0, false},
     {Metric::WireBytes, "wire_bytes", "Bytes on the wire", "B", "UDP payload of both directions during the run"},
     {Metric::WireRate, "wire_rate", "Bytes on the wire, to the station", "B/s", "UDP payload for each second"},
     {Metric::WirePerFrame, "wire_per_frame", "Wire cost of a frame", "B",

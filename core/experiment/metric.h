@@ -31,6 +31,9 @@ struct MetricInfo
     /// What the instrument cannot tell apart, as a share of the value: differences of means within it say nothing, however
     /// often they repeat.
     double step = 0;
+    /// False for what one process carries from run to run, so that no run says anything that the one before did not: no interval
+    /// can be given then, and no two suites be compared.
+    bool independent = true;
 };
 
 std::span<const MetricInfo> metrics();

@@ -147,6 +147,11 @@ Summary summarise(std::span<const double> samples)
     return out;
 }
 
+double WelchTest::halfWidth90() const
+{
+    return degrees > 0 ? studentQuantile(0.95, degrees) * error : std::numeric_limits<double>::infinity();
+}
+
 WelchTest welch(std::span<const double> first, std::span<const double> second)
 {
     const std::vector<double> a = finiteOf(first), b = finiteOf(second);
@@ -158,13 +163,14 @@ WelchTest welch(std::span<const double> first, std::span<const double> second)
     const double errorA = varianceOf(a, meanA) / na, errorB = varianceOf(b, meanB) / nb;
     out.difference = meanB - meanA;
     const double error = errorA + errorB;
+    out.error = std::sqrt(error);
     if (error == 0) { // counts that never vary: any difference is one
         out.t = out.difference == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), out.difference);
         out.degrees = na + nb - 2;
         out.p = out.difference == 0 ? 1 : 0;
         return out;
     }
-    out.t = out.difference / std::sqrt(error);
+    out.t = out.difference / out.error;
     out.degrees = error * error / (errorA * errorA / (na - 1) + errorB * errorB / (nb - 1));
     out.p = studentTwoSided(out.t, out.degrees);
     return out;

@@ -48,6 +48,11 @@ struct WelchTest
     double t = 0;
     double degrees = 0;    ///< Welch–Satterthwaite
     double p = 1;          ///< two-sided; 1 when it cannot be said (fewer than two samples in a group)
+    double error = 0;      ///< standard error of the difference
+
+    /// Half of the difference's 90 % confidence interval. Where all of that interval lies within a margin, two one-sided tests at
+    /// 5 % say that the groups are alike but for the margin (Schuirmann 1987). Infinite when it cannot be said.
+    double halfWidth90() const;
 };
 WelchTest welch(std::span<const double> first, std::span<const double> second);
 

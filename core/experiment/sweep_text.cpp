@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -55,10 +56,61 @@ const char *missingText(const Arm &arm)
 
 std::string meanText(const Results &results, const Cell &cell, Metric metric)
 {
-    const Summary summary = summarise(valuesOf(results, cell, metric));
+    const Summary summary = summaryOf(results, cell, metric);
     if (summary.count == 0)
         return exists(results.plan.arms[cell.arm]) ? "–" : missingText(results.plan.arms[cell.arm]);
     return readable(summary.mean, summary.halfWidth) + (summary.outliers.empty() ? "" : " *");
+}
+
+std::string runsWords(const std::vector<std::size_t> &counts)
+{
+    std::size_t least = 0, most = 0;
+    for (const std::size_t count : counts) {
+        least = count > 0 && (least == 0 || count < least) ? count : least;
+        most = std::max(most, count);
+    }
+    return (least == most ? "" : std::to_string(least) + " to ") + std::to_string(most) + (most == 1 ? " run" : " runs");
+}
+
+std::string runsWords(const Results &results)
+{
+    std::vector<std::size_t> counts;
+    for (const Cell &cell : cells(results.plan)) {
+        counts.push_back(static_cast<std::size_t>(
+            std::count_if(results.samples.begin(), results.samples.end(), [&cell](const Sample &sample) {
+                return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.problem.empty();
+            })));
+    }
+    return runsWords(counts);
+}
+
+std::string endedEarly(const Results &results)
+{
+    const std::size_t planned = schedule(results.plan).size();
+    if (results.complete && results.samples.size() >= planned)
+        return {};
+    return "ended after " + std::to_string(results.samples.size()) + " of " + std::to_string(planned) + " runs";
+}
+
+std::string failedRuns(const Results &results)
+{
+    std::vector<std::string> reasons;
+    std::size_t failed = 0;
+    for (const Sample &sample : results.samples) {
+        if (sample.problem.empty())
+            continue;
+        ++failed;
+        std::string reason = name(results.plan.arms[sample.run.arm]) + " (" + std::string(name(results.plan.loads[sample.run.load]))
+                             + " load): " + sample.problem;
+        if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
+            reasons.push_back(std::move(reason));
+    }
+    if (failed == 0)
+        return {};
+    std::string out = std::to_string(failed) + " of " + std::to_string(results.samples.size()) + " runs failed: ";
+    for (std::size_t i = 0; i < reasons.size(); ++i)
+        out += (i > 0 ? "; " : "") + reasons[i];
+    return out;
 }
 
 std::vector<std::string> sweepText(const Results &results)
@@ -87,8 +139,10 @@ std::vector<std::string> sweepText(const Results &results)
             }
         }
     }
-    out.push_back("mean ± half of the 95 % confidence interval over " + std::to_string(plan.repeats) + " runs of "
-                  + readable(seconds(plan.measure)) + " s" + (anyOutlier ? "; * with outliers" : ""));
+    out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsWords(results) + " of "
+                  + readable(seconds(plan.measure)) + " s each" + (anyOutlier ? "; * with outliers" : ""));
+    if (const std::string ended = endedEarly(results); !ended.empty())
+        out.push_back("This sweep " + ended + ".");
     return out;
 }
 

@@ -15,6 +15,16 @@ const char *missingText(const Arm &arm);
 /// asterisk marks outliers among the samples.
 std::string meanText(const Results &results, const Cell &cell, Metric metric);
 
+/// "3 runs", "1 run", "1 to 3 runs": how many were measured of each arm that was measured at all; by `counts`, one an arm.
+std::string runsWords(const std::vector<std::size_t> &counts);
+/// The same of the whole sweep, by the runs that succeeded in each place.
+std::string runsWords(const Results &results);
+
+/// "ended after 2 of 12 runs"; empty for a whole sweep.
+std::string endedEarly(const Results &results);
+/// "2 of 72 runs failed: none (natural load): no vehicle was heard", each arm, load and reason once; empty where all is well.
+std::string failedRuns(const Results &results);
+
 /// Tables, one for each condition and load, and what is to be said below them.
 std::vector<std::string> sweepText(const Results &results);
 

@@ -66,7 +66,7 @@ void AgreementTest::intervalsMeet()
     QStringList apart;
     for (const QJsonValue value : m_first[q("summaries")].toArray()) {
         const QJsonObject a = value.toObject(), b = second.value(placeOf(a));
-        if (a[q("n")].toInt() < 5 || b[q("n")].toInt() < 5)
+        if (a[q("n")].toInt() < 5 || b[q("n")].toInt() < 5 || a[q("ci95_low")].isNull())
             continue;
         ++compared;
         const auto edge = [](const QJsonObject &summary, const char *key) { return summary[q(key)].toDouble(); };
@@ -93,7 +93,7 @@ void AgreementTest::sameSuiteTwiceIsNoDifference()
     }
     qInfo("%d A/A pairs, %lld differ\n%s", compared, static_cast<long long>(differing.size()), qPrintable(differing.join(QLatin1Char('\n'))));
     QVERIFY(compared > 40);
-    QVERIFY2(differing.size() <= compared * 3 / 20, "far more than the one in twenty of chance");
+    QVERIFY2(differing.size() <= 1, "p is corrected over all of a sweep: two at once are no chance");
 }
 
 QTEST_GUILESS_MAIN(AgreementTest)

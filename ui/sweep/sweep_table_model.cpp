@@ -57,7 +57,7 @@ QVariant SweepTableModel::data(const QModelIndex &index, int role) const
         return QVariant((experiment::exists(arm) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     if (role != MeanRole && role != Qt::ToolTipRole)
         return {};
-    const experiment::Summary summary = experiment::summarise(experiment::valuesOf(*m_results, cell, metric));
+    const experiment::Summary summary = experiment::summaryOf(*m_results, cell, metric);
     if (summary.count == 0)
         return {};
     if (role == MeanRole)
