@@ -15,8 +15,6 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
 
-#include <algorithm>
-
 namespace skyseal::app {
 
 namespace {
@@ -49,9 +47,12 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         if (!options.json)
             remark("written to " + options.folder.toStdString());
     }
-    const bool allMeasured = std::all_of(results.samples.begin(), results.samples.end(),
-                                         [](const experiment::Sample &sample) { return sample.problem.empty(); });
-    return hold && results.complete && allMeasured ? kDone : kNotReached;
+    const std::string failed = experiment::failedRuns(results), ended = experiment::endedEarly(results);
+    if (!failed.empty())
+        complain(kName, failed);
+    if (!ended.empty())
+        complain(kName, ended);
+    return hold && failed.empty() && ended.empty() ? kDone : kNotReached;
 }
 
 } // namespace
@@ -84,6 +85,10 @@ int runSweep(const QStringList &arguments)
 
     const experiment::Setting setting =
         describeSetting(SKYSEAL_CLI_VERSION, kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
+    for (const auto &[key, value] : setting) {
+        if (key == "warning")
+            remark(value);
+    }
     experiment::SweepRunner runner({options.plan, *link, station, lab.get()});
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);

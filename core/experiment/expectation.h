@@ -6,8 +6,8 @@
 //   factor     = number | metric ["(" suite {"," (load | framing)} ")"] | "(" sum ")" | "-" factor
 //
 // A metric stands for its mean over the repeats. Without a suite, or with "*" for it, it stands for every suite in turn, and
-// the comparison must hold for each of them. The load is "natural" or "saturated"; without one, the first of the sweep. The
-// framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn
+// the comparison must hold for each of them. The load is "natural" or "saturated"; a comparison that names none must hold under
+// each load of the sweep; beside a metric with a load, one without stands for the sweep's first. The framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn
 // otherwise.
 #pragma once
 
@@ -32,6 +32,8 @@ public:
     const std::string &text() const { return m_text; }
     /// Whether it holds for one suite at a time.
     bool isForEachSuite() const { return m_forEachSuite; }
+    /// Whether it holds for one load at a time: it names none.
+    bool isForEachLoad() const { return loads().empty(); }
     /// Suites and loads that it names: a sweep must have them.
     std::vector<crypto::SuiteId> suites() const;
     std::vector<Load> loads() const;

@@ -100,8 +100,7 @@ void writeSample(JsonWriter &json, const Plan &plan, const Sample &sample)
 
 void writeSummary(JsonWriter &json, const Results &results, const Cell &cell, Metric metric)
 {
-    const std::vector<double> samples = valuesOf(results, cell, metric);
-    const Summary summary = summarise(samples);
+    const Summary summary = summaryOf(results, cell, metric);
     if (summary.count == 0)
         return;
     json.beginObject();
@@ -150,6 +149,7 @@ void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
     number(json, "mean", noise.mean);
     number(json, "mean_again", noise.meanAgain);
     number(json, "p", noise.test.p);
+    number(json, "p_holm", noise.adjusted);
     number(json, "step", noise.step);
     json.field("differs", noise.differs()).endObject();
 }
@@ -159,6 +159,8 @@ void writeVerdict(JsonWriter &json, const Plan &plan, const Verdict &verdict)
     json.field("expectation", verdict.expectation).field("condition", plan.conditions[verdict.condition].name);
     if (!verdict.suite.empty())
         json.field("suite", verdict.suite);
+    if (verdict.load)
+        json.field("load", name(plan.loads[*verdict.load]));
     number(json, "left", verdict.outcome.left);
     number(json, "right", verdict.outcome.right);
     json.field("measured", verdict.outcome.measured).field("holds", verdict.outcome.holds);
@@ -226,10 +228,8 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
             writeComparison(json, plan, pair);
     });
     json.endArray().key("noise").beginArray();
-    forEachPlace(plan, [&](std::size_t condition, std::size_t load, Metric metric) {
-        if (const auto noise = noiseOf(results, condition, load, metric))
-            writeNoise(json, plan, *noise);
-    });
+    for (const Noise &noise : noiseOf(results))
+        writeNoise(json, plan, noise);
     json.endArray().key("expectations").beginArray();
     for (const Verdict &verdict : verdicts) {
         json.beginObject();

@@ -31,38 +31,63 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
     return {};
 }
 
+namespace {
+
+/// Whether any run succeeded there; of any load without one.
+bool ran(const Results &results, std::size_t condition, std::optional<std::size_t> load, std::size_t arm)
+{
+    return std::any_of(results.samples.begin(), results.samples.end(), [&](const Sample &sample) {
+        return sample.run.condition == condition && sample.run.arm == arm && (!load || sample.run.load == *load)
+               && sample.problem.empty();
+    });
+}
+
+/// Under one condition; `load` is what metrics without one stand for where the assertion is for each load.
+std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &results, std::size_t condition,
+                             std::optional<std::size_t> load)
+{
+    const Plan &plan = results.plan;
+    const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> named) {
+        const auto at = std::find(plan.loads.begin(), plan.loads.end(), named.value_or(plan.loads[load.value_or(0)]));
+        const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
+            const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
+            return one.suite == suite && !one.again && fits;
+        });
+        return arm == plan.arms.end()
+                   ? std::numeric_limits<double>::quiet_NaN()
+                   : meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), *arm, metric);
+    };
+    if (!expectation.isForEachSuite())
+        return {{expectation.text(), condition, {}, load, expectation.check({}, lookup)}};
+    std::vector<Verdict> each, without;
+    for (std::size_t i = 0; i < plan.arms.size(); ++i) {
+        const Arm &arm = plan.arms[i];
+        const Framing asked = expectation.onlyFraming().value_or(arm.framing);
+        const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
+        if (arm.again || !meant || !exists(arm))
+            continue;
+        Verdict verdict{expectation.text(), condition, name(arm), load, expectation.check(arm, lookup)};
+        const bool hasNone = !verdict.outcome.measured && ran(results, condition, load, i);
+        (hasNone ? without : each).push_back(std::move(verdict));
+    }
+    return each.empty() ? without : each;
+}
+
+} // namespace
+
 std::vector<Verdict> judge(const Expectation &expectation, const Results &results)
 {
     const Plan &plan = results.plan;
     std::vector<Verdict> out;
+    const auto add = [&](std::size_t condition, std::optional<std::size_t> load) {
+        const auto judged = judgeAt(expectation, results, condition, load);
+        out.insert(out.end(), judged.begin(), judged.end());
+    };
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
-        const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing,
-                                std::optional<Load> load) {
-            const auto at = std::find(plan.loads.begin(), plan.loads.end(), load.value_or(plan.loads.front()));
-            const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
-                const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
-                return one.suite == suite && !one.again && fits;
-            });
-            return arm == plan.arms.end()
-                       ? std::numeric_limits<double>::quiet_NaN()
-                       : meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), *arm, metric);
-        };
-        if (!expectation.isForEachSuite()) {
-            out.push_back({expectation.text(), condition, {}, expectation.check({}, lookup)});
-            continue;
-        }
-        std::vector<Verdict> each;
-        for (const Arm &arm : plan.arms) {
-            const Framing asked = expectation.onlyFraming().value_or(arm.framing);
-            const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
-            if (!arm.again && meant && exists(arm))
-                each.push_back({expectation.text(), condition, name(arm), expectation.check(arm, lookup)});
-        }
-        const bool anyMeasured =
-            std::any_of(each.begin(), each.end(), [](const Verdict &verdict) { return verdict.outcome.measured; });
-        if (anyMeasured)
-            std::erase_if(each, [](const Verdict &verdict) { return !verdict.outcome.measured; });
-        out.insert(out.end(), each.begin(), each.end());
+        if (!expectation.isForEachLoad())
+            add(condition, std::nullopt);
+        for (std::size_t load = 0; expectation.isForEachLoad() && load < plan.loads.size(); ++load)
+            add(condition, load);
     }
     return out;
 }
@@ -72,6 +97,8 @@ std::string sentence(const Verdict &verdict, const Plan &plan)
     std::string out = verdict.expectation;
     if (!verdict.suite.empty())
         out += " [" + verdict.suite + "]";
+    if (verdict.load && plan.loads.size() > 1)
+        out += " [" + std::string(name(plan.loads[*verdict.load])) + "]";
     if (plan.conditions.size() > 1)
         out += " [" + plan.conditions[verdict.condition].name + "]";
     if (!verdict.outcome.measured)

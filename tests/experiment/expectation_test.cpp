@@ -54,6 +54,7 @@ private Q_SLOTS:
     void refusals();
     void judgedForEachSuiteThatHasIt();
     void unmeasuredFails();
+    void failedSuiteFails();
     void mustFitThePlan();
     void eachFramingIsJudged();
 };
@@ -141,25 +142,44 @@ void ExpectationTest::refusals()
 void ExpectationTest::judgedForEachSuiteThatHasIt()
 {
     const auto verdicts = judge(*Expectation::parse("record_loss<=0.001"), results());
-    QCOMPARE(verdicts.size(), std::size_t(1)); // plain MAVLink has no records, the repeated arm is not asked
+    QCOMPARE(verdicts.size(), std::size_t(2)); // plain MAVLink has no records, the repeated arm is not asked; two loads
     QCOMPARE(verdicts[0].suite, std::string("aes-256-gcm"));
     QVERIFY(verdicts[0].outcome.holds);
 
     const auto cpu = judge(*Expectation::parse("cpu<=1"), results());
-    QCOMPARE(cpu.size(), std::size_t(2));
+    QCOMPARE(cpu.size(), std::size_t(4));
     QCOMPARE(cpu[0].outcome.left, 0.25); // the mean of 0 and 0.5, under the first load
-    QVERIFY(cpu[0].outcome.holds && !cpu[1].outcome.holds);
+    QVERIFY(cpu[0].outcome.holds && !cpu[1].outcome.holds && !cpu[2].outcome.holds && !cpu[3].outcome.holds);
+    QCOMPARE(sentence(cpu[0], results().plan), std::string("cpu<=1 [none] [natural]: 0.25 against 1: holds"));
+    QCOMPARE(sentence(cpu[2], results().plan), std::string("cpu<=1 [none] [saturated]: 10.2 against 1: FAILS"));
+    // One that names a load is about what it names.
+    QCOMPARE(judge(*Expectation::parse("cpu(none)<cpu(none,saturated)"), results()).size(), std::size_t(1));
     QCOMPARE(judge(*Expectation::parse("cpu(none,saturated)==10.25"), results()).at(0).outcome.holds, true);
 }
 
 void ExpectationTest::unmeasuredFails()
 {
     const auto verdicts = judge(*Expectation::parse("latency(none)<1"), results());
-    QCOMPARE(verdicts.size(), std::size_t(1));
+    QCOMPARE(verdicts.size(), std::size_t(2));
     QVERIFY(!verdicts[0].outcome.measured && !verdicts[0].outcome.holds);
     QVERIFY(sentence(verdicts[0], results().plan).find("was not measured") != std::string::npos);
     for (const Verdict &verdict : judge(*Expectation::parse("latency<1"), results()))
         QVERIFY(!verdict.outcome.holds);
+}
+
+void ExpectationTest::failedSuiteFails()
+{
+    Results failed = results();
+    for (Sample &sample : failed.samples) {
+        if (sample.run.arm == 0 && sample.run.load == 1) {
+            sample.values = {};
+            sample.problem = "no vehicle was heard";
+        }
+    }
+    const auto verdicts = judge(*Expectation::parse("cpu<=100"), failed);
+    QCOMPARE(verdicts.size(), std::size_t(4));
+    QVERIFY(verdicts[0].outcome.holds && verdicts[1].outcome.holds && verdicts[3].outcome.holds);
+    QCOMPARE(sentence(verdicts[2], failed.plan), std::string("cpu<=100 [none] [saturated]: was not measured: FAILS"));
 }
 
 void ExpectationTest::mustFitThePlan()
