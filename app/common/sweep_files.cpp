@@ -47,6 +47,15 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
     return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
 }
 
+/// Pictures of an older sweep would stand beside this one's as if they were its own.
+void removePictures(const QDir &folder)
+{
+    QDir figures(folder.filePath(QStringLiteral("figures")));
+    for (const QString &name : figures.entryList({QStringLiteral("*.svg"), QStringLiteral("*.png")}, QDir::Files))
+        figures.remove(name);
+    QFile::remove(folder.filePath(QStringLiteral("report.pdf")));
+}
+
 } // namespace
 
 QString programPath(const QString &name)
@@ -86,6 +95,7 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
     }
     if (!folder.mkpath(QStringLiteral("figures")))
         return {false, path.toStdString() + ": no folder can be made there"};
+    removePictures(folder);
     for (const auto &[name, content] : files) {
         if (std::string problem = write(folder.filePath(name), content); !problem.empty())
             return {false, std::move(problem)};
