@@ -3,6 +3,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "app/common/sweep_setting.h"
 #include "core/base/json_writer.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/setting.h"
@@ -73,26 +74,33 @@ BenchPlan readPlan(Options &options)
     return out;
 }
 
-std::string settingEvent(bool aes)
+std::string settingEvent(bool aes, const experiment::Setting &setting)
 {
     JsonWriter json;
     json.beginObject().field("event", "setting").field("aes_instructions", aes);
-    for (const auto &[key, value] : experiment::machineSetting())
+    for (const auto &[key, value] : setting)
         json.field(key, value);
     return json.endObject().text();
 }
 
-/// Measures in this very process.
-bool measure(const BenchPlan &plan, bool aes)
+/// Measures in this very process. What is said of AES instructions is what OpenSSL does, not what was asked for.
+bool measure(const BenchPlan &plan, bool asked, const QString &command)
 {
     bool ok = true;
+    const bool aes = experiment::opensslUsesAes().value_or(asked);
+    const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
+    for (const auto &[key, value] : setting) {
+        if (key == "warning")
+            remark(value);
+    }
 #if !defined(__OPTIMIZE__)
     remark("this build is not optimised: its figures say little");
 #endif
     if (plan.json) {
-        printLine(settingEvent(aes));
+        printLine(settingEvent(aes, setting));
     } else {
-        printLine(aes ? "With the processor's AES instructions, as far as it has them:" : "Without AES instructions:");
+        printLine(aes ? "With the processor's AES instructions:"
+                      : asked ? "Without AES instructions, which this processor does not have:" : "Without AES instructions:");
         for (const std::string &line : experiment::benchHeader())
             printLine(line);
     }
@@ -105,19 +113,28 @@ bool measure(const BenchPlan &plan, bool aes)
     return ok;
 }
 
+/// Whether this process was started in the environment that the measurement is to have.
+bool isPrepared(bool aes)
+{
+    return aes ? !qEnvironmentVariableIsSet(kMaskName) : qgetenv(kMaskName) == kMask;
+}
+
 /// The libraries decide at their start what to use, so a process of its own is needed. Its lines are ours.
-int measureInChild(const QStringList &arguments)
+int measureInChild(const QStringList &arguments, bool aes)
 {
     QProcess child;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QLatin1String(kMaskName), QLatin1String(kMask));
+    if (aes)
+        environment.remove(QLatin1String(kMaskName));
+    else
+        environment.insert(QLatin1String(kMaskName), QLatin1String(kMask));
     child.setProcessEnvironment(environment);
     child.setProcessChannelMode(QProcess::ForwardedChannels);
     QStringList own = arguments;
-    own << QStringLiteral("--aes") << QStringLiteral("without");
+    own << QStringLiteral("--aes") << (aes ? QStringLiteral("with") : QStringLiteral("without"));
     child.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("bench")} + own);
     if (!child.waitForFinished(-1) || child.exitStatus() != QProcess::NormalExit) {
-        complain(kName, "the measurement without AES instructions failed: " + child.errorString().toStdString());
+        complain(kName, "the measurement in a process of its own failed: " + child.errorString().toStdString());
         return kNotReached;
     }
     return child.exitCode();
@@ -139,18 +156,19 @@ int runBench(const QStringList &arguments)
     const BenchPlan plan = readPlan(options);
     if (const auto status = options.finish())
         return *status;
-    const bool masked = qEnvironmentVariableIsSet(kMaskName);
-    bool ok = true;
-    if (plan.with)
-        ok = measure(plan, true);
-    if (plan.without && masked)
-        ok = measure(plan, false) && ok;
-    else if (plan.without) {
-        if (plan.with && !plan.json)
+    const QString command = kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' '));
+    bool ok = true, first = true, here = false;
+    for (const bool aes : {true, false}) {
+        if (aes ? !plan.with : !plan.without)
+            continue;
+        if (!first && !plan.json)
             printLine("");
-        ok = measureInChild(arguments) == kDone && ok;
+        first = false;
+        // A mask that somebody else set would make either wrong.
+        here = isPrepared(aes);
+        ok = (here ? measure(plan, aes, command) : measureInChild(arguments, aes) == kDone) && ok;
     }
-    if (!plan.json && ok && (plan.with || !masked))
+    if (!plan.json && ok && here)
         printLine("\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: ours; record: "
                   "a complete record\nof a session; x: record over bare. CPU time, the least disturbed of 15 rounds.");
     return ok ? kDone : kNotReached;

@@ -1,10 +1,13 @@
 #include "core/experiment/setting.h"
 
+#include "core/experiment/build_commit.h"
+#include "core/experiment/metric.h"
 #include "core/metrics/energy_meter.h"
 
 #include <openssl/crypto.h>
 #include <sodium.h>
 
+#include <charconv>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -84,7 +87,48 @@ std::string build()
     return out;
 }
 
+std::string memorySize()
+{
+    const auto pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
+    return pages > 0 && size > 0 ? readable(static_cast<double>(pages) * static_cast<double>(size) / 1e9) + " GB" : "unknown";
+}
+
 } // namespace
+
+std::string busyWarning(double load, long cores)
+{
+    if (!(load > static_cast<double>(cores) / 2))
+        return {};
+    return "the machine was busy with other work: load average " + readable(load) + " on " + std::to_string(cores)
+           + " cores at the start; figures are noisier, and may be wrong";
+}
+
+std::string busyWarning()
+{
+    double load = 0;
+    return ::getloadavg(&load, 1) == 1 ? busyWarning(load, ::sysconf(_SC_NPROCESSORS_ONLN)) : std::string();
+}
+
+std::optional<bool> opensslUsesAes(std::string_view cpuInfo)
+{
+    // OPENSSL_ia32cap(3): bit 57 of the first word is AES-NI. On ARM, arm_arch.h: bit 2.
+    constexpr std::pair<std::string_view, unsigned> kWords[]{{"OPENSSL_ia32cap=0x", 57}, {"OPENSSL_armcap=0x", 2}};
+    for (const auto &[key, bit] : kWords) {
+        const std::size_t at = cpuInfo.find(key);
+        if (at == std::string_view::npos)
+            continue;
+        std::uint64_t word = 0;
+        const char *begin = cpuInfo.data() + at + key.size();
+        if (std::from_chars(begin, cpuInfo.data() + cpuInfo.size(), word, 16).ec == std::errc())
+            return (word >> bit & 1) != 0;
+    }
+    return std::nullopt;
+}
+
+std::optional<bool> opensslUsesAes()
+{
+    return opensslUsesAes(OpenSSL_version(OPENSSL_CPU_INFO));
+}
 
 Setting machineSetting()
 {
@@ -97,6 +141,7 @@ Setting machineSetting()
     Setting out;
     out.emplace_back("processor", processor.empty() ? "unknown" : processor);
     out.emplace_back("cores", std::to_string(cores));
+    out.emplace_back("memory", memorySize());
     out.emplace_back("processor_features", cryptoFeatures());
     if (const char *mask = std::getenv("OPENSSL_ia32cap"))
         out.emplace_back("openssl_ia32cap", mask);
@@ -108,11 +153,16 @@ Setting machineSetting()
     out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
     out.emplace_back("energy_counters", metrics::EnergyMeter().describe());
     out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
+    if (const std::string warning = busyWarning(); !warning.empty())
+        out.emplace_back("warning", warning);
     out.emplace_back("libsodium", sodium_version_string());
     out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));
     out.emplace_back("openssl_cpu", OpenSSL_version(OPENSSL_CPU_INFO));
     out.emplace_back("compiler", compiler());
     out.emplace_back("build", build());
+    out.emplace_back("build_type", SKYSEAL_BUILD_TYPE);
+    out.emplace_back("build_flags", SKYSEAL_BUILD_FLAGS);
+    out.emplace_back("commit", kBuildCommit);
     return out;
 }
 

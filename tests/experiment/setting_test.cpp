@@ -1,0 +1,95 @@
+// What is said of the machine and the build that measured, and what the benchmark says of AES instructions: the truth, whatever
+// somebody set OpenSSL's mask to before.
+#include "core/experiment/setting.h"
+#include "tests/support/run_program.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtTest/QTest>
+
+#include <algorithm>
+
+using namespace skyseal::experiment;
+using skyseal::test::RunResult;
+
+class SettingTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void namesTheBuild();
+    void busyMachineIsWarnedOf();
+    void readsWhatOpensslSaysOfItself();
+    void benchSaysWhatItUsed_data();
+    void benchSaysWhatItUsed();
+};
+
+void SettingTest::namesTheBuild()
+{
+    const Setting setting = machineSetting();
+    for (const char *key : {"memory", "build", "build_type", "build_flags", "commit", "load_average_at_start"}) {
+        const auto found = std::find_if(setting.begin(), setting.end(), [key](const auto &entry) { return entry.first == key; });
+        QVERIFY2(found != setting.end(), key);
+        qInfo("%s: %s", key, found->second.c_str());
+        QVERIFY2(!found->second.empty(), key);
+    }
+}
+
+void SettingTest::busyMachineIsWarnedOf()
+{
+    QVERIFY(busyWarning(0.3, 2).empty() && busyWarning(1.0, 2).empty());
+    const std::string warning = busyWarning(8.57, 2);
+    QVERIFY2(warning.find("8.57 on 2 cores") != std::string::npos, warning.c_str());
+}
+
+void SettingTest::readsWhatOpensslSaysOfItself()
+{
+    QCOMPARE(opensslUsesAes("CPUINFO: OPENSSL_ia32cap=0xfffa3203078bffff:0x405fc6f1bf07ab"), std::optional(true));
+    QCOMPARE(opensslUsesAes("CPUINFO: OPENSSL_ia32cap=0xfcfa3201078bffff:0x405fc6f1bf01ab env:~0x200000200000000"),
+             std::optional(false));
+    QCOMPARE(opensslUsesAes("CPUINFO: OPENSSL_armcap=0x7d"), std::optional(true));
+    QCOMPARE(opensslUsesAes("CPUINFO: OPENSSL_armcap=0x1"), std::optional(false));
+    QCOMPARE(opensslUsesAes("CPUINFO: N/A"), std::optional<bool>());
+}
+
+void SettingTest::benchSaysWhatItUsed_data()
+{
+    QTest::addColumn<QByteArray>("mask");
+    QTest::newRow("nothing set") << QByteArray();
+    QTest::newRow("all on") << QByteArray("~0x0");
+    QTest::newRow("AES off") << QByteArray("~0x200000200000000");
+}
+
+void SettingTest::benchSaysWhatItUsed()
+{
+#if !defined(__x86_64__)
+    QSKIP("the mask has another name there");
+#endif
+    QFETCH(QByteArray, mask);
+    const char *name = "OPENSSL_ia32cap";
+    if (mask.isEmpty())
+        qunsetenv(name);
+    else
+        qputenv(name, mask);
+    const RunResult run = skyseal::test::runProgram("skyseal-cli", {QStringLiteral("bench"), QStringLiteral("--suites"),
+                                                                    QStringLiteral("aes-256-gcm"), QStringLiteral("--sizes"),
+                                                                    QStringLiteral("64"), QStringLiteral("--json")});
+    qunsetenv(name);
+    QVERIFY2(run.status == 0, run.err.constData());
+    QList<bool> used;
+    for (const QByteArray &line : run.out.split('\n')) {
+        const QJsonObject event = QJsonDocument::fromJson(line).object();
+        if (event[QLatin1String("event")] != QLatin1String("setting"))
+            continue;
+        used << event[QLatin1String("aes_instructions")].toBool();
+        QCOMPARE(std::optional(used.last()), opensslUsesAes(event[QLatin1String("openssl_cpu")].toString().toStdString()));
+        for (const char *key : {"skyseal", "time", "command_line", "commit"})
+            QVERIFY2(!event[QLatin1String(key)].toString().isEmpty(), key);
+    }
+    QCOMPARE(used.size(), 2);
+    QCOMPARE(used[0], opensslUsesAes().value_or(false)); // this process has no mask
+    QCOMPARE(used[1], false);
+}
+
+QTEST_GUILESS_MAIN(SettingTest)
+#include "setting_test.moc"
