@@ -10,7 +10,8 @@ namespace {
 enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 4, Confirmed = 5, Report = 6, Close = 7 };
 
 // Flags of a report.
-constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2;
+constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8;
+constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts;
 
 // The order of the counters on the wire.
 constexpr std::uint64_t ReceiveCounters::*kReceived[] = {
@@ -18,6 +19,10 @@ constexpr std::uint64_t ReceiveCounters::*kReceived[] = {
     &ReceiveCounters::forged, &ReceiveCounters::malformed, &ReceiveCounters::plaintextDropped,
     &ReceiveCounters::openedBytes};
 constexpr std::uint64_t SendCounters::*kSent[] = {&SendCounters::records, &SendCounters::sealedBytes};
+constexpr std::uint64_t FrameCounters::*kFrames[] = {&FrameCounters::taken, &FrameCounters::lost};
+constexpr std::uint64_t EndCosts::*kCosts[] = {&EndCosts::cpuMicroseconds, &EndCosts::residentBytes,
+                                               &EndCosts::opened,          &EndCosts::openNanoseconds,
+                                               &EndCosts::sealed,          &EndCosts::sealNanoseconds};
 
 // LEB128: counters are small for most of a flight, and a report goes out every second.
 void writeVarint(ByteWriter &out, std::uint64_t value)
@@ -39,6 +44,31 @@ std::optional<std::uint64_t> readVarint(ByteReader &in)
             return value;
     }
     return std::nullopt;
+}
+
+template<typename Group, std::size_t size>
+void writeGroup(ByteWriter &out, const Group &group, std::uint64_t Group::*const (&numbers)[size])
+{
+    for (const auto number : numbers)
+        writeVarint(out, group.*number);
+}
+
+template<typename Group, std::size_t size>
+bool readGroup(ByteReader &in, Group &group, std::uint64_t Group::*const (&numbers)[size])
+{
+    for (const auto number : numbers) {
+        const auto value = readVarint(in);
+        if (!value)
+            return false;
+        group.*number = *value;
+    }
+    return true;
+}
+
+std::uint8_t flagsOf(const Report &report)
+{
+    return static_cast<std::uint8_t>((report.answerAtOnce ? kAnswerAtOnce : 0) | (report.frames ? kCountsFrames : 0)
+                                     | (report.asksCosts ? kAsksCosts : 0) | (report.costs ? kTellsCosts : 0));
 }
 
 struct Writer
@@ -83,18 +113,16 @@ struct Writer
     void operator()(const Report &m) const
     {
         type(Type::Report);
-        out.u8(static_cast<std::uint8_t>((m.answerAtOnce ? kAnswerAtOnce : 0) | (m.frames ? kCountsFrames : 0)));
+        out.u8(flagsOf(m));
         out.u32(m.stamp);
         out.u32(m.echo);
         out.u32(m.held);
-        for (const auto counter : kReceived)
-            writeVarint(out, m.rx.*counter);
-        for (const auto counter : kSent)
-            writeVarint(out, m.tx.*counter);
-        if (m.frames) {
-            writeVarint(out, m.frames->taken);
-            writeVarint(out, m.frames->lost);
-        }
+        writeGroup(out, m.rx, kReceived);
+        writeGroup(out, m.tx, kSent);
+        if (m.frames)
+            writeGroup(out, *m.frames, kFrames);
+        if (m.costs)
+            writeGroup(out, *m.costs, kCosts);
     }
     void operator()(const Close &) const { type(Type::Close); }
 };
@@ -109,30 +137,19 @@ std::optional<Report> readReport(ByteReader &in)
 {
     Report report;
     const std::uint8_t flags = in.u8();
-    if ((flags & ~(kAnswerAtOnce | kCountsFrames)) != 0)
+    if ((flags & ~kReportFlags) != 0)
         return std::nullopt;
     report.answerAtOnce = (flags & kAnswerAtOnce) != 0;
+    report.asksCosts = (flags & kAsksCosts) != 0;
     report.stamp = in.u32();
     report.echo = in.u32();
     report.held = in.u32();
-    for (const auto counter : kReceived) {
-        const auto value = readVarint(in);
-        if (!value)
-            return std::nullopt;
-        report.rx.*counter = *value;
-    }
-    for (const auto counter : kSent) {
-        const auto value = readVarint(in);
-        if (!value)
-            return std::nullopt;
-        report.tx.*counter = *value;
-    }
-    if ((flags & kCountsFrames) != 0) {
-        const auto taken = readVarint(in), lost = readVarint(in);
-        if (!taken || !lost)
-            return std::nullopt;
-        report.frames = FrameCounters{*taken, *lost};
-    }
+    if (!readGroup(in, report.rx, kReceived) || !readGroup(in, report.tx, kSent))
+        return std::nullopt;
+    if ((flags & kCountsFrames) != 0 && !readGroup(in, report.frames.emplace(), kFrames))
+        return std::nullopt;
+    if ((flags & kTellsCosts) != 0 && !readGroup(in, report.costs.emplace(), kCosts))
+        return std::nullopt;
     return report;
 }
 

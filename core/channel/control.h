@@ -60,9 +60,11 @@ struct Report
     std::uint32_t echo = 0;     ///< the newest stamp that came from the peer, 0 = none yet
     std::uint32_t held = 0;     ///< microseconds since it came
     bool answerAtOnce = false;  ///< the sender wants a sign of life now
+    bool asksCosts = false;     ///< the sender wants the costs of the other end in its reports from now on
     ReceiveCounters rx;
     SendCounters tx;
     std::optional<FrameCounters> frames; ///< of those that count them
+    std::optional<EndCosts> costs;       ///< for a peer that asked
 };
 
 /// "I end the session."
@@ -73,8 +75,8 @@ using ControlMessage = std::variant<Propose, Accept, Refuse, Confirm, Confirmed,
 
 /// Plaintext that begins with a byte below this is a control message, known or not.
 inline constexpr std::uint8_t kFirstFrameByte = 0x10;
-/// The longest control message: a report whose twelve counters all need ten bytes.
-inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 12 * 10;
+/// The longest control message: a report whose eighteen numbers all need ten bytes.
+inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 18 * 10;
 
 constexpr bool isControl(ByteView plaintext) { return plaintext.empty() || plaintext[0] < kFirstFrameByte; }
 

@@ -248,7 +248,17 @@ void Endpoint::noteFrames(SessionId session, const FrameCounters &frames)
         entry->session->noteFrames(frames);
 }
 
+void Endpoint::setCostSource(CostSource source)
+{
+    m_state->core.around.costs = std::move(source);
+}
+
 // ---- command
+
+void Endpoint::askCosts(bool ask)
+{
+    m_state->core.around.askCosts = ask;
+}
 
 Result<std::size_t, SealError> Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)
 {

@@ -20,6 +20,7 @@
 #include "core/channel/stats.h"
 #include "core/crypto/x25519.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -68,6 +69,9 @@ struct Timing
     std::uint32_t rekeyAfterRecords = 1u << 22;
     std::uint32_t hardStopRecords = (1u << 24) - 1;
 };
+
+/// What a session costs now: see EndCosts.
+using CostSource = std::function<EndCosts(SessionId)>;
 
 struct Config
 {
@@ -178,7 +182,12 @@ public:
     /// What the caller counts of the frames that the session delivered; the peer is told with the next report.
     void noteFrames(SessionId, const FrameCounters &frames);
 
+    /// Who measures what a session costs this end. It is called at each report to a peer that asks.
+    void setCostSource(CostSource source);
+
     // command
+    /// Asks the peers for what their end costs, as long as it is on: stats().peerCosts. It is off at first, and costs nothing.
+    void askCosts(bool ask);
     /// Seals whole frames into `out` (at least frames.size() + kMaxRecordOverhead): the record's size. It goes to
     /// sessionInfo(session)->path; see recordPath().
     Result<std::size_t, SealError> seal(TimePoint now, SessionId, ByteView frames, MutableByteView out);

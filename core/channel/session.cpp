@@ -229,6 +229,9 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     report.rx = m_epochs.received();
     report.tx = m_epochs.sent();
     report.frames = m_frames;
+    report.asksCosts = m_around.askCosts;
+    if (m_peerReport && m_peerReport->asksCosts && m_around.costs)
+        report.costs = m_around.costs(id());
     send(now, report);
 }
 

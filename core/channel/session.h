@@ -25,6 +25,8 @@ struct Surroundings
     SuiteOffer offer; ///< what our policy allows now
     Timing timing;
     const FrameFacts *facts = nullptr; ///< null: nothing is sealed in place here
+    CostSource costs = {};             ///< empty: we do not measure ourselves
+    bool askCosts = false;             ///< of the other end
 };
 
 /// What a finished handshake gives.

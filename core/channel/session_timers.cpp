@@ -149,6 +149,8 @@ SessionStats Session::stats() const
         stats.peerRx = m_peerReport->rx;
         stats.peerTx = m_peerReport->tx;
         stats.peerFrames = m_peerReport->frames;
+        stats.peerCosts = m_peerReport->costs;
+        stats.peerStamp = m_peerReport->stamp;
     }
     return stats;
 }

@@ -43,6 +43,18 @@ struct FrameCounters
     std::uint64_t lost = 0;
 };
 
+/// What a session costs the end that tells it: sums that only grow, but for the memory. Measured by the owner of the session;
+/// the channel only carries this, to a peer that asks.
+struct EndCosts
+{
+    std::uint64_t cpuMicroseconds = 0; ///< CPU time of the whole process, all threads
+    std::uint64_t residentBytes = 0;   ///< of the process
+    std::uint64_t opened = 0;          ///< records with frames, or frames sealed in place, of this session
+    std::uint64_t openNanoseconds = 0; ///< spent on them
+    std::uint64_t sealed = 0;
+    std::uint64_t sealNanoseconds = 0;
+};
+
 /// One epoch's share, newest last; finished epochs of the same suite are added up by the reader where wanted.
 struct EpochStats
 {
@@ -62,6 +74,8 @@ struct SessionStats
     SendCounters peerTx;
     bool peerReported = false;
     std::optional<FrameCounters> peerFrames; ///< ours, as the peer counted them; nothing where it does not
+    std::optional<EndCosts> peerCosts; ///< nothing unless asked for, and where the peer does not measure itself
+    std::uint32_t peerStamp = 0;       ///< microseconds of the peer's clock at that report, modulo 2^32
     std::vector<EpochStats> epochs; ///< the last 16 at most
     Duration roundTrip{};           ///< smoothed, zero until measured
 };

@@ -68,6 +68,7 @@ AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, T
       m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);
+    m_channel.endpoint().setCostSource([this](channel::SessionId session) { return m_channel.endCosts(session); });
 }
 
 AgentCore::~AgentCore() = default;

@@ -2,6 +2,7 @@
 
 #include "core/channel/record.h"
 #include "core/engine/urgency.h"
+#include "core/metrics/process_usage.h"
 
 #include <algorithm>
 #include <utility>
@@ -210,6 +211,22 @@ SuiteCost ChannelDriver::cost(channel::SessionId session) const
 {
     const auto found = m_meters.find(session);
     return found == m_meters.end() ? SuiteCost{} : found->second.cost();
+}
+
+channel::EndCosts ChannelDriver::endCosts(channel::SessionId session) const
+{
+    const auto found = m_meters.find(session);
+    channel::EndCosts out = found == m_meters.end() ? channel::EndCosts{} : found->second.sums();
+    using Microseconds = std::chrono::duration<std::uint64_t, std::micro>;
+    out.cpuMicroseconds = std::chrono::duration_cast<Microseconds>(metrics::processCpuTime()).count();
+    out.residentBytes = metrics::residentBytes().value_or(0);
+    return out;
+}
+
+void ChannelDriver::setMeasuring(bool measuring)
+{
+    m_measuring = measuring;
+    m_endpoint.askCosts(measuring);
 }
 
 ChannelTotals ChannelDriver::totals() const

@@ -48,8 +48,11 @@ public:
     /// Call about once a second.
     void roll(TimePoint now);
     SuiteCost cost(channel::SessionId session) const;
-    /// What each record costs is kept over all sessions and suites while this is on; read opening() and sealing().
-    void setMeasuring(bool measuring) { m_measuring = measuring; }
+    /// What the session costs this process.
+    channel::EndCosts endCosts(channel::SessionId session) const;
+    /// What each record costs is kept over all sessions and suites while this is on, read opening() and sealing(); and the
+    /// other ends are asked for their costs.
+    void setMeasuring(bool measuring);
     const metrics::Histogram &opening() const { return m_opening; }
     const metrics::Histogram &sealing() const { return m_sealing; }
     /// Sums over all sessions, ended ones and strays included. The suite is that of the session heard last.

@@ -22,6 +22,8 @@ void SuiteMeter::opened(crypto::SuiteId suite, std::uint64_t nanoseconds, std::s
     m_nanoseconds += nanoseconds;
     ++m_records;
     m_bytes += bytes;
+    ++m_sums.opened;
+    m_sums.openNanoseconds += nanoseconds;
 }
 
 void SuiteMeter::sealed(crypto::SuiteId suite, std::uint64_t nanoseconds)
@@ -32,6 +34,8 @@ void SuiteMeter::sealed(crypto::SuiteId suite, std::uint64_t nanoseconds)
     if (suite == m_suite)
         m_seal.record(nanoseconds);
     m_nanoseconds += nanoseconds;
+    ++m_sums.sealed;
+    m_sums.sealNanoseconds += nanoseconds;
 }
 
 void SuiteMeter::roll(TimePoint now)

@@ -19,6 +19,8 @@ public:
     void roll(TimePoint now);
     /// Of the last closed period.
     const SuiteCost &cost() const { return m_cost; }
+    /// Records and time since the session began; what the process costs stays 0.
+    const channel::EndCosts &sums() const { return m_sums; }
 
 private:
     void follow(crypto::SuiteId suite);
@@ -30,6 +32,7 @@ private:
     TimePoint m_since{};
     bool m_started = false;
     SuiteCost m_cost;
+    channel::EndCosts m_sums;
 };
 
 } // namespace skyseal::engine

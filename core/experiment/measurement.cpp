@@ -7,6 +7,7 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr double kHeaders = 28; // IPv4 and UDP
+constexpr double kLeastReported = 0.9; ///< seconds between two reports; in a session's first ones they come quicker
 
 /// Growth of a counter, as a number to compute with. Losses can be taken back by late arrivals, but not below none.
 double growth(std::uint64_t begin, std::uint64_t end)
@@ -86,7 +87,48 @@ void addLatency(Values &out, const engine::Snapshot &begin, const engine::Snapsh
         out[Metric::Latency] = 1000 * time / trips;
 }
 
+/// What the reports say, each with the agent's own time, so that it does not matter when they came.
+bool addReported(Values &out, const Reading &begin, const Reading &end)
+{
+    if (!begin.agent || !end.agent)
+        return false;
+    const channel::EndCosts &before = begin.agent->costs, &after = end.agent->costs;
+    const double time = static_cast<std::uint32_t>(end.agent->stamp - begin.agent->stamp) / 1e6;
+    if (time < kLeastReported)
+        return false;
+    const double sealing = growth(before.sealNanoseconds, after.sealNanoseconds);
+    const double opening = growth(before.openNanoseconds, after.openNanoseconds);
+    out[Metric::AgentCpu] = 100 * growth(before.cpuMicroseconds, after.cpuMicroseconds) / 1e6 / time;
+    out[Metric::AgentMemory] = static_cast<double>(after.residentBytes);
+    out[Metric::AgentCpuSuite] = 100 * (sealing + opening) / 1e9 / time;
+    if (after.sealed > before.sealed)
+        out[Metric::AgentSeal] = sealing / growth(before.sealed, after.sealed);
+    if (after.opened > before.opened)
+        out[Metric::AgentOpen] = opening / growth(before.opened, after.opened);
+    return true;
+}
+
+void addAgent(Values &out, const Reading &begin, const Reading &end, double time, bool sealed)
+{
+    if (!sealed)
+        out[Metric::AgentCpuSuite] = 0;
+    if (!(sealed && addReported(out, begin, end))) {
+        if (begin.agentCpu && end.agentCpu)
+            out[Metric::AgentCpu] = 100 * seconds(*end.agentCpu - *begin.agentCpu) / time;
+        if (end.agentMemory)
+            out[Metric::AgentMemory] = static_cast<double>(*end.agentMemory);
+    }
+    out[Metric::AgentCpuPerFrame] = 1e7 * out[Metric::AgentCpu] / out[Metric::FrameRate]; // from percent to ns
+}
+
 } // namespace
+
+std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session)
+{
+    if (!session.stats.peerCosts)
+        return std::nullopt;
+    return AgentReport{session.stats.peerStamp, *session.stats.peerCosts};
+}
 
 Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
 {
@@ -109,18 +151,12 @@ Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
     if (sealed)
         addChannel(out, before.channel, after.channel);
     addLatency(out, before, after);
-    if (begin.agentCpu && end.agentCpu) {
-        const double agent = seconds(*end.agentCpu - *begin.agentCpu);
-        out[Metric::AgentCpu] = 100 * agent / time;
-        out[Metric::AgentCpuPerFrame] = 1e9 * agent / frames;
-    }
+    addAgent(out, begin, end, time, sealed);
     if (begin.microjoules && end.microjoules) {
         const double joules = growth(*begin.microjoules, *end.microjoules) / 1e6;
         out[Metric::Power] = joules / time;
         out[Metric::EnergyPerFrame] = 1e6 * joules / frames;
     }
-    if (end.agentMemory)
-        out[Metric::AgentMemory] = static_cast<double>(*end.agentMemory);
     return out;
 }
 

@@ -10,10 +10,19 @@
 
 namespace skyseal::experiment {
 
+/// The agent's costs, as its newest report brought them over the sealed link.
+struct AgentReport
+{
+    std::uint32_t stamp = 0; ///< microseconds of the agent's clock, modulo 2^32
+    channel::EndCosts costs;
+};
+std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session);
+
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
-    /// From the kernel, where the agent runs on this machine and its process is known.
+    std::optional<AgentReport> agent; ///< made during the run
+    /// For runs without two reports: from the kernel, where the agent runs on this machine and its process is known.
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;
     std::optional<std::uint64_t> microjoules; ///< of the whole processor, growing

@@ -15,11 +15,11 @@ namespace skyseal::experiment {
 /// In the order of the table in metric.cpp.
 enum class Metric : std::uint8_t {
     Packets, FrameRate, ByteRate, Loss, RecordLoss, RecordLossUp,
-    Cpu, CpuProcess, CpuSuite, AgentCpu, CpuPerFrame, AgentCpuPerFrame,
-    OpenP50, OpenP99, SealP50, SealP99, Memory, AgentMemory,
+    Cpu, CpuProcess, CpuSuite, AgentCpu, AgentCpuSuite, CpuPerFrame, AgentCpuPerFrame,
+    OpenP50, OpenP99, SealP50, SealP99, AgentOpen, AgentSeal, Memory, AgentMemory,
     WireBytes, WireRate, WirePerFrame, Overhead, Latency, SessionMemory, Power, EnergyPerFrame, Switch
 };
-inline constexpr std::size_t kMetrics = 27;
+inline constexpr std::size_t kMetrics = 30;
 
 struct MetricInfo
 {

@@ -244,6 +244,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
             beginRun();
         break;
     case Stage::Measuring:
+        noteReport(snapshot);
         if (isAnotherSession(snapshot) || since >= seconds(m_config.plan.measure))
             endRun();
         break;
@@ -268,6 +269,8 @@ Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &sn
 {
     Reading out;
     out.station = snapshot;
+    if (const engine::SessionSnapshot *up = session(*snapshot))
+        out.agent = agentReport(*up);
     out.microjoules = m_energy.microjoules();
     if (m_config.lab) {
         out.agentCpu = metrics::processCpuTime(m_config.lab->agentProcess());
@@ -281,7 +284,18 @@ void SweepRunner::beginRun()
     const engine::SessionSnapshot *up = session(*m_snapshot);
     m_session = up ? std::optional(up->info.session) : std::nullopt;
     m_begin = readingOf(m_snapshot);
+    m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
+    m_begin.agent.reset();
     enter(Stage::Measuring, m_config.plan.measure + kConnectPatience);
+}
+
+/// The agent's costs are counted from its first report of the run on: the one before it may be of another suite's time.
+void SweepRunner::noteReport(const engine::Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = session(snapshot);
+    const auto report = up ? agentReport(*up) : std::nullopt;
+    if (!m_begin.agent && report && report->stamp != m_reportBefore)
+        m_begin.agent = report;
 }
 
 void SweepRunner::endRun(std::string problem)

@@ -77,6 +77,7 @@ private:
     void order(channel::SessionId session, crypto::SuiteId suite);
     void beginRun();
     void endRun(std::string problem = {});
+    void noteReport(const engine::Snapshot &snapshot);
     void refuseRun(const std::string &problem);
     void record(Sample sample);
     void restore();
@@ -122,6 +123,7 @@ private:
     double m_runStart = 0;
     std::shared_ptr<const engine::Snapshot> m_snapshot;
     Reading m_begin;
+    std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
     metrics::EnergyMeter m_energy;
     std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();

@@ -352,6 +352,12 @@ void KnownAnswersTest::controlMessages()
     report.rx = {.good = 1000, .late = 3, .lost = 2, .replayed = 1, .forged = 0, .malformed = 0, .plaintextDropped = 0,
                  .openedBytes = 30000};
     report.tx = {.records = 40, .sealedBytes = 2000};
+    Report costly = report;
+    costly.answerAtOnce = false;
+    costly.asksCosts = true;
+    costly.frames = {.taken = 900, .lost = 1};
+    costly.costs = {.cpuMicroseconds = 2500000, .residentBytes = 14680064, .opened = 40, .openNanoseconds = 60000,
+                    .sealed = 1000, .sealNanoseconds = 1500000};
     const std::pair<const char *, ControlMessage> messages[] = {
         {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
         {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},
@@ -359,6 +365,7 @@ void KnownAnswersTest::controlMessages()
         {"confirm", Confirm{Epoch{1}, 300}},
         {"confirmed", Confirmed{Epoch{1}, 1000}},
         {"report", report},
+        {"report with costs", costly},
         {"close", Close{}},
     };
     for (const auto &[name, message] : messages) {
@@ -367,6 +374,9 @@ void KnownAnswersTest::controlMessages()
         COMPARE_WITH(name, out);
         const auto again = readControl(m_answers[name]);
         QVERIFY2(again && again->index() == message.index(), name);
+        Bytes rewritten(kMaxControl);
+        rewritten.resize(writeControl(*again, rewritten));
+        COMPARE_WITH(name, rewritten);
     }
 }
 

@@ -28,6 +28,7 @@ private Q_SLOTS:
     void staysWhereItWasHeard();
     void closesOnce();
     void countersAgreeOnBothEnds();
+    void costsAreToldToWhoAsks();
 };
 
 namespace {
@@ -49,6 +50,12 @@ void traffic(Pair &pair)
         pair.sendFrame(Air);
         pair.sendFrame(Ground, 40);
     });
+}
+
+std::optional<EndCosts> toldCosts(Pair &pair, Side side)
+{
+    const auto stats = pair.ends[side].endpoint->stats(pair.ends[side].session());
+    return stats ? stats->peerCosts : std::nullopt;
 }
 
 } // namespace
@@ -286,6 +293,45 @@ void SessionTest::countersAgreeOnBothEnds()
         recordsDropped[side] = mine->rx.lost;
     }
     QVERIFY(recordsDropped[Ground] >= pair.dropped[Air].size());
+}
+
+void SessionTest::costsAreToldToWhoAsks()
+{
+    Pair pair;
+    pair.start(Ground);
+    pair.start(Air);
+    std::uint64_t asked = 0;
+    pair.air().endpoint->setCostSource([&](SessionId session) {
+        ++asked;
+        return session == pair.air().session() ? EndCosts{7'000'000, 1 << 24, 30, 40'000, 50, 60'000} : EndCosts{};
+    });
+    QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+    pair.run(3s);
+    QCOMPARE(asked, std::uint64_t(0)); // a flight pays nothing for it
+    QVERIFY(!toldCosts(pair, Ground));
+
+    pair.ground().endpoint->askCosts(true);
+    pair.run(3s);
+    const auto told = toldCosts(pair, Ground);
+    QVERIFY(told);
+    QCOMPARE(told->cpuMicroseconds, std::uint64_t(7'000'000));
+    QCOMPARE(told->residentBytes, std::uint64_t(1 << 24));
+    QCOMPARE(told->opened, std::uint64_t(30));
+    QCOMPARE(told->openNanoseconds, std::uint64_t(40'000));
+    QCOMPARE(told->sealed, std::uint64_t(50));
+    QCOMPARE(told->sealNanoseconds, std::uint64_t(60'000));
+    QVERIFY(!toldCosts(pair, Air));
+    const auto before = pair.ground().endpoint->stats(pair.ground().session());
+    pair.run(1s);
+    const auto after = pair.ground().endpoint->stats(pair.ground().session());
+    QCOMPARE(after->peerStamp / 10'000 - before->peerStamp / 10'000, 100u); // by the agent's own clock
+
+    pair.air().endpoint->askCosts(true); // of an end that does not measure itself
+    pair.ground().endpoint->askCosts(false);
+    pair.run(3s);
+    QVERIFY(!toldCosts(pair, Ground));
+    QVERIFY(!toldCosts(pair, Air));
+    VERIFY_ACCOUNTS(pair);
 }
 
 QTEST_GUILESS_MAIN(SessionTest)

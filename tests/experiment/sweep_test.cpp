@@ -16,6 +16,8 @@
 #include <cmath>
 #include <csignal>
 
+#include <unistd.h>
+
 using namespace skyseal::test;
 
 namespace {
@@ -75,6 +77,7 @@ private Q_SLOTS:
     void bothFramings();
     void cancelOnALinkRestoresTheSuite();
     void refusalsAreTold();
+    void agentTellsItsCosts();
 
 private:
     void checkSummaries(const QJsonObject &report);
@@ -384,6 +387,30 @@ void SweepTest::refusalsAreTold()
     QVERIFY2(problems[q("aes-256-ctr sealed")].isEmpty(), qPrintable(problems[q("aes-256-ctr sealed")]));
     QVERIFY(problems[q("aes-256-ctr inline")].contains(q("inline framing")));
     QVERIFY(!problems[q("none plain")].isEmpty());
+}
+
+/// Somebody else's agent, whose process the sweep does not know: what it costs comes over the sealed link. Its memory is
+/// what the kernel says of that process.
+void SweepTest::agentTellsItsCosts()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program sim(q("skyseal-sim"), flight.simArguments({q("--saturate")}));
+    Program air(q("skyseal-air"), flight.airArguments());
+    Program process(q("skyseal-cli"), onLink(flight, "--suites aes-256-gcm --seconds 4 --repeats 1 --no-noise --json"));
+    QCOMPARE(process.waitForExit(60000), 0);
+    QFile statm(q("/proc/%1/statm").arg(air.pid()));
+    QVERIFY(statm.open(QIODevice::ReadOnly));
+    const double resident = statm.readAll().split(' ')[1].toDouble() * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const std::vector<QJsonObject> samples = process.events(q("run"));
+    QCOMPARE(int(samples.size()), 1);
+    const double cpu = valueOf(samples[0], "agent_cpu"), suite = valueOf(samples[0], "agent_cpu_suite");
+    QVERIFY2(suite > 0 && suite < cpu && cpu < 110, qPrintable(q("%1 %2").arg(suite).arg(cpu)));
+    QVERIFY2(valueOf(samples[0], "agent_seal") > 50 && valueOf(samples[0], "agent_open") > 50,
+             qPrintable(q("%1 %2").arg(valueOf(samples[0], "agent_seal")).arg(valueOf(samples[0], "agent_open"))));
+    QVERIFY(valueOf(samples[0], "agent_cpu_per_frame") > 100);
+    const double memory = valueOf(samples[0], "agent_memory");
+    QVERIFY2(std::abs(memory - resident) < 0.1 * resident, qPrintable(q("%1 %2").arg(memory).arg(resident)));
 }
 
 QTEST_GUILESS_MAIN(SweepTest)

@@ -7,7 +7,8 @@ LENGTHS = {PROPOSE: 26, ACCEPT: 21, REFUSE: 5, CONFIRM: 9, CONFIRMED: 9, CLOSE: 
 REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "plaintext_dropped", "opened_bytes",
                   "sent_records", "sent_bytes")
 FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
-ANSWER_AT_ONCE, COUNTS_FRAMES = 1, 2
+COST_NUMBERS = ("cpu_us", "resident_bytes", "opened", "open_ns", "sealed", "seal_ns")  # likewise
+ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS = 1, 2, 4, 8
 
 
 class Malformed(Exception):
@@ -126,11 +127,12 @@ def unpack(data):
 
 
 def _names(flags):
-    return REPORT_NUMBERS + (FRAME_NUMBERS if flags & COUNTS_FRAMES else ())
+    return (REPORT_NUMBERS + (FRAME_NUMBERS if flags & COUNTS_FRAMES else ())
+            + (COST_NUMBERS if flags & TELLS_COSTS else ()))
 
 
 def _unpack_report(data):
-    if len(data) < 14 or data[1] > (ANSWER_AT_ONCE | COUNTS_FRAMES):
+    if len(data) < 14 or data[1] > (ANSWER_AT_ONCE | COUNTS_FRAMES | ASKS_COSTS | TELLS_COSTS):
         raise Malformed("short report, or unknown flags")
     report, at = Report(data[1], _read_u32(data, 2), _read_u32(data, 6), _read_u32(data, 10)), 14
     for name in _names(report.flags):

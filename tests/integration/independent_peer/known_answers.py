@@ -165,14 +165,18 @@ def _inline_frames(inputs, out):
 
 def _control_messages(inputs, out):
     numbers = dict(zip(control.REPORT_NUMBERS, (1000, 3, 2, 1, 0, 0, 0, 30000, 40, 2000)))
+    more = numbers | dict(zip(control.FRAME_NUMBERS + control.COST_NUMBERS,
+                              (900, 1, 2500000, 14680064, 40, 60000, 1000, 1500000)))
     out.update({"propose": control.Propose(1, 1, 3, inputs["proposal nonce"]).pack(),
                 "accept": control.Accept(1, inputs["answer nonce"]).pack(),
                 "refuse": control.Refuse(1).pack(),
                 "confirm": control.Confirm(1, 300).pack(),
                 "confirmed": control.Confirmed(1, 1000).pack(),
                 "report": control.Report(1, 1000001, 999001, 250, numbers).pack(),
+                "report with costs": control.Report(14, 1000001, 999001, 250, more).pack(),
                 "close": control.Close().pack()})
-    assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "confirmed"))
+    assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "report with costs",
+                                                                               "confirmed"))
 
 
 def _pairing(inputs, station, agent, out):
