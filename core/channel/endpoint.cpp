@@ -193,6 +193,13 @@ bool Endpoint::ownsFrame(ByteView frame)
     return looksInline(frame);
 }
 
+bool Endpoint::isAnnouncement(ByteView datagram)
+{
+    constexpr std::size_t kZerosFrom = 1 + 16 + kMacLength;
+    return datagram.size() == Announcement::kLength && datagram[0] == firstByte(HandshakeMessage::Announcement)
+           && std::all_of(datagram.begin() + kZerosFrom, datagram.end(), [](std::uint8_t byte) { return byte == 0; });
+}
+
 // ---- input
 
 std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from, MutableByteView datagram)

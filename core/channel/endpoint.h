@@ -168,6 +168,9 @@ public:
     /// True for a frame that claims to be sealed in place: hand it to handleInlineFrame(). It is no frame for anybody else.
     static bool ownsFrame(ByteView frame);
 
+    /// True for what has the form of an agent's announcement, whosever it is.
+    static bool isAnnouncement(ByteView datagram);
+
     // input
     /// Takes one datagram whose first byte it owns and opens it in place. Gives frames only after their tag verified.
     std::optional<Delivery> handleDatagram(TimePoint now, const Path &from, MutableByteView datagram);

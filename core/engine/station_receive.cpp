@@ -100,7 +100,7 @@ void StationCore::takeMessage(const link::ReceivedBlock &message)
 void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 {
     if (!isSealing()) {
-        ++m_garbage;
+        m_garbage += !channel::Endpoint::isAnnouncement(block.bytes); // of an agent that waits for whoever wants a session
         return;
     }
     if (const auto delivery = m_channel->receive(now, block.path, block.bytes)) {

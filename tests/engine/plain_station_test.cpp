@@ -20,6 +20,7 @@ private Q_SLOTS:
     void takenPortIsNamed();
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
+    void announcementsAreNoGarbage();
 };
 
 void PlainStationTest::plainVehicleIsShownAsPlain()
@@ -151,6 +152,30 @@ void PlainStationTest::noTargetWithoutAHeartbeat()
     QVERIFY(noise.bind(QHostAddress::LocalHost, 0));
     noise.writeDatagram("anybody there?", QHostAddress::LocalHost, port);
     QVERIFY(!QTest::qWaitFor([&] { return noise.hasPendingDatagrams(); }, 1500));
+}
+
+/// An agent that would seal announces itself to whoever is there.
+void PlainStationTest::announcementsAreNoGarbage()
+{
+    engine::LinkSnapshot listening;
+    std::shared_ptr<const engine::Snapshot> newest;
+    engine::StationCore core(offConfig(), nullptr,
+                             {[&](const auto &snapshot) { newest = snapshot; },
+                              [&](const engine::Happening &happening) {
+                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
+                                      listening = changed->link;
+                              }});
+    core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+    QTRY_COMPARE_WITH_TIMEOUT(int(listening.phase), int(engine::LinkPhase::Listening), 10000);
+    const auto port = static_cast<quint16>(std::stoi(listening.localAddress.substr(listening.localAddress.rfind(':') + 1)));
+    QUdpSocket agent;
+    QVERIFY(agent.bind(QHostAddress::LocalHost, 0));
+    const QByteArray announcement = QByteArray(1, 0x58) + QByteArray(32, 0x33) + QByteArray(94, 0);
+    for (int i = 0; i < 3; ++i)
+        agent.writeDatagram(announcement, QHostAddress::LocalHost, port);
+    agent.writeDatagram(announcement.chopped(1), QHostAddress::LocalHost, port); // none of any version
+    QTRY_VERIFY_WITH_TIMEOUT(newest && !newest->links.empty() && newest->links[0].rxDatagrams == 4, 10000);
+    QCOMPARE(newest->channel.rx.malformed, std::uint64_t(1));
 }
 
 QTEST_GUILESS_MAIN(PlainStationTest)
