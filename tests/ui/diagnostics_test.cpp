@@ -190,6 +190,9 @@ private Q_SLOTS:
         QVERIFY(rate.bars[1].low < rate.bars[1].mean && rate.bars[1].mean < rate.bars[1].high);
         choose("chartGroup", QStringLiteral("Cost"));
         QVERIFY(m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_memory"))->plotted().bars.empty());
+        const ChartContent cpu = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_cpu"))->plotted();
+        QCOMPARE(cpu.bars.size(), std::size_t(2));
+        QCOMPARE(cpu.bars[1].mean, meanOf(all, SuiteId::Rc4, &MetricsSample::suiteCpuPercent)); // not of the process
     }
 
     void suitesLieOverOneAnother()

@@ -142,7 +142,7 @@ std::vector<ChartBar> buildBars(const SampleHistory &history, const Quantity &qu
     if (!quantity.perSuite)
         return bars;
     for (const SuiteUse &use : history.suites().uses()) {
-        const Tally &tally = use.tallies[firstTally];
+        const Tally &tally = use.tallies[firstTally + quantity.barLine];
         if (tally.count > 0)
             bars.push_back(
                 {suiteColor(use.suite), suiteName(use.suite), tally.mean(), tally.low, tally.high, tally.count});

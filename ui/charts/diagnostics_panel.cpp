@@ -105,6 +105,8 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
         else if (line.stroke == Stroke::Dotted)
             key << tr("%1 dotted").arg(line.name);
     }
+    if (quantity.barLine > 0)
+        key << tr("bars: %1").arg(quantity.lines[quantity.barLine].name);
     if (!quantity.remark.isEmpty())
         key << quantity.remark;
     plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), quantity.note},

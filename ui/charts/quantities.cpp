@@ -105,7 +105,8 @@ std::vector<Quantity> costs()
                    "seal and open (elapsed time of each call, added up), over the last second."), 2, 5,
          {{Words::tr("process"), Stroke::Solid, processCpu},
           {Words::tr("link"), Stroke::Dashed, ioCpu},
-          {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true},
+          {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true, {},
+         2}, // the others hold much that is no suite's
         {"openCost", Words::tr("Time to open a record"), Words::tr("µs"),
          Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after "
                    "the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records "

@@ -28,6 +28,7 @@ struct Quantity
     std::vector<QuantityLine> lines;
     bool perSuite = true; ///< false: the figure says nothing about a suite, so that bars would mislead
     QString remark = {};  ///< beside the title: why there is nothing to see
+    std::size_t barLine = 0; ///< of which line the bars are
 };
 
 /// All of them, in the order in which they are shown. `powercap`: where the kernel's energy counters are.
