@@ -154,10 +154,14 @@ void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::Scan
     if (frame.systemId() == m_config.systemId && frame.componentId() == m_config.componentId)
         return; // our own, looped back
     if (!m_policy.acceptClear(from, frame.systemId())) {
-        if (!m_policy.isHeldBack(from, frame.systemId()))
+        // A recording, and a stream that is only listened to, were opened as what they are. What was recorded of a sealed
+        // vehicle may be looked at again, but not while that vehicle itself is there.
+        const link::Link *link = m_links.find(from.link);
+        const bool recorded = link && link->url().scheme() == link::LinkScheme::Tlog;
+        const bool heldBack = m_policy.isHeldBack(from, frame.systemId());
+        if (recorded ? m_policy.sessionConcerned(from, frame.systemId()).has_value() : !heldBack)
             return refuseClear(now, from, frame.systemId());
-        // A recording, and a stream that is only listened to, were opened as what they are.
-        if (const link::Link *link = m_links.find(from.link); !link || maySeal(*link))
+        if (heldBack && (!link || maySeal(*link)))
             return holdBack(now, from, frame);
     }
     takeFrame(now, from, frame, std::nullopt);

@@ -4,8 +4,11 @@
 
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
+#include "tests/support/heartbeat.h"
 
 #include <QtCore/QElapsedTimer>
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
@@ -22,6 +25,7 @@ private Q_SLOTS:
     void comesBackAfterTheAgentWasKilled();
     void clearFramesOfAPinnedVehicleAreRefused();
     void clearFramesAreRefusedAfterARestartAsWell();
+    void recordingOfASealedVehicleCanBeLookedAt();
     void systemOfAnotherPeerIsRefusedAndTold();
     void observerCannotCommand();
     void pilotCanCommand();
@@ -142,6 +146,34 @@ void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
     VehicleOnUdp impostor(again.ears->listening(), 1);
     QTRY_VERIFY_WITH_TIMEOUT(!again.ears->all<engine::PlaintextRefused>().empty(), 10000);
     QVERIFY(again.ears->snapshot->vehicles.empty());
+}
+
+void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
+{
+    FlightRig rig(channel::PeerRole::Pilot, {1});
+    QTemporaryDir folder;
+    const QString log = folder.filePath(QStringLiteral("flight.tlog"));
+    QFile file(log);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    for (int second = 0; second < 600; ++second) {
+        const QByteArray entry = QByteArray::fromHex("0005f5e100000000") + clearHeartbeat(1, 1, false);
+        QCOMPARE(file.write(entry), entry.size());
+    }
+    file.close();
+
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    ground.station->addLink(urlOf("tlog:" + log.toStdString()));
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
+
+    // While the vehicle itself is there, a recording is not mixed into what it says.
+    Ground flying(rig.stationConfig(engine::SecureMode::Preferred));
+    rig.startAgent(flying.ears->listening());
+    VehicleOnUdp vehicle(rig.vehicleAddress());
+    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    flying.station->addLink(urlOf("tlog:" + log.toStdString()));
+    QTRY_VERIFY_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused > 0, 10000);
+    QVERIFY(flying.ears->all<engine::VehicleFound>()[0].sealed);
 }
 
 void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
