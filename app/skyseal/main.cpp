@@ -40,11 +40,11 @@ int main(int argc, char **argv)
         complain(QStringLiteral("skyseal"), "the system offers no randomness");
         return kCannotOpen;
     }
+    StopSignals signalled; // before the links open: who sees one may already want the end
+    QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
     crypto::SystemRandom random;
     Application window(std::get<WindowOptions>(std::move(options)), random);
     if (!window.start())
         return kCannotOpen;
-    StopSignals signalled;
-    QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
     return QApplication::exec();
 }
