@@ -187,13 +187,13 @@ void CarriersTest::serialLine()
 void CarriersTest::noisySerialLine()
 {
     NullModem line;
-    int spoilt = 0;
+    int spoilt = 0; // at most so many records: a spoilt delimiter makes one of two
     // One byte of some 2000, as a bad radio does it; from the beginning.
     line.noise = [&spoilt, at = std::uint64_t(0)](std::size_t, std::array<char, 4096> &bytes, std::size_t size) mutable {
         for (std::size_t i = 0; i < size; ++i) {
             if (++at % 2003 == 0) {
+                spoilt += bytes[i] == 0 ? 2 : 1;
                 bytes[i] = static_cast<char>(bytes[i] ^ (at % 3 == 0 ? bytes[i] : 0x41));
-                ++spoilt;
             }
         }
     };
