@@ -15,6 +15,8 @@ namespace skyseal::vehicle {
 class StreamRequester
 {
 public:
+    /// Of what was never heard: asked for again soon, since the question or its first answer may have been lost.
+    static constexpr Duration kFirstSilence = std::chrono::seconds(2);
     static constexpr Duration kSilence = std::chrono::seconds(8);
     static constexpr Duration kLongestSilence = std::chrono::seconds(64);
 
@@ -40,7 +42,7 @@ private:
     struct Expectation
     {
         TimePoint due = kNever; ///< to be asked for then, unless it comes before
-        Duration patience = kSilence;
+        Duration patience = kFirstSilence;
         bool unasked = false; ///< it may come at another rate than the one that was not asked for yet
         void ask(TimePoint now);
         void asked(TimePoint now);
