@@ -170,6 +170,20 @@ void ChannelDriver::flushAll(TimePoint now)
     m_slept = true; // the thread goes to sleep after this
 }
 
+std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
+{
+    flushAll(now);
+    for (const channel::SessionId session : m_endpoint.sessions())
+        m_endpoint.close(now, session);
+    std::vector<Goodbye> out;
+    while (const auto goodbye = m_endpoint.pollTransmit()) {
+        out.push_back({goodbye->to, Bytes(goodbye->bytes.begin(), goodbye->bytes.end())});
+        m_wire.sent += goodbye->bytes.size();
+        m_links.send(goodbye->to, goodbye->bytes);
+    }
+    return out;
+}
+
 std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::SessionId> speaking)
 {
     std::optional<channel::Event> event = m_left ? std::exchange(m_left, std::nullopt) : m_endpoint.pollEvent();

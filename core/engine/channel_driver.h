@@ -9,6 +9,7 @@
 #include "core/metrics/work_clock.h"
 
 #include <map>
+#include <vector>
 
 namespace skyseal::engine {
 
@@ -38,6 +39,13 @@ public:
     void flush(TimePoint now);
     /// The same for all that was queued: before the end.
     void flushAll(TimePoint now);
+    /// Ends all sessions; the goodbyes, which went out once, for whoever wants to say them again.
+    struct Goodbye
+    {
+        Path to;
+        Bytes datagram;
+    };
+    std::vector<Goodbye> closeAll(TimePoint now);
     /// When flush() must be called at the latest.
     TimePoint flushDue() const { return m_flushDue; }
 

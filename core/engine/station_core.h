@@ -167,7 +167,10 @@ private:
     bool isSealing() const { return isSealing(m_protection); }
 
     StationConfig m_config;
+    void repeatGoodbye(TimePoint now, const Path &from);
     std::optional<Protection> m_protection; ///< of a measurement
+    std::vector<ChannelDriver::Goodbye> m_goodbyes; ///< of the sessions that it ended
+    TimePoint m_goodbyeAgain{};
     std::optional<crypto::SuiteId> m_heldSuite; ///< of a measurement: every session begins with it
     std::optional<crypto::SuiteId> m_nextSuite; ///< the next session begins with it
     std::vector<crypto::SuiteId> m_suites; ///< as they were configured, before the weak ones were taken out

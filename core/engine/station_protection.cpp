@@ -7,6 +7,9 @@
 
 namespace skyseal::engine {
 
+/// What is on its way is no sign that a goodbye was lost.
+static constexpr Duration kGoodbyePause = std::chrono::milliseconds(250);
+
 SecureMode StationCore::secureMode() const
 {
     if (!m_protection)
@@ -30,10 +33,8 @@ void StationCore::setProtection(std::optional<Protection> protection)
     const bool plain = secureMode() == SecureMode::Off;
     const bool other = policy().allowInline != inlineBefore || kindOf(before) != kindOf(protection);
     if (m_channel && isSealing(before) && (plain || other)) {
-        m_channel->flushAll(steadyNow());
-        for (const channel::SessionId session : m_channel->endpoint().sessions())
-            m_channel->endpoint().close(steadyNow(), session);
-        m_channel->flush(steadyNow()); // the goodbyes, while this end still speaks so
+        m_goodbyes = m_channel->closeAll(steadyNow()); // while this end still speaks so
+        m_goodbyeAgain = steadyNow() + kGoodbyePause;
         handleEvents(steadyNow());
     }
     if (m_channel)
@@ -43,6 +44,20 @@ void StationCore::setProtection(std::optional<Protection> protection)
     m_links.forEach([this](link::Link &link) { noteRemoteOf(link); });
     m_changed = true;
     finishWake();
+}
+
+/// A goodbye goes out once and may be lost. Who goes on sending records has not heard it, and would not speak in clear until
+/// the session times out. It is the same datagram again, so that whoever did hear it refuses it as seen.
+void StationCore::repeatGoodbye(TimePoint now, const Path &from)
+{
+    if (now < m_goodbyeAgain)
+        return;
+    for (const ChannelDriver::Goodbye &goodbye : m_goodbyes) {
+        if (goodbye.to == from) {
+            m_links.send(goodbye.to, goodbye.datagram);
+            m_goodbyeAgain = now + kGoodbyePause;
+        }
+    }
 }
 
 void StationCore::holdSuite(std::optional<crypto::SuiteId> suite)

@@ -100,6 +100,7 @@ void StationCore::takeMessage(const link::ReceivedBlock &message)
 void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 {
     if (!isSealing()) {
+        repeatGoodbye(now, block.path);
         m_garbage += !channel::Endpoint::isAnnouncement(block.bytes); // of an agent that waits for whoever wants a session
         return;
     }

@@ -319,6 +319,7 @@ void SweepRunner::endRun(std::string problem)
             sample.values[Metric::SessionMemory] = sessionMemory(wantedSuite());
         sample.begin = countedBy(*m_begin.station);
         sample.end = countedBy(*m_snapshot);
+        m_plainWorked = m_plainWorked || isPlain();
         m_failuresInARow = 0;
     } else {
         sample.problem = std::move(problem);
@@ -374,7 +375,7 @@ void SweepRunner::tick()
         // Without a link each further run would only wait as long.
         if (!isPlain())
             return giveUp("no sealed session with a vehicle came up");
-        m_plainRefused = true;
+        m_plainRefused = !m_plainWorked;
         endRun(kNothingClear);
         break;
     case Stage::Restoring:

@@ -111,6 +111,7 @@ private:
     bool m_fresh = false;      ///< the station was opened for this run
     channel::Framing m_framing{}; ///< that the newest session agreed to
     bool m_plainRefused = false;  ///< by the agent's offer, or because nothing was heard in clear
+    bool m_plainWorked = false;   ///< once, so that silence is the link's
     bool m_inlineRefused = false;
     bool m_opened = false;     ///< a link worked at least once
     std::optional<std::pair<std::size_t, std::size_t>> m_block; ///< condition and load that the lab was started for

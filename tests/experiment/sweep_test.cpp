@@ -78,6 +78,7 @@ private Q_SLOTS:
     void cancelOnALinkRestoresTheSuite();
     void refusalsAreTold();
     void agentTellsItsCosts();
+    void plainComesBackOverABadLink();
 
 private:
     void checkSummaries(const QJsonObject &report);
@@ -411,6 +412,16 @@ void SweepTest::agentTellsItsCosts()
     QVERIFY(valueOf(samples[0], "agent_cpu_per_frame") > 100);
     const double memory = valueOf(samples[0], "agent_memory");
     QVERIFY2(std::abs(memory - resident) < 0.1 * resident, qPrintable(q("%1 %2").arg(memory).arg(resident)));
+}
+
+/// To and from plain MAVLink at each run, where every third datagram is lost, goodbyes among them.
+void SweepTest::plainComesBackOverABadLink()
+{
+    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm --load natural --seconds 0.5 --repeats 8 "
+                                                          "--seed 1 --no-noise --impair loss=0.3 --json"), {}, 200000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    for (const QJsonObject &sample : events(run.out, "run"))
+        QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));
 }
 
 QTEST_GUILESS_MAIN(SweepTest)
