@@ -166,8 +166,9 @@ private:
     bool isSealing(std::optional<Protection> protection) const { return m_channel && protection != Protection::Plain; }
     bool isSealing() const { return isSealing(m_protection); }
 
-    StationConfig m_config;
     void repeatGoodbye(TimePoint now, const Path &from);
+
+    StationConfig m_config;
     std::optional<Protection> m_protection; ///< of a measurement
     std::vector<ChannelDriver::Goodbye> m_goodbyes; ///< of the sessions that it ended
     TimePoint m_goodbyeAgain{};
