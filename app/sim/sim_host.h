@@ -1,7 +1,7 @@
 // Gives simulated vehicles a clock and links: all vehicles share all links.
 #pragma once
 
-#include "app/sim/saturator.h"
+#include "core/sim/saturator.h"
 #include "app/sim/sim_link.h"
 #include "core/sim/simulated_vehicle.h"
 
@@ -44,7 +44,7 @@ private:
     const SimSettings m_settings;
     std::vector<sim::SimulatedVehicle> m_vehicles;
     std::vector<std::unique_ptr<SimLink>> m_links;
-    Saturator m_saturator;
+    sim::Saturator m_saturator;
     QTimer m_timer;
 };
 

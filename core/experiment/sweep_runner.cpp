@@ -5,6 +5,7 @@
 #include "core/metrics/process_usage.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace skyseal::experiment {
 
@@ -15,6 +16,8 @@ using std::chrono::milliseconds;
 constexpr Duration kSettle = milliseconds(500); ///< a station that just connected asks for much that it never asks again
 constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kSettleMost = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
+constexpr double kPaceTrips = 6;
+constexpr Duration kMostWarmUp = std::chrono::seconds(12);
 constexpr unsigned kMostFailures = 3;           ///< runs in a row; the link is gone then
 constexpr Duration kLatencyEvery = milliseconds(200);
 constexpr int kSnapshotsPerSecond = 20;
@@ -240,7 +243,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
     case Stage::WarmingUp:
         if (!isUnderWantedSuite(snapshot))
             beginSwitching(snapshot); // the link was lost, and nothing was measured yet
-        else if (since >= seconds(m_config.plan.warmUp))
+        else if (since >= warmUpOf(snapshot))
             beginRun();
         break;
     case Stage::Measuring:
@@ -255,6 +258,19 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
     case Stage::Closing:
         break;
     }
+}
+
+/// Seconds. A load that follows the answers of the other end takes several trips to find its pace.
+double SweepRunner::warmUpOf(const engine::Snapshot &snapshot) const
+{
+    double out = seconds(m_config.plan.warmUp);
+    if (m_config.plan.loads[run().load] != Load::Saturated)
+        return out;
+    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles) {
+        if (!vehicle.state.lost && !std::isnan(vehicle.state.latency))
+            out = std::max(out, std::min(kPaceTrips * vehicle.state.latency, seconds(kMostWarmUp)));
+    }
+    return out;
 }
 
 double SweepRunner::sessionMemory(crypto::SuiteId suite)

@@ -89,6 +89,7 @@ private:
 
     static double tripsOf(const engine::Snapshot &snapshot);
     Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot);
+    double warmUpOf(const engine::Snapshot &snapshot) const;
     double sessionMemory(crypto::SuiteId suite);
     const Run &run() const { return m_schedule[m_next]; }
     crypto::SuiteId wantedSuite() const { return m_config.plan.arms[run().arm].suite; }

@@ -1,21 +1,43 @@
-#include "app/sim/saturator.h"
+#include "core/sim/saturator.h"
 
 #include "core/mavlink/messages.h"
 
 #include <algorithm>
 
-namespace skyseal::app {
+namespace skyseal::sim {
 
 namespace {
+
 // Several round trips, so that a slow link is not asked to carry more because it is slow.
 constexpr Duration kLeastPatience = std::chrono::milliseconds(100);
-constexpr Duration kMostPatience = std::chrono::seconds(3);
+constexpr Duration kMostPatience = std::chrono::seconds(10);
+constexpr Duration kFirstPatience = std::chrono::seconds(3); ///< while nothing is known of the link
 constexpr unsigned kLostAfter = 3; // as in TCP (RFC 5681)
-}
+
+/// Bursts that may wait for a line: while one goes out the next is there. Telemetry that was asked for waits between them.
+constexpr double kMostQueued = 2;
+/// Waiting of less is a busy processor's or jitter, and no line's.
+constexpr Duration kNoQueue = std::chrono::milliseconds(60);
+
+} // namespace
 
 Duration Saturator::patience() const
 {
-    return std::clamp(m_trip * 4, kLeastPatience, kMostPatience);
+    return m_trip == Duration() ? kFirstPatience : std::clamp(m_trip * 4, kLeastPatience, kMostPatience);
+}
+
+void Saturator::noteTrip(Duration trip)
+{
+    m_trip = m_trip == Duration() ? trip : (m_trip * 7 + trip) / 8;
+    m_leastTrip = std::min(m_leastTrip, trip);
+}
+
+/// As many bursts are on the way at once as the time says that a trip takes longer than it must (Brakmo and Peterson, "TCP
+/// Vegas", 1995).
+bool Saturator::fillsTheQueue(Duration trip) const
+{
+    const Duration waiting = trip - m_leastTrip;
+    return waiting > kNoQueue && m_window * seconds(waiting) > kMostQueued * seconds(trip);
 }
 
 void Saturator::missed()
@@ -32,15 +54,17 @@ void Saturator::handleFrame(TimePoint now, const mavlink::Frame &frame)
     const auto found = std::find_if(m_open.begin(), m_open.end(), [&](const Ticket &t) { return t.number == answer.ts1; });
     if (answer.tc1 == 0 || found == m_open.end())
         return;
-    m_trip = (m_trip * 7 + (now - found->sent)) / 8;
-    m_window = std::min(kWidest, m_window + 1 / m_window);
+    const Duration trip = now - found->sent;
+    noteTrip(trip);
+    const double step = 1 / m_window;
+    m_window = fillsTheQueue(trip) ? std::max(1.0, m_window - step) : std::min(kWidest, m_window + step);
     std::for_each(m_open.begin(), found, [](Ticket &earlier) { ++earlier.overtaken; });
     m_open.erase(found);
     if (std::erase_if(m_open, [](const Ticket &ticket) { return ticket.overtaken >= kLostAfter; }) > 0)
         missed();
 }
 
-bool Saturator::advance(TimePoint now, sim::SimulatedVehicle &vehicle)
+bool Saturator::advance(TimePoint now, SimulatedVehicle &vehicle)
 {
     if (!m_heard)
         return false;
@@ -56,4 +80,4 @@ bool Saturator::advance(TimePoint now, sim::SimulatedVehicle &vehicle)
     return m_open.size() < static_cast<std::size_t>(m_window);
 }
 
-} // namespace skyseal::app
+} // namespace skyseal::sim

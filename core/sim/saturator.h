@@ -1,13 +1,14 @@
 // Loads a link with as much telemetry as it carries: bursts go out while not too many are unanswered, and each ends with a
 // TIMESYNC request, which every station answers. How many may be unanswered grows while all answers come and is halved when
-// one is missing, as TCP does, so the slowest part of the way sets the pace. Sans-I/O.
+// one is missing, as TCP does; and where answers come late because bursts wait for a slow line it holds only as many there
+// as keep the line busy, as TCP Vegas does, so that what is lost on such a line was not lost to this. Sans-I/O.
 #pragma once
 
 #include "core/sim/simulated_vehicle.h"
 
 #include <deque>
 
-namespace skyseal::app {
+namespace skyseal::sim {
 
 class Saturator
 {
@@ -19,7 +20,7 @@ public:
     /// A frame from a station. A burst is taken as lost once three later ones were answered: links reorder.
     void handleFrame(TimePoint now, const mavlink::Frame &frame);
     /// Lets the vehicle send what is due; true when there is more to come once its outbox is empty.
-    bool advance(TimePoint now, sim::SimulatedVehicle &vehicle);
+    bool advance(TimePoint now, SimulatedVehicle &vehicle);
 
     std::size_t unanswered() const { return m_open.size(); }
 
@@ -32,13 +33,16 @@ private:
     };
 
     Duration patience() const;
+    void noteTrip(Duration trip);
+    bool fillsTheQueue(Duration trip) const;
     void missed();
 
     std::deque<Ticket> m_open;
     std::int64_t m_next = std::int64_t(1) << 56; ///< far from the times that others put there
     double m_window = 2; ///< bursts
-    Duration m_trip{};
+    Duration m_trip{};   ///< smoothed; nothing until the first answer
+    Duration m_leastTrip = Duration::max();
     bool m_heard = false; ///< any station yet
 };
 
-} // namespace skyseal::app
+} // namespace skyseal::sim
