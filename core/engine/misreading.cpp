@@ -42,13 +42,17 @@ bool actsOnAVehicle(std::uint16_t command)
     return kCommands && !kCommands->nameOf(command).empty() && !isQuestion(command);
 }
 
-/// What stands at the place of the command's number when bytes before it are lost.
+/// What can stand at the place of the command's number when bytes are lost, there or before it: any two from there on, in
+/// their order.
 bool hasCommandBehindItsCommand(const mavlink::Frame &frame)
 {
+    constexpr std::size_t kCommand = kHead + kCommandOffset;
     const ByteView bytes = frame.bytes();
-    for (std::size_t at = kHead + kCommandOffset + 1; at + 1 < bytes.size(); ++at) {
-        if (actsOnAVehicle(static_cast<std::uint16_t>(bytes[at] | bytes[at + 1] << 8)))
-            return true;
+    for (std::size_t low = kCommand; low < bytes.size(); ++low) {
+        for (std::size_t high = low == kCommand ? low + 2 : low + 1; high < bytes.size(); ++high) {
+            if (actsOnAVehicle(static_cast<std::uint16_t>(bytes[low] | bytes[high] << 8)))
+                return true;
+        }
     }
     return false;
 }

@@ -138,6 +138,8 @@ private Q_SLOTS:
     void nestedOverTwoFrames();
     void oneLostByteMakesNoOtherMessage();
     void lostBytesMakeNoCommandOfAQuestion();
+    void questionsBesideACommandAreRefused_data();
+    void questionsBesideACommandAreRefused();
     void unusualFormsAreRefused();
     void honestQuestionsPass();
 };
@@ -255,18 +257,60 @@ void MisreadingTest::lostBytesMakeNoCommandOfAQuestion()
         const std::uint32_t kind = read(frame).messageId();
         if (kind != mavlink::CommandLong::kId && kind != mavlink::CommandInt::kId)
             return;
-        for (std::size_t lost = 1; 38 + lost + 1 < frame.size(); ++lost) {
-            const auto command = static_cast<std::uint16_t>(frame[38 + lost] | frame[39 + lost] << 8);
-            QVERIFY(commands->nameOf(command).empty() || isQuestion(command));
+        // One byte is lost, or any two, wherever they stood: of the number, before it or behind it.
+        const auto check = [&](const Bytes &left, std::size_t first, std::size_t second) {
+            if (left.size() < 40)
+                return;
+            const auto command = static_cast<std::uint16_t>(left[38] | left[39] << 8);
+            QVERIFY2(commands->nameOf(command).empty() || isQuestion(command),
+                     qPrintable(QStringLiteral("%1 without bytes %2, %3").arg(command).arg(first).arg(second)));
+        };
+        for (std::size_t first = 1; first < frame.size(); ++first) {
+            Bytes left = frame;
+            left.erase(left.begin() + static_cast<std::ptrdiff_t>(first));
+            check(left, first, first);
+            for (std::size_t second = first; second < left.size(); ++second) {
+                Bytes less = left;
+                less.erase(less.begin() + static_cast<std::ptrdiff_t>(second));
+                check(less, first, second + 1);
+            }
         }
     });
-    // One whose targets are ARM_DISARM, 400, so that two lost parameters' bytes would make it that.
+}
+
+void MisreadingTest::questionsBesideACommandAreRefused_data()
+{
+    QTest::addColumn<int>("question");
+    QTest::addColumn<int>("target");
+    QTest::addColumn<int>("lost");
+    QTest::addColumn<int>("command");
+    QTest::newRow("two bytes before it: COMPONENT_ARM_DISARM") << 512 << 0x90 << 0 << 400;
+    QTest::newRow("its high byte: CAN_FORWARD") << 512 << 125 << 39 << 32000;
+    QTest::newRow("its high byte: FLASH_BOOTLOADER") << 410 << 166 << 39 << 42650;
+    QTest::newRow("its high byte: another of the autopilot's own") << 519 << 166 << 39 << 42503;
+}
+
+void MisreadingTest::questionsBesideACommandAreRefused()
+{
+    QFETCH(int, question);
+    QFETCH(int, target);
+    QFETCH(int, lost);
+    QFETCH(int, command);
     mavlink::FrameWriter writer(255, 190);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = writer.write(
-        mavlink::CommandLong{.target_system = 0x90, .target_component = 1, .command = 512, .confirmation = 1, .param1 = 1},
-        buffer);
+    const ByteView frame = writer.write(mavlink::CommandLong{.target_system = static_cast<std::uint8_t>(target),
+                                                             .target_component = 1,
+                                                             .command = static_cast<std::uint16_t>(question),
+                                                             .confirmation = 1, .param1 = 1},
+                                        buffer);
     const Bytes bytes(frame.begin(), frame.end());
+    Bytes left = bytes;
+    if (lost > 0)
+        left.erase(left.begin() + lost);
+    else
+        left.erase(left.begin() + 10, left.begin() + 12);
+    QCOMPARE(left[38] | left[39] << 8, command);
+    QVERIFY(!mavlink::Dialect::builtin().enumeration("MAV_CMD")->nameOf(static_cast<std::uint32_t>(command)).empty());
     QVERIFY(observerMaySend(read(bytes), false));
     QVERIFY(mayBeMisread(read(bytes)));
 }
@@ -297,7 +341,7 @@ void MisreadingTest::unusualFormsAreRefused()
 
 void MisreadingTest::honestQuestionsPass()
 {
-    // Times of a clock in nanoseconds: one in fourteen holds such a byte, with sequence and checksum one in nine.
+    // Times of a clock in nanoseconds: one in thirteen holds such a byte, with sequence and checksum.
     mavlink::FrameWriter writer(255, 190);
     std::mt19937_64 random(kSeed);
     int passed = 0;
