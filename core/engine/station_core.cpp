@@ -299,6 +299,7 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         noteUnanswering(now);
         beginWithSuite(now, *up);
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        nameSpoofer(); // before nothing knows that session any more
         m_policy.sessionDown(down->session);
         m_outlets.sessionDown(down->session);
         noteDown(now, *down);

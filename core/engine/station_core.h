@@ -32,6 +32,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace skyseal::engine {
 
@@ -86,6 +87,22 @@ private:
         std::uint64_t total = 0;
         Refused untold;
         TimePoint told = TimePoint::min();
+
+        void count(std::uint8_t systemId)
+        {
+            ++total;
+            ++untold.frames;
+            untold.systemId = systemId;
+        }
+        bool isDue(TimePoint now) const
+        {
+            return untold.frames > 0 && (told == TimePoint::min() || now - told >= std::chrono::seconds(1));
+        }
+        Refused takeUntold(TimePoint now)
+        {
+            told = now;
+            return std::exchange(untold, {});
+        }
     };
     /// What is measured of one session beside its own counters.
     struct SessionWatch
@@ -127,12 +144,13 @@ private:
     void takeInline(const link::ReceivedBlock &block, const mavlink::ScanItem &item);
     void takeSealed(TimePoint now, const Path &from, const channel::Delivery &delivery);
     void takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item);
+    bool isOrWasSealed(const Path &from, std::uint8_t systemId) const;
     void refuseClear(TimePoint now, const Path &from, std::uint8_t systemId);
     void holdBack(TimePoint now, const Path &from, const mavlink::Frame &frame);
     void takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, std::optional<channel::SessionId> session);
     void refuseSystem(TimePoint now, channel::SessionId session, std::uint8_t systemId);
+    void nameSpoofer();
     void tellRefusals(TimePoint now);
-    template<typename Refused> void tellRefusals(TimePoint now, Refusals<Refused> &refusals);
 
     void finishWake();
     void handleDeadline();
@@ -193,8 +211,11 @@ private:
     MetricsSampler m_sampler;
     std::map<channel::SessionId, SessionWatch> m_sessionWatches;
     std::map<std::uint8_t, VehicleWatch> m_vehicleWatches;
+    // Who it was stands beside them as it comes with each frame; words are made of it when they are told.
     Refusals<PlaintextRefused> m_refusals;
+    Address m_refusedFrom;
     Refusals<SystemRefused> m_spoofed; ///< sealed frames of a system that their peer may not speak as
+    channel::SessionId m_spoofer{};
     UnansweringAgents m_unanswering{std::string()};
     HeldBack m_heldBack;
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink

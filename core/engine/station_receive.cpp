@@ -156,16 +156,24 @@ void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::Scan
         return; // our own, looped back
     if (!m_policy.acceptClear(from, frame.systemId())) {
         // A recording, and a stream that is only listened to, were opened as what they are. What was recorded of a sealed
-        // vehicle may be looked at again, but not while that vehicle itself is there.
+        // vehicle may be looked at again, but not in the place of what that vehicle itself said.
         const link::Link *link = m_links.find(from.link);
         const bool recorded = link && link->url().scheme() == link::LinkScheme::Tlog;
         const bool heldBack = m_policy.isHeldBack(from, frame.systemId());
-        if (recorded ? m_policy.sessionConcerned(from, frame.systemId()).has_value() : !heldBack)
+        if (recorded ? isOrWasSealed(from, frame.systemId()) : !heldBack)
             return refuseClear(now, from, frame.systemId());
         if (heldBack && (!link || maySeal(*link)))
             return holdBack(now, from, frame);
     }
     takeFrame(now, from, frame, std::nullopt);
+}
+
+/// In this run: the vehicle has a session, or had one when it was last heard.
+bool StationCore::isOrWasSealed(const Path &from, std::uint8_t systemId) const
+{
+    const auto watch = m_vehicleWatches.find(systemId);
+    const bool flown = watch != m_vehicleWatches.end() && (watch->second.session || watch->second.ended);
+    return flown || m_policy.sessionConcerned(from, systemId).has_value();
 }
 
 void StationCore::holdBack(TimePoint now, const Path &from, const mavlink::Frame &frame)
@@ -180,51 +188,54 @@ void StationCore::holdBack(TimePoint now, const Path &from, const mavlink::Frame
 
 void StationCore::refuseClear(TimePoint now, const Path &from, std::uint8_t systemId)
 {
-    ++m_refusals.total;
-    ++m_refusals.untold.frames;
-    m_refusals.untold.systemId = systemId;
-    m_refusals.untold.remoteAddress = link::toText(from.remote);
+    m_refusals.count(systemId);
+    m_refusedFrom = from.remote;
     if (m_channel) {
         if (const auto session = m_policy.sessionConcerned(from, systemId))
             m_channel->endpoint().countPlaintextDropped(*session, 1);
     }
-    tellRefusals(now, m_refusals);
+    tellRefusals(now);
 }
 
 void StationCore::refuseSystem(TimePoint now, channel::SessionId session, std::uint8_t systemId)
 {
-    ++m_spoofed.total;
-    ++m_spoofed.untold.frames;
-    m_spoofed.untold.systemId = systemId;
-    if (const auto info = m_channel->endpoint().sessionInfo(session))
-        m_spoofed.untold.peer = info->peerName;
-    m_spoofed.untold.owner = m_policy.ownerOf(systemId, session);
-    tellRefusals(now, m_spoofed);
+    m_spoofed.count(systemId);
+    m_spoofer = session;
+    tellRefusals(now);
+}
+
+/// Whose frames were refused, in words: for those that are told, while its session can be asked.
+void StationCore::nameSpoofer()
+{
+    const auto watch = m_sessionWatches.find(m_spoofer);
+    if (m_spoofed.untold.frames == 0 || watch == m_sessionWatches.end())
+        return;
+    m_spoofed.untold.peer = watch->second.peerName;
+    m_spoofed.untold.owner = m_policy.ownerOf(m_spoofed.untold.systemId, m_spoofer);
 }
 
 void StationCore::tellRefusals(TimePoint now)
 {
-    tellRefusals(now, m_refusals);
-    tellRefusals(now, m_spoofed);
-}
-
-template<typename Refused> void StationCore::tellRefusals(TimePoint now, Refusals<Refused> &refusals)
-{
-    if (refusals.untold.frames == 0
-        || (refusals.told != TimePoint::min() && now - refusals.told < std::chrono::seconds(1)))
-        return;
-    refusals.told = now;
-    tell(std::exchange(refusals.untold, {}));
+    if (m_refusals.isDue(now)) {
+        m_refusals.untold.remoteAddress = link::toText(m_refusedFrom);
+        tell(m_refusals.takeUntold(now));
+    }
+    if (m_spoofed.isDue(now)) {
+        nameSpoofer();
+        tell(m_spoofed.takeUntold(now));
+    }
 }
 
 void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Frame &frame,
                             std::optional<channel::SessionId> session)
 {
     m_links.noteUse(from);
-    m_heldBack.release(frame.systemId());
     const link::Link *link = m_links.find(from.link);
     const bool replayed = link && link->url().scheme() == link::LinkScheme::Tlog;
+    const bool live = !replayed && !m_mavsec.contains(from.link);
     const std::uint8_t systemId = frame.systemId();
+    if (live)
+        m_heldBack.release(systemId);
     const WallTime wall = wallNow();
     m_sequences.note({from.link, systemId, frame.componentId()}, frame.sequence(), now);
     m_inspector.note(now, frame);
@@ -232,7 +243,7 @@ void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Fram
         m_recorder->record(wall, frame.bytes());
     if (session) {
         m_outlets.heardSealed(systemId, *session);
-    } else if (frame.messageId() == 0 && !replayed && !m_mavsec.contains(from.link)) {
+    } else if (frame.messageId() == 0 && live) {
         m_outlets.heardClear(now, systemId, from);
         m_links.noteRemote(from.link, from.remote);
     }

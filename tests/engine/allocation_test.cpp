@@ -54,6 +54,7 @@ private Q_SLOTS:
     void countsAtAll();
     void agentBothWays();
     void stationReceives();
+    void stationRefuses();
 };
 
 void EngineAllocationTest::countsAtAll()
@@ -75,6 +76,13 @@ void EngineAllocationTest::stationReceives()
     const std::uint64_t before = rig.frames();
     QVERIFY(allocationsOf([&] { rig.receive(); }) < kAllowed);
     QCOMPARE(rig.frames() - before, std::uint64_t(kRounds + 1) * kFrames);
+}
+
+void EngineAllocationTest::stationRefuses()
+{
+    StationRig rig(crypto::SuiteId::ChaCha20Poly1305, {2});
+    QVERIFY(allocationsOf([&] { rig.receive(); }) < kAllowed);
+    QCOMPARE(rig.refused(), std::uint64_t(kRounds + 1) * kFrames);
 }
 
 QTEST_GUILESS_MAIN(EngineAllocationTest)

@@ -173,7 +173,7 @@ double Receiver::receive()
     return cpu.nanosecondsEach(kFrames);
 }
 
-StationRig::StationRig(crypto::SuiteId suite)
+StationRig::StationRig(crypto::SuiteId suite, std::vector<std::uint8_t> bound)
 {
     engine::StationConfig config;
     config.secure = engine::SecureMode::Required;
@@ -184,8 +184,9 @@ StationRig::StationRig(crypto::SuiteId suite)
     engine::StationSinks sinks;
     sinks.snapshot = [this](std::shared_ptr<const engine::Snapshot> snapshot) { m_snapshot = std::move(snapshot); };
     sinks.happening = [](engine::Happening) {};
-    m_station =
-        std::make_unique<engine::StationCore>(std::move(config), m_keys.secrets(channel::Role::Station), std::move(sinks));
+    auto secrets = m_keys.secrets(channel::Role::Station);
+    secrets->peers[0].systemIds = std::move(bound);
+    m_station = std::make_unique<engine::StationCore>(std::move(config), std::move(secrets), std::move(sinks));
     m_station->addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
     const Patience patience;
     while (m_snapshot->links.empty() || m_snapshot->links[0].phase != engine::LinkPhase::Listening) {
@@ -211,7 +212,7 @@ double StationRig::receive()
     return cpu.nanosecondsEach(kFrames);
 }
 
-std::uint64_t StationRig::frames()
+void StationRig::awaitSnapshot()
 {
     const std::uint64_t number = m_snapshot->number;
     const Patience patience;
@@ -219,7 +220,18 @@ std::uint64_t StationRig::frames()
         QCoreApplication::processEvents();
         patience.check();
     }
+}
+
+std::uint64_t StationRig::frames()
+{
+    awaitSnapshot();
     return m_snapshot->mavlink.frames;
+}
+
+std::uint64_t StationRig::refused()
+{
+    awaitSnapshot();
+    return m_snapshot->spoofed;
 }
 
 } // namespace skyseal::test

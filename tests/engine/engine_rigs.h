@@ -93,13 +93,18 @@ private:
 class StationRig
 {
 public:
-    explicit StationRig(crypto::SuiteId suite);
+    /// `bound`: the systems that the agent's key is bound to; empty = any.
+    explicit StationRig(crypto::SuiteId suite, std::vector<std::uint8_t> bound = {});
     ~StationRig();
     double receive();
     /// All frames that it has taken so far.
     std::uint64_t frames();
+    /// Those that it refused since their sender may not speak as system 1.
+    std::uint64_t refused();
 
 private:
+    void awaitSnapshot();
+
     Introduced m_keys;
     std::unique_ptr<engine::StationCore> m_station;
     std::shared_ptr<const engine::Snapshot> m_snapshot = std::make_shared<engine::Snapshot>();

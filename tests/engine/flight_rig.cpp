@@ -108,8 +108,8 @@ void FlightRig::startAgent(const std::string &ground)
         qFatal("%s", secrets.error().text().c_str());
     engine::AgentConfig config{urlOf("udpin:127.0.0.1:" + m_vehiclePort),
                                urlOf("udpout:" + ground),
-                               {channel::defaultSuites(), true, false},
-                               false};
+                               {channel::defaultSuites(), true, allowPlain},
+                               allowPlain};
     agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
                                                 [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
     agent->start();

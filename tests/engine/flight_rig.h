@@ -49,6 +49,7 @@ public:
 
     std::unique_ptr<engine::AgentCore> agent;
     std::vector<engine::AgentEvent> agentEvents;
+    bool allowPlain = false; ///< of agents that start from now on
 
 private:
     std::string file(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }

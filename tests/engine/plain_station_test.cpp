@@ -2,8 +2,11 @@
 #include "core/engine/station_core.h"
 #include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"
-#include "tests/engine/flight_rig.h"
+#include "tests/engine/ground.h"
+#include "tests/support/heartbeat.h"
 
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
@@ -17,6 +20,7 @@ class PlainStationTest : public QObject
 private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
     void plainVehicleWaitsForAPerson();
+    void recordingReleasesNobody();
     void takenPortIsNamed();
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
@@ -69,6 +73,24 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
     QVERIFY(ears.snapshot->heldBack.empty());
     QVERIFY(!ears.snapshot->vehicles[0].session);
+}
+
+void PlainStationTest::recordingReleasesNobody()
+{
+    // One that is held back is there whatever is looked at meanwhile under its system id.
+    FlightRig rig;
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    QUdpSocket vehicle;
+    vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QTemporaryDir folder;
+    QFile log(folder.filePath(QStringLiteral("flight.tlog")));
+    QVERIFY(log.open(QIODevice::WriteOnly));
+    QVERIFY(log.write(recordedHeartbeats(1, 10)) > 0);
+    log.close();
+    ground.station->addLink(urlOf("tlog:" + log.fileName().toStdString()));
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    QCOMPARE(ground.ears->snapshot->heldBack.size(), std::size_t(1));
 }
 
 void PlainStationTest::takenPortIsNamed()

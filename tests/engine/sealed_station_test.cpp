@@ -155,10 +155,7 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
     const QString log = folder.filePath(QStringLiteral("flight.tlog"));
     QFile file(log);
     QVERIFY(file.open(QIODevice::WriteOnly));
-    for (int second = 0; second < 600; ++second) {
-        const QByteArray entry = QByteArray::fromHex("0005f5e100000000") + clearHeartbeat(1, 1, false);
-        QCOMPARE(file.write(entry), entry.size());
-    }
+    QVERIFY(file.write(recordedHeartbeats(1, 600)) > 0);
     file.close();
 
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
@@ -172,8 +169,18 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
     VehicleOnUdp vehicle(rig.vehicleAddress());
     QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
     flying.station->addLink(urlOf("tlog:" + log.toStdString()));
-    QTRY_VERIFY_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused > 0, 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused, std::uint64_t(600), 10000);
     QVERIFY(flying.ears->all<engine::VehicleFound>()[0].sealed);
+
+    // Nor does one take the place of what it last said, and of the word that its session was lost.
+    rig.agent->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(flying.ears->snapshot->vehicles[0].ended, 10000);
+    const std::uint64_t messages = flying.ears->snapshot->vehicles[0].state.sequence.frames;
+    flying.station->addLink(urlOf("tlog:" + log.toStdString()));
+    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused, std::uint64_t(1200), 10000);
+    QVERIFY(flying.ears->snapshot->vehicles[0].ended);
+    QVERIFY(flying.ears->snapshot->vehicles[0].session);
+    QCOMPARE(flying.ears->snapshot->vehicles[0].state.sequence.frames, messages);
 }
 
 void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
@@ -202,6 +209,20 @@ void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
     QCOMPARE(told.owner, std::string("air-0"));
     QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->spoofed > 20, 10000);
     QVERIFY(ground.ears->snapshot->vehicles.empty());
+    // What was refused just before the end of its session is told with the same names.
+    rig.agent->stop();
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::SessionDown>().empty(), 10000);
+    const auto frames = [&ground] {
+        std::uint64_t out = 0;
+        for (const engine::SystemRefused &refused : ground.ears->all<engine::SystemRefused>())
+            out += refused.frames;
+        return out;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(frames() > 1 && frames() == ground.ears->snapshot->spoofed, 10000);
+    for (const engine::SystemRefused &refused : ground.ears->all<engine::SystemRefused>()) {
+        QCOMPARE(refused.peer, told.peer);
+        QCOMPARE(refused.owner, told.owner);
+    }
 }
 
 void SealedStationTest::observerCannotCommand()

@@ -23,4 +23,10 @@ inline QByteArray clearHeartbeat(std::uint8_t systemId, std::uint8_t componentId
     return frame.append(static_cast<char>(crc & 0xFF)).append(static_cast<char>(crc >> 8));
 }
 
+/// A .tlog of so many of them, all of one moment.
+inline QByteArray recordedHeartbeats(std::uint8_t systemId, int count)
+{
+    return (QByteArray::fromHex("0005f5e100000000") + clearHeartbeat(systemId, 1, false)).repeated(count);
+}
+
 } // namespace skyseal::test
