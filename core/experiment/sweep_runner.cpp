@@ -62,17 +62,26 @@ const engine::SessionSnapshot *SweepRunner::session(const engine::Snapshot &snap
     return found == snapshot.sessions.end() ? nullptr : &*found;
 }
 
-/// A vehicle is heard in the way that is wanted. One of our own also knows where it is: while it starts it says more, and is
-/// asked for more, than later.
-bool SweepRunner::vehicleSpeaks(const engine::Snapshot &snapshot) const
+/// In the way that is wanted.
+bool SweepRunner::speaks(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle) const
 {
     const engine::SessionSnapshot *up = session(snapshot);
     const auto way = isPlain() || !up ? std::nullopt : std::optional(up->info.session);
-    if (!isPlain() && !way)
-        return false;
+    return (isPlain() || way) && !vehicle.state.lost && vehicle.session == way;
+}
+
+bool SweepRunner::vehicleSpeaks(const engine::Snapshot &snapshot) const
+{
+    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(),
+                       [&](const engine::VehicleSnapshot &vehicle) { return speaks(snapshot, vehicle); });
+}
+
+/// One that speaks; one of our own also knows where it is: while it starts it says more, and is asked for more, than later.
+bool SweepRunner::vehicleReady(const engine::Snapshot &snapshot) const
+{
     return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), [&](const engine::VehicleSnapshot &vehicle) {
         const bool settled = vehicle.state.ekfOk.value_or(false) && vehicle.state.home.known();
-        return !vehicle.state.lost && vehicle.session == way && (settled || !m_config.lab);
+        return speaks(snapshot, vehicle) && (settled || !m_config.lab);
     });
 }
 
@@ -228,7 +237,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
     const double since = snapshot.time - m_stageStart;
     switch (m_stage) {
     case Stage::Connecting:
-        if (vehicleSpeaks(snapshot))
+        if (vehicleReady(snapshot))
             enter(Stage::Settling, kConnectPatience);
         break;
     case Stage::Settling:
@@ -326,8 +335,12 @@ void SweepRunner::endRun(std::string problem)
             problem = "the session did not last through the run";
     }
     if (problem.empty()) {
-        sample.seconds = m_snapshot->time - m_begin.station->time;
         sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
+        if (!vehicleSpeaks(*m_snapshot) || sample.values[Metric::Packets] == 0)
+            problem = "the vehicle fell silent during the run";
+    }
+    if (problem.empty()) {
+        sample.seconds = m_snapshot->time - m_begin.station->time;
         sample.values[Metric::Switch] = m_switchTook;
         // Measured once, so it is one sample and no more, however often the suite is run.
         const Cell cell{run().condition, run().load, run().arm};
@@ -338,6 +351,7 @@ void SweepRunner::endRun(std::string problem)
         m_plainWorked = m_plainWorked || isPlain();
         m_failuresInARow = 0;
     } else {
+        sample.values = {};
         sample.problem = std::move(problem);
         ++m_failuresInARow;
     }

@@ -98,7 +98,9 @@ private:
     const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;
     bool isUnderWantedSuite(const engine::Snapshot &snapshot) const;
     bool isAnotherSession(const engine::Snapshot &snapshot) const;
+    bool speaks(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle) const;
     bool vehicleSpeaks(const engine::Snapshot &snapshot) const;
+    bool vehicleReady(const engine::Snapshot &snapshot) const;
 
     SweepConfig m_config;
     Results m_results;

@@ -1,5 +1,5 @@
-// A sweep on a station that is there already, whose link is lost meanwhile: what is measured is what is named, a run that
-// had not begun yet is made, and in the end the station is as it was.
+// A sweep on a station that is there already, whose link or vehicle is lost meanwhile: what is measured is what is named, a
+// run that had not begun yet is made, and in the end the station is as it was.
 #include "core/experiment/sweep_runner.h"
 #include "tests/engine/ground.h"
 
@@ -18,9 +18,18 @@ private Q_SLOTS:
     void lostBeforeARunIsMeasured();
     void lostWhileARunIsMeasured();
     void lostAtTheEnd();
+    void vehicleFallsSilent_data();
+    void vehicleFallsSilent();
 };
 
 namespace {
+
+engine::StationConfig configOf(const FlightRig &rig)
+{
+    engine::StationConfig config = rig.stationConfig();
+    config.policy.allowPlain = true;
+    return config;
+}
 
 /// A flight, a station that has its session, and a sweep of two suites on it.
 struct Sweep
@@ -28,6 +37,7 @@ struct Sweep
     explicit Sweep(std::vector<SuiteId> suites, Duration warmUp = std::chrono::milliseconds(800),
                    Duration measure = std::chrono::seconds(1))
     {
+        rig.allowPlain = true;
         rig.startAgent(ground.ears->listening());
         vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
         experiment::SweepConfig config;
@@ -81,7 +91,7 @@ struct Sweep
     }
 
     FlightRig rig;
-    Ground ground{rig.stationConfig()};
+    Ground ground{configOf(rig)};
     std::unique_ptr<VehicleOnUdp> vehicle;
     std::optional<experiment::SweepRunner> runner;
     std::vector<std::pair<experiment::Sample, SuiteId>> samples; ///< and what was in use when they were taken
@@ -160,6 +170,30 @@ void LostLinkTest::lostAtTheEnd()
         QCOMPARE(int(sweep.suite()), int(expected));
         sweep.rig.killAgent();
     }
+}
+
+void LostLinkTest::vehicleFallsSilent_data()
+{
+    QTest::addColumn<int>("suite");
+    QTest::newRow("in clear") << int(SuiteId::None);
+    QTest::newRow("behind an agent that goes on") << int(SuiteId::Aes256Gcm);
+}
+
+void LostLinkTest::vehicleFallsSilent()
+{
+    // Which takes 3.5 s to be seen.
+    QFETCH(int, suite);
+    Sweep sweep({SuiteId(suite)}, std::chrono::milliseconds(800), std::chrono::seconds(9));
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.ready(), 20000);
+    sweep.whenUnder = [&](qint64 milliseconds) {
+        if (milliseconds > 4000)
+            sweep.vehicle.reset();
+    };
+    sweep.runner->start();
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.over, 60000);
+    QCOMPARE(sweep.samples.size(), std::size_t(1));
+    QCOMPARE(sweep.samples[0].first.problem, std::string("the vehicle fell silent during the run"));
+    QVERIFY(std::isnan(sweep.samples[0].first.values[experiment::Metric::Packets]));
 }
 
 QTEST_GUILESS_MAIN(LostLinkTest)
