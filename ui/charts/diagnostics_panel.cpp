@@ -53,8 +53,8 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
 
     m_timer->setInterval(kRefreshMs);
     connect(m_timer, &QTimer::timeout, this, [this] {
-        if (m_fresh && !m_range.frozen())
-            refresh();
+        if (m_due > 0 && !m_range.frozen())
+            draw(std::min(m_due, chartsAtOnce()));
     });
 }
 
@@ -170,12 +170,24 @@ void DiagnosticsPanel::showScene(const Scene &scene)
     std::vector<engine::MetricsSample> samples = scene.snapshot->samples;
     for (engine::MetricsSample &sample : samples)
         sample.sessionBytes = m_sessionMemory.of(sample.suite);
-    m_fresh = m_history.take(samples) || m_fresh;
+    if (m_history.take(samples))
+        m_due = m_shown.size();
 }
 
 void DiagnosticsPanel::refresh()
 {
-    m_fresh = false;
+    draw(m_shown.size());
+}
+
+std::size_t DiagnosticsPanel::chartsAtOnce() const
+{
+    return m_tools->view() == DiagnosticsView::Overlay ? kOverlaysAtOnce : kChartsAtOnce;
+}
+
+/// So many charts, those that were drawn longest ago; or the table, whole.
+void DiagnosticsPanel::draw(std::size_t count)
+{
+    m_due = m_tools->view() == DiagnosticsView::Table ? 0 : m_due - std::min(m_due, count);
     m_tools->legend()->setSuites(suitesUsed(m_history));
     if (m_tools->view() == DiagnosticsView::Sweep)
         return;
@@ -187,8 +199,10 @@ void DiagnosticsPanel::refresh()
     const std::vector<ChartMark> marks = m_tools->view() == DiagnosticsView::TimeLine
                                              ? buildMarks(m_history, m_range, colors.alarm, colors.dim)
                                              : std::vector<ChartMark>();
-    for (const std::size_t place : m_shown)
-        drawPlot(m_plots[place], marks);
+    for (std::size_t i = 0; i < count; ++i) {
+        m_next = (m_next + 1) % m_shown.size();
+        drawPlot(m_plots[m_shown[m_next]], marks);
+    }
 }
 
 void DiagnosticsPanel::drawPlot(Plot &plot, const std::vector<ChartMark> &marks)

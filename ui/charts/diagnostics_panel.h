@@ -1,6 +1,7 @@
 // The diagnostics: what the link carries, loses and costs, over time or suite over suite, with bars to compare the suites
 // by.
-// Samples are kept all the time; charts are drawn four times a second, and not at all while nobody sees them.
+// Samples are kept all the time; charts are drawn four times a second (more than six in turns), and not at all while nobody
+// sees them.
 #pragma once
 
 #include "ui/charts/axis_scale.h"
@@ -29,6 +30,9 @@ class DiagnosticsPanel : public DockPanel
 
 public:
     static constexpr int kRefreshMs = 240;
+    /// Charts that one refresh draws. Where more are shown they take turns, so that looking at all of them costs no more.
+    static constexpr std::size_t kChartsAtOnce = 6;
+    static constexpr std::size_t kOverlaysAtOnce = 3; ///< each has a line for every suite, and most of it is history
 
     explicit DiagnosticsPanel(QWidget *parent = nullptr);
     ~DiagnosticsPanel() override;
@@ -67,6 +71,8 @@ private:
     TimeSeriesChart *widgetOf(Plot &plot);
     void showGroup();
     void showView();
+    std::size_t chartsAtOnce() const;
+    void draw(std::size_t count);
     void drawPlot(Plot &plot, const std::vector<ChartMark> &marks);
     void changeRange(const std::function<void(ChartRange &)> &change);
     void showCursor(std::optional<double> x);
@@ -86,7 +92,8 @@ private:
     SweepPage *m_sweep;
     SuiteTableModel *m_model;
     QTimer *m_timer; ///< runs only while the charts can be seen
-    bool m_fresh = false;
+    std::size_t m_due = 0;  ///< charts that show less than is known
+    std::size_t m_next = 0; ///< whose turn it is, in m_shown
 };
 
 } // namespace skyseal::ui
