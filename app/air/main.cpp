@@ -85,6 +85,16 @@ bool isHopeless(const engine::AgentEvent &event)
     return changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.hostUnknown);
 }
 
+/// What only a pairing asks; left out without a word, somebody would believe that it was obeyed.
+void refusePairingOptions(Options &options)
+{
+    for (const char *option :
+         {"role", "replace", "expect", "as", "pair-passphrase", "pair-passphrase-file", "pair-passphrase-fd"}) {
+        if (options.has(option))
+            options.fail(std::string("--") + option + " goes with --pair");
+    }
+}
+
 /// The other program in this one: speaks with the agent that runs.
 int pair(Options &options)
 {
@@ -124,6 +134,7 @@ int main(int argc, char **argv)
     options.arguments(0, 0);
     if (options.has("pair"))
         return pair(options);
+    refusePairingOptions(options);
     const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
     const auto ground = options.url("ground");
     const engine::KeyPaths paths{options.required("identity"), options.required("peers"),

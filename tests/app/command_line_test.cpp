@@ -129,6 +129,10 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "log", "info");
     row("skyseal-cli", "selftest now", "now");
     row("skyseal-air", "", "--vehicle");
+    const QByteArray agent("--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --");
+    for (const char *option :
+         {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
+        row("skyseal-air", (agent + option).constData(), "goes with --pair");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p", "udpout");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4",
