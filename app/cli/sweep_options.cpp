@@ -32,8 +32,9 @@ void declare(Options &options)
                      "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
                      "commas. May be given several times.");
     options.addFlag("no-noise", "Do not measure one suite twice to see the machine's noise (A/A).");
-    options.addValue("out", "DIR", "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF where "
-                                   "skyseal-figures is installed.");
+    options.addValue("out", "DIR",
+                     "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF where skyseal-figures is "
+                     "installed. Those of an older sweep there are replaced, and its figures and PDF removed first.");
     options.addValue("expect", "TEXT",
                      "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Without a suite or load it must hold for "
                      "each. May be given several times.");

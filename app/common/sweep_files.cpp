@@ -7,6 +7,8 @@
 #include <QtCore/QCoreApplication>
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
 #include <QtCore/QSaveFile>
 #include <QtCore/QStandardPaths>
@@ -47,12 +49,34 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
     return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
 }
 
-/// Pictures of an older sweep would stand beside this one's as if they were its own.
+/// Whether an older sweep left its files there.
+bool holdsSweep(const QDir &folder)
+{
+    QFile file(folder.filePath(QStringLiteral("sweep.json")));
+    return file.open(QIODevice::ReadOnly)
+        && QJsonDocument::fromJson(file.readAll()).object()[QLatin1String("schema")] == QLatin1String("skyseal-sweep");
+}
+
+/// "packets-natural", with "-2" behind it where there are several conditions; see experiment::figuresOf().
+bool isFigureName(const QString &name)
+{
+    const QStringList parts = name.split(QLatin1Char('-'));
+    const auto isLoad = [&](experiment::Load load) { return parts[1].toStdString() == experiment::name(load); };
+    return (parts.size() == 2 || (parts.size() == 3 && parts[2].toUInt() > 0))
+        && experiment::metricFromKey(parts[0].toStdString())
+        && (isLoad(experiment::Load::Natural) || isLoad(experiment::Load::Saturated));
+}
+
+/// Pictures of an older sweep would stand beside this one's as if they were its own. What is not a sweep's stays.
 void removePictures(const QDir &folder)
 {
+    if (!holdsSweep(folder))
+        return;
     QDir figures(folder.filePath(QStringLiteral("figures")));
-    for (const QString &name : figures.entryList({QStringLiteral("*.svg"), QStringLiteral("*.png")}, QDir::Files))
-        figures.remove(name);
+    for (const QFileInfo &file : figures.entryInfoList({QStringLiteral("*.svg"), QStringLiteral("*.png")}, QDir::Files)) {
+        if (isFigureName(file.completeBaseName()))
+            figures.remove(file.fileName());
+    }
     QFile::remove(folder.filePath(QStringLiteral("report.pdf")));
 }
 

@@ -23,7 +23,8 @@ using ContextSizes = std::map<crypto::SuiteId, double>;
 /// To be called on the main thread, whose heap alone the C library counts.
 ContextSizes measureContexts();
 
-/// Takes seconds where there are pictures to draw; any thread.
+/// Takes seconds where there are pictures to draw; any thread. Where the folder holds an older sweep, its figures and its
+/// PDF are removed first; no other file is.
 SweepFiles writeSweepFiles(const QString &folder, const experiment::Results &results,
                            const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts);
 

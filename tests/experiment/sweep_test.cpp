@@ -218,13 +218,19 @@ void SweepTest::filesAgree()
                                   "loss<=0.2 --expect packets(none)>=1 --expect frame_rate(rc4,saturated)>frame_rate(rc4)");
     arguments << q("--out") << folder.filePath(q("out"));
     const QStringList older{q("out/figures/switch-natural-3.svg"), q("out/figures/switch-natural-3.png")};
+    const QStringList others{q("out/figures/own.png"), q("out/figures/packets-natural-draft.svg")};
     QVERIFY(QDir(folder.path()).mkpath(q("out/figures")));
-    for (const QString &name : older)
+    for (const QString &name : older + others)
         QVERIFY(QFile(folder.filePath(name)).open(QIODevice::WriteOnly));
+    QFile before(folder.filePath(q("out/sweep.json")));
+    QVERIFY(before.open(QIODevice::WriteOnly) && before.write("{\"schema\": \"skyseal-sweep\", \"schema_version\": 2}") > 0);
+    before.close();
     const RunResult run = runProgram("skyseal-cli", arguments, {}, 120000);
     QVERIFY2(run.status == 0, run.err.constData());
     for (const QString &name : older)
         QVERIFY(!QFile::exists(folder.filePath(name))); // of another sweep
+    for (const QString &name : others)
+        QVERIFY2(QFile::exists(folder.filePath(name)), qPrintable(name));
     QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2); // three suites and one of them again, two loads, two repeats
     QCOMPARE(events(run.out, "expect").size(), 3 * 2 + 1 * 2 + 1); // for each load where none is named
     const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
