@@ -1,20 +1,20 @@
 // A vehicle whose sealed session is over: it is told as such and not as plain MAVLink, and nothing is offered that could not
 // be sent. What a sweep does to the link on purpose is told as that.
-#include "fake_station.h"
+#include "fake_sweep.h"
 #include "scripted_snapshots.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/take_off_dialog.h"
-#include "ui/main_window.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/security/suite_actions.h"
 #include "ui/status/lock_face.h"
 #include "ui/status/strip_item.h"
+#include "ui/sweep/sweep_dialog.h"
+#include "window_rig.h"
 
-#include <QtCore/QSettings>
-#include <QtCore/QTemporaryDir>
 #include <QtGui/QAction>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
+#include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMessageBox>
@@ -25,28 +25,13 @@
 using namespace skyseal;
 using namespace skyseal::ui;
 
-class EndedSessionTest : public QObject
+class EndedSessionTest : public QObject, private WindowRig
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
-        m_station = std::make_unique<FakeStation>();
-        m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
-        m_window->resize(1280, 900);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-    }
-
-    void cleanup()
-    {
-        m_window.reset();
-        m_station.reset();
-    }
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
 
     void endedSessionIsNotPlain_data()
     {
@@ -210,19 +195,6 @@ private:
         snapshot.vehicles.front().ended = engine::EndedSession{"air-1", reason, 7};
         return snapshot;
     }
-
-    template<typename W> W *find(const char *name)
-    {
-        W *found = m_window->findChild<W *>(QLatin1String(name));
-        if (!found)
-            qFatal("no %s", name);
-        return found;
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<QSettings> m_store;
-    std::unique_ptr<FakeStation> m_station;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(EndedSessionTest)

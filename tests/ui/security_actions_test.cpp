@@ -1,13 +1,10 @@
 // The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
-#include "fake_station.h"
 #include "scripted_snapshots.h"
-#include "ui/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
+#include "window_rig.h"
 
-#include <QtCore/QSettings>
-#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
 #include <QtWidgets/QLabel>
@@ -18,28 +15,13 @@ using namespace skyseal;
 using namespace skyseal::ui;
 using crypto::SuiteId;
 
-class SecurityActionsTest : public QObject
+class SecurityActionsTest : public QObject, private WindowRig
 {
     Q_OBJECT
 
 private Q_SLOTS:
-    void init()
-    {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
-        m_station = std::make_unique<FakeStation>();
-        m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
-        m_window->resize(1280, 900);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-    }
-
-    void cleanup()
-    {
-        m_window.reset();
-        m_station.reset();
-    }
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
 
     void menuClickAsksTheStation()
     {
@@ -251,11 +233,6 @@ private:
     }
     QLabel *note() { return m_window->findChild<QLabel *>(QStringLiteral("switchNote")); }
     StripItem *strip() { return m_window->findChild<StripItem *>(QStringLiteral("stripLock")); }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<QSettings> m_store;
-    std::unique_ptr<FakeStation> m_station;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(SecurityActionsTest)

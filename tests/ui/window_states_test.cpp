@@ -1,6 +1,5 @@
 // The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and
 // keys.
-#include "fake_station.h"
 #include "scripted_snapshots.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/altitude_box.h"
@@ -8,13 +7,11 @@
 #include "ui/flight/take_off_dialog.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
-#include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/status/strip_item.h"
 #include "ui/text/figures.h"
+#include "window_rig.h"
 
-#include <QtCore/QSettings>
-#include <QtCore/QTemporaryDir>
 #include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 #include <QtWidgets/QApplication>
@@ -44,23 +41,16 @@ bool isInsideCombo(const QWidget *widget)
 
 } // namespace
 
-class WindowStatesTest : public QObject
+class WindowStatesTest : public QObject, private WindowRig
 {
     Q_OBJECT
 
 private Q_SLOTS:
     void init()
     {
-        m_folder = std::make_unique<QTemporaryDir>();
-        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
-        m_station = std::make_unique<FakeStation>();
-        open();
-    }
-
-    void cleanup()
-    {
-        m_window.reset();
-        m_station.reset();
+        ProgramFacts facts;
+        facts.demoAvailable = true;
+        setUp(facts);
     }
 
     void nothingThereSaysWhatToDo()
@@ -273,7 +263,6 @@ private Q_SLOTS:
         QTest::keyRelease(m_window.get(), Qt::Key_Space);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 35.0);
         QCOMPARE(find<QDoubleSpinBox>("takeOffAltitude")->value(), 35.0); // one number for both
-        m_window.reset();
         open();
         QCOMPARE(find<QDoubleSpinBox>("takeOffAltitude")->value(), 35.0);
     }
@@ -385,7 +374,6 @@ private Q_SLOTS:
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
         QTRY_VERIFY(!dock->isVisible());
         m_window->close();
-        m_window.reset();
         open();
         QVERIFY(!find<QDockWidget>("dockFlight")->isVisible());
         m_window->findChild<QAction *>(QStringLiteral("actionResetView"))->trigger();
@@ -433,7 +421,6 @@ private Q_SLOTS:
         QCOMPARE(loaded.componentId, 190);
         QVERIFY(loaded.weakestSuite == crypto::SuiteId::Rc4);
         QCOMPARE(static_cast<int>(loaded.theme), static_cast<int>(Theme::Desktop));
-        m_window.reset();
         open();
         QVERIFY(m_window->isVisible());
     }
@@ -479,31 +466,6 @@ private Q_SLOTS:
         }
         QVERIFY(m_window->menuBar()->actions().size() == 7);
     }
-
-private:
-    void open()
-    {
-        ProgramFacts facts;
-        facts.demoAvailable = true;
-        m_window = std::make_unique<MainWindow>(*m_station, *m_store, facts);
-        m_window->resize(1280, 900);
-        m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
-        m_window->activateWindow();
-    }
-
-    template<typename W> W *find(const char *name)
-    {
-        W *found = m_window->findChild<W *>(QLatin1String(name));
-        if (!found)
-            qFatal("no %s", name);
-        return found;
-    }
-
-    std::unique_ptr<QTemporaryDir> m_folder;
-    std::unique_ptr<QSettings> m_store;
-    std::unique_ptr<FakeStation> m_station;
-    std::unique_ptr<MainWindow> m_window;
 };
 
 QTEST_MAIN(WindowStatesTest)

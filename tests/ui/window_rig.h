@@ -1,0 +1,61 @@
+// The window on a scripted station, with settings of its own: what most tests of the window begin with, as a second base.
+#pragma once
+
+#include "fake_station.h"
+#include "ui/main_window.h"
+
+#include <QtCore/QSettings>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <memory>
+
+namespace skyseal::ui {
+
+class WindowRig
+{
+protected:
+    void setUp(const ProgramFacts &facts = {})
+    {
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_store = std::make_unique<QSettings>(m_folder->filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
+        m_station = std::make_unique<FakeStation>();
+        m_facts = facts;
+        open();
+    }
+
+    void tearDown()
+    {
+        m_window.reset();
+        m_station.reset();
+    }
+
+    /// Again, with the same settings.
+    void open()
+    {
+        m_window.reset();
+        m_window = std::make_unique<MainWindow>(*m_station, *m_store, m_facts);
+        m_window->resize(1280, 900);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        m_window->activateWindow();
+    }
+
+    template<typename W> W *find(const char *name) const
+    {
+        W *found = m_window->findChild<W *>(QLatin1String(name));
+        if (!found)
+            qFatal("no %s", name);
+        return found;
+    }
+
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<QSettings> m_store;
+    std::unique_ptr<FakeStation> m_station;
+    std::unique_ptr<MainWindow> m_window;
+
+private:
+    ProgramFacts m_facts;
+};
+
+} // namespace skyseal::ui
