@@ -159,13 +159,13 @@ void MainWindow::take(const engine::Happening &happening)
     m_docks->messages->take(happening);
     if (const auto *changed = std::get_if<engine::LinkChanged>(&happening); changed && changed->link.addressInUse)
         tellPortInUse(changed->link);
-    // Without a vehicle the middle of the window says it.
+    // With neither vehicle nor session the middle of the window says it.
     if (const auto *refused = std::get_if<engine::PlaintextRefused>(&happening);
         refused && !refused->mayBe.empty() && m_scene.vehicle) {
         const engine::HeldBackVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
         tellProblem(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.")
                         .arg(held.systemId)
-                        .arg(fromStd(held.remoteAddress), fromStd(held.mayBe)),
+                        .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)),
                     allowPlainText(held), [this, held] { askAllowPlain(m_station, held, this); });
     }
 }

@@ -52,6 +52,7 @@ private Q_SLOTS:
         facts.demoAvailable = true;
         setUp(facts);
     }
+    void cleanup() { tearDown(); }
 
     void nothingThereSaysWhatToDo()
     {
@@ -90,65 +91,6 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         QVERIFY(!lock->text().contains(QStringLiteral("answer")));
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
-    }
-
-    void heldBackVehicleWaitsForTheOperator()
-    {
-        QVERIFY(!find<QWidget>("allowPlainButton")->isVisible());
-        m_station->show(heldBackSnapshot());
-        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Vehicle 1 is not sealed")));
-        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("impostor of air-1")));
-        QVERIFY(find<StripItem>("stripLock")->text().contains(QStringLiteral("Not sealed")));
-        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("air-1")));
-        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, held back"));
-        for (const char *name : {"armButton", "takeOffButton", "landButton", "setModeButton"}) {
-            QVERIFY2(!find<HoldButton>(name)->isEnabled(), name);
-            QVERIFY2(find<HoldButton>(name)->toolTip().contains(QStringLiteral("not sealed")), name);
-        }
-
-        // The act is a button or the menu, and then a question whose answer is no unless yes is chosen.
-        const auto *button = find<QPushButton>("allowPlainButton");
-        QVERIFY(button->isVisible() && button->text().contains(QStringLiteral("vehicle 1")));
-        QTest::mouseClick(find<QPushButton>("allowPlainButton"), Qt::LeftButton);
-        auto *box = find<QMessageBox>("confirmPlain");
-        QCOMPARE(static_cast<QWidget *>(box->defaultButton()), static_cast<QWidget *>(box->button(QMessageBox::Cancel)));
-        QTest::keyClick(box, Qt::Key_Escape);
-        QTRY_VERIFY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain")));
-        QVERIFY(m_station->allowedClear.empty());
-        auto *menu = find<QMenu>("menuAllowPlain");
-        Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
-        QVERIFY(menu->isEnabled());
-        Q_EMIT menu->aboutToShow();
-        QCOMPARE(menu->actions().size(), 1);
-        menu->actions().front()->trigger();
-        QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
-        QCOMPARE(m_station->allowedClear, std::vector<std::uint8_t>{1});
-
-        engine::Snapshot taken = plainSnapshot(2);
-        m_station->show(taken);
-        QVERIFY(find<HoldButton>("armButton")->isEnabled());
-        QVERIFY(!find<QWidget>("emptyState")->isVisible());
-        Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
-        QVERIFY(!menu->isEnabled());
-
-        // One that was taken before its agent became known is flown no further.
-        taken.time = 3;
-        taken.heldBack = heldBackSnapshot().heldBack;
-        m_station->show(taken);
-        QVERIFY(!find<HoldButton>("armButton")->isEnabled());
-
-        // Beside another vehicle the banner says it.
-        engine::Snapshot sealed = sealedSnapshot(4);
-        sealed.vehicles.front().state.systemId = 2;
-        sealed.heldBack = taken.heldBack;
-        m_station->show(sealed);
-        QVERIFY(find<HoldButton>("armButton")->isEnabled());
-        m_station->tell(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
-        QVERIFY(find<QWidget>("problemBanner")->isVisible());
-        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
-        QTest::mouseClick(find<QPushButton>("problemRemedy"), Qt::LeftButton);
-        QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
-        QCOMPARE(m_station->allowedClear.size(), std::size_t(2));
     }
 
     void valuesAreThoseOfTheVehicle()

@@ -101,10 +101,10 @@ void EmptyState::showScene(const Scene &scene)
     } else if (scene.heldBack) {
         m_held = *scene.heldBack;
         title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);
-        text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: this station has the key of that agent, and "
-                  "never heard it. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
-                  "If it is the vehicle of %2, start its agent instead: what it sends is then taken sealed.")
-                   .arg(fromStd(m_held.remoteAddress), fromStd(m_held.mayBe));
+        text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. "
+                  "Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
+                  "If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.")
+                   .arg(fromStd(m_held.remoteAddress), anyOfNames(m_held.mayBe));
     } else if (scene.snapshot && !scene.snapshot->unanswering.empty()) {
         const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));

@@ -45,7 +45,7 @@ public:
         if (!e.mayBe.empty())
             return HappeningLine{tr("Held back: this vehicle, at %1, is not sealed and may be an impostor of %2, which was never "
                                     "heard. Security → Allow plain MAVLink takes it all the same")
-                                     .arg(fromStd(e.remoteAddress), fromStd(e.mayBe)), kWarning, e.systemId};
+                                     .arg(fromStd(e.remoteAddress), anyOfNames(e.mayBe)), kWarning, e.systemId};
         return HappeningLine{tr("Refused %1 clear frames from %2 that claim to be this sealed vehicle")
                                  .arg(e.frames).arg(fromStd(e.remoteAddress)), kError, e.systemId};
     }

@@ -30,10 +30,14 @@ void askAllowPlain(StationPort &station, const engine::HeldBackVehicle &held, QW
                                 QMessageBox::Yes | QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("confirmPlain"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(Words::tr("Whatever sends from %1 is then shown and flown as vehicle %2, until this program ends. "
-                                      "Anyone on the way can read and change what is sent.\n\n"
-                                      "If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.")
-                                .arg(fromStd(held.remoteAddress)).arg(held.systemId).arg(fromStd(held.mayBe)));
+    // The consent is for the number alone: an address is no more proof than the number is.
+    box->setInformativeText(
+        Words::tr("It now sends from %2. But whoever says in clear that it is vehicle %1, from any address, is then shown "
+                  "and flown as it, until this program ends or it is heard sealed. Anyone on the way can read and change "
+                  "what is sent.\n\n"
+                  "If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.")
+            .arg(held.systemId)
+            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
     box->setDefaultButton(QMessageBox::Cancel);
     box->setEscapeButton(QMessageBox::Cancel);
     box->button(QMessageBox::Yes)->setText(Words::tr("Allow plain MAVLink"));

@@ -27,6 +27,13 @@ QString fromStd(std::string_view text)
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString anyOfNames(std::string_view names)
+{
+    const QString all = fromStd(names), comma = QStringLiteral(", ");
+    const qsizetype last = all.lastIndexOf(comma);
+    return last < 0 ? all : Words::tr("%1 or %2").arg(all.left(last), all.mid(last + comma.size()));
+}
+
 QString fixWord(int gpsFixType)
 {
     switch (gpsFixType) {

@@ -11,6 +11,8 @@
 namespace skyseal::ui {
 
 QString fromStd(std::string_view text);
+/// Of names that are joined by ", ": "air-1", "air-1 or air-2", "air-1, air-2 or air-3".
+QString anyOfNames(std::string_view names);
 
 /// "3D fix", "no fix", …; a dash where unknown.
 QString fixWord(int gpsFixType);
