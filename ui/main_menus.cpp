@@ -66,16 +66,19 @@ void MainMenus::fillLink(QMenu &menu)
 void MainMenus::askAndSend(const QString &question, const vehicle::VehicleCommand &command)
 {
     const vehicle::VehicleCommand asked = command;
+    const std::uint8_t systemId = m_window.m_commands->systemId();
+    const bool several = m_window.m_commands->isOneOfSeveral();
+    const QString words = several ? tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
     auto *box
-        = new QMessageBox(QMessageBox::Question, tr("Confirm"), question, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
+        = new QMessageBox(QMessageBox::Question, tr("Confirm"), words, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
     box->setObjectName(QStringLiteral("confirmCommand"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setEscapeButton(QMessageBox::Cancel);
     box->button(QMessageBox::Yes)->setText(commandWords(asked));
-    connect(box, &QMessageBox::finished, &m_window, [this, asked](int result) {
+    connect(box, &QMessageBox::finished, &m_window, [this, systemId, asked](int result) {
         if (result == QMessageBox::Yes)
-            m_window.m_commands->send(asked);
+            m_window.m_commands->send(systemId, asked);
     });
     box->open();
 }

@@ -31,7 +31,7 @@ private:
     void fillTools(QMenu &menu);
     void fillHelp(QMenu &menu);
     QAction *add(QMenu &menu, const QString &text, const QString &name, const QKeySequence &keys, std::function<void()> act);
-    /// Asks once; closing the box or Esc means no.
+    /// Asks once, about the vehicle that is shown now; closing the box or Esc means no.
     void askAndSend(const QString &question, const vehicle::VehicleCommand &command);
 
     MainWindow &m_window;

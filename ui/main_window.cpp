@@ -132,7 +132,10 @@ void MainWindow::connectPanels()
 void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 {
     m_scene = sceneOf(snapshot, m_chosenVehicle);
-    m_scene.inSweep = m_sweep && m_sweep->holdsLink();
+    if (m_scene.vehicle)
+        m_chosenVehicle = m_scene.vehicle->state.systemId; // it keeps its place: commands go to the one that is shown
+    if (m_sweep)
+        m_sweep->mark(m_scene);
     m_commands->showScene(m_scene);
     m_map->showScene(m_scene);
     m_docks->showMoving(m_scene);

@@ -96,7 +96,7 @@ private:
     ProgramFacts m_facts;
     Settings m_settings;
     Scene m_scene;
-    std::uint8_t m_chosenVehicle = 0;
+    std::uint8_t m_chosenVehicle = 0; ///< by hand, or as the first one that there was; 0 before that
     double m_numbersAt = -1;  ///< when the numbers were last shown, by the snapshots' clock
     SceneState m_shownState;
 

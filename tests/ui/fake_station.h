@@ -42,9 +42,9 @@ public:
         written.emplace_back(std::move(name), value);
     }
     void readMission(std::uint8_t systemId) override { missionReads.push_back(systemId); }
-    void writeMission(std::uint8_t, std::vector<vehicle::MissionItem> items) override
+    void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) override
     {
-        missionWrites.push_back(std::move(items));
+        missionWrites.emplace_back(systemId, std::move(items));
     }
     void setInspecting(bool on) override { inspecting = on; }
     void setRecording(bool on) override { recording = on; }
@@ -60,7 +60,7 @@ public:
     std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;
     std::vector<std::uint8_t> parameterRequests, missionReads, allowedClear;
     std::vector<std::pair<std::string, double>> written;
-    std::vector<std::vector<vehicle::MissionItem>> missionWrites;
+    std::vector<std::pair<std::uint8_t, std::vector<vehicle::MissionItem>>> missionWrites;
     bool allowResearch = false, inspecting = false, recording = false;
     crypto::SuiteId weakest = crypto::SuiteId::Rc4;
     std::optional<channel::PublicKey> key;

@@ -37,7 +37,7 @@ void HoldButton::setWhyNot(const QString &reason)
 
 void HoldButton::begin()
 {
-    if (!isEnabled() || holding())
+    if (!isEnabled() || isHeld())
         return;
     m_since.start();
     m_ticker.start();
@@ -46,7 +46,7 @@ void HoldButton::begin()
 
 void HoldButton::abort()
 {
-    if (!holding())
+    if (!isHeld())
         return;
     m_ticker.stop();
     m_progress = 0;
@@ -93,7 +93,7 @@ void HoldButton::keyPressEvent(QKeyEvent *event)
         if (!event->isAutoRepeat())
             begin();
         event->accept();
-    } else if (event->key() == Qt::Key_Escape && holding()) {
+    } else if (event->key() == Qt::Key_Escape && isHeld()) {
         abort();
         event->accept();
     } else {

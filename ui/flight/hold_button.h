@@ -21,6 +21,9 @@ public:
     void setWhyNot(const QString &reason);
     /// How far the hold is, 0 … 1; 0 when nobody holds.
     double progress() const { return m_progress; }
+    bool isHeld() const { return m_ticker.isActive(); }
+    /// Ends a hold as a no: what the button would do is not what it was pressed for any more.
+    void abort();
 
 Q_SIGNALS:
     void confirmed();
@@ -40,9 +43,7 @@ protected:
 
 private:
     void begin();
-    void abort();
     void tick();
-    bool holding() const { return m_ticker.isActive(); }
 
     QTimer m_ticker;
     QElapsedTimer m_since;

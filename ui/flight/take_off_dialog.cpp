@@ -14,7 +14,8 @@ namespace skyseal::ui {
 TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidget *parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("takeOffDialog"));
-    setWindowTitle(tr("Take off"));
+    const std::uint8_t systemId = commands.systemId();
+    setWindowTitle(commands.isOneOfSeveral() ? tr("Take off · vehicle %1").arg(systemId) : tr("Take off"));
     auto *altitude = new AltitudeBox(this);
     altitude->setObjectName(QStringLiteral("takeOffDialogAltitude"));
     altitude->setUnits(units);
@@ -50,9 +51,9 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
 
     go->setWhyNot(commands.whyNot());
     connect(&commands, &VehicleCommands::whyNotChanged, go, &HoldButton::setWhyNot);
-    connect(go, &HoldButton::confirmed, this, [this, &commands, altitude] {
+    connect(go, &HoldButton::confirmed, this, [this, &commands, altitude, systemId] {
         commands.setTakeOffAltitude(altitude->metres());
-        commands.send(vehicle::TakeOff{altitude->metres()});
+        commands.send(systemId, vehicle::TakeOff{altitude->metres()});
         accept();
     });
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);

@@ -1,4 +1,5 @@
-// Vehicle -> Take off: asks how high, then wants the button held, as the one of the flight panel does.
+// Vehicle -> Take off: asks how high, then wants the button held, as the one of the flight panel does. It is for the vehicle
+// that was shown as it opened.
 #pragma once
 
 #include "ui/text/units.h"

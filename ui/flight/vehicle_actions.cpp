@@ -58,14 +58,15 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     grid->addWidget(m_setMode, 2, 3, 1, 3);
     grid->addWidget(m_result, 3, 0, 1, 6);
 
-    connect(m_arm, &HoldButton::confirmed, this, [this] {
-        m_commands.send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
+    const auto send = [this](const vehicle::VehicleCommand &command) { m_commands.send(m_systemId, command); };
+    connect(m_arm, &HoldButton::confirmed, this, [this, send] {
+        send(m_armed ? vehicle::VehicleCommand(vehicle::Disarm{}) : vehicle::VehicleCommand(vehicle::Arm{}));
     });
-    connect(m_takeOff, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::TakeOff{m_altitude->metres()}); });
-    connect(m_land, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::Land{}); });
-    connect(m_return, &HoldButton::confirmed, this, [this] { m_commands.send(vehicle::ReturnToLaunch{}); });
+    connect(m_takeOff, &HoldButton::confirmed, this, [this, send] { send(vehicle::TakeOff{m_altitude->metres()}); });
+    connect(m_land, &HoldButton::confirmed, this, [send] { send(vehicle::Land{}); });
+    connect(m_return, &HoldButton::confirmed, this, [send] { send(vehicle::ReturnToLaunch{}); });
     connect(m_setMode, &HoldButton::confirmed, this,
-            [this] { m_commands.send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
+            [this, send] { send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
         connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
     connect(&commands, &VehicleCommands::said, this, &VehicleActions::say);
@@ -75,9 +76,14 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
 void VehicleActions::showScene(const Scene &scene)
 {
     const bool present = scene.vehicle != nullptr;
+    const std::uint8_t systemId = present ? scene.vehicle->state.systemId : 0;
+    if (systemId != m_systemId)
+        endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is shown now"));
+    m_systemId = systemId;
     m_armed = present && scene.vehicle->state.armed;
     const QString word = m_armed ? tr("Disarm") : tr("Arm");
     if (m_arm->text() != word) {
+        endHolds({m_arm}, m_armed ? tr("the vehicle was armed meanwhile") : tr("the vehicle was disarmed meanwhile"));
         m_arm->setText(word);
         m_arm->setAccessibleName(word);
     }
@@ -86,6 +92,16 @@ void VehicleActions::showScene(const Scene &scene)
     else
         showModes({}, {});
     showPermit(scene);
+}
+
+void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QString &why)
+{
+    for (HoldButton *button : buttons) {
+        if (!button->isHeld())
+            continue;
+        button->abort();
+        say(tr("Not sent: %1").arg(why), false);
+    }
 }
 
 void VehicleActions::showPermit(const Scene &scene)
@@ -112,6 +128,7 @@ void VehicleActions::showModes(const std::vector<std::string> &modes, const std:
 {
     if (modes == m_knownModes)
         return;
+    endHolds({m_setMode}, tr("the vehicle has other modes now"));
     m_knownModes = modes;
     m_modes->clear();
     for (const std::string &mode : modes)

@@ -27,6 +27,8 @@ public:
     void say(const QString &line, bool ok);
 
 private:
+    /// What is held just now would not do what it was pressed for.
+    void endHolds(const std::vector<HoldButton *> &buttons, const QString &why);
     void showPermit(const Scene &scene);
     void showModes(const std::vector<std::string> &modes, const std::string &current);
 
@@ -37,6 +39,7 @@ private:
     QLabel *m_result;
     std::vector<std::string> m_knownModes;
     QString m_whyNot; ///< why nothing can be sent to the vehicle, as the line says it
+    std::uint8_t m_systemId = 0;
     bool m_armed = false;
 };
 

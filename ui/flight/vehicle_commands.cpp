@@ -15,6 +15,7 @@ VehicleCommands::VehicleCommands(StationPort &station, QObject *parent) : QObjec
 void VehicleCommands::showScene(const Scene &scene)
 {
     m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
+    m_severalVehicles = scene.snapshot && scene.snapshot->vehicles.size() > 1;
     const QString reason = whyNoCommands(scene);
     if (reason == m_whyNot)
         return;
@@ -22,16 +23,20 @@ void VehicleCommands::showScene(const Scene &scene)
     Q_EMIT whyNotChanged(reason);
 }
 
-void VehicleCommands::send(const vehicle::VehicleCommand &command)
+void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)
 {
-    if (m_systemId == 0)
+    if (systemId == 0)
         return;
     const QString words = commandWords(command);
+    if (m_systemId != 0 && systemId != m_systemId) {
+        Q_EMIT said(tr("%1: not sent: vehicle %2 is not the one that is shown now").arg(words).arg(systemId), false);
+        return;
+    }
     if (!m_whyNot.isEmpty()) {
         Q_EMIT said(tr("%1: not sent: %2").arg(words, m_whyNot), false);
         return;
     }
-    const vehicle::CommandId id = m_station.command(m_systemId, command);
+    const vehicle::CommandId id = m_station.command(systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
     Q_EMIT said(tr("%1: asked …").arg(words), true);
 }

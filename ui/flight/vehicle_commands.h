@@ -1,5 +1,5 @@
-// Sends commands to the vehicle that the operator looks at and keeps the questions, so that each answer can be told in
-// words: "Arm: refused: …". Shared by the buttons and the Vehicle menu.
+// Sends commands to the vehicle that the operator looks at, and to no other than the one that was asked about. Keeps the
+// questions, so that each answer can be told in words: "Arm: refused: …". Shared by the buttons and the Vehicle menu.
 #pragma once
 
 #include "ui/scene.h"
@@ -23,8 +23,13 @@ public:
     void showScene(const Scene &scene);
     /// Empty when a command can go to the vehicle.
     const QString &whyNot() const { return m_whyNot; }
-    /// Says no where there is a reason: one that was asked for before it was there, too.
-    void send(const vehicle::VehicleCommand &command);
+    /// The vehicle that the operator looks at; 0 without one.
+    std::uint8_t systemId() const { return m_systemId; }
+    /// There are others, so that a question has to say which one it is about.
+    bool isOneOfSeveral() const { return m_severalVehicles; }
+    /// Says no where there is a reason: one that was asked for before it was there, too. And where another vehicle than
+    /// `systemId` is shown now: nobody sees any more what would become of it.
+    void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
     void take(const engine::Happening &happening);
 
     /// How high the next take-off goes, in metres: one number for the panel and the menu.
@@ -40,6 +45,7 @@ Q_SIGNALS:
 private:
     StationPort &m_station;
     std::uint8_t m_systemId = 0;
+    bool m_severalVehicles = false;
     QString m_whyNot;
     double m_takeOffAltitude = 10;
     QHash<quint32, QString> m_asked;

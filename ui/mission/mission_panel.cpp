@@ -1,7 +1,7 @@
 #include "ui/mission/mission_panel.h"
 
-#include "ui/mission/mission_file.h"
 #include "ui/flight/command_permits.h"
+#include "ui/mission/mission_file.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -15,6 +15,15 @@
 #include <QtWidgets/QTreeView>
 
 namespace skyseal::ui {
+
+namespace {
+
+QString kinds()
+{
+    return MissionPanel::tr("Missions (*.waypoints *.txt);;All files (*)");
+}
+
+} // namespace
 
 MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
 {
@@ -52,22 +61,12 @@ MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(pare
     column->addLayout(tools);
     column->addWidget(view, 1);
 
-    const QString kinds = tr("Missions (*.waypoints *.txt);;All files (*)");
     connect(m_read, &QPushButton::clicked, this, [this] {
         say(tr("Reading …"));
         m_station.readMission(m_systemId);
     });
-    connect(m_send, &QPushButton::clicked, this, [this, kinds] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Send a mission"), {}, kinds);
-        if (!file.isEmpty())
-            sendFile(file);
-    });
-    connect(m_save, &QPushButton::clicked, this, [this, kinds] {
-        const QString file
-            = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds);
-        if (!file.isEmpty())
-            saveFile(file);
-    });
+    connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
+    connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
     connect(&station, &StationPort::happened, this, &MissionPanel::take);
     showScene({});
 }
@@ -77,8 +76,32 @@ void MissionPanel::say(const QString &line)
     m_result->setText(line);
 }
 
-void MissionPanel::sendFile(const QString &file)
+// While a file is chosen time goes on: what is meant is what was shown when the button was pressed.
+void MissionPanel::askAndSend()
 {
+    const std::uint8_t systemId = m_systemId;
+    const QString file = QFileDialog::getOpenFileName(this, tr("Send a mission"), {}, kinds());
+    if (!file.isEmpty())
+        sendFile(file, systemId);
+}
+
+void MissionPanel::askAndSave()
+{
+    const MissionModel::Mission mission = m_mission;
+    const QString file
+        = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds());
+    if (!file.isEmpty() && mission)
+        saveFile(file, mission);
+}
+
+void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
+{
+    const QString otherVehicle
+        = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is shown now");
+    if (const QString reason = otherVehicle.isEmpty() ? m_whyNot : otherVehicle; !reason.isEmpty()) {
+        say(tr("Not sent: %1").arg(reason));
+        return;
+    }
     QFile in(file);
     if (!in.open(QIODevice::ReadOnly)) {
         say(tr("%1: %2").arg(file, in.errorString()));
@@ -90,13 +113,13 @@ void MissionPanel::sendFile(const QString &file)
         return;
     }
     say(tr("Sending %1 items …").arg(items->size()));
-    m_station.writeMission(m_systemId, *items);
+    m_station.writeMission(systemId, *items);
 }
 
-void MissionPanel::saveFile(const QString &file)
+void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
 {
     QSaveFile out(file);
-    const std::string text = missionText(*m_mission);
+    const std::string text = missionText(*mission);
     const bool ok
         = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0 && out.commit();
     say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
@@ -106,10 +129,10 @@ void MissionPanel::showScene(const Scene &scene)
 {
     m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
     m_mission = scene.vehicle ? scene.vehicle->mission : nullptr;
-    const QString reason = whyNoCommands(scene);
+    m_whyNot = whyNoCommands(scene);
     for (QPushButton *button : {m_read, m_send}) {
-        button->setEnabled(reason.isEmpty());
-        button->setToolTip(reason);
+        button->setEnabled(m_whyNot.isEmpty());
+        button->setToolTip(m_whyNot);
     }
     m_save->setEnabled(m_mission && !m_mission->empty());
     m_model.setMission(m_mission, scene.vehicle ? scene.vehicle->state.missionCurrent : -1);

@@ -20,18 +20,22 @@ public:
 
     void showScene(const Scene &scene);
     void take(const engine::Happening &happening);
-    /// Sends the mission of a file; says so when it is none.
-    void sendFile(const QString &file);
-    void saveFile(const QString &file);
+    /// Sends the mission of a file to the vehicle that it was chosen for; says so when it is none, or when that vehicle is
+    /// not shown any more or cannot be sent anything.
+    void sendFile(const QString &file, std::uint8_t systemId);
+    void saveFile(const QString &file, const MissionModel::Mission &mission);
 
 private:
     void say(const QString &line);
+    void askAndSend();
+    void askAndSave();
 
     StationPort &m_station;
     MissionModel m_model;
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
     QLabel *m_result;
+    QString m_whyNot; ///< why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
 };
 

@@ -1,0 +1,209 @@
+// One vehicle is shown, and what is asked for goes to that one and to no other, whatever becomes of it between the question
+// and the answer. Where nothing can be sent, nothing is offered.
+#include "scripted_snapshots.h"
+#include "ui/flight/hold_button.h"
+#include "ui/flight/take_off_dialog.h"
+#include "ui/status/strip_item.h"
+#include "window_rig.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTimer>
+#include <QtWidgets/QApplication>
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+/// In rising order, as the engine has them.
+engine::Snapshot vehicles(double time, std::initializer_list<std::uint8_t> ids)
+{
+    engine::Snapshot snapshot = sealedSnapshot(time);
+    const engine::VehicleSnapshot one = snapshot.vehicles.front();
+    snapshot.vehicles.clear();
+    for (const std::uint8_t id : ids) {
+        snapshot.vehicles.push_back(one);
+        snapshot.vehicles.back().state.systemId = id;
+    }
+    return snapshot;
+}
+
+} // namespace
+
+class ShownVehicleTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void newcomerDoesNotTakeThePlace()
+    {
+        m_station->show(vehicles(1, {5}));
+        QTest::mousePress(find<HoldButton>("landButton"), Qt::LeftButton);
+        m_station->show(vehicles(1.1, {1, 5}));
+        QCOMPARE(find<StripItem>("stripVehicle")->text(), QStringLiteral("Vehicle 5"));
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(1)); // the hold goes on
+        QCOMPARE(m_station->commands[0].first, std::uint8_t(5));
+        QTest::mouseRelease(find<HoldButton>("landButton"), Qt::LeftButton);
+
+        // Another one is shown when there is no choice; it then has the place.
+        m_station->show(vehicles(2, {7}));
+        m_station->show(vehicles(3, {2, 5, 7}));
+        QCOMPARE(m_window->scene().vehicle->state.systemId, std::uint8_t(7));
+    }
+
+    void questionIsAboutTheVehicleThatItNames()
+    {
+        m_station->show(vehicles(1, {5}));
+        find<QAction>("actionArm")->trigger();
+        QVERIFY(!find<QMessageBox>("confirmCommand")->text().contains(QStringLiteral("5"))); // there is no other
+        delete find<QMessageBox>("confirmCommand");
+
+        m_station->show(vehicles(2, {1, 5}));
+        find<QAction>("actionArm")->trigger();
+        auto *box = find<QMessageBox>("confirmCommand");
+        QVERIFY2(box->text().startsWith(QStringLiteral("Vehicle 5: Arm the motors?")), qPrintable(box->text()));
+        find<QAction>("actionTakeOff")->trigger();
+        auto *takeOff = m_window->findChild<TakeOffDialog *>();
+        QVERIFY(takeOff && takeOff->windowTitle().contains(QStringLiteral("vehicle 5")));
+        m_station->show(vehicles(3, {1})); // of another station
+        box->button(QMessageBox::Yes)->click();
+        auto *go = takeOff->findChild<HoldButton *>(QStringLiteral("takeOffDialogGo"));
+        Q_EMIT go->confirmed();
+        QVERIFY(m_station->commands.empty());
+        const QString line = find<QLabel>("commandResult")->text();
+        QVERIFY2(line.contains(QStringLiteral("vehicle 5 is not the one that is shown now")), qPrintable(line));
+
+        m_station->show(vehicles(4, {1}));
+        find<QAction>("actionLand")->trigger();
+        const auto boxes = m_window->findChildren<QMessageBox *>(QStringLiteral("confirmCommand"));
+        boxes.back()->button(QMessageBox::Yes)->click();
+        QCOMPARE(m_station->commands.size(), std::size_t(1));
+        QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
+    }
+
+    void holdEndsWithTheWordOfTheButton()
+    {
+        m_station->show(sealedSnapshot(1)); // armed
+        auto *arm = find<HoldButton>("armButton");
+        QCOMPARE(arm->text(), QStringLiteral("Disarm"));
+        QTest::mousePress(arm, Qt::LeftButton);
+        QVERIFY(arm->isHeld());
+        engine::Snapshot landed = sealedSnapshot(1.1);
+        landed.vehicles.front().state.armed = false;
+        m_station->show(landed);
+        QCOMPARE(arm->text(), QStringLiteral("Arm"));
+        QVERIFY(!arm->isHeld() && !arm->isDown());
+        QTest::mouseRelease(arm, Qt::LeftButton);
+        QVERIFY(m_station->commands.empty());
+        const QString line = find<QLabel>("commandResult")->text();
+        QVERIFY2(line.contains(QStringLiteral("was disarmed meanwhile")), qPrintable(line));
+    }
+
+    void holdEndsWithTheVehicleAndItsModes()
+    {
+        m_station->show(vehicles(1, {5}));
+        auto *land = find<HoldButton>("landButton"), *mode = find<HoldButton>("setModeButton");
+        QTest::mousePress(land, Qt::LeftButton);
+        m_station->show(vehicles(2, {6}));
+        QVERIFY(!land->isHeld());
+        QTest::mouseRelease(land, Qt::LeftButton);
+        QTest::mousePress(mode, Qt::LeftButton);
+        engine::Snapshot other = vehicles(3, {6});
+        other.vehicles.front().state.modes = {"MANUAL", "AUTO"};
+        other.vehicles.front().state.mode = "AUTO"; // a change that shows at once
+        m_station->show(other);
+        QVERIFY(!mode->isHeld());
+        QTest::mouseRelease(mode, Qt::LeftButton);
+        QVERIFY(m_station->commands.empty());
+    }
+
+    void nothingIsSentOneWay_data()
+    {
+        QTest::addColumn<bool>("recorded");
+        QTest::addColumn<QString>("whyNot");
+        QTest::addColumn<QString>("title");
+        QTest::newRow("recording") << true << QStringLiteral("it is a recording") << QStringLiteral("A recording");
+        QTest::newRow("stream that is never sent to")
+            << false << QStringLiteral("its link is only listened to") << QStringLiteral("Not sealed, only listened to");
+    }
+
+    void nothingIsSentOneWay()
+    {
+        QFETCH(bool, recorded);
+        QFETCH(QString, whyNot);
+        QFETCH(QString, title);
+        engine::Snapshot snapshot = plainSnapshot(1);
+        if (recorded)
+            snapshot.links.front().url = "tlog:flight.tlog";
+        else
+            snapshot.links.front().listenOnly = true;
+        m_station->show(snapshot);
+        for (const char *name : {"armButton", "landButton", "missionSend", "missionRead", "parameterFetch"}) {
+            const auto *button = find<QPushButton>(name);
+            QVERIFY2(!button->isEnabled() && button->toolTip().contains(whyNot), name);
+        }
+        QCOMPARE(find<QLabel>("secureTitle")->text(), title);
+        QCOMPARE(find<StripItem>("stripLock")->text(), title);
+        for (const QString &words : {find<QLabel>("secureAdvice")->text(), find<StripItem>("stripLock")->toolTip()})
+            QVERIFY2(!words.contains(QStringLiteral("Start skyseal-air")), qPrintable(words));
+        QVERIFY(!find<QPushButton>("secureHelp")->isVisible());
+        m_station->show(plainSnapshot(2));
+        QVERIFY(find<QPushButton>("armButton")->isEnabled());
+    }
+
+    void missionGoesToTheVehicleThatItWasChosenFor_data()
+    {
+        QTest::addColumn<int>("shownThen"); // 0 = the same one, as a recording
+        QTest::addColumn<QString>("refusal");
+        QTest::newRow("still there") << 5 << QString();
+        QTest::newRow("another one") << 6 << QStringLiteral("another vehicle");
+        QTest::newRow("permit gone") << 0 << QStringLiteral("not sealed");
+    }
+
+    void missionGoesToTheVehicleThatItWasChosenFor()
+    {
+        QFETCH(int, shownThen);
+        QFETCH(QString, refusal);
+        const QString file = m_folder->filePath(QStringLiteral("m.waypoints"));
+        QFile out(file);
+        QVERIFY(out.open(QIODevice::WriteOnly));
+        out.write("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t47.4\t8.5\t488\t1\n");
+        out.close();
+        m_station->show(vehicles(1, {5}));
+        QTimer clerk; // the file dialog has its own event loop
+        connect(&clerk, &QTimer::timeout, this, [&] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            if (!dialog)
+                return;
+            clerk.stop();
+            engine::Snapshot then = vehicles(2, {static_cast<std::uint8_t>(shownThen == 0 ? 5 : shownThen)});
+            if (shownThen == 0) {
+                then.sessions.clear();
+                then.vehicles.front().session.reset();
+                then.heldBack.push_back({5, "192.0.2.66:40000", "air-1"});
+            }
+            m_station->show(then);
+            dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        clerk.start(1);
+        find<QPushButton>("missionSend")->click();
+        const QString result = find<QLabel>("missionResult")->text();
+        QCOMPARE(m_station->missionWrites.empty(), !refusal.isEmpty());
+        if (refusal.isEmpty())
+            QCOMPARE(m_station->missionWrites[0].first, std::uint8_t(5));
+        else
+            QVERIFY2(result.contains(QStringLiteral("Not sent")) && result.contains(refusal), qPrintable(result));
+    }
+};
+
+QTEST_MAIN(ShownVehicleTest)
+#include "shown_vehicle_test.moc"
