@@ -99,6 +99,31 @@ private Q_SLOTS:
         QVERIFY(change->toolTip().contains(QStringLiteral("not sealed")));
     }
 
+    void freshKeysAreCalledFreshKeys()
+    {
+        engine::Snapshot pending = sealedSnapshot(1);
+        pending.security = engine::Security::Switching;
+        pending.sessions.front().info.pending = SuiteId::ChaCha20Poly1305; // what is in use
+        m_station->show(pending);
+        QCOMPARE(strip()->text(), QStringLiteral("ChaCha20-Poly1305 · changing keys…"));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Sealed, changing keys…"));
+    }
+
+    void noSuiteWhileKeysAreChanged()
+    {
+        m_station->show(sealedSnapshot(1));
+        m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"))->trigger();
+        QVERIFY(!action(SuiteId::Aes256Gcm)->isEnabled()); // asked, and not yet told as pending
+        QVERIFY(action(SuiteId::ChaCha20Poly1305)->isEnabled());
+        QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(m_station->switches.size(), std::size_t(1));
+        channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
+                                 channel::Epoch{4}, false, true, channel::SwitchFailure::None,
+                                 std::chrono::milliseconds(42)};
+        m_station->tell(done);
+        QVERIFY(action(SuiteId::Aes256Gcm)->isEnabled());
+    }
+
     void panelClickPendsThenCommits()
     {
         m_station->show(sealedSnapshot(1));

@@ -117,7 +117,8 @@ void SuiteActions::take(const engine::Happening &happening)
         const bool committed = done->failure == channel::SwitchFailure::None;
         if (done->rekey && (!m_keysAsked || done->byPeer))
             return; // by itself
-        m_asked.reset();
+        if (!done->rekey)
+            m_asked.reset(); // fresh keys that were given up for it are no answer to it
         m_info->pending.reset();
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
@@ -184,7 +185,7 @@ void SuiteActions::refresh()
         else if (m_info && !why.isEmpty())
             text += QStringLiteral(" · ") + why;
         const QString tip = why.isEmpty() ? suiteName(suite) : tr("%1: %2").arg(suiteName(suite), why);
-        const bool enabled = why.isEmpty() && (!underWay || inUse || underWay == suite);
+        const bool enabled = why.isEmpty() && (!(underWay || m_keysAsked) || inUse || underWay == suite);
         if (action->text() == text && action->toolTip() == tip && action->isEnabled() == enabled
             && action->isChecked() == inUse)
             continue;
