@@ -1,7 +1,6 @@
 #include "app/skyseal/window_pairing.h"
 
 #include "app/common/pairing_news.h"
-#include "core/channel/pairing_passphrase.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -27,13 +26,15 @@ WindowPairing::~WindowPairing()
 void WindowPairing::open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase)
 {
     forgetDerivation();
+    if (!isThere())
+        return;
     if (!passphrase)
         return m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, nullptr);
     if (m_deriving)
         m_deriving->wait();
-    m_derives = true;
+    m_deaf = true;
     m_deriving.reset(QThread::create([this, roleAsked, number = m_derivation, typed = passphrase->clone()] {
-        auto key = channel::pairingPassphraseKey(typed);
+        auto key = m_derive(typed);
         QMetaObject::invokeMethod(
             this,
             [this, roleAsked, number, key = std::move(key)] {
@@ -48,35 +49,50 @@ void WindowPairing::open(channel::PeerRole roleAsked, const std::optional<crypto
 
 void WindowPairing::openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key)
 {
-    m_derives = false;
-    if (key)
+    if (!isThere())
+        return;
+    if (key) {
+        m_deaf = false;
         m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, std::move(key));
-    else
-        Q_EMIT failed(tr("this machine has not the memory to make a key of the passphrase"));
+        return;
+    }
+    m_station->station().cancelPairing(); // what it still has to tell is of a window that is not wanted
+    Q_EMIT failed(tr("this machine has not the memory to make a key of the passphrase"));
+}
+
+bool WindowPairing::isThere()
+{
+    if (m_station && m_station->isRunning())
+        return true;
+    Q_EMIT failed(tr("the station is not running"));
+    return false;
 }
 
 void WindowPairing::forgetDerivation()
 {
     ++m_derivation;
-    m_derives = false;
+    m_deaf = false;
 }
 
 void WindowPairing::confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey)
 {
     m_name = name.toStdString();
     m_replace = replaceKnownKey;
-    m_station->station().confirmPairing(key);
+    if (isThere())
+        m_station->station().confirmPairing(key);
 }
 
 void WindowPairing::refuse()
 {
-    m_station->station().refusePairing();
+    if (isThere())
+        m_station->station().refusePairing();
 }
 
 void WindowPairing::cancel()
 {
     forgetDerivation();
-    m_station->station().cancelPairing();
+    if (m_station && m_station->isRunning())
+        m_station->station().cancelPairing();
 }
 
 void WindowPairing::take(const channel::PairingEvent &event)
@@ -85,7 +101,7 @@ void WindowPairing::take(const channel::PairingEvent &event)
         keep(paired->peer);
         return;
     }
-    if (m_derives) // it is of the window before this one, which had another passphrase or none
+    if (m_deaf) // it is of the window before this one, which had another passphrase or none
         return;
     const auto known = keys::PeersFile::loadOrEmpty(m_peersFile);
     const auto news = newsOf(event, known ? *known : keys::PeersFile());

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "app/skyseal/station_adapter.h"
+#include "core/channel/pairing_passphrase.h"
 #include "ui/keys/pairing_port.h"
 
 #include <QtCore/QThread>
 
+#include <functional>
 #include <memory>
 
 namespace skyseal::app {
@@ -15,33 +17,43 @@ class WindowPairing : public ui::PairingPort
     Q_OBJECT
 
 public:
-    explicit WindowPairing(QObject *parent = nullptr) : PairingPort(parent) {}
+    /// See channel::pairingPassphraseKey().
+    using DeriveKey = std::function<std::shared_ptr<const Key32>(const crypto::Passphrase &)>;
+
+    explicit WindowPairing(DeriveKey derive = channel::pairingPassphraseKey, QObject *parent = nullptr)
+        : PairingPort(parent), m_derive(std::move(derive))
+    {
+    }
     /// Waits for a key that is being derived.
     ~WindowPairing() override;
 
     /// The station, which must outlive it, and the list that belongs to it.
     void use(StationAdapter &station, const std::string &peersFile);
 
-    /// The key of a passphrase takes a tenth of a second, on a thread of its own; the window opens when it is there.
+    /// The key of a passphrase takes a tenth of a second, on a thread of its own; the window opens when it is there. Without
+    /// a key no window stays open: one that opened before had another passphrase or none.
     void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override;
     void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) override;
     void refuse() override;
     void cancel() override;
 
 private:
+    /// The station is there. Says what failed where it is not.
+    bool isThere();
     /// Null: no memory for the key.
     void openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key);
     void forgetDerivation();
     void take(const channel::PairingEvent &event);
     void keep(channel::Peer peer);
 
+    DeriveKey m_derive;
     StationAdapter *m_station = nullptr;
     std::string m_peersFile;
     std::string m_name;
     bool m_replace = false;
     std::unique_ptr<QThread> m_deriving;
     quint64 m_derivation = 0; ///< number of the newest one; an older one comes to nothing
-    bool m_derives = false;   ///< and nobody waits for an agent under its key yet
+    bool m_deaf = false;      ///< no window under the key of the present passphrase is open
 };
 
 } // namespace skyseal::app

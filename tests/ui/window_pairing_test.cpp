@@ -1,0 +1,86 @@
+// The window's pairing on a real station: what becomes of it when no key can be made of the passphrase, or when there is no
+// station.
+#include "app/skyseal/window_pairing.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/system_random.h"
+#include "core/keys/secret_file.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QSignalSpy>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::app;
+
+class WindowPairingTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase()
+    {
+        QVERIFY(crypto::initCrypto());
+        crypto::SystemRandom random;
+        m_config.keys = {m_folder.filePath(QStringLiteral("ground.key")).toStdString(),
+                         m_folder.filePath(QStringLiteral("ground.peers")).toStdString()};
+        QVERIFY(keys::writeNewIdentity(m_config.keys.identity, random));
+        QVERIFY(QFile(QString::fromStdString(m_config.keys.peers)).open(QIODevice::WriteOnly));
+        m_config.record = false;
+    }
+
+    void withoutAKeyNoWindowStaysOpen()
+    {
+        auto station = engine::Station::create(m_config);
+        QVERIFY2(station, station ? "" : station.error().text().c_str());
+        StationAdapter adapter(std::move(*station));
+        WindowPairing pairing([](const crypto::Passphrase &) { return nullptr; });
+        pairing.use(adapter, m_config.keys.peers);
+        bool cancelled = false;
+        connect(&adapter, &StationAdapter::pairing, this, [&](const channel::PairingEvent &event) {
+            const auto *over = std::get_if<channel::PairingOver>(&event);
+            cancelled |= over && over->reason == channel::PairingEnd::Cancelled;
+        });
+        QSignalSpy failed(&pairing, &ui::PairingPort::failed), seen(&pairing, &ui::PairingPort::seen);
+        pairing.open(channel::PeerRole::Pilot, std::nullopt);
+        const QByteArray typed("blue heron");
+        const auto passphrase = crypto::Passphrase::fromBytes(
+            ByteView(reinterpret_cast<const std::uint8_t *>(typed.constData()), static_cast<std::size_t>(typed.size())));
+        QVERIFY(passphrase);
+        pairing.open(channel::PeerRole::Pilot, std::optional<crypto::Passphrase>(passphrase->clone()));
+        QTRY_COMPARE(failed.size(), 1);
+        QVERIFY(failed[0][0].toString().contains(QStringLiteral("memory")));
+        QTRY_VERIFY(cancelled); // the one that was opened without a passphrase
+        // And whatever it still had to tell is told to nobody.
+        Q_EMIT adapter.pairing(channel::PairingPeerSeen{});
+        QCOMPARE(seen.size(), 0);
+        QCOMPARE(failed.size(), 1);
+    }
+
+    void withoutAStationItSaysSo()
+    {
+        auto station = engine::Station::create(m_config);
+        QVERIFY(station);
+        StationAdapter adapter(std::move(*station));
+        WindowPairing pairing;
+        pairing.use(adapter, m_config.keys.peers);
+        engine::StationConfig broken = m_config;
+        broken.keys.identity = m_folder.filePath(QStringLiteral("missing.key")).toStdString();
+        adapter.exchange(broken);
+        QVERIFY(!adapter.isRunning());
+        QSignalSpy failed(&pairing, &ui::PairingPort::failed);
+        pairing.open(channel::PeerRole::Pilot, std::nullopt);
+        QCOMPARE(failed.size(), 1);
+        QVERIFY(failed[0][0].toString().contains(QStringLiteral("not running")));
+        pairing.confirm({}, QStringLiteral("air-1"), false);
+        pairing.refuse();
+        pairing.cancel();
+    }
+
+private:
+    QTemporaryDir m_folder;
+    engine::StationConfig m_config;
+};
+
+QTEST_MAIN(WindowPairingTest)
+#include "window_pairing_test.moc"
