@@ -164,7 +164,7 @@ void MainWindow::take(const engine::Happening &happening)
         tellPortInUse(changed->link);
     // With neither vehicle nor session the middle of the window says it.
     if (const auto *refused = std::get_if<engine::PlaintextRefused>(&happening);
-        refused && !refused->mayBe.empty() && m_scene.vehicle) {
+        refused && !refused->mayBe.empty() && (m_scene.vehicle || m_scene.session)) {
         const engine::HeldBackVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
         tellProblem(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.")
                         .arg(held.systemId)

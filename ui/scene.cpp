@@ -17,6 +17,11 @@ Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
     else if (!vehicles.empty())
         scene.vehicle = &vehicles.front();
 
+    if (scene.vehicle) {
+        const auto &links = scene.snapshot->links;
+        const auto over = std::ranges::find(links, scene.vehicle->link, &engine::LinkSnapshot::id);
+        scene.link = over == links.end() ? nullptr : &*over;
+    }
     if (scene.vehicle && scene.vehicle->session) {
         const auto own
             = std::ranges::find_if(sessions, [&](const auto &s) { return s.info.session == *scene.vehicle->session; });
@@ -25,16 +30,18 @@ Scene sceneOf(SnapshotPtr snapshot, std::uint8_t systemId)
     } else if (!scene.vehicle && !sessions.empty()) {
         scene.session = &sessions.front();
     }
-    for (const engine::HeldBackVehicle &held : scene.snapshot->heldBack) {
-        if (!scene.heldBack && (!scene.vehicle || scene.vehicle->state.systemId == held.systemId))
-            scene.heldBack = &held;
-    }
+    const auto &heldBack = scene.snapshot->heldBack;
+    const auto held = std::ranges::find_if(heldBack, [&](const engine::HeldBackVehicle &one) {
+        return !scene.vehicle || scene.vehicle->state.systemId == one.systemId;
+    });
+    scene.heldBack = held == heldBack.end() ? nullptr : &*held;
     return scene;
 }
 
 SceneState stateOf(const Scene &scene)
 {
     SceneState state;
+    state.plainRun = scene.plainRun;
     if (scene.snapshot) {
         state.security = scene.snapshot->security;
         state.vehicles = scene.snapshot->vehicles.size();

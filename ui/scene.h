@@ -13,9 +13,11 @@ struct Scene
 {
     SnapshotPtr snapshot;
     const engine::VehicleSnapshot *vehicle = nullptr;
+    const engine::LinkSnapshot *link = nullptr; ///< over which the vehicle was heard last; null when that was removed
     const engine::SessionSnapshot *session = nullptr;
     const engine::HeldBackVehicle *heldBack = nullptr; ///< the scene's vehicle; without one, the first that is
-    bool inSweep = false; ///< the connected link is being measured: it may be in clear by consent, and sessions begin anew
+    bool inSweep = false; ///< the connected link is being measured: sessions begin anew
+    bool plainRun = false; ///< and just now in clear, which the operator consented to
 
     /// True where the vehicle's values are older than the limit.
     bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }
@@ -27,7 +29,7 @@ struct SceneState
     engine::Security security{};
     std::optional<crypto::SuiteId> suite, pending;
     std::uint8_t systemId = 0;
-    bool armed = false, stale = false;
+    bool armed = false, stale = false, plainRun = false;
     std::string mode;
     std::size_t vehicles = 0, sessions = 0, links = 0, heldBack = 0;
     bool operator==(const SceneState &) const = default;

@@ -167,7 +167,11 @@ private Q_SLOTS:
         panel.showScene(scene);
         QVERIFY(text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
         QVERIFY(lockFaceOf(scene).toolTip.contains(QStringLiteral("Start skyseal-air")));
-        scene.inSweep = true;
+        scene.inSweep = true; // of sealed suites
+        panel.showScene(scene);
+        QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed"));
+        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Not sealed · plain MAVLink"));
+        scene.plainRun = true;
         panel.showScene(scene);
         QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, in a sweep"));
         QVERIFY(!text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
@@ -183,6 +187,37 @@ private Q_SLOTS:
         scene = sceneOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::TimedOut)), 0);
         scene.inSweep = true;
         QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Session lost · air-1"));
+    }
+
+    void consentIsForTheRunInClearAlone()
+    {
+        FakeSweep sweeps;
+        m_window->setSweep(sweeps);
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().state.armed = false;
+        snapshot.sessions.front().info.peerOffered.push_back(crypto::SuiteId::None);
+        m_station->show(snapshot);
+        find<QAction>("actionSweep")->trigger();
+        auto *dialog = m_window->findChild<SweepDialog *>();
+        QVERIFY(dialog);
+        dialog->findChild<QAbstractButton *>(QStringLiteral("sweep_none"))->setChecked(true);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QCOMPARE(sweeps.orders.size(), std::size_t(1));
+        const auto title = [&](const engine::Snapshot &now) {
+            m_station->show(now);
+            return find<QLabel>("secureTitle")->text();
+        };
+        sweeps.begin(crypto::SuiteId::Aes256Gcm);
+        QCOMPARE(title(plainSnapshot(2)), QStringLiteral("Not sealed")); // nobody consented to that
+        sweeps.begin(crypto::SuiteId::None);
+        QCOMPARE(title(plainSnapshot(3)), QStringLiteral("Not sealed, in a sweep"));
+        sweeps.begin(crypto::SuiteId::Aes256Gcm);
+        QCOMPARE(title(plainSnapshot(4)), QStringLiteral("Not sealed, in a sweep")); // on its way back
+        QCOMPARE(title(sealedSnapshot(5)), QStringLiteral("Sealed"));
+        QCOMPARE(title(plainSnapshot(6)), QStringLiteral("Not sealed"));
+        sweeps.begin(crypto::SuiteId::None);
+        sweeps.finish();
+        QCOMPARE(title(plainSnapshot(7)), QStringLiteral("Not sealed"));
     }
 
 private:

@@ -1,6 +1,7 @@
 #include "ui/flight/command_permits.h"
 
 #include "ui/status/link_ended.h"
+#include "ui/status/one_way.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -18,9 +19,11 @@ struct Words
 QString whyNoCommands(const Scene &scene)
 {
     if (scene.heldBack && !scene.session)
-        return Words::tr("not sealed, and not allowed so");
+        return Words::tr("it is not sealed, and plain MAVLink is not allowed");
     if (!scene.vehicle)
         return Words::tr("no vehicle");
+    if (const auto oneWay = oneWayOf(scene))
+        return oneWay->whyNot;
     const auto ended = linkEndedOf(scene);
     return ended ? ended->title : QString();
 }

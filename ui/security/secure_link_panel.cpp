@@ -5,6 +5,7 @@
 #include "ui/security/suite_row.h"
 #include "ui/status/link_ended.h"
 #include "ui/status/lock_face.h"
+#include "ui/status/one_way.h"
 #include "ui/text/units.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
@@ -167,13 +168,17 @@ void SecureLinkPanel::showHead(const Scene &scene)
 {
     const StateColors &colors = stateColors(palette());
     const LockFace face = lockFaceOf(scene);
+    const auto oneWay = oneWayOf(scene);
     QString title, advice;
     QColor color = colors.dim;
     switch (face.security) {
     case Security::Nothing:
         title = tr("No sealed link");
         advice = tr("The session starts by itself once a known agent announces itself.");
-        if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
+        if (oneWay) {
+            title = oneWay->title;
+            advice = oneWay->advice;
+        } else if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
             title = tr("%1 does not answer").arg(fromStd(agent->peerName));
             advice = tr("It is there, at %1, and silent: does it know this station's key? Look there for the fingerprint %2")
                          .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
@@ -193,9 +198,11 @@ void SecureLinkPanel::showHead(const Scene &scene)
             advice = tr("Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: "
                         "Security → Allow plain MAVLink.")
                          .arg(scene.heldBack->systemId)
-                         .arg(fromStd(scene.heldBack->mayBe));
-        }
-        if (scene.inSweep) {
+                         .arg(anyOfNames(scene.heldBack->mayBe));
+        } else if (oneWay) {
+            title = oneWay->title;
+            advice = oneWay->advice;
+        } else if (scene.plainRun) {
             title = tr("Not sealed, in a sweep");
             advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals "
                         "the link again by itself.");
@@ -212,7 +219,8 @@ void SecureLinkPanel::showHead(const Scene &scene)
         }
         break;
     case Security::Switching:
-        title = tr("Sealed, switching…");
+        title = scene.session && scene.session->info.pending == scene.session->info.suite ? tr("Sealed, changing keys…")
+                                                                                         : tr("Sealed, switching…");
         color = colors.good;
         break;
     case Security::UnderAttack:
@@ -225,7 +233,7 @@ void SecureLinkPanel::showHead(const Scene &scene)
     }
     put(m_title, title);
     put(m_advice, advice);
-    m_help->setVisible(!scene.session && !face.lost && !scene.inSweep);
+    m_help->setVisible(!scene.session && !face.lost && !scene.plainRun && !oneWay);
     m_keys->setVisible(face.lost && !scene.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())

@@ -1,6 +1,7 @@
 #include "ui/status/lock_face.h"
 
 #include "ui/status/link_ended.h"
+#include "ui/status/one_way.h"
 #include "ui/text/units.h"
 #include "ui/text/words.h"
 #include "ui/theme/suite_style.h"
@@ -31,6 +32,47 @@ QString sealedToolTip(const engine::SessionSnapshot &session)
              fromStd(session.fingerprint));
 }
 
+LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
+{
+    LockFace face;
+    face.security = Security::Plain;
+    face.icon = QStringLiteral("lock-open");
+    face.variants = variants;
+    face.toolTip = toolTip;
+    face.suite = crypto::SuiteId::None;
+    return face;
+}
+
+LockFace heldBackFace(const engine::HeldBackVehicle &held)
+{
+    return unsealedFace({Words::tr("Not sealed · vehicle %1 held back").arg(held.systemId),
+                         Words::tr("Not sealed · held back"), Words::tr("Not sealed")},
+                        Words::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
+                                  "and nothing is sent to it until you allow plain MAVLink for it.")
+                            .arg(held.systemId)
+                            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
+}
+
+LockFace plainFace(const Scene &scene)
+{
+    if (const auto oneWay = oneWayOf(scene)) {
+        LockFace face = unsealedFace({oneWay->title, oneWay->recorded ? Words::tr("Recording") : Words::tr("Not sealed")},
+                                     oneWay->advice);
+        if (oneWay->recorded) {
+            face.security = Security::Nothing;
+            face.icon = QStringLiteral("lock-none");
+        }
+        return face;
+    }
+    if (scene.plainRun)
+        return unsealedFace({Words::tr("Not sealed · in a sweep"), Words::tr("Not sealed")},
+                            Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can "
+                                      "read and change what is sent. It seals the link again by itself."));
+    return unsealedFace({Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")},
+                        Words::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle "
+                                  "to seal the link."));
+}
+
 } // namespace
 
 Security securityOf(const Scene &scene)
@@ -49,6 +91,8 @@ LockFace lockFaceOf(const Scene &scene)
     LockFace face;
     face.security = securityOf(scene);
     if (!scene.session) {
+        if (scene.heldBack)
+            return heldBackFace(*scene.heldBack);
         if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
@@ -71,25 +115,7 @@ LockFace lockFaceOf(const Scene &scene)
             face.toolTip = Words::tr("No vehicle and no session yet");
             return face;
         }
-        face.icon = QStringLiteral("lock-open");
-        face.variants = {Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")};
-        face.toolTip = Words::tr(
-            "Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.");
-        if (scene.heldBack) {
-            face.variants = {Words::tr("Not sealed · vehicle %1 held back").arg(scene.heldBack->systemId),
-                             Words::tr("Not sealed · held back"), Words::tr("Not sealed")};
-            face.toolTip = Words::tr("Vehicle %1 at %2 may be an impostor of %3, whose agent was never heard. Nothing of it is "
-                                     "shown and nothing is sent to it until you allow plain MAVLink for it.")
-                               .arg(scene.heldBack->systemId)
-                               .arg(fromStd(scene.heldBack->remoteAddress), fromStd(scene.heldBack->mayBe));
-        }
-        if (scene.inSweep) {
-            face.variants.front() = Words::tr("Not sealed · in a sweep");
-            face.toolTip = Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and "
-                                     "change what is sent. It seals the link again by itself.");
-        }
-        face.suite = crypto::SuiteId::None;
-        return face;
+        return plainFace(scene);
     }
     const auto &session = *scene.session;
     const QString suite = suiteName(session.info.suite);
@@ -99,8 +125,13 @@ LockFace lockFaceOf(const Scene &scene)
     face.toolTip = sealedToolTip(session);
     switch (face.security) {
     case Security::Switching: {
-        const QString to = suiteName(session.info.pending.value_or(session.info.suite));
         face.icon = QStringLiteral("lock-switching");
+        if (session.info.pending.value_or(session.info.suite) == session.info.suite) {
+            face.variants = {suite + dot + Words::tr("changing keys…")};
+            face.toolTip += QLatin1Char('\n') + Words::tr("Fresh keys are being agreed");
+            break;
+        }
+        const QString to = suiteName(*session.info.pending);
         face.variants
             = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"), suite + dot + Words::tr("switching…")};
         face.toolTip += QLatin1Char('\n') + Words::tr("Switching to %1").arg(to);

@@ -14,6 +14,8 @@ SweepControl::SweepControl(SweepPort &port, SweepPage &page, SuiteActions &suite
     : QObject(&window), m_port(port), m_page(page), m_suites(suites), m_window(window)
 {
     connect(&port, &SweepPort::runBegan, &page, &SweepPage::showRun);
+    connect(&port, &SweepPort::runBegan, this,
+            [this](const experiment::Run &run) { beginRun(run); });
     connect(&port, &SweepPort::sampleTaken, &page, &SweepPage::take);
     connect(&port, &SweepPort::saved, &page, &SweepPage::showSaved);
     connect(&port, &SweepPort::finished, this,
@@ -47,9 +49,24 @@ void SweepControl::start(const SweepOrder &order)
     if (isRunning())
         return;
     m_page.begin(order.plan);
+    m_arms = order.plan.arms;
+    m_plainArm = m_inClear = false;
     hold(!order.ownVehicle);
     Q_EMIT began();
     m_port.start(order);
+}
+
+void SweepControl::beginRun(const experiment::Run &run)
+{
+    m_plainArm = run.arm < m_arms.size() && m_arms[run.arm].suite == crypto::SuiteId::None;
+    m_inClear = m_inClear || m_plainArm;
+}
+
+void SweepControl::mark(Scene &scene)
+{
+    m_inClear = m_plainArm || (m_inClear && !scene.session);
+    scene.inSweep = m_holdsLink;
+    scene.plainRun = m_holdsLink && m_inClear;
 }
 
 void SweepControl::hold(bool on)

@@ -22,8 +22,8 @@ public:
     SweepControl(SweepPort &port, SweepPage &page, SuiteActions &suites, QWidget &window);
 
     bool isRunning() const;
-    /// One runs, on the connected link.
-    bool holdsLink() const { return m_holdsLink; }
+    /// Writes into the scene what one that runs on the connected link does to it now. For every scene, in their order.
+    void mark(Scene &scene);
     /// Opens the dialog, unless a sweep runs.
     void ask(const Scene &scene, bool requireSealed);
     void cancel();
@@ -39,6 +39,7 @@ Q_SIGNALS:
 
 private:
     void start(const SweepOrder &order);
+    void beginRun(const experiment::Run &run);
     void hold(bool on);
     void askFolder();
 
@@ -46,7 +47,10 @@ private:
     SweepPage &m_page;
     SuiteActions &m_suites;
     QWidget &m_window;
-    bool m_holdsLink = false;
+    std::vector<experiment::Arm> m_arms; ///< of the sweep that was started last
+    bool m_holdsLink = false; ///< one runs, on the connected link
+    bool m_plainArm = false;  ///< plain MAVLink is its present run
+    bool m_inClear = false;   ///< or was the one before, and no session is up again
 };
 
 } // namespace skyseal::ui

@@ -1,0 +1,39 @@
+// Sweeps without a link: remembers what was ordered and tells what a test wants.
+#pragma once
+
+#include "ui/sweep/sweep_port.h"
+
+namespace skyseal::ui {
+
+class FakeSweep : public SweepPort
+{
+    Q_OBJECT
+
+public:
+    using SweepPort::SweepPort;
+
+    QString whyNoOwnVehicle() const override { return {}; }
+    void start(const SweepOrder &order) override { orders.push_back(order); }
+    void cancel() override { finish(); }
+    void save(const experiment::Results &, const QString &) override {}
+
+    /// The first run of `suite` begins.
+    void begin(crypto::SuiteId suite)
+    {
+        const auto &arms = orders.back().plan.arms;
+        experiment::Run run;
+        while (run.arm < arms.size() && arms[run.arm].suite != suite)
+            ++run.arm;
+        Q_EMIT runBegan(run, {});
+    }
+    void finish()
+    {
+        auto results = std::make_shared<experiment::Results>();
+        results->plan = orders.back().plan;
+        Q_EMIT finished(std::move(results), {});
+    }
+
+    std::vector<SweepOrder> orders;
+};
+
+} // namespace skyseal::ui
