@@ -114,6 +114,8 @@ private Q_SLOTS:
         const QString words = box->informativeText();
         QVERIFY2(words.contains(QStringLiteral("says in clear that it is vehicle 1, from any address")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("the vehicle of air-1 or air-2")), qPrintable(words));
+        for (const auto answer : {QMessageBox::Yes, QMessageBox::Cancel})
+            QVERIFY(box->button(answer)->icon().isNull()); // none of them is recommended by a picture
         if (const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES"); !folder.isEmpty()) {
             QVERIFY(QTest::qWaitForWindowExposed(box) && QDir().mkpath(folder));
             QVERIFY(box->grab().save(QDir(folder).filePath(QStringLiteral("confirm-plain.png"))));

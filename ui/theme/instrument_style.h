@@ -1,6 +1,6 @@
 // Fusion with the few parts redrawn that disappear in our palettes: the marks of radio buttons and check boxes, and the edges
 // of fields, which Fusion makes darker than the window, however dark that is. Tool bars have no margin: the status strip
-// fills its own.
+// fills its own. Answers have no pictures: a green mark would recommend what may be the dangerous one.
 #pragma once
 
 #include <QtCore/QHash>
@@ -17,6 +17,7 @@ public:
     InstrumentStyle();
 
     int pixelMetric(PixelMetric metric, const QStyleOption *option, const QWidget *widget) const override;
+    int styleHint(StyleHint hint, const QStyleOption *option, const QWidget *widget, QStyleHintReturn *result) const override;
     void drawPrimitive(PrimitiveElement element, const QStyleOption *option, QPainter *painter,
                        const QWidget *widget) const override;
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex *option, QPainter *painter,
