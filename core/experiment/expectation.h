@@ -6,9 +6,9 @@
 //   factor     = number | metric ["(" suite {"," (load | framing)} ")"] | "(" sum ")" | "-" factor
 //
 // A metric stands for its mean over the repeats. Without a suite, or with "*" for it, it stands for every suite in turn, and
-// the comparison must hold for each of them. The load is "natural" or "saturated"; a comparison that names none must hold under
-// each load of the sweep; beside a metric with a load, one without stands for the sweep's first. The framing is "sealed" or "inline"; without one, the first of the sweep for a suite that is named, and each in turn
-// otherwise.
+// the comparison must hold for each of them. The load is "natural" or "saturated"; a comparison that names none must hold
+// under each load of the sweep; beside a metric with a load, one without stands for the sweep's first. The framing is "sealed"
+// or "inline"; without one, the first of the sweep for a suite that is named, and each in turn otherwise.
 #pragma once
 
 #include "core/base/result.h"

@@ -33,12 +33,11 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 
 namespace {
 
-/// Whether any run succeeded there; of any load without one.
-bool ran(const Results &results, std::size_t condition, std::optional<std::size_t> load, std::size_t arm)
+/// Whether any run succeeded there.
+bool ran(const Results &results, const Cell &cell)
 {
     return std::any_of(results.samples.begin(), results.samples.end(), [&](const Sample &sample) {
-        return sample.run.condition == condition && sample.run.arm == arm && (!load || sample.run.load == *load)
-               && sample.problem.empty();
+        return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.problem.empty();
     });
 }
 
@@ -47,27 +46,30 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
                              std::optional<std::size_t> load)
 {
     const Plan &plan = results.plan;
+    bool allRan = true; // wherever it looked
     const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> named) {
         const auto at = std::find(plan.loads.begin(), plan.loads.end(), named.value_or(plan.loads[load.value_or(0)]));
         const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
             const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
             return one.suite == suite && !one.again && fits;
         });
-        return arm == plan.arms.end()
-                   ? std::numeric_limits<double>::quiet_NaN()
-                   : meanOf(results, condition, static_cast<std::size_t>(at - plan.loads.begin()), *arm, metric);
+        const auto loadAt = static_cast<std::size_t>(at - plan.loads.begin());
+        allRan = allRan && arm != plan.arms.end()
+                 && ran(results, {condition, loadAt, static_cast<std::size_t>(arm - plan.arms.begin())});
+        return arm == plan.arms.end() ? std::numeric_limits<double>::quiet_NaN()
+                                      : meanOf(results, condition, loadAt, *arm, metric);
     };
     if (!expectation.isForEachSuite())
         return {{expectation.text(), condition, {}, load, expectation.check({}, lookup)}};
     std::vector<Verdict> each, without;
-    for (std::size_t i = 0; i < plan.arms.size(); ++i) {
-        const Arm &arm = plan.arms[i];
+    for (const Arm &arm : plan.arms) {
         const Framing asked = expectation.onlyFraming().value_or(arm.framing);
         const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
         if (arm.again || !meant || !exists(arm))
             continue;
+        allRan = true;
         Verdict verdict{expectation.text(), condition, name(arm), load, expectation.check(arm, lookup)};
-        const bool hasNone = !verdict.outcome.measured && ran(results, condition, load, i);
+        const bool hasNone = !verdict.outcome.measured && allRan;
         (hasNone ? without : each).push_back(std::move(verdict));
     }
     return each.empty() ? without : each;

@@ -24,7 +24,7 @@ struct Verdict
 Result<void, InputError> fits(const Expectation &expectation, const Plan &plan);
 
 /// An assertion for every suite leaves out those that ran and have no such value (plain MAVLink has no records), but one at least
-/// must have it. A suite of which no run succeeded was not measured, and fails.
+/// must have it. A suite of which no run succeeded, under one of the loads that it speaks of, was not measured, and fails.
 std::vector<Verdict> judge(const Expectation &expectation, const Results &results);
 
 /// "loss<=0.001 [aes-256-gcm] [natural]: 0 against 0.001: holds"; the load where the plan has several

@@ -180,6 +180,15 @@ void ExpectationTest::failedSuiteFails()
     QCOMPARE(verdicts.size(), std::size_t(4));
     QVERIFY(verdicts[0].outcome.holds && verdicts[1].outcome.holds && verdicts[3].outcome.holds);
     QCOMPARE(sentence(verdicts[2], failed.plan), std::string("cpu<=100 [none] [saturated]: was not measured: FAILS"));
+    // Its runs under the other load are none of those that were asked for.
+    for (const char *text : {"cpu(*,saturated)<=100", "cpu<=100*cpu(*,saturated)"}) {
+        const auto named = judge(*Expectation::parse(text), failed);
+        QCOMPARE(named.size(), std::size_t(2));
+        QVERIFY2(!named[0].outcome.measured && !named[0].outcome.holds && named[1].outcome.holds, text);
+        QCOMPARE(named[0].suite, std::string("none"));
+    }
+    QCOMPARE(judge(*Expectation::parse("record_loss(*,saturated)<=0.001"), failed).size(), std::size_t(2));
+    QCOMPARE(judge(*Expectation::parse("record_loss(*,natural)<=0.001"), failed).size(), std::size_t(1));
 }
 
 void ExpectationTest::mustFitThePlan()
