@@ -84,6 +84,8 @@ void SweepRunner::order(channel::SessionId session, crypto::SuiteId suite)
     if (m_switchOrdered == session)
         return;
     m_switchOrdered = session;
+    if (m_orders++ == 0)
+        m_firstOrder.start();
     m_station->switchSuite(session, suite);
 }
 
@@ -109,16 +111,31 @@ void SweepRunner::hearSwitch(const channel::SwitchDone &done)
         return endRun("another suite came into use during the run");
     if (m_stage != Stage::Switching || done.to != wantedSuite())
         return;
-    if (done.failure == Failure::None)
-        m_switchTook = seconds(done.took) * 1000;
-    else if (done.failure == Failure::NotAllowedHere || done.failure == Failure::NotAllowedByPeer)
-        endRun("the other end did not take this suite");
-    else if (done.failure == Failure::NotConfirmed || done.failure == Failure::Superseded) {
-        m_switchOrdered.reset(); // the link may be gone for a while; as long as there is patience, once more
-        const engine::SessionSnapshot *up = session(*m_snapshot);
-        if (up && !up->info.silent && ++m_switchesFailed < kMostSwitches) // it is not gone, only slow
-            enter(Stage::Switching, kSwitchPatience);
+    if (done.failure == Failure::None) {
+        m_switchTook = 1000 * tookOf(done);
+        m_orders = 0; // a new session may need one of its own
+        return;
     }
+    if (done.failure == Failure::NotAllowedHere || done.failure == Failure::NotAllowedByPeer)
+        return endRun("the other end did not take this suite");
+    if (done.failure == Failure::SessionEnded)
+        return;
+    m_switchOrdered.reset(); // the link may be gone for a while; as long as there is patience, once more
+    if (!session(*m_snapshot))
+        return;
+    if (++m_switchesFailed < kMostSwitches)
+        return enter(Stage::Switching, kSwitchPatience); // it is not gone, only slow
+    const std::string why = done.failure == Failure::NotConfirmed ? "the switch was not confirmed in time, "
+                                                                  : "another switch took the place of this one, ";
+    endRun(why + std::to_string(kMostSwitches) + " times");
+}
+
+/// Seconds, from the run's first order on: one that was not confirmed is part of what the switch took.
+double SweepRunner::tookOf(const channel::SwitchDone &done) const
+{
+    const bool again = m_orders > 1 || m_switchOrdered != done.session;
+    const double sinceOrder = m_orders > 0 ? static_cast<double>(m_firstOrder.nsecsElapsed()) / 1e9 : 0;
+    return again ? std::max(sinceOrder, seconds(done.took)) : seconds(done.took);
 }
 
 void SweepRunner::restore()

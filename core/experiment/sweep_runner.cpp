@@ -134,6 +134,7 @@ void SweepRunner::next()
     m_runStart = static_cast<double>(m_clock.elapsed()) / 1000;
     m_switchTook = std::numeric_limits<double>::quiet_NaN();
     m_switchOrdered.reset();
+    m_orders = 0;
     m_switchesFailed = 0;
     m_fresh = !m_station;
     Q_EMIT runBegan(run());

@@ -75,6 +75,7 @@ private:
     void beginSwitching(const engine::Snapshot &snapshot);
     void switchSuite(const engine::Snapshot &snapshot);
     void order(channel::SessionId session, crypto::SuiteId suite);
+    double tookOf(const channel::SwitchDone &done) const;
     void beginRun();
     void endRun(std::string problem = {});
     void noteReport(const engine::Snapshot &snapshot);
@@ -132,6 +133,8 @@ private:
     std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();
     std::optional<channel::SessionId> m_switchOrdered; ///< of this session, for this run
+    unsigned m_orders = 0;                             ///< in this run
+    QElapsedTimer m_firstOrder;
     unsigned m_switchesFailed = 0;                     ///< in this run: not confirmed in time
     unsigned m_failuresInARow = 0;
     bool m_cancelled = false;

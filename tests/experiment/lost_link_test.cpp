@@ -18,6 +18,8 @@ private Q_SLOTS:
     void lostBeforeARunIsMeasured();
     void lostWhileARunIsMeasured();
     void lostAtTheEnd();
+    void switchIsOrderedEightTimes();
+    void switchTakesFromItsFirstOrder();
     void vehicleFallsSilent_data();
     void vehicleFallsSilent();
 };
@@ -59,6 +61,8 @@ struct Sweep
             problem = said;
         });
         QObject::connect(ground.station.get(), &engine::Station::snapshotReady, &*runner, [this] { watch(); });
+        QObject::connect(ground.station.get(), &engine::Station::happened, &*runner,
+                         [this](const engine::Happening &happening) { hear(happening); });
     }
 
     const experiment::Results &results() const { return runner->results(); }
@@ -90,6 +94,23 @@ struct Sweep
             whenUnder(under.elapsed());
     }
 
+    /// Of the orders of the wanted suite, lets so many be taken back at once by another, which is refused.
+    void hear(const engine::Happening &happening)
+    {
+        const auto *pending = std::get_if<channel::SwitchPending>(&happening);
+        const auto *done = std::get_if<channel::SwitchDone>(&happening);
+        if (done && done->to == wanted && done->failure == channel::SwitchFailure::None) {
+            confirmedAfter = sinceOrder.isValid() ? static_cast<double>(sinceOrder.nsecsElapsed()) / 1e6 : 0;
+            lastTook = 1000 * seconds(done->took);
+        }
+        if (!pending || pending->to != wanted || pending->rekey)
+            return;
+        if (orders++ == 0)
+            sinceOrder.start();
+        if (orders <= takenBack)
+            ground.station->switchSuite(pending->session, SuiteId::None);
+    }
+
     FlightRig rig;
     Ground ground{configOf(rig)};
     std::unique_ptr<VehicleOnUdp> vehicle;
@@ -98,7 +119,9 @@ struct Sweep
     SuiteId wanted{};
     QElapsedTimer under;
     std::function<void(qint64 milliseconds)> whenUnder;
-    int lost = 0;
+    int lost = 0, orders = 0, takenBack = 0;
+    QElapsedTimer sinceOrder;
+    double confirmedAfter = 0, lastTook = 0; ///< milliseconds, from the first order on and from the last
     bool over = false;
     std::string problem;
 };
@@ -170,6 +193,34 @@ void LostLinkTest::lostAtTheEnd()
         QCOMPARE(int(sweep.suite()), int(expected));
         sweep.rig.killAgent();
     }
+}
+
+void LostLinkTest::switchIsOrderedEightTimes()
+{
+    Sweep sweep({SuiteId::Aes256Gcm});
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.ready(), 20000);
+    sweep.takenBack = 1000;
+    sweep.runner->start();
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.over, 60000);
+    QCOMPARE(sweep.orders, 8);
+    QCOMPARE(sweep.samples.size(), std::size_t(1));
+    QCOMPARE(sweep.samples[0].first.problem, std::string("another switch took the place of this one, 8 times"));
+}
+
+void LostLinkTest::switchTakesFromItsFirstOrder()
+{
+    Sweep sweep({SuiteId::Aes256Gcm});
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.ready(), 20000);
+    sweep.takenBack = 3;
+    sweep.runner->start();
+    QTRY_VERIFY_WITH_TIMEOUT(sweep.over, 60000);
+    QCOMPARE(sweep.orders, 4);
+    QCOMPARE(sweep.samples.size(), std::size_t(1));
+    QCOMPARE(sweep.samples[0].first.problem, std::string());
+    const double took = sweep.samples[0].first.values[experiment::Metric::Switch];
+    qInfo("%.1f ms, heard to take %.1f, the last order %.1f", took, sweep.confirmedAfter, sweep.lastTook);
+    QVERIFY(sweep.confirmedAfter > sweep.lastTook);
+    QVERIFY(took >= sweep.confirmedAfter && took < sweep.confirmedAfter + 1000);
 }
 
 void LostLinkTest::vehicleFallsSilent_data()
