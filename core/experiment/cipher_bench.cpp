@@ -156,6 +156,8 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
 
 std::optional<double> contextBytes(crypto::SuiteId suite)
 {
+    if (!crypto::makeRecordCipher(suite, benchSecret()))
+        return std::nullopt;
     std::vector<std::unique_ptr<crypto::RecordCipher>> contexts;
     contexts.reserve(2 * kContexts);
     return heapOfEach(kContexts, [&] { contexts.push_back(crypto::makeRecordCipher(suite, benchSecret())); });

@@ -45,10 +45,10 @@ struct SuiteCosts
 /// Some tenths of a second for each size. `sizes` at most 1100.
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes);
 
-/// Heap of one direction's keyed cipher.
+/// Heap of one direction's keyed cipher; nullopt where the suite is not available, or the C library does not tell.
 std::optional<double> contextBytes(crypto::SuiteId suite);
 
-/// Heap of one end's session under this suite, its ciphers included; frames sealed in place would need two more.
+/// The same of one end's session under this suite, its ciphers included; frames sealed in place would need two more.
 std::optional<double> sessionBytes(crypto::SuiteId suite);
 
 /// One JSON object for each size, {"event":"bench",…}; `aes` is whether AES instructions were used.
