@@ -14,6 +14,7 @@ static double stepOf(Metric metric, double mean, double other)
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
 {
     Summary out = summarise(valuesOf(results, cell, metric));
+    out.least = 0; // loads, shares, times and sizes
     if (!info(metric).independent)
         out.halfWidth = std::numeric_limits<double>::quiet_NaN();
     return out;

@@ -34,7 +34,8 @@ struct Noise
     bool differs() const { return adjusted < 0.05 && std::abs(test.difference) > step; }
 };
 
-/// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent).
+/// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent). Nothing that is
+/// measured can be negative, so intervals end at zero.
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);

@@ -120,7 +120,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
     if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
         const double low = axis.x(bar.low), high = axis.x(bar.high);
         drawLine(out, low, middle, high, middle);
-        if (bar.low > 0) // an interval that goes on below zero has no end to be seen
+        if (bar.low > 0) // one that was cut there has no end to be seen
             drawLine(out, low, middle - 5, low, middle + 5);
         drawLine(out, high, middle - 5, high, middle + 5);
     }
@@ -131,7 +131,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
             bar.outlier[i] ? "#ffffff" : "#1d3f66", bar.outlier[i] ? "#c00000" : "#ffffff");
     }
     put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" fill=\"#222222\">", kWidth - kRight + 8, middle + 4);
-    out += readable(bar.mean, bar.high - bar.mean) + "</text>\n";
+    out += readable(bar.mean, bar.low, bar.high) + "</text>\n";
 }
 
 } // namespace
@@ -163,6 +163,21 @@ double axisStep(double highest)
     return 10 * decade;
 }
 
+/// How often it was measured, and what is drawn; `counts`: the runs of each arm.
+static std::string legendOf(const Plan &plan, Metric metric, const std::vector<std::size_t> &counts, bool anyInterval,
+                            bool anyOutlier)
+{
+    std::string out = runsWords(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
+                      + (anyInterval ? "whisker: 95 % confidence interval, " : "") + "dots: single runs";
+    if (metric == Metric::SessionMemory)
+        out = "measured once for each suite, with sessions of the program's own; hatched: insecure";
+    if (!info(metric).independent)
+        out += "; one process through all suites: not a suite's own";
+    if (anyOutlier)
+        out += ", white ones: outliers";
+    return out;
+}
+
 BarChart chartOf(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
     const Plan &plan = results.plan;
@@ -190,14 +205,7 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
             bar.outlier[index] = true;
         out.bars.push_back(std::move(bar));
     }
-    out.legend = runsWords(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
-                 + (anyInterval ? "whisker: 95 % confidence interval, " : "") + "dots: single runs";
-    if (metric == Metric::SessionMemory)
-        out.legend = "measured once for each suite, with sessions of the program's own; hatched: insecure";
-    if (!info(metric).independent)
-        out.legend += "; one process through all suites: not a suite's own";
-    if (anyOutlier)
-        out.legend += ", white ones: outliers";
+    out.legend = legendOf(plan, metric, counts, anyInterval, anyOutlier);
     const Scale scale = scaleFor(metric, highestOf(out.bars));
     for (Bar &bar : out.bars) {
         for (double *value : {&bar.mean, &bar.low, &bar.high})

@@ -253,9 +253,10 @@ std::string body(const ReportParts &parts, bool inlineFigures)
     if (const std::string failed = failedRuns(results); !failed.empty())
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     out += "<p>Means of " + runsWords(results)
-           + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on); * marks outliers "
-             "by Tukey's fences, which stay in. Resident memory is that of one process through all suites: its runs are not "
-             "independent, so it has no interval, and suites are not compared by it.</p>\n<h2>Figures</h2>\n";
+           + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
+             "where it begins at zero, below which nothing can be; * marks outliers by Tukey's fences, which stay in. Resident "
+             "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
+             "are not compared by it.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // On paper each begins a page, so that no head of a table stands alone at the foot of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";

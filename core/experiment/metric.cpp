@@ -35,7 +35,7 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      "time inside seal and open at the agent, as it reports over the sealed link, percent of one core"},
     {Metric::CpuPerFrame, "cpu_per_frame", "CPU time per frame, station", "ns", "I/O thread's time divided by frames"},
     {Metric::AgentCpuPerFrame, "agent_cpu_per_frame", "CPU time per frame, agent", "ns",
-     "agent's CPU time divided by frames taken in by the station in the same time"},
+     "agent's CPU load over its reports, divided by the frame rate of the run"},
     {Metric::OpenP50, "open_p50", "Opening a record, median", "ns",
      "clocked around each call, look-up and replay window included; exact to 1/32", kHistogramStep},
     {Metric::OpenP99, "open_p99", "Opening a record, 99th percentile", "ns", "the same", kHistogramStep},
@@ -64,7 +64,8 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::EnergyPerFrame, "energy_per_frame", "Energy per frame", "µJ",
      "the same energy divided by frames taken in by the station, idle power included"},
     {Metric::Switch, "switch", "Time of the live switch", "ms",
-     "from the order until the other end confirmed, when the run's suite was not in use already"},
+     "from the run's first order until the other end confirmed, orders that it did not confirm in time included; when the run's "
+     "suite was not in use already"},
 }};
 
 std::string grouped(double value, int decimals = 0)
@@ -107,14 +108,17 @@ std::string readable(double value)
     return out;
 }
 
-std::string readable(double mean, double halfWidth)
+std::string readable(double mean, double low, double high)
 {
     constexpr int kMostDecimals = 6;
-    if (!std::isfinite(mean) || !std::isfinite(halfWidth))
+    const double halfWidth = high - mean;
+    if (!std::isfinite(mean) || !std::isfinite(low) || !std::isfinite(high))
         return readable(mean);
     if (halfWidth == 0)
         return readable(mean) + " ± 0";
     const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(halfWidth))), 0, kMostDecimals);
+    if (low == 0 && halfWidth > mean)
+        return grouped(mean, decimals) + " (≤ " + grouped(high, decimals) + ")";
     return grouped(mean, decimals) + " ± " + grouped(halfWidth, decimals);
 }
 

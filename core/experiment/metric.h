@@ -54,8 +54,8 @@ private:
 
 /// A number with a sensible count of digits for people: "1,234,567", "12.3", "0.00042"; "–" when it is not finite.
 std::string readable(double value);
-/// "21.613 ± 0.077": two digits of the half width of an interval, and the mean to the same place. The mean alone where the half
-/// width is not finite.
-std::string readable(double mean, double halfWidth);
+/// A mean with its interval: "21.613 ± 0.077", two digits of the half width, and the mean to the same place. "0.012 (≤ 0.034)"
+/// where the interval was cut at zero. The mean alone where an end is not finite.
+std::string readable(double mean, double low, double high);
 
 } // namespace skyseal::experiment

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,12 +30,13 @@ struct Summary
     double mean = 0;
     double deviation = 0;  ///< of the samples (n − 1)
     double halfWidth = 0;  ///< of the 95 % confidence interval: mean ± halfWidth
+    double least = -std::numeric_limits<double>::infinity(); ///< that the mean can be: the interval ends there
     double min = 0, max = 0, median = 0;
     /// Indices of samples more than 1.5 interquartile ranges outside the quartiles (Tukey's fences); empty below five
     /// samples, where the fences mean nothing. They are counted in all of the above.
     std::vector<std::size_t> outliers;
 
-    double low() const { return mean - halfWidth; }
+    double low() const { return mean - halfWidth < least ? least : mean - halfWidth; }
     double high() const { return mean + halfWidth; }
 };
 

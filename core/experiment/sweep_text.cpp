@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<Metric, 6> kShown{Metric::FrameRate, Metric::Loss,    Metric::CpuPerFrame,
                                        Metric::AgentCpu,  Metric::OpenP50, Metric::Latency};
 
-constexpr std::size_t kNameWidth = 32, kWidth = 19;
+constexpr std::size_t kNameWidth = 32, kWidth = 22;
 
 /// Width on a terminal: characters, not bytes of UTF-8.
 std::string padded(std::string text, std::size_t width, bool right)
@@ -59,7 +59,7 @@ std::string meanText(const Results &results, const Cell &cell, Metric metric)
     const Summary summary = summaryOf(results, cell, metric);
     if (summary.count == 0)
         return exists(results.plan.arms[cell.arm]) ? "–" : missingText(results.plan.arms[cell.arm]);
-    return readable(summary.mean, summary.halfWidth) + (summary.outliers.empty() ? "" : " *");
+    return readable(summary.mean, summary.low(), summary.high()) + (summary.outliers.empty() ? "" : " *");
 }
 
 std::string runsWords(const std::vector<std::size_t> &counts)
@@ -89,6 +89,8 @@ std::string endedEarly(const Results &results)
     const std::size_t planned = schedule(results.plan).size();
     if (results.complete && results.samples.size() >= planned)
         return {};
+    if (results.samples.size() >= planned)
+        return "was given up or cancelled after its last run";
     return "ended after " + std::to_string(results.samples.size()) + " of " + std::to_string(planned) + " runs";
 }
 
@@ -100,8 +102,10 @@ std::string failedRuns(const Results &results)
         if (sample.problem.empty())
             continue;
         ++failed;
-        std::string reason = name(results.plan.arms[sample.run.arm]) + " (" + std::string(name(results.plan.loads[sample.run.load]))
-                             + " load): " + sample.problem;
+        const Plan &plan = results.plan;
+        std::string reason = name(plan.arms[sample.run.arm]) + " (" + std::string(name(plan.loads[sample.run.load])) + " load"
+                             + (plan.conditions.size() > 1 ? ", link " + plan.conditions[sample.run.condition].name : "")
+                             + "): " + sample.problem;
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
             reasons.push_back(std::move(reason));
     }
@@ -117,7 +121,7 @@ std::vector<std::string> sweepText(const Results &results)
 {
     const Plan &plan = results.plan;
     std::vector<std::string> out;
-    bool anyOutlier = false;
+    bool anyOutlier = false, anyCut = false;
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
             out.push_back((out.empty() ? "" : "\n") + std::string("Link: ") + plan.conditions[condition].name
@@ -133,6 +137,7 @@ std::vector<std::string> sweepText(const Results &results)
                 for (const Metric metric : kShown) {
                     const std::string text = meanText(results, {condition, load, arm}, metric);
                     anyOutlier = anyOutlier || text.ends_with('*');
+                    anyCut = anyCut || text.find("≤") != std::string::npos;
                     line += padded(text, kWidth, true);
                 }
                 out.push_back(line);
@@ -140,7 +145,8 @@ std::vector<std::string> sweepText(const Results &results)
         }
     }
     out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsWords(results) + " of "
-                  + readable(seconds(plan.measure)) + " s each" + (anyOutlier ? "; * with outliers" : ""));
+                  + readable(seconds(plan.measure)) + " s each" + (anyCut ? "; ≤ its end, where it begins at zero" : "")
+                  + (anyOutlier ? "; * with outliers" : ""));
     if (const std::string ended = endedEarly(results); !ended.empty())
         out.push_back("This sweep " + ended + ".");
     return out;

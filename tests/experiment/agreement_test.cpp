@@ -81,19 +81,23 @@ void AgreementTest::intervalsMeet()
 
 void AgreementTest::sameSuiteTwiceIsNoDifference()
 {
-    int compared = 0;
+    // Of a sweep, not of its pairs: they are of the same runs, so that one disturbance shows in several of them.
+    int compared = 0, sweeps = 0;
     QStringList differing;
     for (const QJsonObject &report : {m_first, m_second}) {
+        const qsizetype before = differing.size();
         for (const QJsonValue noise : report[q("noise")].toArray()) {
             ++compared;
             if (noise[q("differs")].toBool())
                 differing << QStringLiteral("%1 %2: %3, %4, p = %5").arg(noise[q("load")].toString(), noise[q("metric")].toString())
                                  .arg(noise[q("mean")].toDouble()).arg(noise[q("mean_again")].toDouble()).arg(noise[q("p")].toDouble());
         }
+        sweeps += differing.size() > before;
     }
-    qInfo("%d A/A pairs, %lld differ\n%s", compared, static_cast<long long>(differing.size()), qPrintable(differing.join(QLatin1Char('\n'))));
+    qInfo("%d A/A pairs, %lld differ, in %d sweeps\n%s", compared, static_cast<long long>(differing.size()), sweeps,
+          qPrintable(differing.join(QLatin1Char('\n'))));
     QVERIFY(compared > 40);
-    QVERIFY2(differing.size() <= 1, "p is corrected over all of a sweep: two at once are no chance");
+    QVERIFY2(sweeps <= 1, "one sweep in twenty at most shows any difference by chance: both are hardly that");
 }
 
 QTEST_GUILESS_MAIN(AgreementTest)

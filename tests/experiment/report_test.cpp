@@ -82,6 +82,7 @@ private Q_SLOTS:
     void claimsAreOfTheCleanLink();
     void dronesCpuIsJudgedAsWell();
     void residentMemoryHasNoInterval();
+    void noIntervalBelowZero();
     void runsAreCounted();
     void plainIsSaidToTravelOtherwise();
     void noiseIsNoDifference();
@@ -253,6 +254,27 @@ void ReportTest::residentMemoryHasNoInterval()
     QVERIFY(sweepJson(results, {}).find("\"ci95_low\":null") != std::string::npos);
 }
 
+void ReportTest::noIntervalBelowZero()
+{
+    // A loss in one run of five: Student's t knows nothing of shares, and would have its interval begin at -0.018.
+    Results results = resultsWith(Metric::Loss, [](SuiteId) { return 0.0; });
+    for (Sample &sample : results.samples)
+        sample.values[Metric::Loss] = sample.run.repeat == 0 ? 0.05 : 0;
+    const Summary summary = summaryOf(results, {0, 0, 1}, Metric::Loss);
+    QVERIFY(summary.mean - summary.halfWidth < -0.01);
+    QCOMPARE(summary.low(), 0.0);
+    const std::string text = meanText(results, {0, 0, 1}, Metric::Loss);
+    QVERIFY2(text.starts_with("0.010 (≤ 0.038)"), text.c_str());
+    const BarChart chart = chartOf(results, 0, 0, Metric::Loss);
+    QCOMPARE(chart.bars[1].low, 0.0);
+    QVERIFY(svg(chart).find("1.0 (≤ 3.8)") != std::string::npos);
+    QVERIFY(sweepJson(results, {}).find("\"ci95_low\":-") == std::string::npos);
+    // No loss at all has no interval to be cut.
+    for (Sample &sample : results.samples)
+        sample.values[Metric::Loss] = 0;
+    QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 ± 0"));
+}
+
 void ReportTest::runsAreCounted()
 {
     Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
@@ -266,8 +288,14 @@ void ReportTest::runsAreCounted()
     const std::string page = htmlReport({results, {}, {}, {}});
     QVERIFY(page.find("Means of 4 to 5 runs each") != std::string::npos && page.find("1 of 40 runs failed") != std::string::npos);
 
-    results.samples.resize(2);
+    Results severalLinks = results;
+    severalLinks.plan.conditions.push_back({"loss=0.05", {}});
+    severalLinks.samples[0].run.condition = 1;
+    QVERIFY(failedRuns(severalLinks).ends_with(" (saturated load, link loss=0.05): no vehicle was heard"));
+
     results.complete = false;
+    QCOMPARE(endedEarly(results), std::string("was given up or cancelled after its last run"));
+    results.samples.resize(2);
     QCOMPARE(endedEarly(results), std::string("ended after 2 of 40 runs"));
     QCOMPARE(runsWords(results), std::string("1 run"));
     QVERIFY(htmlReport({results, {}, {}, {}}).find("ended after 2 of 40 runs") != std::string::npos);

@@ -19,7 +19,7 @@ constexpr int kLeastRow = 18, kMostRow = 30;
 
 QString valueText(const experiment::Bar &bar)
 {
-    return fromStd(experiment::readable(bar.mean, bar.high - bar.mean));
+    return fromStd(experiment::readable(bar.mean, bar.low, bar.high));
 }
 
 double highestOf(const experiment::BarChart &chart)
