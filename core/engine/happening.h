@@ -35,8 +35,9 @@ struct MissionTransferDone { std::uint8_t systemId = 0; bool upload = false; boo
 struct ParameterWritten { std::uint8_t systemId = 0; vehicle::Parameter parameter; bool ok = false; std::string reason; };
 
 using Happening = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, TextReceived, PlaintextRefused,
-                               SystemRefused, AgentUnanswering, RecordingProblem, MissionTransferDone, ParameterWritten, vehicle::CommandResult,
-                               channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
-                               channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
+                               SystemRefused, AgentUnanswering, RecordingProblem, MissionTransferDone, ParameterWritten,
+                               vehicle::CommandResult, channel::SessionUp, channel::SessionDown, channel::PeerMoved,
+                               channel::SwitchPending, channel::SwitchDone, channel::HandshakeRefused,
+                               channel::ForgeryAlarm>;
 
 } // namespace skyseal::engine

@@ -1,5 +1,6 @@
 #include "core/engine/headless_run.h"
 
+#include "core/channel/endpoint.h"
 #include "core/link/steady_now.h"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ void HeadlessRun::drainScript()
 void HeadlessRun::endIfDue()
 {
     // A switch that is under way is let finish: cut off, it would be told as rolled back though nothing is wrong with it.
-    const double grace = m_switching.isPending() ? 1 : 0;
+    const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
     const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
     const bool played = !m_played.empty() && m_played.size() == m_links.size() && !m_plan.duration

@@ -51,7 +51,7 @@ public:
     /// Suites weaker than this one are no longer offered; see channel::strengthOf. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);
     /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
-    /// force; otherwise the number of peers.
+    /// force; otherwise what is in force now.
     Result<keys::PeersInForce, InputError> reloadPeers();
     /// Takes a vehicle in clear that is held back because it may be an impostor, for as long as this station lives. A
     /// person's explicit act, and nothing else's.

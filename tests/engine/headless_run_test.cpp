@@ -1,0 +1,65 @@
+// A station's run without a window ends in good order: a switch that is under way has the time that a switch has.
+#include "core/engine/headless_run.h"
+#include "tests/engine/ground.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// Kills the agent while it is asked to switch, so that the switch is neither confirmed nor refused.
+class KillingListener final : public engine::RunListener
+{
+public:
+    explicit KillingListener(FlightRig &rig) : m_rig(rig) {}
+
+    void happened(const engine::Happening &happening) override
+    {
+        if (std::holds_alternative<channel::SwitchPending>(happening))
+            m_rig.killAgent();
+        if (const auto *done = std::get_if<channel::SwitchDone>(&happening))
+            switches.push_back(*done);
+    }
+    void stepEnded(const vehicle::StepReport &) override {}
+    void secondPassed(const engine::Snapshot &, double) override {}
+    void ended(const engine::Snapshot &, double) override {}
+
+    std::vector<channel::SwitchDone> switches;
+
+private:
+    FlightRig &m_rig;
+};
+
+} // namespace
+
+class HeadlessRunTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void switchUnderWayIsLetFinish();
+};
+
+void HeadlessRunTest::switchUnderWayIsLetFinish()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig());
+    KillingListener listener(rig);
+    engine::RunPlan plan;
+    plan.switchTo = {crypto::SuiteId::Aes256Gcm};
+    plan.switchEvery = 100ms;
+    plan.duration = 3s;
+    engine::HeadlessRun run(*ground.station, listener, std::move(plan), {});
+    std::optional<engine::RunOutcome> outcome;
+    connect(&run, &engine::HeadlessRun::finished, this, [&](engine::RunOutcome reached) { outcome = reached; });
+    run.start();
+    rig.startAgent(ground.ears->listening());
+    QTRY_VERIFY_WITH_TIMEOUT(outcome, 20000);
+    QCOMPARE(listener.switches.size(), std::size_t(1));
+    QCOMPARE(int(listener.switches[0].failure), int(channel::SwitchFailure::NotConfirmed));
+    QCOMPARE(int(*outcome), int(engine::RunOutcome::SuiteNotReached));
+}
+
+QTEST_GUILESS_MAIN(HeadlessRunTest)
+#include "headless_run_test.moc"
