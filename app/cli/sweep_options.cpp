@@ -50,7 +50,7 @@ std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
 {
     const bool plain = ownAgent || options.has("allow-plain");
     const bool research = ownAgent || options.has("allow-research");
-    std::vector<crypto::SuiteId> suites = options.suites("suites");
+    std::vector<crypto::SuiteId> suites = options.suites("suites", true);
     if (options.text("suites") == "all") {
         if (plain)
             suites.insert(suites.begin(), crypto::SuiteId::None);
@@ -75,7 +75,7 @@ void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
         plan.loads = {Load::Natural};
     else if (text == "saturated")
         plan.loads = {Load::Saturated};
-    else if (text == "natural,saturated")
+    else if (text == "natural,saturated" || text == "saturated,natural")
         plan.loads = {Load::Natural, Load::Saturated};
     else
         options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");

@@ -31,11 +31,11 @@ std::vector<std::string> splitByComma(const std::string &text)
     return out;
 }
 
-std::string suiteNames()
+std::string suiteNames(bool plainToo)
 {
     std::string out;
     for (const crypto::SuiteInfo &info : crypto::suites()) {
-        if (info.authenticated)
+        if (info.authenticated || (plainToo && info.id == crypto::SuiteId::None))
             out.append(out.empty() ? "" : ", ").append(info.name);
     }
     return out;
@@ -166,11 +166,11 @@ std::uint64_t Options::wholeNumber(const char *name, std::uint64_t least, std::u
     return *value;
 }
 
-std::optional<crypto::SuiteId> Options::suiteNamed(const std::string &option, const std::string &name)
+std::optional<crypto::SuiteId> Options::suiteNamed(const std::string &option, const std::string &name, bool plainToo)
 {
     const std::optional<crypto::SuiteId> id = crypto::suiteFromName(name);
     if (!id) {
-        fail("--" + option + ": no suite is named " + quoted(name) + "; there are " + suiteNames());
+        fail("--" + option + ": no suite is named " + quoted(name) + "; there are " + suiteNames(plainToo));
         return std::nullopt;
     }
     return id;
@@ -181,7 +181,7 @@ std::optional<crypto::SuiteId> Options::suite(const char *name)
     return suiteNamed(name, text(name));
 }
 
-std::vector<crypto::SuiteId> Options::suites(const char *name)
+std::vector<crypto::SuiteId> Options::suites(const char *name, bool plainToo)
 {
     std::vector<crypto::SuiteId> out;
     const std::string list = text(name);
@@ -193,7 +193,7 @@ std::vector<crypto::SuiteId> Options::suites(const char *name)
         return out;
     }
     for (const std::string &item : splitByComma(list)) {
-        const std::optional<crypto::SuiteId> id = suiteNamed(name, item);
+        const std::optional<crypto::SuiteId> id = suiteNamed(name, item, plainToo);
         if (!id)
             return out;
         if (std::find(out.begin(), out.end(), *id) != out.end())

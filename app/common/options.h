@@ -42,8 +42,9 @@ public:
     std::uint64_t wholeNumber(const char *name, std::uint64_t least, std::uint64_t most);
     /// A suite by its name.
     std::optional<crypto::SuiteId> suite(const char *name);
-    /// Names separated by commas; "all" = every authenticated suite. None may come twice.
-    std::vector<crypto::SuiteId> suites(const char *name);
+    /// Names separated by commas; "all" = every authenticated suite. None may come twice. `plainToo`: an error that lists the
+    /// suites names plain MAVLink among them.
+    std::vector<crypto::SuiteId> suites(const char *name, bool plainToo = false);
     /// A listening link whose host was left out listens on `unnamedHost`.
     std::optional<link::LinkUrl> url(const char *name, std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     std::vector<link::LinkUrl> urls(const char *name);
@@ -53,7 +54,7 @@ public:
     void fail(const std::string &problem);
 
 private:
-    std::optional<crypto::SuiteId> suiteNamed(const std::string &option, const std::string &name);
+    std::optional<crypto::SuiteId> suiteNamed(const std::string &option, const std::string &name, bool plainToo = false);
     std::optional<link::LinkUrl> parsedUrl(const std::string &option, const std::string &text,
                                            std::string_view unnamedHost = link::LinkUrl::kAnyHost);
 

@@ -7,6 +7,7 @@
 #include <QtCore/QDir>
 #include <QtCore/QFile>
 #include <QtCore/QFileInfo>
+#include <QtCore/QTemporaryDir>
 #include <QtGui/QAbstractTextDocumentLayout>
 #include <QtGui/QGuiApplication>
 #include <QtGui/QImage>
@@ -121,6 +122,10 @@ bool writePages(const QString &report, const QString &pages)
 int main(int argc, char **argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Qt looks there for things that nobody put there, and complains where a service or a container has no such folder.
+    const QTemporaryDir runtime;
+    if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") && runtime.isValid())
+        qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));
     QGuiApplication application(argc, argv);
     Options options(kName, QStringLiteral("Draws figures (FILE.svg to FILE.png) and a report (--report, --pdf)."));
     options.addValue("report", "FILE", "A report that skyseal-cli sweep wrote for printing; its figures lie beside it.");

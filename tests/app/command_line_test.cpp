@@ -96,10 +96,12 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --do dance", "dance");
     row("skyseal-cli", "impair --listen udpin:127.0.0.1:0 --to udpout:127.0.0.1:9 --loss 1.5", "1.5");
     row("skyseal-cli", "impair --listen udpin:127.0.0.1:0", "--to");
-    row("skyseal-cli", "sweep --suites des", "des");
+    row("skyseal-cli", "sweep --suites des", "no suite is named 'des'; there are none, ");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --switch-to des", "there are chacha20-poly1305, ");
     row("skyseal-cli", "sweep --seconds 0", "--seconds");
     row("skyseal-cli", "sweep --repeats 0", "--repeats");
     row("skyseal-cli", "sweep --load heavy", "heavy");
+    row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline or both"); // in any order
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
     row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");
     row("skyseal-cli", "sweep --framing inline --suites aes-256-gcm", "none of them can be");
