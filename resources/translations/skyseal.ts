@@ -479,7 +479,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Over time; or each suite from the beginning of its use, over one another; or means in numbers; or one suite after the other, measured by plan</source>
+        <source>Over time; or the suites over one another, each by the last of its own time in use; or means in numbers; or one suite after the other, measured by plan</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

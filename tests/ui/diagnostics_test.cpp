@@ -2,6 +2,7 @@
 // suite over suite, as bars and in numbers; what is saved is what is shown.
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
+#include "ui/charts/chart_words.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/quantities.h"
 #include "ui/charts/suite_legend.h"
@@ -273,6 +274,21 @@ private Q_SLOTS:
         QVERIFY(m_panel->chart(0)->cursorWords().isEmpty());
         Q_EMIT m_panel->chart(0)->hovered(20 - all.back().time);
         QVERIFY(m_panel->chart(0)->cursorWords().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
+    }
+
+    void interruptedLineSpeaksOnce()
+    {
+        // Two readings within a second of the cursor, with none between: two runs of one line.
+        const QString suite = QStringLiteral("RC4 (insecure)");
+        ChartContent content;
+        content.time = ChartTime::InUse;
+        content.to = 10;
+        content.runs = {{Qt::red, Stroke::Solid, QStringLiteral("p50"), suite, {{4, 1}, {4.5, 2}, {5.2, 4}}},
+                        {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{4, 1}, {4.5, 2}}},
+                        {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{5.2, 3}}}};
+        const QStringList words = chartWordsAt(content, 4.9, 0.1, 1);
+        const QStringList expected{QStringLiteral("4.9 s"), suite + QStringLiteral(": p50 4.0"), suite + QStringLiteral(": next p50 3.0")};
+        QCOMPARE(words, expected);
     }
 
     void freezeStopsThePictureOnly()

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace skyseal::ui {
 
@@ -31,6 +32,33 @@ const QPointF *nearest(const ChartRun &run, double x)
     return best;
 }
 
+/// What one line says there.
+struct Reading
+{
+    const ChartRun *run;
+    QPointF point;
+};
+
+/// Of each line, and of each suite where they lie over one another: a line that was interrupted there has several runs, of
+/// which the nearest speaks.
+std::vector<Reading> readingsAt(const ChartContent &content, double x, double near)
+{
+    std::vector<Reading> out;
+    for (const ChartRun &run : content.runs) {
+        const QPointF *point = nearest(run, x);
+        if (!point || std::abs(point->x() - x) > near)
+            continue;
+        const auto same = std::ranges::find_if(out, [&](const Reading &reading) {
+            return reading.run->line == run.line && (content.time != ChartTime::InUse || reading.run->suite == run.suite);
+        });
+        if (same == out.end())
+            out.push_back({&run, *point});
+        else if (std::abs(point->x() - x) <= std::abs(same->point.x() - x))
+            *same = {&run, *point};
+    }
+    return out;
+}
+
 } // namespace
 
 QString chartTimeWords(double x, ChartTime time, int decimals)
@@ -45,18 +73,12 @@ QStringList chartWordsAt(const ChartContent &content, double x, double reach, in
     QStringList out;
     const double near = std::max(kNear, reach);
     QString suite;
-    for (const ChartRun &run : content.runs) {
-        const QPointF *point = nearest(run, x);
-        if (!point || std::abs(point->x() - x) > near)
-            continue;
-        const QString value = number(point->y(), decimals);
-        QString line = run.line.isEmpty() ? value : Words::tr("%1 %2").arg(run.line, value);
-        if (content.time == ChartTime::InUse)
-            line = Words::tr("%1: %2").arg(run.suite, line);
-        else
-            suite = run.suite;
-        if (!out.contains(line))
-            out << line;
+    for (const auto &[run, point] : readingsAt(content, x, near)) {
+        const QString value = number(point.y(), decimals);
+        const QString line = run->line.isEmpty() ? value : Words::tr("%1 %2").arg(run->line, value);
+        if (content.time != ChartTime::InUse)
+            suite = run->suite;
+        out << (content.time == ChartTime::InUse ? Words::tr("%1: %2").arg(run->suite, line) : line);
     }
     if (out.isEmpty())
         return out;

@@ -29,8 +29,8 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     m_legend = new SuiteLegend(this);
     m_view = addChoice("chartView", tr("How it is shown"));
     m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table"), tr("Sweep")});
-    m_view->setToolTip(tr("Over time; or each suite from the beginning of its use, over one another; or means in numbers; "
-                          "or one suite after the other, measured by plan"));
+    m_view->setToolTip(tr("Over time; or the suites over one another, each by the last of its own time in use; or means in "
+                          "numbers; or one suite after the other, measured by plan"));
     m_group = addChoice("chartGroup", tr("What is shown"));
     for (const QuantityGroup &group : m_groups)
         m_group->addItem(group.title);
