@@ -26,6 +26,7 @@ struct Endpoint::State
     void handleDeadline(TimePoint at);
     std::optional<Delivery> handleRecord(TimePoint at, const Path &from, MutableByteView datagram);
     std::optional<Delivery> handleInlineFrame(TimePoint at, const Path &from, MutableByteView bytes);
+    void afterOpening(const SessionTable::Entry &entry, const Session::Opened &opened);
     void handleHandshake(TimePoint at, const Path &from, ByteView datagram);
 
     EndpointCore core;
@@ -64,6 +65,7 @@ void Endpoint::State::handleDeadline(TimePoint at)
 std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &from, MutableByteView datagram)
 {
     now = at;
+    std::optional<Delivery> delivery; // the only thing returned: it is made where the caller has it
     const auto header = RecordHeader::read(datagram);
     SessionTable::Entry *entry = nullptr;
     if (header && header->kind == DatagramKind::Record)
@@ -72,38 +74,39 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
         entry = core.table.upAt(from);
     if (!entry) {
         ++core.strays.malformed;
-        return std::nullopt;
+        return delivery;
     }
-    auto opened = entry->session->open(now, from, *header, datagram);
-    if (opened.authentic && !entry->up && !agent->confirm(now, *entry))
-        return std::nullopt;
-    if (opened.authentic && station && !station->idle())
-        station->sessionLives(entry->session->peer().key);
-    if (!opened.routine)
-        handleDeadline(now);
-    return opened.delivery;
+    const auto opened = entry->session->open(now, from, *header, datagram, delivery);
+    if (opened.authentic && !entry->up && !agent->confirm(now, *entry)) {
+        delivery.reset();
+        return delivery;
+    }
+    afterOpening(*entry, opened);
+    return delivery;
 }
 
 std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const Path &from, MutableByteView bytes)
 {
     now = at;
+    std::optional<Delivery> delivery;
     const FrameFacts *facts = core.around.facts;
     const auto frame = facts ? InlineFrame::read(bytes, *facts) : std::nullopt;
     SessionTable::Entry *entry = core.table.upAt(from);
-    if (!entry) {
+    if (!entry)
         ++core.strays.malformed;
-        return std::nullopt;
-    }
-    if (!frame) {
+    else if (!frame)
         entry->session->countMalformed();
-        return std::nullopt;
-    }
-    auto opened = entry->session->openInline(now, *frame);
+    else
+        afterOpening(*entry, entry->session->openInline(now, *frame, delivery));
+    return delivery;
+}
+
+void Endpoint::State::afterOpening(const SessionTable::Entry &entry, const Session::Opened &opened)
+{
     if (opened.authentic && station && !station->idle())
-        station->sessionLives(entry->session->peer().key);
+        station->sessionLives(entry.session->peer().key);
     if (!opened.routine)
         handleDeadline(now);
-    return opened.delivery;
 }
 
 void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView datagram)
@@ -267,22 +270,22 @@ void Endpoint::askCosts(bool ask)
     m_state->core.around.askCosts = ask;
 }
 
-Result<std::size_t, SealError> Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)
+Sealed Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)
 {
     auto *entry = m_state->core.table.find(session);
     if (!entry || !entry->up)
-        return tl::unexpected(SealError::NoSession);
+        return SealError::NoSession;
     const auto sealed = entry->session->seal(now, frames, out);
     if (!sealed && sealed.error() == SealError::Exhausted)
         m_state->handleDeadline(now);
     return sealed;
 }
 
-Result<std::size_t, SealError> Endpoint::sealInline(TimePoint now, SessionId session, ByteView frame, MutableByteView out)
+Sealed Endpoint::sealInline(TimePoint now, SessionId session, ByteView frame, MutableByteView out)
 {
     auto *entry = m_state->core.table.find(session);
     if (!entry || !entry->up)
-        return tl::unexpected(SealError::NoSession);
+        return SealError::NoSession;
     const auto sealed = entry->session->sealInline(now, frame, out);
     if (!sealed && sealed.error() == SealError::Exhausted)
         m_state->handleDeadline(now);

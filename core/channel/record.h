@@ -41,13 +41,18 @@ struct RecordHeader
 class AssociatedData
 {
 public:
-    /// `header`: of a record or of a single record.
+    /// `header`: of a record or of a single record, as it came.
     AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier);
+    /// The same of one that is to be sent. To read it back from where its bytes were just written one by one would wait for
+    /// them to be stored.
+    AssociatedData(const RecordHeader &header, crypto::SuiteId suite, Direction direction, Carrier carrier);
     ByteView view() const { return ByteView(m_bytes).first(weakened(Weakness::NoAssociatedData) ? 0 : m_size); }
 
 private:
+    void add(crypto::SuiteId suite, Direction direction, Carrier carrier);
+
     std::array<std::uint8_t, kRecordHeaderLength + 3> m_bytes;
-    std::size_t m_size;
+    std::size_t m_size; ///< with the three that add() puts at the end
 };
 
 // Here rather than in a file of their own: called for every record, from one place each.
@@ -90,14 +95,28 @@ inline AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Di
     : m_size(header.size() + 3) // of either kind of header
 {
     // Two lengths that the compiler knows become a few moves each.
-    std::uint8_t *const end = m_bytes.data() + header.size();
     if (header.size() == kRecordHeaderLength)
         std::memcpy(m_bytes.data(), header.data(), kRecordHeaderLength);
     else
         std::memcpy(m_bytes.data(), header.data(), kSingleHeaderLength);
-    end[0] = static_cast<std::uint8_t>(suite);
-    end[1] = static_cast<std::uint8_t>(weakened(Weakness::NoDirections) ? Direction{} : direction);
-    end[2] = static_cast<std::uint8_t>(carrier);
+    add(suite, direction, carrier);
+}
+
+inline AssociatedData::AssociatedData(const RecordHeader &header, crypto::SuiteId suite, Direction direction, Carrier carrier)
+    : m_size(header.length() + 3)
+{
+    header.write(m_bytes);
+    add(suite, direction, carrier);
+}
+
+inline void AssociatedData::add(crypto::SuiteId suite, Direction direction, Carrier carrier)
+{
+    const std::uint32_t direct = weakened(Weakness::NoDirections) ? 0 : static_cast<std::uint32_t>(direction);
+    const std::uint32_t bytes = static_cast<std::uint32_t>(suite) | direct << 8 | static_cast<std::uint32_t>(carrier) << 16;
+    std::uint8_t *const end = m_bytes.data() + m_size;
+    end[-3] = static_cast<std::uint8_t>(bytes);
+    end[-2] = static_cast<std::uint8_t>(bytes >> 8);
+    end[-1] = static_cast<std::uint8_t>(bytes >> 16);
 }
 
 } // namespace skyseal::channel

@@ -40,33 +40,33 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
 
 // ---- records
 
-Result<std::size_t, SealError> Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
+Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     if (isControl(plaintext))
-        return tl::unexpected(SealError::NotFrames);
+        return SealError::NotFrames;
     if (plaintext.size() > kMaxRecordPayload)
-        return tl::unexpected(SealError::TooLong);
+        return SealError::TooLong;
     return sealRecord(now, plaintext, out);
 }
 
-Result<std::size_t, SealError> Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
+Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     LiveEpoch &epoch = m_epochs.current();
     if (epoch.sent >= m_around.timing.hardStopRecords && !weakened(Weakness::NoHardStop)) {
         m_finished = DownReason::Exhausted;
-        return tl::unexpected(SealError::Exhausted);
+        return SealError::Exhausted;
     }
     if (out.size() < kRecordHeaderLength + epoch.writer->sealedSize(plaintext.size()))
-        return tl::unexpected(SealError::NoRoom);
+        return SealError::NoRoom;
 
     const std::uint32_t counter = epoch.sent++;
     const RecordHeader header{kindFor(now, plaintext), static_cast<std::uint8_t>(epoch.number), m_setup.theirs, counter};
     const std::size_t head = header.length();
     header.write(out);
-    const AssociatedData associated(out.first(head), epoch.suite, ourDirection(), m_setup.path.carrier);
+    const AssociatedData associated(header, epoch.suite, ourDirection(), m_setup.path.carrier);
     const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext, out.subspan(head));
     if (sealed == 0)
-        return tl::unexpected(SealError::NoRoom);
+        return SealError::NoRoom;
     ++epoch.tx.records;
     epoch.tx.sealedBytes += head + sealed;
     m_lastSent = now;
@@ -81,7 +81,8 @@ DatagramKind Session::kindFor(TimePoint now, ByteView plaintext) const
     return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
 }
 
-Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram)
+Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram,
+                              std::optional<Delivery> &delivery)
 {
     LiveEpoch *epoch = m_epochs.byBits(header.epochBits);
     if (!epoch) {
@@ -101,11 +102,11 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
         m_setup.path = from;
     if (!plaintext)
         return refuse(now, &ReceiveCounters::forged, *epoch);
-    return opened(now, from, header, *epoch, *plaintext);
+    return opened(now, from, header, *epoch, *plaintext, delivery);
 }
 
 Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch,
-                                MutableByteView plaintext)
+                                MutableByteView plaintext, std::optional<Delivery> &delivery)
 {
     bool routine = m_confirmed && m_peerMovedOn;
     if (m_epochs.isNext(epoch)) {
@@ -137,9 +138,10 @@ Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHea
             m_finished = DownReason::PeerClosed;
     }
     if (isControl(plaintext))
-        return {true, false, std::nullopt};
+        return {true, false};
     epoch.rx.openedBytes += plaintext.size();
-    return {true, routine, Delivery{id(), epoch.number, epoch.suite, plaintext}};
+    delivery.emplace(Delivery{id(), epoch.number, epoch.suite, plaintext});
+    return {true, routine};
 }
 
 /// A record that was kept from us says no more than that its writer was somewhere: whoever kept it could give it to us from
@@ -169,11 +171,11 @@ Session::Opened Session::refuse(TimePoint now, std::uint64_t ReceiveCounters::*c
     ++(epoch.rx.*counter);
     if (counter != &ReceiveCounters::forged) {
         ++m_replayedUntold;
-        return {false, true, std::nullopt};
+        return {false, true};
     }
     ++m_forgedUntold;
     alarmWhenDue(now);
-    return {false, m_forgedUntold > 1, std::nullopt};
+    return {false, m_forgedUntold > 1};
 }
 
 // ---- control

@@ -77,11 +77,12 @@ public:
     {
         bool authentic = false;
         bool routine = false; ///< frames under the current epoch and nothing else happened: no timer changed
-        std::optional<Delivery> delivery;
     };
-    Opened open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram);
+    /// `delivery`: is given what is for the owner, once, where the owner of the endpoint will have it.
+    Opened open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram,
+                std::optional<Delivery> &delivery);
     /// A frame sealed in place; it never moves the address.
-    Opened openInline(TimePoint now, const InlineFrame &frame);
+    Opened openInline(TimePoint now, const InlineFrame &frame, std::optional<Delivery> &delivery);
     void handleDeadline(TimePoint now);
     void addRoundTrip(Duration sample) { m_roundTrip.add(sample); }
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
@@ -90,8 +91,8 @@ public:
     void countMalformed() { ++m_epochs.current().rx.malformed; }
 
     // command
-    Result<std::size_t, SealError> seal(TimePoint now, ByteView plaintext, MutableByteView out);
-    Result<std::size_t, SealError> sealInline(TimePoint now, ByteView frame, MutableByteView out);
+    Sealed seal(TimePoint now, ByteView plaintext, MutableByteView out);
+    Sealed sealInline(TimePoint now, ByteView frame, MutableByteView out);
     Framing agreedFraming() const;
     /// How frames are to be sent now.
     Framing framing() const;
@@ -134,7 +135,8 @@ private:
     DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
     bool nothingMissing() const;
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
-    Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext);
+    Opened opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch, MutableByteView plaintext,
+                  std::optional<Delivery> &delivery);
     void follow(TimePoint now, const Path &from);
     void goBackWhenDue(TimePoint now);
     void handleControl(TimePoint now, const Path &from, ByteView plaintext);
@@ -145,7 +147,7 @@ private:
     bool mayTell() const { return m_confirmed || m_setup.initiator; }
     void tellMove(TimePoint now);
     void alarmWhenDue(TimePoint now);
-    Result<std::size_t, SealError> sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
+    Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
     std::uint32_t stamp(TimePoint now) const;
 
     SessionSetup m_setup;

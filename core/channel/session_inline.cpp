@@ -24,34 +24,34 @@ Framing Session::framing() const
     return m_confirmed && m_epochs.current().inlineWriter ? agreedFraming() : Framing::Sealed;
 }
 
-Result<std::size_t, SealError> Session::sealInline(TimePoint now, ByteView frame, MutableByteView out)
+Sealed Session::sealInline(TimePoint now, ByteView frame, MutableByteView out)
 {
     if (framing() != Framing::Inline)
-        return tl::unexpected(SealError::NotInline);
+        return SealError::NotInline;
     const auto sealable = SealableFrame::read(frame, *m_around.facts);
     if (!sealable)
-        return tl::unexpected(SealError::NotInline);
+        return SealError::NotInline;
     if (out.size() < sealable->sealedSize())
-        return tl::unexpected(SealError::NoRoom);
+        return SealError::NoRoom;
     LiveEpoch &epoch = m_epochs.current();
     if (epoch.sent >= m_around.timing.hardStopRecords) {
         m_finished = DownReason::Exhausted;
-        return tl::unexpected(SealError::Exhausted);
+        return SealError::Exhausted;
     }
     const InlinePlace place{static_cast<std::uint8_t>(epoch.number), epoch.sent++, ourDirection(), kCarrier};
     if (!sealable->seal(place, *epoch.inlineWriter, out))
-        return tl::unexpected(SealError::NoRoom);
+        return SealError::NoRoom;
     ++epoch.tx.records;
     epoch.tx.sealedBytes += sealable->sealedSize();
     m_lastSent = now;
     return sealable->sealedSize();
 }
 
-Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame)
+Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame, std::optional<Delivery> &delivery)
 {
     if (!inlineAllowed()) {
         countMalformed();
-        return {false, true, std::nullopt};
+        return {false, true};
     }
     LiveEpoch *epoch = m_epochs.byLowByte(frame.epochByte());
     if (!epoch) {
@@ -61,7 +61,7 @@ Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame)
     }
     if (!epoch->inlineReader) { // An epoch of a suite that never seals in place.
         ++epoch->rx.malformed;
-        return {false, true, std::nullopt};
+        return {false, true};
     }
     if (!epoch->window.fresh(frame.counter()))
         return refuse(now, &ReceiveCounters::replayed, *epoch);
@@ -71,7 +71,7 @@ Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame)
     RecordHeader header;
     header.counter = frame.counter();
     // As if it came from where the session's records come from: only those move the address.
-    return opened(now, m_setup.path, header, *epoch, *plain);
+    return opened(now, m_setup.path, header, *epoch, *plain, delivery);
 }
 
 } // namespace skyseal::channel
