@@ -26,6 +26,9 @@ public:
         m_told.set(systemId);
         return isNew;
     }
+    /// Any frame of theirs.
+    void count() { ++m_frames; }
+    std::uint64_t frames() const { return m_frames; }
     void forgetSilent(TimePoint now)
     {
         std::erase_if(m_vehicles, [now](const auto &entry) { return now - entry.second.heard > kForgetAfter; });
@@ -48,6 +51,7 @@ private:
     };
     std::map<std::uint8_t, Entry> m_vehicles;
     std::bitset<256> m_told;
+    std::uint64_t m_frames = 0;
 };
 
 } // namespace skyseal::engine

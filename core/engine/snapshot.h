@@ -179,7 +179,7 @@ struct Snapshot
     RecordingSnapshot recording;
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
-    std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy
+    std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy; held-back ones included
     std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
     MavlinkTotals mavlink;   ///< since the start, all links
     ChannelTotals channel;   ///< since the start, ended sessions included

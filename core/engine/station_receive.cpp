@@ -178,7 +178,7 @@ bool StationCore::isOrWasSealed(const Path &from, std::uint8_t systemId) const
 
 void StationCore::holdBack(TimePoint now, const Path &from, const mavlink::Frame &frame)
 {
-    ++m_refusals.total;
+    m_heldBack.count(); // apart from what is refused: a vehicle that waits for a person is no sign of an attack
     if (!m_vehicles.announcesVehicle(frame))
         return;
     const std::string address = link::toText(from.remote);

@@ -90,7 +90,9 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
                 out->sessions.push_back(describe(now, *info));
         }
         out->unanswering = m_unanswering.all();
-        out->heldBack = m_heldBack.all(m_policy.neverHeard());
+        // Nobody is to be heard any more: the next of their frames is taken or refused, and they wait for no person.
+        if (const std::string mayBe = m_policy.neverHeard(); !mayBe.empty())
+            out->heldBack = m_heldBack.all(mayBe);
         out->strays = m_channel->endpoint().strays();
     }
     for (const auto &[systemId, vehicle] : m_vehicles.all())
@@ -101,7 +103,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
         out->recording = m_recorder->snapshot();
     out->processCpuPercent = m_sampler.processCpuPercent();
     out->residentBytes = m_sampler.residentBytes();
-    out->plaintextRefused = m_refusals.total;
+    out->plaintextRefused = m_refusals.total + m_heldBack.frames();
     out->spoofed = m_spoofed.total;
     out->mavlink = mavlinkTotals();
     out->channel = channelTotals();

@@ -10,6 +10,8 @@
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::test;
 
@@ -21,6 +23,8 @@ private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
     void plainVehicleWaitsForAPerson();
     void recordingReleasesNobody();
+    void whoIsHeldBackIsNoAttacker();
+    void nobodyIsHeldBackForNobody();
     void takenPortIsNamed();
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
@@ -91,6 +95,42 @@ void PlainStationTest::recordingReleasesNobody()
     ground.station->addLink(urlOf("tlog:" + log.fileName().toStdString()));
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
     QCOMPARE(ground.ears->snapshot->heldBack.size(), std::size_t(1));
+}
+
+void PlainStationTest::whoIsHeldBackIsNoAttacker()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    QUdpSocket vehicle;
+    for (int i = 0; i < 20; ++i)
+        vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused, std::uint64_t(20), 10000);
+    const auto newest = [&] {
+        const auto &samples = ground.ears->snapshot->samples;
+        return samples.empty() ? 0 : samples.back().number;
+    };
+    const std::uint64_t before = newest();
+    QTRY_VERIFY_WITH_TIMEOUT(newest() > before + 1, 10000);
+    QCOMPARE(ground.ears->snapshot->samples.back().refused, std::uint64_t(0));
+    QCOMPARE(ground.ears->snapshot->channel.rx.plaintextDropped, std::uint64_t(0));
+}
+
+void PlainStationTest::nobodyIsHeldBackForNobody()
+{
+    FlightRig rig;
+    const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
+    Ground ground(config);
+    QUdpSocket vehicle;
+    vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QVERIFY(keys::PeersFile().save(config.keys.peers));
+    QVERIFY(ground.station->reloadPeers());
+    const auto stillNamed = [&] {
+        const auto &heldBack = ground.ears->snapshot->heldBack;
+        return std::ranges::any_of(heldBack, [](const engine::HeldBackVehicle &one) { return !one.mayBe.empty(); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(!stillNamed(), 10000);
+    QVERIFY(ground.ears->snapshot->heldBack.empty()); // nor shown as an impostor of ""
 }
 
 void PlainStationTest::takenPortIsNamed()
