@@ -89,10 +89,8 @@ bool measure(const BenchPlan &plan, bool asked, const QString &command)
     bool ok = true;
     const bool aes = experiment::opensslUsesAes().value_or(asked);
     const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION, command);
-    for (const auto &[key, value] : setting) {
-        if (key == "warning")
-            remark(value);
-    }
+    for (const std::string &warning : experiment::warningsOf(setting))
+        remark(warning);
 #if !defined(__OPTIMIZE__)
     remark("this build is not optimised: its figures say little");
 #endif

@@ -8,6 +8,7 @@
 #include "app/common/sweep_files.h"
 #include "app/common/sweep_setting.h"
 #include "core/crypto/system_random.h"
+#include "core/experiment/setting.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_runner.h"
 #include "core/experiment/sweep_text.h"
@@ -85,10 +86,8 @@ int runSweep(const QStringList &arguments)
 
     const experiment::Setting setting =
         describeSetting(SKYSEAL_CLI_VERSION, kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
-    for (const auto &[key, value] : setting) {
-        if (key == "warning")
-            remark(value);
-    }
+    for (const std::string &warning : experiment::warningsOf(setting))
+        remark(warning);
     experiment::SweepRunner runner({options.plan, *link, station, lab.get()});
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);

@@ -2,6 +2,7 @@
 
 #include "core/experiment/analysis.h"
 #include "core/experiment/bar_chart.h"
+#include "core/experiment/setting.h"
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
@@ -244,10 +245,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
 {
     const Results &results = parts.results;
     std::string out = "<h1>What each cipher suite costs on a MAVLink link</h1>\n";
-    for (const auto &[key, value] : results.setting) {
-        if (key == "warning")
-            out += "<p class=\"bad\">" + escaped(value) + ".</p>\n";
-    }
+    for (const std::string &warning : warningsOf(results.setting))
+        out += "<p class=\"bad\">" + escaped(warning) + ".</p>\n";
     if (const std::string ended = endedEarly(results); !ended.empty())
         out += "<p class=\"bad\">This sweep was not carried out whole: it " + ended + ".</p>\n";
     if (const std::string failed = failedRuns(results); !failed.empty())

@@ -130,6 +130,16 @@ std::optional<bool> opensslUsesAes()
     return opensslUsesAes(OpenSSL_version(OPENSSL_CPU_INFO));
 }
 
+std::vector<std::string> warningsOf(const Setting &setting)
+{
+    std::vector<std::string> out;
+    for (const auto &[key, value] : setting) {
+        if (key == "warning")
+            out.push_back(value);
+    }
+    return out;
+}
+
 Setting machineSetting()
 {
     utsname system{};

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace skyseal::experiment {
 
@@ -17,6 +18,9 @@ Setting machineSetting();
 std::string busyWarning(double load, long cores);
 /// The same of this machine now.
 std::string busyWarning();
+
+/// What makes the figures of a setting doubtful, in sentences without a full stop.
+std::vector<std::string> warningsOf(const Setting &setting);
 
 /// Whether OpenSSL uses AES instructions in this process, by what it says itself; nothing where it does not say.
 std::optional<bool> opensslUsesAes();
