@@ -91,9 +91,6 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                 return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str());
             },
             [](const engine::PlaintextRefused &e) {
-                if (!e.mayBe.empty())
-                    return format("vehicle %u at %s is NOT SEALED and held back: it may be an impostor of %s",
-                                  unsigned(e.systemId), e.remoteAddress.c_str(), e.mayBe.c_str());
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
             },
@@ -128,8 +125,9 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                     return "switch to " + suiteText(e.to) + " rolled back: " + whyRolledBack(e.failure);
                 if (e.rekey)
                     return format("fresh keys, epoch %u", static_cast<unsigned>(e.epoch));
-                return format("switched to %s, epoch %u, in %.0f ms", suiteText(e.to).c_str(),
-                              static_cast<unsigned>(e.epoch), seconds(e.took) * 1000);
+                const double ms = seconds(e.took) * 1000;
+                return format("switched to %s, epoch %u, in %.*f ms", suiteText(e.to).c_str(),
+                              static_cast<unsigned>(e.epoch), ms < 9.95 ? 1 : 0, ms);
             },
             [](const channel::HandshakeRefused &e) {
                 std::string out = "refused a handshake from " + link::toText(e.path.remote) + ": " + whyRefused(e.reason);

@@ -1,8 +1,10 @@
 // The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
 #include "scripted_snapshots.h"
+#include "ui/messages/happening_words.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
+#include "ui/text/units.h"
 #include "window_rig.h"
 
 #include <QtTest/QTest>
@@ -156,6 +158,30 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1.2, SuiteId::Aes256Gcm, 4));
         QVERIFY(strip()->text().startsWith(QStringLiteral("AES-256-GCM")));
         QVERIFY(strip()->text().contains(QStringLiteral("epoch 4")));
+    }
+
+    void timesAreRoundedAlike()
+    {
+        m_station->show(sealedSnapshot(1));
+        const auto noteOf = [&](SuiteId to, std::chrono::microseconds took) {
+            const bool rekey = to == SuiteId::ChaCha20Poly1305;
+            if (rekey)
+                m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"))->trigger();
+            const channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, to, channel::Epoch{4}, false,
+                                           rekey, channel::SwitchFailure::None, took};
+            m_station->tell(done);
+            return note()->text() + QLatin1Char('\n') + happeningLine(done)->text;
+        };
+        using std::chrono::microseconds;
+        const QString fresh = noteOf(SuiteId::ChaCha20Poly1305, microseconds(430));
+        QVERIFY2(fresh.contains(QStringLiteral("after 0.4 ms\n")), qPrintable(fresh));
+        const QString quick = noteOf(SuiteId::Aes256Gcm, microseconds(430));
+        QVERIFY2(quick.contains(QStringLiteral("after 0.4 ms\n")), qPrintable(quick));
+        QVERIFY2(quick.endsWith(QStringLiteral("in 0.4 ms")), qPrintable(quick));
+        const QString slow = noteOf(SuiteId::Aes256Gcm, microseconds(42'300));
+        QVERIFY2(slow.contains(QStringLiteral("after 42 ms\n")), qPrintable(slow));
+        QVERIFY2(slow.endsWith(QStringLiteral("in 42 ms")), qPrintable(slow));
+        QCOMPARE(switchTimeText(microseconds(9'960)), QStringLiteral("10 ms"));
     }
 
     void rollBackKeepsTheOldSuiteAndSaysWhy()

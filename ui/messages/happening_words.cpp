@@ -1,5 +1,6 @@
 #include "ui/messages/happening_words.h"
 
+#include "ui/text/units.h"
 #include "ui/text/words.h"
 #include "ui/theme/suite_style.h"
 
@@ -52,11 +53,15 @@ public:
     Line operator()(const engine::SystemRefused &e) const
     {
         const QString peer = fromStd(e.peer), owner = fromStd(e.owner);
-        const QString what = tr("Refused %1 frames of %2, which speaks as this vehicle").arg(e.frames).arg(peer);
         if (e.owner.empty())
-            return HappeningLine{tr("%1 and may not").arg(what), kError, e.systemId};
-        return HappeningLine{tr("%1: it is %2's. Is it a new agent of the same vehicle? Then remove %2 from the keys, or bind "
-                                "the system to %3").arg(what, owner, peer), kError, e.systemId};
+            return HappeningLine{
+                tr("Refused %1 frames of %2, which speaks as this vehicle and may not").arg(e.frames).arg(peer), kError,
+                e.systemId};
+        return HappeningLine{tr("Refused %1 frames of %2, which speaks as this vehicle: it is %3's. Is it a new agent of "
+                                "the same vehicle? Then remove %3 from the keys, or bind the system to %2")
+                                 .arg(e.frames)
+                                 .arg(peer, owner),
+                             kError, e.systemId};
     }
     Line operator()(const engine::AgentUnanswering &e) const
     {
@@ -96,14 +101,14 @@ public:
     Line operator()(const channel::SwitchPending &) const { return {}; } // its result is told
     Line operator()(const channel::SwitchDone &e) const
     {
-        const auto ms = qRound(seconds(e.took) * 1000);
         if (e.failure != channel::SwitchFailure::None)
             return HappeningLine{tr("Switch to %1 rolled back: %2").arg(suiteName(e.to), switchFailureWords(e.failure)),
                                  kWarning};
         if (e.rekey)
             return HappeningLine{tr("Fresh keys for %1, epoch %2").arg(suiteName(e.to)).arg(static_cast<quint32>(e.epoch)),
                                  kInfo};
-        return HappeningLine{tr("Switched from %1 to %2 in %3 ms").arg(suiteName(e.from), suiteName(e.to)).arg(ms), kInfo};
+        return HappeningLine{
+            tr("Switched from %1 to %2 in %3").arg(suiteName(e.from), suiteName(e.to), switchTimeText(e.took)), kInfo};
     }
     Line operator()(const channel::HandshakeRefused &e) const
     {

@@ -123,15 +123,16 @@ void SuiteActions::take(const engine::Happening &happening)
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
             m_info->epoch = done->epoch;
-            setNote(tr("Fresh keys, epoch %1, after %2 ms").arg(static_cast<quint32>(done->epoch))
-                        .arg(qRound(seconds(done->took) * 1000)), false);
+            setNote(tr("Fresh keys, epoch %1, after %2")
+                        .arg(static_cast<quint32>(done->epoch))
+                        .arg(switchTimeText(done->took)),
+                    false);
         } else if (done->rekey) {
             setNote(tr("Stays with its keys: %1").arg(switchFailureWords(done->failure)), true);
         } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
-            const double took = seconds(done->took) * 1000;
-            setNote(tr("Now %1, after %2 ms").arg(suiteName(done->to), number(took, took < 10 ? 1 : 0)), false);
+            setNote(tr("Now %1, after %2").arg(suiteName(done->to), switchTimeText(done->took)), false);
         } else {
             setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureWords(done->failure)), true);
         }
