@@ -1,6 +1,7 @@
 #include "ui/sweep/link_conditions.h"
 
 #include "ui/dialogs/form_pieces.h"
+#include "ui/sweep/sweep_words.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -32,7 +33,7 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     const auto add = [&](const char *objectName, const QString &title, const char *text) {
         const QString condition = QLatin1String(text);
         auto *box = named(new QCheckBox(title, this), objectName, QString(title).remove(QLatin1Char('&')));
-        box->setToolTip(fromStd(experiment::words(conditionOf(condition))));
+        box->setToolTip(linkWords(conditionOf(condition)));
         upper->addWidget(box);
         m_presets.push_back({condition, box});
     };
@@ -42,7 +43,7 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     add("sweepRadio115200", tr("Radio of &115,200 baud"), "rate=115200,delay=20");
     upper->addStretch(1);
     m_presets.front().box->setChecked(true);
-    m_own = named(new QCheckBox(tr("&Of its own:"), this), "sweepOwnLink", tr("A link of its own"));
+    m_own = named(new QCheckBox(tr("&Other:"), this), "sweepOwnLink", tr("Another link"));
     auto *lower = new QHBoxLayout;
     lower->setSpacing(kGrid);
     lower->addWidget(m_own);

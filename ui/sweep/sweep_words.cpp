@@ -41,13 +41,37 @@ QString loadWords(experiment::Load load)
     return load == experiment::Load::Natural ? Words::tr("natural load") : Words::tr("saturated load");
 }
 
+QString linkWords(const experiment::Condition &link)
+{
+    if (link.clean())
+        return Words::tr("clean link");
+    const auto text = [](double value) { return fromStd(experiment::readable(value)); };
+    const auto ms = [&](Duration time) { return text(1000 * seconds(time)); };
+    const impair::Settings &is = link.settings;
+    QStringList parts;
+    if (is.baud > 0)
+        parts << Words::tr("%1 baud").arg(text(static_cast<double>(is.baud)));
+    if (is.loss > 0)
+        parts << Words::tr("%1 % loss").arg(text(100 * is.loss));
+    if (is.duplicate > 0)
+        parts << Words::tr("%1 % duplicates").arg(text(100 * is.duplicate));
+    if (is.reorder > 0)
+        parts << Words::tr("%1 % reordered").arg(text(100 * is.reorder));
+    if (is.corrupt > 0)
+        parts << Words::tr("%1 % corrupted").arg(text(100 * is.corrupt));
+    if (is.delay > Duration::zero())
+        parts << Words::tr("%1 ms delay").arg(ms(is.delay));
+    if (is.jitter > Duration::zero())
+        parts << Words::tr("up to %1 ms jitter").arg(ms(is.jitter));
+    return parts.isEmpty() ? Words::tr("nothing impaired") : parts.join(QStringLiteral(", "));
+}
+
 QString placeWords(const experiment::Plan &plan, std::size_t condition, std::size_t load)
 {
     const QString words = loadWords(plan.loads[load]);
     if (std::ranges::all_of(plan.conditions, &experiment::Condition::clean))
         return words;
-    const experiment::Condition &link = plan.conditions[condition];
-    return (link.clean() ? Words::tr("clean link") : fromStd(experiment::words(link))) + QStringLiteral(" · ") + words;
+    return linkWords(plan.conditions[condition]) + QStringLiteral(" · ") + words;
 }
 
 QString aboutTime(double seconds)

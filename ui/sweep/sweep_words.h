@@ -11,6 +11,8 @@ namespace skyseal::ui {
 QString armWords(const experiment::Arm &arm);
 QString framingWords(const experiment::Arm &arm);
 QString loadWords(experiment::Load load);
+/// "clean link"; "57,600 baud, 5 % loss, 20 ms delay".
+QString linkWords(const experiment::Condition &link);
 /// "natural load"; where not all links of the sweep are clean, "57,600 baud, 20 ms delay · natural load".
 QString placeWords(const experiment::Plan &plan, std::size_t condition, std::size_t load);
 /// "about 2 min 20 s", "about 12 s".
