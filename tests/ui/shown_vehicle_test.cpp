@@ -125,6 +125,19 @@ private Q_SLOTS:
         QVERIFY(m_station->commands.empty());
     }
 
+    void buttonsSayWhyNotInWholeSentences()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().state.modes.clear();
+        m_station->show(snapshot);
+        QVERIFY(find<HoldButton>("landButton")->isEnabled());
+        QVERIFY(!find<HoldButton>("setModeButton")->isEnabled());
+        QCOMPARE(find<HoldButton>("setModeButton")->toolTip(), QStringLiteral("The modes of this vehicle are not known"));
+        m_station->show(waitingSnapshot());
+        QCOMPARE(find<HoldButton>("landButton")->toolTip(), QStringLiteral("Nothing can be sent: no vehicle"));
+        QCOMPARE(find<HoldButton>("setModeButton")->toolTip(), QStringLiteral("Nothing can be sent: no vehicle"));
+    }
+
     void nothingIsSentOneWay_data()
     {
         QTest::addColumn<bool>("recorded");

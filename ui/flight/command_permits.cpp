@@ -28,4 +28,9 @@ QString whyNoCommands(const Scene &scene)
     return ended ? ended->title : QString();
 }
 
+QString nothingCanBeSent(const QString &reason)
+{
+    return reason.isEmpty() ? QString() : Words::tr("Nothing can be sent: %1").arg(reason);
+}
+
 } // namespace skyseal::ui

@@ -10,5 +10,7 @@ namespace skyseal::ui {
 /// Why no command can go to the scene's vehicle, in a few words; empty when one can. A link that is only silent is no
 /// reason: what we say may arrive even where nothing is heard.
 QString whyNoCommands(const Scene &scene);
+/// The same as a sentence: "Nothing can be sent: no vehicle"; empty for an empty reason.
+QString nothingCanBeSent(const QString &reason);
 
 } // namespace skyseal::ui

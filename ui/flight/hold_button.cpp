@@ -26,11 +26,10 @@ HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text,
     connect(&m_ticker, &QTimer::timeout, this, &HoldButton::tick);
 }
 
-void HoldButton::setWhyNot(const QString &reason)
+void HoldButton::setWhyNot(const QString &sentence)
 {
-    setEnabled(reason.isEmpty());
-    const QString tip = reason.isEmpty() ? tr("Hold to confirm (mouse, Space or Enter); Esc aborts")
-                                         : tr("Nothing can be sent: %1").arg(reason);
+    setEnabled(sentence.isEmpty());
+    const QString tip = sentence.isEmpty() ? tr("Hold to confirm (mouse, Space or Enter); Esc aborts") : sentence;
     if (toolTip() != tip)
         setToolTip(tip);
 }

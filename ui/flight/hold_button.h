@@ -17,8 +17,8 @@ public:
 
     explicit HoldButton(const QString &text, QWidget *parent = nullptr);
 
-    /// Disabled while there is a reason, which the tool tip says; enabled when it is empty.
-    void setWhyNot(const QString &reason);
+    /// Disabled while there is a reason, a sentence that is the tool tip then; enabled when it is empty.
+    void setWhyNot(const QString &sentence);
     /// How far the hold is, 0 … 1; 0 when nobody holds.
     double progress() const { return m_progress; }
     bool isHeld() const { return m_ticker.isActive(); }

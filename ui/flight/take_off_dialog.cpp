@@ -1,6 +1,7 @@
 #include "ui/flight/take_off_dialog.h"
 
 #include "ui/flight/altitude_box.h"
+#include "ui/flight/command_permits.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/theme/grid.h"
@@ -49,8 +50,9 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
     column->addLayout(buttons);
     setMinimumWidth(44 * kGrid);
 
-    go->setWhyNot(commands.whyNot());
-    connect(&commands, &VehicleCommands::whyNotChanged, go, &HoldButton::setWhyNot);
+    const auto permit = [go](const QString &reason) { go->setWhyNot(nothingCanBeSent(reason)); };
+    permit(commands.whyNot());
+    connect(&commands, &VehicleCommands::whyNotChanged, go, permit);
     connect(go, &HoldButton::confirmed, this, [this, &commands, altitude, systemId] {
         commands.setTakeOffAltitude(altitude->metres());
         commands.send(systemId, vehicle::TakeOff{altitude->metres()});

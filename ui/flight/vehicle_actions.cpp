@@ -108,13 +108,13 @@ void VehicleActions::showPermit(const Scene &scene)
 {
     const QString reason = whyNoCommands(scene);
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return})
-        button->setWhyNot(reason);
+        button->setWhyNot(nothingCanBeSent(reason));
     const bool noModes = reason.isEmpty() && m_knownModes.empty();
-    m_setMode->setWhyNot(noModes ? tr("its modes are not known") : reason);
+    m_setMode->setWhyNot(noModes ? tr("The modes of this vehicle are not known") : nothingCanBeSent(reason));
     m_altitude->setEnabled(reason.isEmpty());
     m_modes->setEnabled(m_setMode->isEnabled());
     // Without a vehicle there is nothing to explain.
-    const QString line = reason.isEmpty() || !scene.vehicle ? QString() : tr("Nothing can be sent: %1").arg(reason);
+    const QString line = scene.vehicle ? nothingCanBeSent(reason) : QString();
     if (line == m_whyNot)
         return;
     if (!line.isEmpty())

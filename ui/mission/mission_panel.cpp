@@ -16,15 +16,6 @@
 
 namespace skyseal::ui {
 
-namespace {
-
-QString kinds()
-{
-    return MissionPanel::tr("Missions (*.waypoints *.txt);;All files (*)");
-}
-
-} // namespace
-
 MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
 {
     const auto button = [this](const QString &text, const char *name) {
@@ -74,6 +65,11 @@ MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(pare
 void MissionPanel::say(const QString &line)
 {
     m_result->setText(line);
+}
+
+QString MissionPanel::kinds()
+{
+    return tr("Missions (*.waypoints *.txt);;All files (*)");
 }
 
 // While a file is chosen time goes on: what is meant is what was shown when the button was pressed.

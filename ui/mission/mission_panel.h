@@ -27,6 +27,7 @@ public:
 
 private:
     void say(const QString &line);
+    static QString kinds(); ///< of files, for the dialogs that ask for one
     void askAndSend();
     void askAndSave();
 
