@@ -1,6 +1,7 @@
 // At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "ui/charts/chart.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
@@ -59,6 +60,21 @@ private Q_SLOTS:
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
         }
+    }
+
+    void titlesOfTheChartsAreWhole()
+    {
+        open({1280, 800});
+        show(QStringLiteral("sealed"));
+        int charts = 0;
+        for (const auto *chart : m_window->findChildren<TimeSeriesChart *>()) {
+            if (!chart->isVisible())
+                continue;
+            ++charts;
+            for (const QLabel *label : chart->findChildren<QLabel *>())
+                QVERIFY2(!label->text().contains(QChar(0x2026)), qPrintable(label->text()));
+        }
+        QCOMPARE(charts, 3);
     }
 
     void sidesFitWithoutScrolling_data()

@@ -97,6 +97,7 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
         return plot.widget;
     const Quantity &quantity = *plot.quantity;
     QStringList key;
+    QString note = quantity.note;
     for (const QuantityLine &line : quantity.lines) {
         if (line.stroke == Stroke::Solid && !line.name.isEmpty() && quantity.lines.size() > 1)
             key << line.name;
@@ -104,12 +105,14 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
             key << tr("%1 dashed").arg(line.name);
         else if (line.stroke == Stroke::Dotted)
             key << tr("%1 dotted").arg(line.name);
+        if (quantity.barLine > 0 && &line == &quantity.lines[quantity.barLine]) {
+            key.back() = tr("%1 + bars").arg(key.back()); // short: there is little room
+            note += QLatin1Char(' ') + tr("The bars are of “%1” alone.").arg(line.name);
+        }
     }
-    if (quantity.barLine > 0)
-        key << tr("bars: %1").arg(quantity.lines[quantity.barLine].name);
     if (!quantity.remark.isEmpty())
         key << quantity.remark;
-    plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), quantity.note},
+    plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), note},
                                       m_grid->sheet());
     plot.widget->setObjectName(QStringLiteral("chart_") + QLatin1String(quantity.key));
     connect(plot.widget, &TimeSeriesChart::hovered, this, [this](double x) { showCursor(x); });
