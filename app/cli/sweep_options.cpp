@@ -36,8 +36,8 @@ void declare(Options &options)
                      "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF where skyseal-figures is "
                      "installed. Those of an older sweep there are replaced, and its figures and PDF removed first.");
     options.addValue("expect", "TEXT",
-                     "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Without a suite or load it must hold for "
-                     "each. May be given several times.");
+                     "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Without a suite or load it "
+                     "must hold for each. May be given several times.");
     options.addFlag("json", "One JSON object a line on stdout.");
 }
 

@@ -204,8 +204,8 @@ void SecureLinkPanel::showHead(const Scene &scene)
             advice = oneWay->advice;
         } else if (scene.plainRun) {
             title = tr("Not sealed, in a sweep");
-            advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals "
-                        "the link again by itself.");
+            advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The "
+                        "sweep seals the link again by itself.");
         }
         color = colors.warning;
         break;

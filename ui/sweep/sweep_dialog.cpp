@@ -32,8 +32,8 @@ constexpr double kBetweenRuns = 0.3; ///< seconds, about: a switch and waiting f
 } // namespace
 
 SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
-    : QDialog(parent), m_around(around), m_link(new LinkConditions(this)), m_warning(new QLabel(this)), m_summary(new QLabel(this)),
-      m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
+    : QDialog(parent), m_around(around), m_link(new LinkConditions(this)), m_warning(new QLabel(this)),
+      m_summary(new QLabel(this)), m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("sweepDialog"));
     setWindowTitle(tr("Run a sweep"));

@@ -51,11 +51,14 @@ QPalette make(const Shades &s)
 }
 
 const StateColors kLightState{QColor(0x1a7f4b), QColor(0x9a5b00), QColor(0xb3261e), QColor(0x6a737d), QColor(0xd5d9df),
-                              QColor(0xffffff), QColor(0x5a97c7), QColor(0x94765a), QColor(0x2f6fb3), QColor(0xe3e6ea), QColor(0x737b85)};
+                              QColor(0xffffff), QColor(0x5a97c7), QColor(0x94765a), QColor(0x2f6fb3), QColor(0xe3e6ea),
+                              QColor(0x737b85)};
 const StateColors kDarkState{QColor(0x4cc38a), QColor(0xf0b429), QColor(0xff7b72), QColor(0x8d96a1), QColor(0x343a42),
-                             QColor(0x23282e), QColor(0x2f628f), QColor(0x5f4a37), QColor(0x58a6e8), QColor(0x262b31), QColor(0x6f7883)};
+                             QColor(0x23282e), QColor(0x2f628f), QColor(0x5f4a37), QColor(0x58a6e8), QColor(0x262b31),
+                             QColor(0x6f7883)};
 const StateColors kContrastState{QColor(0x5cff9d), QColor(0xffe100), QColor(0xff8a80), QColor(0xd6d6d6), QColor(0x8a8a8a),
-                                 QColor(Qt::black), QColor(0x0050a0), QColor(0x5a3c1e), QColor(0xffe100), QColor(0x3a3a3a), QColor(0xb4b4b4)};
+                                 QColor(Qt::black), QColor(0x0050a0), QColor(0x5a3c1e), QColor(0xffe100), QColor(0x3a3a3a),
+                                 QColor(0xb4b4b4)};
 
 } // namespace
 

@@ -23,8 +23,9 @@ constexpr Subcommand kOwn[] = {
     {"import", importKey, "import FROM --out FILE [--passphrase]"},
     {"passphrase", changePassphrase, "passphrase FILE [--remove]"},
     {"psk", newPresharedKey, "psk --out FILE"},
-    {"pair", pairWithAgent, 
-     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT [--replace]] [--pair-passphrase]"},
+    {"pair", pairWithAgent,
+     "pair --identity FILE --peers FILE [--link URL] [--role pilot|observer] [--as NAME] [--expect FINGERPRINT [--replace]] "
+     "[--pair-passphrase]"},
 };
 constexpr Subcommand kPeers[] = {
     {"add", addPeer,
