@@ -1,12 +1,16 @@
 // Built without a library for the desktop's keyring.
 #include "app/skyseal/passphrase_memory.h"
 
+#include <QtCore/QCoreApplication>
+
 namespace skyseal::app {
 
 namespace {
 
 class NoMemory : public PassphraseMemory
 {
+    Q_DECLARE_TR_FUNCTIONS(skyseal::app::NoMemory)
+
 public:
     QString problem() const override { return tr("this Skyseal was built without it"); }
     bool remembers(const std::string &) const override { return false; }
