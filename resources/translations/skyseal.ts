@@ -117,6 +117,128 @@
         <source>about %1 min %2 s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 baud</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % loss</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % duplicates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % reordered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 % corrupted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ms delay</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1 ms jitter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>nothing impaired</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::Application</name>
+    <message>
+        <source>The changed list of peers is refused, the old one stays: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out of the list of peers: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sealed links: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::Demo</name>
+    <message>
+        <source>The demo needs %1, which is neither beside this program nor on the PATH.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was killed or crashed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>exit status %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of the demo ended: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::DesktopKeyring</name>
+    <message>
+        <source>there is no desktop session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no keyring runs in this desktop session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keyring did not take the passphrase: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keyring did not forget the passphrase: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::NoMemory</name>
+    <message>
+        <source>this Skyseal was built without it</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::SweepDesk</name>
+    <message>
+        <source>skyseal-sim, skyseal-air or skyseal-cli is not installed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the station is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::app::WindowPairing</name>
+    <message>
+        <source>this machine has not the memory to make a key of the passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the station is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::AllowPlain</name>
@@ -133,13 +255,13 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Whatever sends from %1 is then shown and flown as vehicle %2, until this program ends. Anyone on the way can read and change what is sent.
-
-If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.</source>
+        <source>Allow plain MAVLink</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Allow plain MAVLink</source>
+        <source>It now sends from %2. But whoever says in clear that it is vehicle %1, from any address, is then shown and flown as it, until this program ends or it is heard sealed. Anyone on the way can read and change what is sent.
+
+If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -330,7 +452,11 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not sealed, and not allowed so</source>
+        <source>it is not sealed, and plain MAVLink is not allowed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing can be sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -445,6 +571,14 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
     </message>
     <message>
         <source>%1 could not be written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 + bars</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bars are of “%1” alone.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -591,9 +725,9 @@ It is as silent when it permits none of the suites that are offered here.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It speaks plain MAVLink from %1, and it may be an impostor of %2: this station has the key of that agent, and never heard it. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.
+        <source>It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.
 
-If it is the vehicle of %2, start its agent instead: what it sends is then taken sealed.</source>
+If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -691,10 +825,6 @@ If it is the vehicle of %2, start its agent instead: what it sends is then taken
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Switched from %1 to %2 in %3 ms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Handshake refused: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -707,19 +837,19 @@ If it is the vehicle of %2, start its agent instead: what it sends is then taken
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 frames of %2, which speaks as this vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 and may not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: it is %2&apos;s. Is it a new agent of the same vehicle? Then remove %2 from the keys, or bind the system to %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Held back: this vehicle, at %1, is not sealed and may be an impostor of %2, which was never heard. Security → Allow plain MAVLink takes it all the same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which speaks as this vehicle and may not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which speaks as this vehicle: it is %3&apos;s. Is it a new agent of the same vehicle? Then remove %3 from the keys, or bind the system to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched from %1 to %2 in %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -746,10 +876,6 @@ If it is the vehicle of %2, start its agent instead: what it sends is then taken
     </message>
     <message>
         <source>Hold to confirm (mouse, Space or Enter); Esc aborts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing can be sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -904,14 +1030,6 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Of its own:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A link of its own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Packets lost</source>
         <translation type="unfinished"></translation>
     </message>
@@ -969,6 +1087,14 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
     </message>
     <message>
         <source>Link · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Other:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another link</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1307,7 +1433,19 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Vehicle %1 at %2 may be an impostor of %3, whose agent was never heard. Nothing of it is shown and nothing is sent to it until you allow plain MAVLink for it.</source>
+        <source>Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown and nothing is sent to it until you allow plain MAVLink for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>changing keys…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fresh keys are being agreed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1551,6 +1689,10 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <source>No vehicle is held back</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::MainWindow</name>
@@ -1767,6 +1909,37 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Not read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another vehicle is shown now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::OneWay</name>
+    <message>
+        <source>A recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is shown was recorded earlier. Nothing of it is live, and nothing can be sent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is a recording</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed, only listened to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This stream is protected as MAVSec&apos;s published code does it, which is insecure: who is on the way can change it. Nothing is sent to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its link is only listened to</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2557,6 +2730,10 @@ with a pre-shared key</source>
         <source>Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: Security → Allow plain MAVLink.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sealed, changing keys…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SettingsDialog</name>
@@ -2846,10 +3023,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now %1, after %2 ms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stays with %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2878,10 +3051,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fresh keys, epoch %1, after %2 ms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Stays with its keys: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2891,6 +3060,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>New keys for the suite in use, while the link goes on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fresh keys, epoch %1, after %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now %1, after %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3230,6 +3407,10 @@ with a pre-shared key</source>
         <source>&amp;Altitude above home</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Take off · vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::TrafficBar</name>
@@ -3368,11 +3549,27 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its modes are not known</source>
+        <source>another vehicle is shown now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing can be sent: %1</source>
+        <source>the vehicle was armed meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle was disarmed meanwhile</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The modes of this vehicle are not known</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has other modes now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3388,6 +3585,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>%1: not sent: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: not sent: vehicle %2 is not the one that is shown now</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3730,6 +3931,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>too many of them; only senders that prove their address get through</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
