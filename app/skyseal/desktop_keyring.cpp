@@ -1,6 +1,7 @@
 // The desktop's keyring through QtKeychain: the Secret Service of GNOME and others, or KWallet.
 #include "app/skyseal/passphrase_memory.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtCore/QEventLoop>
 #include <QtDBus/QDBusConnection>
 #include <QtDBus/QDBusConnectionInterface>
@@ -23,6 +24,8 @@ QString entryOf(const std::string &file)
 
 class DesktopKeyring : public PassphraseMemory
 {
+    Q_DECLARE_TR_FUNCTIONS(skyseal::app::DesktopKeyring)
+
 public:
     explicit DesktopKeyring(QSettings &store) : m_store(store) {}
 
