@@ -5,6 +5,7 @@
 #include "core/base/weakness.h"
 #include "pair.h"
 #include "tap.h"
+#include "tests/support/holds.h"
 
 #include <QtTest/QTest>
 
@@ -114,9 +115,6 @@ inline bool aliveAndExact(Pair &pair)
 }
 
 } // namespace skyseal::test
-
-/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
-#define HOLDS(condition, words) QVERIFY2(condition, words)
 
 #define PAIR_UNDER_SUITE \
     QFETCH(int, suite); \

@@ -1,6 +1,7 @@
 // Long records go through MAVLink routers in parts that are not authenticated one by one: what comes out is one of the
 // messages that went in, or nothing, however its parts are lost, repeated, late, or beside those of others.
 #include "core/channel/tunnel_parts.h"
+#include "tests/support/holds.h"
 
 #include <QtTest/QTest>
 
@@ -10,9 +11,6 @@
 using namespace skyseal;
 using namespace skyseal::channel;
 using namespace std::chrono_literals;
-
-/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
-#define HOLDS(condition, words) QVERIFY2(condition, words)
 
 namespace {
 

@@ -7,14 +7,13 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
+#include "tests/support/holds.h"
 #include "tests/support/udp_attacker.h"
 
 #include <QtTest/QTest>
 
 using namespace skyseal;
 using namespace skyseal::test;
-
-#define HOLDS(condition, words) QVERIFY2(condition, words)
 
 namespace {
 

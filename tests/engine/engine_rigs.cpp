@@ -1,22 +1,13 @@
 #include "tests/engine/engine_rigs.h"
 
 #include "core/mavlink/dialect.h"
+#include "tests/support/addresses.h"
 
 #include <QtCore/QAbstractEventDispatcher>
 
 namespace skyseal::test {
 
 namespace {
-
-link::LinkUrl urlOf(const std::string &text)
-{
-    return *link::LinkUrl::parse(text);
-}
-
-std::uint16_t portOf(const std::string &address)
-{
-    return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
-}
 
 std::string loopback(std::uint16_t port)
 {

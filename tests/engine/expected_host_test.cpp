@@ -6,6 +6,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent_core.h"
 #include "tests/engine/bare_end.h"
+#include "tests/support/addresses.h"
 
 #include <QtCore/QTimer>
 #include <QtNetwork/QNetworkDatagram>
@@ -80,8 +81,8 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     Introduced keys;
     BareEnd station(keys, channel::Role::Station, {channel::defaultSuites(), false, false});
     bool agentUp = false, floodTold = false;
-    engine::AgentConfig config{*link::LinkUrl::parse("udpin:127.0.0.1:0"),
-                               *link::LinkUrl::parse("udpout:localhost:" + std::to_string(station.port())),
+    engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
+                               urlOf("udpout:localhost:" + std::to_string(station.port())),
                                {channel::defaultSuites(), false, false}, false};
     engine::AgentCore agent(std::move(config), keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
         const auto *happened = std::get_if<channel::Event>(&event);
@@ -91,8 +92,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     });
     agent.start();
     QTRY_COMPARE_WITH_TIMEOUT(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected), 10000);
-    const std::string address = agent.snapshot().ground.localAddress;
-    const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+    const std::uint16_t port = portOf(agent.snapshot().ground.localAddress);
 
     // Each host has a share of two a second; sixty of them want more than the fifty that there are.
     std::vector<std::unique_ptr<FloodingHost>> hosts;

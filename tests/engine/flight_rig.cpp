@@ -31,11 +31,6 @@ void introduce(const std::string &file, const char *name, const crypto::PublicKe
 
 } // namespace
 
-link::LinkUrl urlOf(const std::string &text)
-{
-    return *link::LinkUrl::parse(text);
-}
-
 VehicleOnUdp::VehicleOnUdp(const std::string &target, std::uint8_t systemId)
     : vehicle(vehicleConfig(systemId), steadyNow()), m_link(link::makeLink(urlOf("udpout:" + target), LinkId{1}, *this))
 {
@@ -113,8 +108,7 @@ void FlightRig::startAgent(const std::string &ground)
     agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
                                                 [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
     agent->start();
-    const std::string address = vehicleAddress();
-    m_vehiclePort = address.substr(address.rfind(':') + 1);
+    m_vehiclePort = std::to_string(portOf(vehicleAddress()));
 }
 
 std::string FlightRig::vehicleAddress()

@@ -5,6 +5,7 @@
 #include "core/engine/agent_core.h"
 #include "core/engine/station.h"
 #include "core/sim/simulated_vehicle.h"
+#include "tests/support/addresses.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtCore/QTimer>
@@ -84,7 +85,5 @@ public:
 private:
     QObject m_context;
 };
-
-link::LinkUrl urlOf(const std::string &text);
 
 } // namespace skyseal::test

@@ -20,11 +20,7 @@ struct Ground
         if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
             qFatal("no link");
     }
-    quint16 port() const
-    {
-        const std::string address = ears->listening();
-        return static_cast<quint16>(std::stoi(address.substr(address.rfind(':') + 1)));
-    }
+    quint16 port() const { return portOf(ears->listening()); }
     bool up() const { return !ears->all<channel::SessionUp>().empty(); }
 
     std::unique_ptr<engine::Station> station;

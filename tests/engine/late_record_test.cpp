@@ -5,6 +5,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
+#include "tests/support/addresses.h"
 
 #include <QtTest/QTest>
 
@@ -14,16 +15,6 @@ using namespace skyseal::test;
 namespace {
 
 const channel::Policy kPolicy{channel::defaultSuites(), false, false};
-
-link::LinkUrl urlOf(const std::string &text)
-{
-    return *link::LinkUrl::parse(text);
-}
-
-std::uint16_t portOf(const std::string &address)
-{
-    return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
-}
 
 template<typename Message> Bytes frameOf(const Message &message, std::uint8_t systemId, std::uint8_t componentId)
 {

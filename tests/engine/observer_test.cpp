@@ -214,8 +214,7 @@ void ObserverTest::onlyQuestionsReachTheVehiclesSocket()
 {
     AgentWithOneStation rig(channel::PeerRole::Observer);
     BareSocket vehicle;
-    const std::string address = rig.agent->snapshot().vehicle.localAddress;
-    const auto port = static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+    const std::uint16_t port = portOf(rig.agent->snapshot().vehicle.localAddress);
     const Bytes heartbeat = [] {
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
         mavlink::FrameWriter writer(1, 1);

@@ -153,7 +153,8 @@ void PlainStationTest::takenPortIsNamed()
         return engine::LinkSnapshot{};
     };
     QTRY_VERIFY_WITH_TIMEOUT(failed().addressInUse, 10000);
-    QVERIFY2(failed().problem.find(address.substr(address.rfind(':'))) != std::string::npos, failed().problem.c_str());
+    const std::string port = ":" + std::to_string(portOf(address));
+    QVERIFY2(failed().problem.find(port) != std::string::npos, failed().problem.c_str());
 }
 
 namespace {
@@ -181,6 +182,27 @@ engine::StationConfig offConfig()
     return config;
 }
 
+/// An engine that listens on a port of its own.
+struct ListeningCore
+{
+    ListeningCore()
+    {
+        core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
+        if (!QTest::qWaitFor([this] { return link.phase == engine::LinkPhase::Listening; }, 10000))
+            qFatal("no link");
+    }
+    quint16 port() const { return portOf(link.localAddress); }
+
+    engine::LinkSnapshot link;
+    std::shared_ptr<const engine::Snapshot> newest;
+    engine::StationCore core{offConfig(), nullptr,
+                             {[this](const auto &snapshot) { newest = snapshot; },
+                              [this](const engine::Happening &happening) {
+                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
+                                      link = changed->link;
+                              }}};
+};
+
 } // namespace
 
 void PlainStationTest::heartbeatStopsWithItsReader()
@@ -200,42 +222,24 @@ void PlainStationTest::heartbeatStopsWithItsReader()
 
 void PlainStationTest::noTargetWithoutAHeartbeat()
 {
-    engine::LinkSnapshot listening;
-    engine::StationCore core(offConfig(), nullptr,
-                             {[](const auto &) {},
-                              [&](const engine::Happening &happening) {
-                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
-                                      listening = changed->link;
-                              }});
-    core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(listening.phase), int(engine::LinkPhase::Listening), 10000);
-    const auto port = static_cast<quint16>(std::stoi(listening.localAddress.substr(listening.localAddress.rfind(':') + 1)));
+    ListeningCore station;
     QUdpSocket noise;
     QVERIFY(noise.bind(QHostAddress::LocalHost, 0));
-    noise.writeDatagram("anybody there?", QHostAddress::LocalHost, port);
+    noise.writeDatagram("anybody there?", QHostAddress::LocalHost, station.port());
     QVERIFY(!QTest::qWaitFor([&] { return noise.hasPendingDatagrams(); }, 1500));
 }
 
 /// An agent that would seal announces itself to whoever is there.
 void PlainStationTest::announcementsAreNoGarbage()
 {
-    engine::LinkSnapshot listening;
-    std::shared_ptr<const engine::Snapshot> newest;
-    engine::StationCore core(offConfig(), nullptr,
-                             {[&](const auto &snapshot) { newest = snapshot; },
-                              [&](const engine::Happening &happening) {
-                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
-                                      listening = changed->link;
-                              }});
-    core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
-    QTRY_COMPARE_WITH_TIMEOUT(int(listening.phase), int(engine::LinkPhase::Listening), 10000);
-    const auto port = static_cast<quint16>(std::stoi(listening.localAddress.substr(listening.localAddress.rfind(':') + 1)));
+    ListeningCore station;
     QUdpSocket agent;
     QVERIFY(agent.bind(QHostAddress::LocalHost, 0));
     const QByteArray announcement = QByteArray(1, 0x58) + QByteArray(32, 0x33) + QByteArray(94, 0);
     for (int i = 0; i < 3; ++i)
-        agent.writeDatagram(announcement, QHostAddress::LocalHost, port);
-    agent.writeDatagram(announcement.chopped(1), QHostAddress::LocalHost, port); // none of any version
+        agent.writeDatagram(announcement, QHostAddress::LocalHost, station.port());
+    agent.writeDatagram(announcement.chopped(1), QHostAddress::LocalHost, station.port()); // none of any version
+    const auto &newest = station.newest;
     QTRY_VERIFY_WITH_TIMEOUT(newest && !newest->links.empty() && newest->links[0].rxDatagrams == 4, 10000);
     QCOMPARE(newest->channel.rx.malformed, std::uint64_t(1));
 }

@@ -6,6 +6,7 @@
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
+#include "tests/support/holds.h"
 
 #include <QtTest/QTest>
 
@@ -14,9 +15,6 @@
 using namespace skyseal;
 using namespace skyseal::keys;
 using test::readText;
-
-/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
-#define HOLDS(condition, words) QVERIFY2(condition, words)
 
 namespace {
 

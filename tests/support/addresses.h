@@ -1,0 +1,23 @@
+// Links by their texts, and the ports of addresses that the system chose.
+#pragma once
+
+#include "core/link/link_url.h"
+
+#include <cstdint>
+#include <string>
+
+namespace skyseal::test {
+
+/// One that is known to be right.
+inline link::LinkUrl urlOf(const std::string &text)
+{
+    return *link::LinkUrl::parse(text);
+}
+
+/// Of "127.0.0.1:14550".
+inline std::uint16_t portOf(const std::string &address)
+{
+    return static_cast<std::uint16_t>(std::stoi(address.substr(address.rfind(':') + 1)));
+}
+
+} // namespace skyseal::test
