@@ -3,6 +3,7 @@
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/link_model.h"
+#include "ui/messages/happening_words.h"
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
 #include "ui/mission/mission_file.h"
@@ -54,6 +55,17 @@ private Q_SLOTS:
         const QString tip = model.index(0, MessageModel::Text).data(Qt::ToolTipRole).toString();
         QVERIFY(!tip.contains(QStringLiteral("<img")));
         QVERIFY(tip.contains(QStringLiteral("&lt;img")));
+    }
+
+    void whoSpeaksAsAnothersVehicleIsNamed()
+    {
+        const auto words = [](const char *owner) {
+            return happeningLine(engine::SystemRefused{1, "air-2", owner, 3})->text;
+        };
+        QCOMPARE(words(""), QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle and may not"));
+        QCOMPARE(words("air-1"),
+                 QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle: it is air-1's. Is it a new agent of "
+                                "the same vehicle? Then remove air-1 from the keys, or bind the system to air-2"));
     }
 
     void messagesAreFiltered()
