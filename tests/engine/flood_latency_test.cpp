@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <thread>
 
+#include <poll.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -76,6 +77,15 @@ public:
     std::uint64_t sent() const { return m_sent; }
 
 private:
+    /// The pace of the flood; nothing is expected to happen meanwhile.
+    static void waitUntil(TimePoint due)
+    {
+        const Duration left = due - steadyNow();
+        const timespec time{0, static_cast<long>(left.count())};
+        if (left > Duration())
+            ::ppoll(nullptr, 0, &time, nullptr);
+    }
+
     void run(std::uint16_t port)
     {
         // It stands for another machine: its place on the processor is not the agent's to pay.
@@ -87,7 +97,7 @@ private:
         std::size_t next = 0;
         for (TimePoint due = steadyNow(); !m_ends; due += 250us) {
             // Its cookies go unread, as those of a sender under a false address do: waking up for them would cost the agent.
-            std::this_thread::sleep_for(due - steadyNow());
+            waitUntil(due);
             if (!m_on) {
                 due = steadyNow();
                 continue;
