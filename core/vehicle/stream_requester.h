@@ -1,6 +1,7 @@
 // Asks a vehicle for telemetry. ArduPilot sends next to nothing until it is asked: its stream groups are asked for by
 // REQUEST_DATA_STREAM, single messages by SET_MESSAGE_INTERVAL where that is understood. PX4 streams by itself and is not
-// asked. A group that stays silent for 8 s is asked for again, ever more rarely when the vehicle does not have it.
+// asked. What was never heard is asked for again after 2 s, what fell silent after 8 s, ever more rarely when the vehicle
+// does not have it.
 #pragma once
 
 #include "core/base/clock.h"
