@@ -8,14 +8,29 @@
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"
 
+#include <utility>
+
 namespace skyseal::app {
+
+static constexpr int kLastWordsMs = 1000; ///< at the end a slow reader is waited for, but not for ever
 
 void AgentReport::say(const std::string &json, const std::string &sentence)
 {
     if (m_json && !json.empty())
-        printLine(json);
-    else if (!m_json && !sentence.empty())
+        print(json);
+    else if (!m_json && !sentence.empty() && hasRoom(stderr))
         remark(sentence);
+}
+
+void AgentReport::print(const std::string &json)
+{
+    if (!hasRoom(stdout)) {
+        ++m_unread;
+        return;
+    }
+    if (m_unread > 0 && hasRoom(stderr))
+        remark(format("%u lines of JSON were left out: nobody read them", std::exchange(m_unread, 0u)));
+    printLine(json);
 }
 
 std::string AgentReport::peer(channel::SessionId session) const
@@ -97,12 +112,12 @@ void AgentReport::pairing(const PairingNews &news)
 void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)
 {
     if (m_json)
-        printLine(engine::agentStatsEvent("stats", snapshot, time));
+        print(engine::agentStatsEvent("stats", snapshot, time));
 }
 
 void AgentReport::summary(const engine::AgentSnapshot &snapshot, double time)
 {
-    if (m_json)
+    if (m_json && hasRoom(stdout, kLastWordsMs))
         printLine(engine::agentStatsEvent("summary", snapshot, time));
 }
 

@@ -22,6 +22,7 @@ public:
 
 private:
     void say(const std::string &json, const std::string &sentence);
+    void print(const std::string &json);
     void linkChanged(const engine::AgentLinkChanged &changed);
     void framesRefused(const engine::FramesRefused &refused);
     void channelEvent(const channel::Event &event);
@@ -29,6 +30,7 @@ private:
 
     bool m_json;
     std::map<channel::SessionId, std::string> m_peers;
+    unsigned m_unread = 0; ///< lines that found no room
 };
 
 } // namespace skyseal::app

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include <poll.h>
+
 namespace skyseal::app {
 
 /// One line on stdout, at once: a reader behind a pipe must not wait for a full buffer. False when nobody reads any more.
@@ -14,6 +16,14 @@ inline bool printLine(const std::string &line)
     std::fwrite(line.data(), 1, line.size(), stdout);
     std::fputc('\n', stdout);
     return std::fflush(stdout) == 0;
+}
+
+/// Whether a line of up to 4096 bytes (POSIX's PIPE_BUF) can be written without waiting for whoever reads. Programs that
+/// carry a link ask first: it must not stand still because a pipe is full or a terminal was stopped.
+inline bool hasRoom(std::FILE *stream, int patienceMilliseconds = 0)
+{
+    pollfd out{::fileno(stream), POLLOUT, 0};
+    return ::poll(&out, 1, patienceMilliseconds) != 0;
 }
 
 /// The line with every control character replaced by '?'. What vehicles say is in it, in plain links from anybody: it must

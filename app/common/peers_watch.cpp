@@ -104,6 +104,8 @@ std::string peersWords(const std::string &problem)
 void tellPeers(const PeersWatch &watch, bool json)
 {
     const auto say = [json](const auto &what) {
+        if (!hasRoom(json ? stdout : stderr))
+            return;
         if (json)
             printLine(peersEvent(what));
         else

@@ -263,7 +263,7 @@ void CarriersTest::idleConnectionsKeepNobodyOut()
         for (int i = 0; i < count; ++i) {
             idle.push_back(std::make_unique<QTcpSocket>());
             idle.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), port);
-            QVERIFY(idle.back()->waitForConnected(10000));
+            QVERIFY(idle.back()->waitForConnected(30000));
         }
     };
     connectIdle(40);
