@@ -65,7 +65,7 @@ AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, T
       m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_tell(event); }),
       m_policy(SecureMode::Required, Speakers::MayShareASystem), m_intake(mavlink::Dialect::builtin()),
-      m_timer([this] { handleDeadline(); })
+      m_clear(m_links, kGround), m_timer([this] { handleDeadline(); })
 {
     m_policy.setPeers(m_secrets->peers);
     m_channel.endpoint().setCostSource([this](channel::SessionId session) { return m_channel.endCosts(session); });
@@ -297,7 +297,7 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
     }
     if (m_sessions.empty()) {
         if (m_config.allowPlain)
-            m_links.send(kGround, item.bytes);
+            m_clear.add(item.bytes);
         else
             ++m_counters.undelivered;
         return;
@@ -440,6 +440,7 @@ void AgentCore::finishWake()
     if (m_stopped)
         return;
     const TimePoint now = steadyNow();
+    m_clear.flush();
     m_channel.flush(now);
     handleEvents();
     m_channel.flush(now);

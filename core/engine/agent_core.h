@@ -7,6 +7,7 @@
 
 #include "core/engine/carrier_reader.h"
 #include "core/engine/channel_driver.h"
+#include "core/engine/clear_packet.h"
 #include "core/engine/deadline_timer.h"
 #include "core/engine/frame_intake.h"
 #include "core/engine/link_pool.h"
@@ -138,6 +139,7 @@ private:
     SenderPolicy m_policy;
     FrameIntake m_intake;
     CarrierReader m_carriers;
+    ClearPacket m_clear; ///< to the ground
     VehicleWays m_ways;
     metrics::SequenceTable m_sequences;
     std::map<channel::SessionId, metrics::SequenceTable> m_fromGround; ///< each station counts its own frames

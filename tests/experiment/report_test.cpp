@@ -84,7 +84,7 @@ private Q_SLOTS:
     void residentMemoryHasNoInterval();
     void noIntervalBelowZero();
     void runsAreCounted();
-    void plainIsSaidToTravelOtherwise();
+    void howPlainTravelsIsSaid();
     void noiseIsNoDifference();
     void framingsAreTold();
     void reportIsWholeAndSafe();
@@ -304,10 +304,10 @@ void ReportTest::runsAreCounted()
     QVERIFY(sweepText(results).back().find("ended after 2 of 40") != std::string::npos);
 }
 
-void ReportTest::plainIsSaidToTravelOtherwise()
+void ReportTest::howPlainTravelsIsSaid()
 {
     Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
-    const char *note = "passes clear frames on one by one";
+    const char *note = "joins the frames of one wake-up";
     QVERIFY(htmlReport({results, {}, {}, {}}).find(note) != std::string::npos);
     results.plan.arms.erase(results.plan.arms.begin()); // plain MAVLink
     results.samples.clear();
