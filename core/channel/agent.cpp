@@ -64,8 +64,9 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
     }
 
-    // A station that still has the old session takes this as its answer; one that has restarted ignores it.
-    if (Session *old = m_core.table.upWith(key))
+    // A station that still has the old session takes this as its answer; one that has restarted ignores it. Where records
+    // come, this may be an old message of a station that goes on.
+    if (Session *old = m_core.table.upWith(key); old && old->silent(now))
         old->callPeer(now);
 
     makeRoomFor(key);

@@ -17,7 +17,7 @@ struct PairingCore
     RandomSource &random;
     Outbox outbox;
     std::deque<PairingEvent> events;
-    std::vector<PublicKey> turnedDown; ///< by a person; bounded by what persons do in two minutes
+    std::vector<PublicKey> turnedDown; ///< in this window, which computes 15 handshakes a second for two minutes at the most
     TimePoint hintTold = TimePoint::min();
 
     PairingAbout about() const

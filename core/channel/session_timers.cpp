@@ -81,12 +81,12 @@ void Session::goBackWhenDue(TimePoint now)
     m_former.reset();
 }
 
-void Session::lineBegan(TimePoint now)
+void Session::callPeer(TimePoint now)
 {
-    if (now < m_lineBegan + kEventPause)
+    if (now < m_called + kEventPause)
         return; // The next report says it soon enough.
-    m_lineBegan = now;
-    callPeer(now);
+    m_called = now;
+    sendReport(now, true);
 }
 
 void Session::tellMove(TimePoint now)
