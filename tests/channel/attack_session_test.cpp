@@ -19,6 +19,7 @@ private Q_SLOTS:
         qInfo("seed %llu", static_cast<unsigned long long>(kAttackSeed));
     }
     void replayOfAnEarlierSession();
+    void replayOnAnotherLink();
     void reflection();
     void windowPoisoning();
     void hijackOfAnAddress();
@@ -81,6 +82,49 @@ void AttackSessionTest::replayOfAnEarlierSession()
     QCOMPARE(pair.air().delivered.size(), air);
     QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
     QCOMPARE(pair.ground().all<SessionDown>().size(), 0u); // The endpoints that had the first session are gone.
+}
+
+void AttackSessionTest::replayOnAnotherLink()
+{
+    // Everything that was heard on one link, handshake included, is said again on another, in the same carrier.
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    traffic(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(5s);
+    pair.stopTraffic();
+    pair.run(1s);
+    pair.link.attacker = nullptr;
+    const auto onAnother = [&pair](Side from) {
+        Path path = pair.pathOf(from);
+        path.link = LinkId{2};
+        return path;
+    };
+    const auto linkOfRecords = [&pair] { return pair.ground().endpoint->recordPath(pair.ground().session()).link; };
+    QVERIFY(!tap.ofKind(0x59).empty() && !tap.ofKind(0x5a).empty());
+    QVERIFY(tap.flights.size() > 500);
+    std::size_t taken = 0;
+    for (const Flight &flight : tap.flights) {
+        taken += offer(pair, flight.from == Air ? Ground : Air, flight.bytes, onAnother(flight.from));
+        pair.run(1ms);
+    }
+    HOLDS(taken == 0, "nothing is delivered twice");
+    pair.run(2s);
+    HOLDS(pair.ground().all<SessionUp>().size() == 1 && pair.air().all<SessionUp>().size() == 1,
+          "no old handshake makes a session");
+    QVERIFY(received(pair.ground()).replayed > 200 && received(pair.air()).replayed > 200);
+    QCOMPARE(pair.air().endpoint->strays().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
+    QCOMPARE(linkOfRecords(), LinkId{1});
+    // What a record is bound to is its carrier. One that never arrived is as good from another link, once, and the session
+    // follows it there: so it goes on where a second modem takes over.
+    const Caught kept = catchOne(pair);
+    QVERIFY(offer(pair, Ground, kept.flight.bytes, onAnother(Air)));
+    ++pair.ground().delivered[kept.number];
+    QCOMPARE(linkOfRecords(), LinkId{2});
+    for (const bool sameLink : {true, false})
+        HOLDS(!offer(pair, Ground, kept.flight.bytes, sameLink ? onAnother(Air) : pair.pathOf(Air)), "nothing is delivered twice");
+    QVERIFY(aliveAndExact(pair));
+    QCOMPARE(linkOfRecords(), LinkId{1});
 }
 
 void AttackSessionTest::reflection()
