@@ -4,6 +4,8 @@
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
 
+#include <array>
+
 using namespace skyseal;
 using namespace skyseal::test;
 
@@ -26,6 +28,8 @@ private Q_SLOTS:
     void answerFloodWithTheRightMac();
     void floodIsToldInFewWords();
     void noMoreOutThanIn();
+    void noMoreOutThanInBesideASession_data();
+    void noMoreOutThanInBesideASession();
 
 private:
     void fill(Bytes &bytes)
@@ -260,6 +264,73 @@ void AttackFloodTest::noMoreOutThanIn()
         }
         HOLDS(out <= in, "no more goes out than came in");
     }
+}
+
+void AttackFloodTest::noMoreOutThanInBesideASession_data()
+{
+    QTest::addColumn<int>("messages");
+    QTest::addColumn<int>("times");
+    QTest::addColumn<int>("aSecond");
+    QTest::newRow("five in turn, ten a second") << 5 << 200 << 10;
+    QTest::newRow("five in turn, one a second") << 5 << 20 << 1;
+    QTest::newRow("one again and again") << 1 << 200 << 10;
+}
+
+void AttackFloodTest::noMoreOutThanInBesideASession()
+{
+    // Who jammed a link for a while has first messages that the station made meanwhile and nobody ever confirmed, so that their
+    // counters stay good while the session goes on by records. An agent keeps four answers of one peer: of five messages in
+    // turn all but the newest are new to it each time. The same flight without the attack tells what the attack causes.
+    QFETCH(int, messages);
+    QFETCH(int, times);
+    QFETCH(int, aSecond);
+    std::uint64_t in = 0, toTheThief = 0;
+    std::array<std::uint64_t, 2> said{};
+    for (const bool attacked : {false, true}) {
+        Pair pair(attackOptions());
+        QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+        pair.run(1s);
+        std::vector<Bytes> firsts;
+        bool jammed = true;
+        pair.link.attacker = [&](TimePoint, Flight &flight) {
+            if (flight.bytes[0] == 0x59 && (firsts.empty() || firsts.back() != flight.bytes))
+                firsts.push_back(flight.bytes);
+            return !jammed && (flight.bytes[0] & 0xfc) != 0x58;
+        };
+        pair.run(45s); // The station makes a fresh one once the last went out four times.
+        QVERIFY2(firsts.size() >= 5, qPrintable(QString::number(firsts.size())));
+        jammed = false;
+        pair.run(5s);
+        pair.link.attacker = nullptr;
+        QVERIFY(pair.bothUp() && pair.air().all<SessionUp>().size() == 1);
+
+        Path thief = pair.pathOf(Ground);
+        thief.remote.ip[15] = 66;
+        const std::uint64_t before = pair.ground().bytesOut + pair.air().bytesOut;
+        std::uint64_t atOnce = 0;
+        for (int i = 0; i < times; ++i) {
+            if (attacked) {
+                const Bytes &first = firsts[static_cast<std::size_t>(i % messages)];
+                in += first.size();
+                offer(pair, Air, first, thief);
+            }
+            while (const auto out = pair.air().endpoint->pollTransmit()) {
+                atOnce += out->bytes.size();
+                if (out->to == thief)
+                    toTheThief += out->bytes.size();
+                else
+                    pair.link.send(pair.now, {Air, pair.air().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
+            }
+            pair.run(std::chrono::milliseconds(1000 / aSecond));
+        }
+        said[attacked] = pair.ground().bytesOut + pair.air().bytesOut - before + atOnce;
+        QVERIFY(aliveAndExact(pair));
+    }
+    const std::uint64_t caused = said[1] - said[0];
+    qInfo("in %llu, to the thief %llu, caused in all %llu", static_cast<unsigned long long>(in),
+          static_cast<unsigned long long>(toTheThief), static_cast<unsigned long long>(caused));
+    QVERIFY(toTheThief > 0); // Each might be the true station's, so it is answered.
+    HOLDS(toTheThief <= in && caused <= in, "no more goes out than came in");
 }
 
 QTEST_GUILESS_MAIN(AttackFloodTest)

@@ -34,6 +34,9 @@ inline constexpr Proof kProofs[] = {
 
     {"AcceptLowerCounter,NoConfirmation", "channel_attack_session_test", "replayOfAnEarlierSession",
      "no old handshake makes a session"},
+    {"NoReplayWindow", "channel_attack_session_test", "replayOnAnotherLink", "nothing is delivered twice"},
+    {"AcceptLowerCounter,NoConfirmation", "channel_attack_session_test", "replayOnAnotherLink",
+     "no old handshake makes a session"},
     {"NoDirections", "channel_attack_session_test", "reflection", "nothing is accepted by its own sender"},
     {"WindowBeforeTag", "channel_attack_session_test", "windowPoisoning", "the stream goes on"},
     {"RoamOnForged", "channel_attack_session_test", "hijackOfAnAddress", "no refused record moves the session"},
@@ -59,6 +62,7 @@ inline constexpr Proof kProofs[] = {
     {"NoRateLimit", "channel_attack_flood_test", "answerFloodWithTheRightMac", "at most fifty computations a second"},
     {"TellEverything", "channel_attack_flood_test", "floodIsToldInFewWords", "a flood from everywhere is told in few words"},
     {"AnswerTwice", "channel_attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
+    {"AnswerTwice", "channel_attack_flood_test", "noMoreOutThanInBesideASession", "no more goes out than came in"},
 
     {"NoPinning", "channel_attack_handshake_test", "interception", "an unknown key gets no answer"},
     {"NoHandshakeTag,NoPinning", "channel_attack_handshake_test", "unknownKeyShare",
