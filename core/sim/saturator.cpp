@@ -51,9 +51,11 @@ void Saturator::handleFrame(TimePoint now, const mavlink::Frame &frame)
     if (frame.messageId() != mavlink::Timesync::kId)
         return;
     const auto answer = mavlink::Timesync::decode(frame.payload());
-    const auto found = std::find_if(m_open.begin(), m_open.end(), [&](const Ticket &t) { return t.number == answer.ts1; });
-    if (answer.tc1 == 0 || found == m_open.end())
+    if (answer.tc1 == 0)
         return;
+    const auto found = std::find_if(m_open.begin(), m_open.end(), [&](const Ticket &t) { return t.number == answer.ts1; });
+    if (found == m_open.end())
+        return takeLate(now, answer.ts1);
     const Duration trip = now - found->sent;
     noteTrip(trip);
     const double step = 1 / m_window;
@@ -64,15 +66,35 @@ void Saturator::handleFrame(TimePoint now, const mavlink::Frame &frame)
         missed();
 }
 
+/// Nothing is waited for any longer. How long the next ones are waited for stays as it is: a link that was gone for a while
+/// must not be left alone for a while when it is back.
+void Saturator::giveUp()
+{
+    missed();
+    for (const Ticket &ticket : m_open) {
+        if (m_given.size() == static_cast<std::size_t>(kWidest))
+            m_given.pop_front();
+        m_given.push_back(ticket);
+    }
+    m_open.clear();
+}
+
+/// It was not lost, only given up too early: the trips are longer than was known.
+void Saturator::takeLate(TimePoint now, std::int64_t number)
+{
+    const auto found = std::find_if(m_given.begin(), m_given.end(), [&](const Ticket &t) { return t.number == number; });
+    if (found == m_given.end())
+        return;
+    m_trip = std::max(m_trip, now - found->sent);
+    m_given.erase(found);
+}
+
 bool Saturator::advance(TimePoint now, SimulatedVehicle &vehicle)
 {
     if (!m_heard)
         return false;
-    if (!m_open.empty() && now - m_open.front().sent > patience()) {
-        missed();
-        m_trip = std::max(m_trip * 2, kLeastPatience / 4); // the next ones are waited for longer
-        m_open.clear();
-    }
+    if (!m_open.empty() && now - m_open.front().sent > patience())
+        giveUp();
     for (std::size_t i = 0; i < kAtOnce && m_open.size() < static_cast<std::size_t>(m_window); ++i) {
         m_open.push_back({m_next, now, 0});
         vehicle.sendBurst(now, kBurst, m_next++);

@@ -31,8 +31,10 @@ public:
                 say(mavlink::Heartbeat{});
             }
             impair::Impairment::Delivery delivery;
-            while (m_down.pop(m_now, delivery))
-                hear(delivery.bytes, [this](const mavlink::Frame &frame) { load.handleFrame(m_now, frame); });
+            while (m_down.pop(m_now, delivery)) {
+                if (m_connected)
+                    hear(delivery.bytes, [this](const mavlink::Frame &frame) { load.handleFrame(m_now, frame); });
+            }
             m_vehicle.advance(m_now);
             bool more = true;
             while (more) {
@@ -40,12 +42,20 @@ public:
                 for (ByteView frame = m_vehicle.pollFrame(); !frame.empty(); frame = m_vehicle.pollFrame())
                     m_up.push(m_now, frame);
             }
-            while (m_up.pop(m_now, delivery))
-                hear(delivery.bytes, [this](const mavlink::Frame &frame) { answer(frame); });
+            while (m_up.pop(m_now, delivery)) {
+                if (m_connected)
+                    hear(delivery.bytes, [this](const mavlink::Frame &frame) { answer(frame); });
+            }
         }
     }
 
     const impair::Counters &up() const { return m_up.counters(); }
+    void setConnected(bool connected) { m_connected = connected; }
+    void setSettings(const impair::Settings &settings)
+    {
+        m_up = impair::Impairment(settings, 0);
+        m_down = impair::Impairment(settings, 1);
+    }
     Saturator load;
 
 private:
@@ -76,6 +86,7 @@ private:
     SimulatedVehicle m_vehicle;
     mavlink::FrameWriter m_station;
     TimePoint m_now{}, m_nextHeartbeat{};
+    bool m_connected = true;
 };
 
 } // namespace
@@ -89,6 +100,11 @@ private Q_SLOTS:
     void slowLineIsFullAndLosesNothing();
     void fastLinkIsAskedForAllOfIt();
     void lossMakesItSlower();
+    void lossNeverStopsIt_data();
+    void lossNeverStopsIt();
+    void goesOnAfterAnOutage_data();
+    void goesOnAfterAnOutage();
+    void longTripsAreLearnt();
 };
 
 void SaturatorTest::slowLineIsFullAndLosesNothing_data()
@@ -137,6 +153,75 @@ void SaturatorTest::lossMakesItSlower()
     lossy.run(10s);
     QVERIFY(lossy.up().offered * 2 < clean.up().offered);
     QVERIFY(lossy.up().offered > 1000);
+}
+
+void SaturatorTest::lossNeverStopsIt_data()
+{
+    QTest::addColumn<double>("loss");
+    QTest::addColumn<int>("delay");
+    for (const double loss : {0.02, 0.05, 0.1, 0.3}) {
+        for (const int delay : {0, 10})
+            QTest::addRow("%g, %d ms", loss, delay) << loss << delay;
+    }
+}
+
+/// More than telemetry, some 70 messages a second, in each second.
+void SaturatorTest::lossNeverStopsIt()
+{
+    QFETCH(double, loss);
+    QFETCH(int, delay);
+    impair::Settings settings;
+    settings.loss = loss;
+    settings.delay = std::chrono::milliseconds(delay);
+    LoadedLink link(settings);
+    link.run(5s);
+    for (int second = 0; second < 60; ++second) {
+        const auto before = link.up().offered;
+        link.run(1s);
+        const auto offered = link.up().offered - before;
+        QVERIFY2(offered > 400, qPrintable(QStringLiteral("%1 in second %2").arg(offered).arg(second)));
+    }
+}
+
+void SaturatorTest::goesOnAfterAnOutage_data()
+{
+    QTest::addColumn<int>("seconds");
+    for (const int seconds : {1, 3, 10, 60})
+        QTest::addRow("%d s", seconds) << seconds;
+}
+
+void SaturatorTest::goesOnAfterAnOutage()
+{
+    QFETCH(int, seconds);
+    LoadedLink link({});
+    link.run(5s);
+    auto before = link.up().offered;
+    link.run(1s);
+    const auto usual = link.up().offered - before;
+    link.setConnected(false);
+    link.run(std::chrono::seconds(seconds));
+    link.setConnected(true);
+    link.run(500ms);
+    before = link.up().offered;
+    link.run(1s);
+    const auto after = link.up().offered - before;
+    QVERIFY2(after * 2 > usual, qPrintable(QStringLiteral("%1 of %2").arg(after).arg(usual)));
+}
+
+/// The way becomes a long one: what was given up is answered all the same, and from then on waited for, else burst after
+/// burst would be sent into it.
+void SaturatorTest::longTripsAreLearnt()
+{
+    LoadedLink link({});
+    link.run(5s);
+    impair::Settings slow;
+    slow.delay = 700ms;
+    link.setSettings(slow);
+    link.run(20s);
+    const auto before = link.up().offered;
+    link.run(20s);
+    const double bursts = static_cast<double>(link.up().offered - before) / static_cast<double>(Saturator::kBurst) / 20;
+    QVERIFY2(bursts < 4, qPrintable(QString::number(bursts))); // telemetry, and two a trip
 }
 
 QTEST_GUILESS_MAIN(SaturatorTest)
