@@ -6,9 +6,16 @@
 
 namespace skyseal::experiment {
 
-static double stepOf(Metric metric, double mean, double other)
+static double stepOf(const Plan &plan, Metric metric, double mean, double other)
 {
-    return info(metric).step * std::max(std::abs(mean), std::abs(other));
+    const Resolution &resolution = info(metric).resolution;
+    const double frames = resolution.frames / (resolution.perSecond ? seconds(plan.measure) : 1);
+    return std::max(frames, resolution.share * std::max(std::abs(mean), std::abs(other)));
+}
+
+static bool isCompared(const Arm &arm, Metric metric)
+{
+    return info(metric).independent && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
 }
 
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
@@ -22,12 +29,10 @@ Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
-    if (!info(metric).independent)
-        return {};
     std::vector<std::size_t> arms;
     std::vector<std::vector<double>> groups;
     for (std::size_t arm = 0; arm < results.plan.arms.size(); ++arm) {
-        if (results.plan.arms[arm].again)
+        if (results.plan.arms[arm].again || !isCompared(results.plan.arms[arm], metric))
             continue;
         arms.push_back(arm);
         groups.push_back(valuesOf(results, {condition, load, arm}, metric));
@@ -35,7 +40,7 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
     std::vector<ArmComparison> out;
     for (Comparison &comparison : compareAll(groups)) {
         const double mean = summarise(groups[comparison.first]).mean;
-        comparison.step = stepOf(metric, mean, mean + comparison.test.difference);
+        comparison.step = stepOf(results.plan, metric, mean, mean + comparison.test.difference);
         out.push_back({condition, load, metric, arms[comparison.first], arms[comparison.second], mean, comparison});
     }
     return out;
@@ -45,10 +50,8 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
 static std::optional<Noise> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
     const std::vector<Arm> &arms = results.plan.arms;
-    if (!info(metric).independent)
-        return std::nullopt;
     const auto again = std::find_if(arms.begin(), arms.end(), [](const Arm &arm) { return arm.again; });
-    if (again == arms.end())
+    if (again == arms.end() || !isCompared(*again, metric))
         return std::nullopt;
     const auto first = std::find(arms.begin(), arms.end(), Arm{again->suite, false, again->framing});
     if (first == arms.end())
@@ -66,8 +69,8 @@ static std::optional<Noise> noiseAt(const Results &results, std::size_t conditio
         return std::nullopt;
     out.mean = summary.mean;
     out.meanAgain = summaryAgain.mean;
-    out.test = welch(values, valuesAgain);
-    out.step = stepOf(metric, out.mean, out.meanAgain);
+    out.comparison.test = welch(values, valuesAgain);
+    out.comparison.step = stepOf(results.plan, metric, out.mean, out.meanAgain);
     return out;
 }
 
@@ -80,14 +83,14 @@ std::vector<Noise> noiseOf(const Results &results)
             for (const MetricInfo &metric : metrics()) {
                 if (const auto noise = noiseAt(results, condition, load, metric.metric)) {
                     out.push_back(*noise);
-                    p.push_back(noise->test.p);
+                    p.push_back(noise->comparison.test.p);
                 }
             }
         }
     }
     const std::vector<double> adjusted = holm(p);
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i].adjusted = adjusted[i];
+        out[i].comparison.adjusted = adjusted[i];
     return out;
 }
 

@@ -10,8 +10,8 @@
 
 namespace skyseal::experiment {
 
-/// Two arms of one condition and load, by one metric. Corrected over all pairs of arms of that metric there, the repeated
-/// arm (A/A) left out.
+/// Two arms of one condition and load, by one metric. Corrected over all pairs of arms of that metric there; left out are the
+/// repeated arm (A/A) and plain MAVLink where its value is zero by definition.
 struct ArmComparison
 {
     std::size_t condition = 0, load = 0;
@@ -28,10 +28,8 @@ struct Noise
     Metric metric{};
     std::size_t arm = 0, again = 0; ///< indices of arms
     double mean = 0, meanAgain = 0;
-    WelchTest test;
-    double adjusted = 1; ///< p after Holm's correction
-    double step = 0;     ///< as in Comparison
-    bool differs() const { return adjusted < 0.05 && std::abs(test.difference) > step; }
+    Comparison comparison;
+    bool differs() const { return comparison.significant(); }
 };
 
 /// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent). Nothing that is

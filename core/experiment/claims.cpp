@@ -51,7 +51,7 @@ std::string whereText(const Plan &plan, const Place &place, Metric metric)
 /// How the second suite's mean stands to the first one's.
 struct Standing
 {
-    bool compared = false, significant = false;
+    bool compared = false, known = false, significant = false;
     double ratio = 1;
     double margin = 0; ///< half of the 90 % interval of the difference, as a share of the first one's mean
     std::string text;
@@ -71,11 +71,13 @@ Standing standing(const Results &results, const Place &place, Metric metric, Sui
         const double other = pair.firstMean + pair.comparison.test.difference;
         const double mine = a == first ? pair.firstMean : other, theirs = a == first ? other : pair.firstMean;
         out.compared = true;
+        out.known = pair.comparison.known();
         out.significant = pair.comparison.significant();
         out.ratio = theirs / mine;
-        out.margin = pair.comparison.test.halfWidth90() / mine;
+        out.margin = pair.comparison.test.halfWidth(0.9) / mine;
         out.text = shown(second) + " " + readable(theirs) + " against " + readable(mine)
-                   + (!out.significant                            ? " (no significant difference)"
+                   + (!out.known                           ? " (neither varies, in too few runs to say whether they differ)"
+                      : !out.significant                   ? " (no significant difference)"
                       : std::abs(out.ratio - 1) <= kAsGood ? " (less than 2 % apart)"
                                                            : "");
         return out;

@@ -101,10 +101,14 @@ std::string differences(const Results &results, std::size_t condition, std::size
         if (pairs.empty())
             continue;
         std::string list;
+        std::size_t unknown = 0;
         for (const ArmComparison &pair : pairs) {
             if (pair.comparison.significant())
                 list += (list.empty() ? "" : "; ") + pairText(results.plan, pair);
+            unknown += !pair.comparison.known();
         }
+        if (unknown > 0)
+            list += (list.empty() ? "" : "; ") + ("of " + std::to_string(unknown)) + " it cannot be said, as neither of the two varies";
         out += "<tr><td>" + escaped(info(metric).title) + "</td><td>" + std::to_string(pairs.size()) + "</td><td class=\"text\">"
                + (list.empty() ? "none" : list) + "</td></tr>\n";
     }
@@ -117,6 +121,11 @@ std::string differences(const Results &results, std::size_t condition, std::size
     return out;
 }
 
+const char *verdictText(const Comparison &comparison, bool differs)
+{
+    return !comparison.known() ? "cannot be said" : differs ? "differs" : "no difference";
+}
+
 std::string noiseTable(const Results &results)
 {
     std::string rows;
@@ -125,7 +134,7 @@ std::string noiseTable(const Results &results)
         if (std::find(kCompared.begin(), kCompared.end(), noise.metric) != kCompared.end())
             rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + escaped(info(noise.metric).title),
                          readable(noise.mean), readable(noise.meanAgain), readable(100 * (noise.meanAgain / noise.mean - 1)) + " %",
-                         readable(noise.test.p), readable(noise.adjusted), noise.differs() ? "differs" : "no difference"});
+                         readable(noise.comparison.test.p), readable(noise.comparison.adjusted), verdictText(noise.comparison, noise.differs())});
     }
     if (rows.empty())
         return "<p>No suite was measured twice.</p>\n";

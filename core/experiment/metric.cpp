@@ -11,12 +11,15 @@ namespace skyseal::experiment {
 namespace {
 
 /// Percentiles are ends of a histogram's buckets, which are at most this far apart.
-constexpr double kHistogramStep = 1.0 / (1u << metrics::Histogram::kStepBits);
+constexpr Resolution kHistogramStep{1.0 / (1u << metrics::Histogram::kStepBits)};
+/// Whether a frame falls within a run or next to it is chance, at each of the run's two ends.
+constexpr double kEdgeFrames = 2;
 
 constexpr std::array<MetricInfo, kMetrics> kTable{{
     {Metric::Packets, "packets", "Packets transmitted", "",
-     "MAVLink frames that the station took in from the vehicle during the run, second copies of clear ones left out"},
-    {Metric::FrameRate, "frame_rate", "Rate", "frames/s", "the same for each second"},
+     "MAVLink frames that the station took in from the vehicle during the run, second copies of clear ones left out",
+     {0, kEdgeFrames}},
+    {Metric::FrameRate, "frame_rate", "Rate", "frames/s", "the same for each second", {0, kEdgeFrames, true}},
     {Metric::ByteRate, "byte_rate", "Rate in bytes", "B/s", "MAVLink bytes taken in for each second, after opening"},
     {Metric::Loss, "loss", "Frames lost", "", "share of the vehicle's frames missing by MAVLink sequence numbers, 0 to 1"},
     {Metric::RecordLoss, "record_loss", "Records lost, to the station", "",
@@ -27,12 +30,12 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      "CPU time of the station's I/O thread (receive, open, parse, send), percent of one core"},
     {Metric::CpuProcess, "cpu_process", "CPU load, station's process", "%", "all threads of the measuring program"},
     {Metric::CpuSuite, "cpu_suite", "CPU load of the suite, station", "%",
-     "time inside seal and open, clocked around each call, percent of one core"},
+     "time inside seal and open, clocked around each call, percent of one core", {}, true, true},
     {Metric::AgentCpu, "agent_cpu", "CPU load, agent", "%",
      "CPU time of the agent's process, as it reports over the sealed link; in clear and in runs of under 2 s by the kernel's "
      "clock of that process, same machine only"},
     {Metric::AgentCpuSuite, "agent_cpu_suite", "CPU load of the suite, agent", "%",
-     "time inside seal and open at the agent, as it reports over the sealed link, percent of one core"},
+     "time inside seal and open at the agent, as it reports over the sealed link, percent of one core", {}, true, true},
     {Metric::CpuPerFrame, "cpu_per_frame", "CPU time per frame, station", "ns", "I/O thread's time divided by frames"},
     {Metric::AgentCpuPerFrame, "agent_cpu_per_frame", "CPU time per frame, agent", "ns",
      "agent's CPU load over its reports, divided by the frame rate of the run"},
@@ -46,16 +49,16 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      "mean, clocked around each call at the agent, as it reports over the sealed link"},
     {Metric::AgentSeal, "agent_seal", "Sealing a record, agent", "ns", "the same"},
     {Metric::Memory, "memory", "Memory, station", "B",
-     "resident set of the measuring program at the end of the run; one process through all suites, so no suite's own", 0, false},
+     "resident set of the measuring program at the end of the run; one process through all suites, so no suite's own", {}, false},
     {Metric::AgentMemory, "agent_memory", "Memory, agent", "B",
      "resident set of the agent at the end of the run, as it reports over the sealed link, otherwise from /proc, same machine "
-     "only; one process through all suites, so no suite's own", 0, false},
+     "only; one process through all suites, so no suite's own", {}, false},
     {Metric::WireBytes, "wire_bytes", "Bytes on the wire", "B", "UDP payload of both directions during the run"},
     {Metric::WireRate, "wire_rate", "Bytes on the wire, to the station", "B/s", "UDP payload for each second"},
     {Metric::WirePerFrame, "wire_per_frame", "Wire cost of a frame", "B",
      "bytes to the station, 28 of IPv4 and UDP headers for each datagram included, divided by frames"},
     {Metric::Overhead, "overhead", "Overhead on the wire", "%",
-     "UDP payload to the station over the MAVLink bytes in it"},
+     "UDP payload to the station over the MAVLink bytes in it", {}, true, true},
     {Metric::Latency, "latency", "Latency", "ms", "TIMESYNC to the vehicle and back, mean of the run"},
     {Metric::SessionMemory, "session_memory", "Memory of a session", "B",
      "heap that one end's session takes, its keyed ciphers included; measured in this program with a session of its own"},

@@ -21,6 +21,14 @@ enum class Metric : std::uint8_t {
 };
 inline constexpr std::size_t kMetrics = 30;
 
+/// What an instrument cannot tell apart: differences of means within it say nothing, however often they repeat.
+struct Resolution
+{
+    double share = 0;  ///< of the value
+    double frames = 0; ///< in a run
+    bool perSecond = false; ///< the value is those frames divided by the seconds of the run
+};
+
 struct MetricInfo
 {
     Metric metric{};
@@ -28,12 +36,12 @@ struct MetricInfo
     std::string_view title; ///< "CPU time per frame, station"
     std::string_view unit;  ///< "ns"; empty for plain numbers
     std::string_view what;  ///< where it comes from
-    /// What the instrument cannot tell apart, as a share of the value: differences of means within it say nothing, however
-    /// often they repeat.
-    double step = 0;
+    Resolution resolution{};
     /// False for what one process carries from run to run, so that no run says anything that the one before did not: no interval
     /// can be given then, and no two suites be compared.
     bool independent = true;
+    /// What plain MAVLink has none of by definition, so that its zero is compared with nothing.
+    bool zeroInPlain = false;
 };
 
 std::span<const MetricInfo> metrics();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFence = 1.5;
-constexpr std::size_t kLeastForFences = 5;
+constexpr std::size_t kLeastForFences = 5, kLeastUnvaried = 5;
 
 /// The continued fraction of the incomplete beta function (DLMF 8.17.22) by Lentz's method.
 double betaFraction(double a, double b, double x)
@@ -147,9 +147,9 @@ Summary summarise(std::span<const double> samples)
     return out;
 }
 
-double WelchTest::halfWidth90() const
+double WelchTest::halfWidth(double confidence) const
 {
-    return degrees > 0 ? studentQuantile(0.95, degrees) * error : std::numeric_limits<double>::infinity();
+    return degrees > 0 ? studentQuantile((1 + confidence) / 2, degrees) * error : std::numeric_limits<double>::infinity();
 }
 
 WelchTest welch(std::span<const double> first, std::span<const double> second)
@@ -164,6 +164,8 @@ WelchTest welch(std::span<const double> first, std::span<const double> second)
     out.difference = meanB - meanA;
     const double error = errorA + errorB;
     out.error = std::sqrt(error);
+    if (error == 0 && std::min(a.size(), b.size()) < kLeastUnvaried)
+        return out;
     if (error == 0) { // counts that never vary: any difference is one
         out.t = out.difference == 0 ? 0 : std::copysign(std::numeric_limits<double>::infinity(), out.difference);
         out.degrees = na + nb - 2;
@@ -178,13 +180,16 @@ WelchTest welch(std::span<const double> first, std::span<const double> second)
 
 std::vector<double> holm(std::span<const double> p)
 {
-    std::vector<std::size_t> order(p.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::vector<double> out(p.begin(), p.end());
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        if (!std::isnan(p[i]))
+            order.push_back(i);
+    }
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
-    std::vector<double> out(p.size());
     double highest = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
-        highest = std::max(highest, std::min(1.0, static_cast<double>(p.size() - i) * p[order[i]]));
+        highest = std::max(highest, std::min(1.0, static_cast<double>(order.size() - i) * p[order[i]]));
         out[order[i]] = highest;
     }
     return out;

@@ -44,22 +44,26 @@ struct Summary
 Summary summarise(std::span<const double> samples);
 
 /// Whether two groups have different means.
+///
+/// It cannot be said, and there is no test, of fewer than two samples in a group, nor where neither group varies and one has fewer
+/// than five: a count that came out alike two or three times may well vary by one, and the test would take that for certain.
 struct WelchTest
 {
     double difference = 0; ///< mean of the second less that of the first
-    double t = 0;
-    double degrees = 0;    ///< Welch–Satterthwaite
-    double p = 1;          ///< two-sided; 1 when it cannot be said (fewer than two samples in a group)
+    double t = std::numeric_limits<double>::quiet_NaN();       ///< NaN when it cannot be said; infinite where neither group varies
+    double degrees = std::numeric_limits<double>::quiet_NaN(); ///< Welch–Satterthwaite; NaN when it cannot be said
+    double p = std::numeric_limits<double>::quiet_NaN();       ///< two-sided; NaN when it cannot be said
     double error = 0;      ///< standard error of the difference
 
-    /// Half of the difference's 90 % confidence interval. Where all of that interval lies within a margin, two one-sided tests at
-    /// 5 % say that the groups are alike but for the margin (Schuirmann 1987). Infinite when it cannot be said.
-    double halfWidth90() const;
+    /// Half of the difference's confidence interval, for 0 < `confidence` < 1; infinite when it cannot be said. Where all of the
+    /// 90 % interval lies within a margin, two one-sided tests at 5 % say that the groups are alike but for the margin
+    /// (Schuirmann 1987).
+    double halfWidth(double confidence) const;
 };
 WelchTest welch(std::span<const double> first, std::span<const double> second);
 
 /// The p values as Holm's method raises them, so that among all of them together the chance of one false alarm stays what a
-/// single one claims. Same order as given.
+/// single one claims. Same order as given; NaN is no test, and stays.
 std::vector<double> holm(std::span<const double> p);
 
 /// A statement about one pair of groups.
@@ -68,8 +72,14 @@ struct Comparison
     std::size_t first = 0, second = 0; ///< indices of the groups
     WelchTest test;
     double adjusted = 1; ///< p after Holm's correction over all pairs
-    double step = 0;     ///< a smaller difference is within what the instrument can tell apart
-    bool significant() const { return adjusted < 0.05 && std::abs(test.difference) > step; }
+    double step = 0;     ///< a difference up to this is within what the instrument can tell apart, and so is none
+
+    bool beyondStep() const { return std::abs(test.difference) > step; }
+    bool significant() const { return adjusted < 0.05 && beyondStep(); }
+    /// The same by its own p, as if no other pair were compared.
+    bool significantAlone() const { return test.p < 0.05 && beyondStep(); }
+    /// False where whether they differ cannot be said, as there is no test.
+    bool known() const { return !std::isnan(test.p) || !beyondStep(); }
 };
 
 /// Every pair of groups that can be compared (two samples in each), corrected together.

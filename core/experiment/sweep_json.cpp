@@ -15,10 +15,18 @@ void number(JsonWriter &json, std::string_view key, double value)
     json.key(key);
     if (std::isfinite(value))
         json.value(value);
-    else if (std::isnan(value))
-        json.null();
     else
-        json.value(value); // "Infinity": a difference between counts that never vary
+        json.null();
+}
+
+/// Null where it cannot be said.
+void verdict(JsonWriter &json, std::string_view key, const Comparison &comparison, bool holds)
+{
+    json.key(key);
+    if (comparison.known())
+        json.value(holds);
+    else
+        json.null();
 }
 
 void place(JsonWriter &json, const Plan &plan, std::size_t condition, std::size_t load)
@@ -132,12 +140,16 @@ void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pa
     json.field("second_framing", framingName(plan.arms[pair.second]));
     number(json, "difference", pair.comparison.test.difference);
     number(json, "ratio", (pair.firstMean + pair.comparison.test.difference) / pair.firstMean);
-    number(json, "t", pair.comparison.test.t);
+    if (std::isinf(pair.comparison.test.t))
+        json.field("t", pair.comparison.test.t); // "Infinity": a difference between counts that never vary
+    else
+        number(json, "t", pair.comparison.test.t);
     number(json, "df", pair.comparison.test.degrees);
     number(json, "p", pair.comparison.test.p);
     number(json, "p_holm", pair.comparison.adjusted);
     number(json, "step", pair.comparison.step);
-    json.field("significant", pair.comparison.significant()).endObject();
+    verdict(json, "significant", pair.comparison, pair.comparison.significant());
+    json.endObject();
 }
 
 void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
@@ -148,10 +160,11 @@ void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
     json.field("framing", framingName(plan.arms[noise.arm]));
     number(json, "mean", noise.mean);
     number(json, "mean_again", noise.meanAgain);
-    number(json, "p", noise.test.p);
-    number(json, "p_holm", noise.adjusted);
-    number(json, "step", noise.step);
-    json.field("differs", noise.differs()).endObject();
+    number(json, "p", noise.comparison.test.p);
+    number(json, "p_holm", noise.comparison.adjusted);
+    number(json, "step", noise.comparison.step);
+    verdict(json, "differs", noise.comparison, noise.differs());
+    json.endObject();
 }
 
 void writeVerdict(JsonWriter &json, const Plan &plan, const Verdict &verdict)

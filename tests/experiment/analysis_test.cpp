@@ -36,13 +36,18 @@ Summary summaryOf(const Results &results, std::size_t arm, Metric metric)
     return summarise(valuesOf(results, {0, 0, arm}, metric));
 }
 
-bool differ(const Results &results, std::size_t first, std::size_t second, Metric metric)
+Comparison comparisonOf(const Results &results, std::size_t first, std::size_t second, Metric metric)
 {
     for (const ArmComparison &pair : compareArms(results, 0, 0, metric)) {
         if (pair.first == first && pair.second == second)
-            return pair.comparison.significant();
+            return pair.comparison;
     }
-    return false;
+    return {};
+}
+
+bool differ(const Results &results, std::size_t first, std::size_t second, Metric metric)
+{
+    return comparisonOf(results, first, second, metric).significant();
 }
 
 /// The next value that a histogram's percentile can have.
@@ -65,6 +70,9 @@ private Q_SLOTS:
     void realDifferenceIsFound();
     void oneStepOfAHistogramIsNoDifference_data();
     void oneStepOfAHistogramIsNoDifference();
+    void framesAtTheEdgesAreNoDifference();
+    void coinsAreNoDifference();
+    void zeroByDefinitionIsNotCompared();
     void rareLongCallsDoNotMoveThePercentile();
 };
 
@@ -149,8 +157,58 @@ void AnalysisTest::oneStepOfAHistogramIsNoDifference()
         const Results again = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 3 ? nextStep(value) : value; });
         QVERIFY(!noiseOf(again).at(0).differs());
     }
-    // What is counted one by one has no such step.
+    // A mean has no such step.
     QVERIFY(differ(sweepOf(Metric::WirePerFrame, 5, [](std::size_t arm) { return arm == 1 ? 101.0 : 100.0; }), 0, 1, Metric::WirePerFrame));
+}
+
+/// Which frames fall within a run and which next to it is chance; the same count three times does not make it less so.
+void AnalysisTest::framesAtTheEdgesAreNoDifference()
+{
+    for (const unsigned repeats : {2u, 3u, 5u, 20u}) {
+        for (const std::size_t other : {1u, 3u}) { // another suite; the same again
+            for (const double more : {1.0, 2.0, 3.0}) {
+                Results results = sweepOf(Metric::Packets, repeats, [&](std::size_t arm) { return arm == other ? 367 + more : 367.0; });
+                for (Sample &sample : results.samples)
+                    sample.values[Metric::FrameRate] = sample.values[Metric::Packets] / seconds(results.plan.measure);
+                const bool beyond = more > 2, tested = repeats >= 5;
+                for (const Metric metric : {Metric::Packets, Metric::FrameRate}) {
+                    Comparison comparison = comparisonOf(results, 0, 1, metric);
+                    if (other == 3) {
+                        const std::vector<Noise> noise = noiseOf(results);
+                        comparison = std::find_if(noise.begin(), noise.end(), [&](const Noise &one) { return one.metric == metric; })->comparison;
+                    }
+                    QCOMPARE(std::isnan(comparison.test.p), !tested);
+                    QCOMPARE(comparison.significant(), beyond && tested);
+                    QCOMPARE(comparison.significantAlone(), beyond && tested);
+                    QCOMPARE(comparison.known(), !beyond || tested);
+                }
+            }
+        }
+    }
+}
+
+/// As the count of a run comes out by the phase of its ends alone: one more or not, by a coin.
+void AnalysisTest::coinsAreNoDifference()
+{
+    std::mt19937 random(kSeed);
+    for (int i = 0; i < 2000; ++i) {
+        const Results results = sweepOf(Metric::Packets, 2 + static_cast<unsigned>(i) % 3, [&](std::size_t) { return 367.0 + random() % 2; });
+        for (const ArmComparison &pair : compareArms(results, 0, 0, Metric::Packets))
+            QVERIFY(!pair.comparison.significant() && pair.comparison.known());
+        QVERIFY(!noiseOf(results).at(0).differs());
+    }
+}
+
+/// Plain MAVLink has no suite to take time, and nothing around its frames: that it takes less than others is no finding.
+void AnalysisTest::zeroByDefinitionIsNotCompared()
+{
+    for (const Metric metric : {Metric::CpuSuite, Metric::AgentCpuSuite, Metric::Overhead, Metric::Cpu}) {
+        Results results = sweepOf(metric, 5, [](std::size_t arm) { return arm == 0 ? 0.0 : 10.0 + static_cast<double>(arm); });
+        results.plan.arms = {{SuiteId::None}, {SuiteId::Aes256Gcm}, {SuiteId::Rc4}, {SuiteId::ChaCha20Poly1305}};
+        const auto pairs = compareArms(results, 0, 0, metric);
+        QCOMPARE(pairs.size(), std::size_t(metric == Metric::Cpu ? 6 : 3));
+        QCOMPARE(pairs.front().first, std::size_t(metric == Metric::Cpu ? 0 : 1));
+    }
 }
 
 void AnalysisTest::rareLongCallsDoNotMoveThePercentile()

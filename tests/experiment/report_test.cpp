@@ -86,6 +86,8 @@ private Q_SLOTS:
     void runsAreCounted();
     void howPlainTravelsIsSaid();
     void noiseIsNoDifference();
+    void untestedIsSaidSo();
+    void ratioToNothingIsNull();
     void framingsAreTold();
     void reportIsWholeAndSafe();
 };
@@ -322,6 +324,38 @@ void ReportTest::noiseIsNoDifference()
     QVERIFY(noise[0].metric == Metric::Packets && !noise[0].differs());
     QCOMPARE(results.plan.arms[noise[0].arm].suite, SuiteId::ChaCha20);
     QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(21)); // the repeated arm is no suite
+}
+
+/// Where there was no test, no file claims that there was one.
+void ReportTest::untestedIsSaidSo()
+{
+    Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
+    results.plan.repeats = 3;
+    std::erase_if(results.samples, [](const Sample &sample) { return sample.run.repeat >= 3; });
+    for (Sample &sample : results.samples)
+        sample.values[Metric::Packets] = 1000 + 10 * static_cast<double>(sample.run.arm);
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
+    for (const char *list : {"comparisons", "noise"}) {
+        const QJsonArray pairs = json[QLatin1String(list)].toArray();
+        QVERIFY(!pairs.isEmpty());
+        for (const QJsonValue pair : pairs) {
+            for (const char *key : {"p", "p_holm", *list == 'n' ? "differs" : "significant"})
+                QVERIFY2(pair.toObject().contains(QLatin1String(key)) && pair[QLatin1String(key)].isNull(), key);
+            QCOMPARE(pair[QLatin1String("step")].toDouble(), 2.0);
+        }
+    }
+    const std::string page = htmlReport({results, {}, {}, paperClaims(results, [](SuiteId) { return std::nan(""); })});
+    QVERIFY(page.find(">of 21 it cannot be said") != std::string::npos && page.find(">cannot be said<") != std::string::npos);
+    QVERIFY(page.find("too few runs to say whether they differ") != std::string::npos);
+}
+
+/// A share of nothing is no number, and no text either.
+void ReportTest::ratioToNothingIsNull()
+{
+    const Results results = resultsWith(Metric::RecordLoss, [](SuiteId suite) { return suite == SuiteId::Aes256Gcm ? 0.1 : 0.0; });
+    const std::string json = sweepJson(results, {});
+    QVERIFY(json.find("\"ratio\":null") != std::string::npos && json.find("\"significant\":true") != std::string::npos);
+    QVERIFY(json.find("Infinity") == std::string::npos);
 }
 
 void ReportTest::framingsAreTold()

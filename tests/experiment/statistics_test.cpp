@@ -210,10 +210,16 @@ void StatisticsTest::welchAgreesWithR()
 void StatisticsTest::constantGroups()
 {
     const std::vector<double> zeros{0, 0, 0}, ones{1, 1, 1};
-    QCOMPARE(welch(zeros, zeros).p, 1.0);
-    QCOMPARE(welch(zeros, ones).p, 0.0);
+    QVERIFY(std::isnan(welch(zeros, zeros).p) && std::isnan(welch(zeros, ones).p)); // too few to say that they never vary
+    QVERIFY(std::isnan(welch(zeros, ones).t) && std::isinf(welch(zeros, ones).halfWidth(0.95)));
     QCOMPARE(welch(zeros, ones).difference, 1.0);
-    QCOMPARE(welch(zeros, std::vector<double>{1}).p, 1.0); // one sample says nothing
+    QVERIFY(std::isnan(welch(zeros, std::vector<double>{1}).p)); // one sample says nothing
+    const std::vector<double> manyZeros(5, 0), manyOnes(5, 1);
+    QVERIFY(std::isnan(welch(zeros, manyOnes).p));
+    QCOMPARE(welch(manyZeros, manyZeros).p, 1.0);
+    QCOMPARE(welch(manyZeros, manyOnes).p, 0.0);
+    QCOMPARE(welch(manyZeros, manyOnes).halfWidth(0.95), 0.0);
+    QVERIFY(std::isfinite(welch(zeros, std::vector<double>{1, 1, 2}).p)); // one that varies is enough
 }
 
 void StatisticsTest::holmsExample()
@@ -223,6 +229,10 @@ void StatisticsTest::holmsExample()
     const std::vector<double> expected{0.03, 0.06, 0.06, 0.02};
     for (std::size_t i = 0; i < expected.size(); ++i)
         QVERIFY(near(adjusted[i], expected[i], 1e-15));
+    // A pair that was not tested is none of the family.
+    const std::vector<double> withGap = holm(std::vector<double>{0.01, kNaN, 0.04, 0.03, kNaN, 0.005});
+    QCOMPARE((std::vector<double>{withGap[0], withGap[2], withGap[3], withGap[5]}), adjusted);
+    QVERIFY(std::isnan(withGap[1]) && std::isnan(withGap[4]));
 }
 
 void StatisticsTest::holmIsBetweenNothingAndBonferroni()
