@@ -6,6 +6,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "reconstruction.h"
+#include "thief.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -24,6 +25,7 @@ private Q_SLOTS:
     void interception();
     void unknownKeyShare();
     void keyCompromiseImpersonation();
+    void revealedKeysOpenNothing_data();
     void revealedKeysOpenNothing();
     void replayedFirstMessage();
     void everyBitOfTheFirst();
@@ -60,6 +62,21 @@ noise::HandshakeConfig noiseConfig(noise::Role role, const X25519KeyPair &own, B
     config.localStatic = own.clone();
     config.psks.emplace_back();
     return config;
+}
+
+/// A station's first record of a session with these keys: one frame.
+Bytes recordUnder(const RevealedSession &session, ConnectionId connection)
+{
+    constexpr SuiteId kSuite = SuiteId::ChaCha20Poly1305;
+    const auto writer = crypto::makeRecordCipher(kSuite, session.epochZero(kSuite).fromInitiator.clone());
+    const RecordHeader header{DatagramKind::Record, 0, connection, 0};
+    const Bytes frame(28, 0xfd);
+    Bytes record(frame.size() + kMaxRecordOverhead);
+    header.write(record);
+    const AssociatedData said(header, kSuite, Direction::FromInitiator, Carrier::Datagram);
+    record.resize(header.length()
+                  + writer->seal(0, said.view(), frame, MutableByteView(record).subspan(header.length())));
+    return record;
 }
 
 } // namespace
@@ -123,30 +140,68 @@ void AttackHandshakeTest::unknownKeyShare()
 
 void AttackHandshakeTest::keyCompromiseImpersonation()
 {
-    // With the agent's own secret an attacker can write a first message in the station's name, since Noise's "ss" is
-    // computed from either secret: it is what the station's own key makes, except that nobody can take the answer.
+    // Who stole the agent's own secret writes a first message in the station's name, with the greatest counter there is. The
+    // agent answers it; to go on takes what only the station's secret or the agent's ephemeral one gives.
     Pair pair(attackOptions());
+    Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
-    const auto forged = Initiator::begin(*pair.ground().identity, known(*pair.air().identity),
-                                         {ConnectionId{1}, m_offer, UINT64_MAX}, m_random);
-    QVERIFY(forged);
-    offer(pair, Air, Bytes(forged->message().begin(), forged->message().end()));
+    const crypto::PublicKey &station = pair.ground().identity->publicKey;
+    const auto before = pair.air().counters.lastSeen(station);
+    const auto call = [&](std::uint64_t counter) {
+        Thief thief(pair.air().identity->clone(), station, {ConnectionId{1}, m_offer, counter}, m_random);
+        offer(pair, Air, Bytes(thief.message().begin(), thief.message().end()));
+        pair.pump();
+        return thief;
+    };
+    const Thief thief = call(UINT64_MAX);
+    const Bytes answer = tap.ofKind(0x5a).back().bytes;
+    QCOMPARE(tap.ofKind(0x5a).size(), 2u);
     QCOMPARE(pair.air().endpoint->strays().forged, std::uint64_t(0));
+    // He is even told where the agent expects his records.
+    const auto se = crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(answer));
+    const auto truth = thief.withGuess(answer, se->clone());
+    QVERIFY(truth.read);
+    std::size_t taken = 0;
+    for (const auto &guess : thief.guesses(answer)) {
+        const auto guessed = thief.withGuess(answer, guess);
+        taken += guessed.read.has_value();
+        taken += offer(pair, Air, recordUnder(guessed.session, truth.read->connection));
+    }
     pair.run(15s);
-    HOLDS(pair.air().all<SessionUp>().size() == 1 && pair.air().all<SessionDown>().empty(),
+    HOLDS(taken == 0 && pair.air().all<SessionUp>().size() == 1 && pair.air().all<SessionDown>().empty(),
           "no session comes of it, and none ends");
-    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before); // Not spent either.
+    QCOMPARE(pair.air().counters.lastSeen(station), before); // Not spent either.
     QVERIFY(aliveAndExact(pair));
     pair.kill(Ground);
     pair.start(Ground); // with a counter far below that of the forged one
     QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
+    // Nothing else was missing: the same record made with the station's secret as well is taken.
+    const Thief both = call(UINT64_MAX);
+    const Bytes last = tap.ofKind(0x5a).back().bytes;
+    const auto session = both.withGuess(last, crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(last)));
+    QVERIFY(session.read && offer(pair, Air, recordUnder(session.session, session.read->connection)));
+    pair.pump();
+    QCOMPARE(pair.air().all<SessionUp>().size(), 3u);
+}
+
+void AttackHandshakeTest::revealedKeysOpenNothing_data()
+{
+    QTest::addColumn<bool>("presharedKey");
+    QTest::newRow("both static keys") << false;
+    QTest::newRow("both static keys and the pre-shared one") << true;
 }
 
 void AttackHandshakeTest::revealedKeysOpenNothing()
 {
-    Pair pair(attackOptions());
+    QFETCH(bool, presharedKey);
+    PairOptions options = attackOptions();
+    Key32 psk;
+    if (presharedKey) {
+        m_random.fill(psk.mutableView());
+        options.presharedKey = std::make_shared<const Key32>(psk.clone());
+    }
+    Pair pair(options);
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.sendFrame(Air);
@@ -169,7 +224,7 @@ void AttackHandshakeTest::revealedKeysOpenNothing()
     Reconstruction reconstruction(station, agent, first, answer);
     std::size_t opened = 0;
     for (const auto &guess : guesses) {
-        auto session = reconstruction.withGuess(guess);
+        auto session = reconstruction.withGuess(guess, psk);
         if (!session)
             continue;
         auto secrets = session->epochZero(SuiteId::ChaCha20Poly1305);

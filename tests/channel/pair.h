@@ -64,6 +64,7 @@ struct PairOptions
     Timing timing;
     Carrier carrier = Carrier::Datagram;
     bool announceToAddress = true; ///< otherwise to the one peer of the link, by an all-zero address
+    std::shared_ptr<const Key32> presharedKey; ///< of both ends; none = they have none
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};
     /// For frames sealed in place: what they look like, and a real one whose payload begins with a number. Without these,

@@ -1,5 +1,5 @@
-// What can be computed of a recorded handshake by somebody who has both static keys (and no psk was set): everything but the
-// secret of the two ephemeral keys, for which something has to be put in.
+// What can be computed of a recorded handshake by somebody who has both static keys, and the pre-shared one: everything but
+// the secret of the two ephemeral keys, for which something has to be put in.
 #pragma once
 
 #include "core/channel/handshake.h"
@@ -41,8 +41,9 @@ public:
     {
     }
 
-    /// `guess`: for the shared secret of the ephemeral keys; nullopt mixes nothing in. nullopt when the answer does not open.
-    std::optional<RevealedSession> withGuess(const std::optional<Key32> &guess)
+    /// `guess`: for the shared secret of the ephemeral keys; nullopt mixes nothing in. `psk`: zeros when there was none.
+    /// nullopt when the answer does not open.
+    std::optional<RevealedSession> withGuess(const std::optional<Key32> &guess, const Key32 &psk = Key32())
     {
         noise::SymmetricState state;
         state.initializeSymmetric("Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b");
@@ -61,7 +62,7 @@ public:
         if (guess)
             state.mixKey(guess->view());
         mix(state, m_station, re);
-        state.mixKeyAndHash(Key32().view());
+        state.mixKeyAndHash(psk.view());
         if (!state.decryptAndHash(answered, plain))
             return std::nullopt;
         auto [initiators, responders] = state.split();
