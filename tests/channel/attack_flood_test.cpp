@@ -278,9 +278,9 @@ void AttackFloodTest::noMoreOutThanInBesideASession_data()
 
 void AttackFloodTest::noMoreOutThanInBesideASession()
 {
-    // Who jammed a link for a while has first messages that the station made meanwhile and nobody ever confirmed, so that their
-    // counters stay good while the session goes on by records. An agent keeps four answers of one peer: of five messages in
-    // turn all but the newest are new to it each time. The same flight without the attack tells what the attack causes.
+    // Who jammed a link for a while has first messages that the station made meanwhile and nobody ever confirmed, so that
+    // their counters stay good while the session goes on by records. An agent keeps four answers of one peer: of five messages
+    // in turn all but the newest are new to it each time. The same flight without the attack tells what the attack causes.
     QFETCH(int, messages);
     QFETCH(int, times);
     QFETCH(int, aSecond);
