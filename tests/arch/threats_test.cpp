@@ -1,5 +1,5 @@
-// Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; and each attack
-// test is named there, and proven to be able to fail.
+// Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; each attack
+// test is named there, and proven to be able to fail; and each threat has such a test, or says why not.
 #include "tests/weakened/proofs.h"
 
 #include <QtCore/QDirIterator>
@@ -36,32 +36,54 @@ struct Mention
     QString function; ///< empty: the whole program
 };
 
-/// "program: function, function; program" of the last column of every table row.
-QList<Mention> mentions()
+QString document()
+{
+    return contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md"));
+}
+
+/// "program: function, function; program" of the last column of a table's row; nothing of other lines.
+QList<Mention> mentionsOf(const QString &line)
 {
     QList<Mention> out;
     static const QRegularExpression remark(QStringLiteral("\\([^)]*\\)"));
-    for (const QString &line :
-         contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md")).split(QLatin1Char('\n'))) {
-        if (!line.startsWith(QStringLiteral("| ")))
+    if (!line.startsWith(QStringLiteral("| ")))
+        return out;
+    const QStringList cells = line.split(QLatin1Char('|'));
+    QString last = cells[cells.size() - 2];
+    last.remove(remark);
+    for (const QString &part : last.split(QLatin1Char(';'))) {
+        const QStringList names = part.trimmed().split(QLatin1Char(':'));
+        if (names[0].isEmpty() || names[0] == QStringLiteral("test") || names[0].startsWith(QChar(0x2013)))
             continue;
-        const QStringList cells = line.split(QLatin1Char('|'));
-        QString last = cells[cells.size() - 2];
-        last.remove(remark);
-        for (const QString &part : last.split(QLatin1Char(';'))) {
-            const QStringList names = part.trimmed().split(QLatin1Char(':'));
-            if (names[0].isEmpty() || names[0] == QStringLiteral("test") || names[0].startsWith(QChar(0x2013)))
-                continue;
-            if (names.size() == 1) {
-                for (const QString &program : names[0].split(QLatin1Char(',')))
-                    out.append({cells[1].trimmed(), program.trimmed(), {}});
-                continue;
-            }
-            for (const QString &function : names[1].split(QLatin1Char(',')))
-                out.append({cells[1].trimmed(), names[0].trimmed(), function.trimmed()});
+        if (names.size() == 1) {
+            for (const QString &program : names[0].split(QLatin1Char(',')))
+                out.append({cells[1].trimmed(), program.trimmed(), {}});
+            continue;
         }
+        for (const QString &function : names[1].split(QLatin1Char(',')))
+            out.append({cells[1].trimmed(), names[0].trimmed(), function.trimmed()});
     }
     return out;
+}
+
+QList<Mention> mentions()
+{
+    QList<Mention> out;
+    for (const QString &line : document().split(QLatin1Char('\n')))
+        out += mentionsOf(line);
+    return out;
+}
+
+bool proves(const skyseal::test::Proof &proof, const Mention &mention)
+{
+    return mention.function == QLatin1String(proof.function)
+        && QString::fromLatin1(proof.program).endsWith(mention.program + QStringLiteral("_test"));
+}
+
+bool isProven(const Mention &mention)
+{
+    return std::any_of(std::begin(skyseal::test::kProofs), std::end(skyseal::test::kProofs),
+                       [&mention](const skyseal::test::Proof &proof) { return proves(proof, mention); });
 }
 
 } // namespace
@@ -73,6 +95,7 @@ class ThreatsTest : public QObject
 private Q_SLOTS:
     void namedTestsExist();
     void attacksAreNamedAndProven();
+    void threatsWithoutATwinSayWhy();
 };
 
 void ThreatsTest::namedTestsExist()
@@ -93,7 +116,7 @@ void ThreatsTest::attacksAreNamedAndProven()
 {
     const QList<Mention> all = mentions();
     for (const skyseal::test::Proof &proof : skyseal::test::kProofs) {
-        const auto named = [&proof](const Mention &mention) { return mention.function == QLatin1String(proof.function); };
+        const auto named = [&proof](const Mention &mention) { return proves(proof, mention); };
         QVERIFY2(std::any_of(all.begin(), all.end(), named), proof.function);
     }
     // proof_test sees to the functions of these programs.
@@ -107,6 +130,26 @@ void ThreatsTest::attacksAreNamedAndProven()
         QVERIFY2(std::any_of(std::begin(skyseal::test::kProofs), std::end(skyseal::test::kProofs), proven), qPrintable(name));
     }
     QVERIFY(programs >= 8);
+}
+
+void ThreatsTest::threatsWithoutATwinSayWhy()
+{
+    const QString section =
+        document().section(QStringLiteral("## Threat by threat"), 1, 1).section(QStringLiteral("\n## "), 0, 0);
+    static const QRegularExpression reason(QStringLiteral("\\(no twin: ([a-z ]+)\\)"));
+    int threats = 0;
+    for (const QString &line : section.split(QLatin1Char('\n'))) {
+        const QList<Mention> named = mentionsOf(line);
+        if (named.isEmpty())
+            continue;
+        ++threats;
+        const bool hasTwin = std::any_of(named.begin(), named.end(), isProven);
+        const auto said = reason.match(line);
+        QVERIFY2(hasTwin != said.hasMatch(), qPrintable(line));
+        // In words that the section explains.
+        QVERIFY2(hasTwin || section.contains(QStringLiteral("\n- *%1*").arg(said.captured(1))), qPrintable(line));
+    }
+    QVERIFY2(threats > 50, qPrintable(QString::number(threats)));
 }
 
 QTEST_APPLESS_MAIN(ThreatsTest)
