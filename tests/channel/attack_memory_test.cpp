@@ -169,7 +169,7 @@ void AttackMemoryTest::deadSecretsAreGone_data()
 {
     QTest::addColumn<int>("suite");
     for (const auto &info : crypto::suites()) {
-        if (info.authenticated && !info.research)
+        if (info.authenticated && !info.research) // No session begins under a research suite.
             QTest::newRow(info.name.data()) << static_cast<int>(info.id);
     }
 }
