@@ -55,6 +55,7 @@ MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts fact
     makeCentre();
     m_commands->setTakeOffAltitude(m_settings.takeOffAltitude);
     m_docks = new WindowDocks(*this, {m_station, *m_commands, *m_suites, m_facts.recordFolder});
+    m_docks->diagnostics->setSessionMeasure(m_facts.sessionBytes);
     new MainMenus(*this);
     connectPanels();
     resize(1280, 800);

@@ -2,6 +2,7 @@
 // their wishes to the station; what the panels look like is their own business.
 #pragma once
 
+#include "ui/charts/session_memory.h"
 #include "ui/scene.h"
 #include "ui/settings.h"
 
@@ -35,6 +36,8 @@ struct ProgramFacts
     QString recordFolder;
     QString demoCommand;             ///< words of the empty state; unused when empty
     bool demoAvailable = false;
+    /// Heap of one end's session under a suite; for the diagnostics.
+    SessionMemory::Measure sessionBytes = experiment::sessionBytes;
 };
 
 class MainWindow : public QMainWindow

@@ -23,7 +23,7 @@ namespace {
 const QString kName = QStringLiteral("skyseal-cli sweep");
 
 /// What is done with a finished sweep; the exit status.
-int conclude(const experiment::Results &results, const SweepOptions &options)
+int conclude(const experiment::Results &results, const SweepOptions &options, experiment::HeapFigures &heap)
 {
     std::vector<experiment::Verdict> verdicts;
     for (const experiment::Expectation &expectation : options.expectations) {
@@ -40,7 +40,7 @@ int conclude(const experiment::Results &results, const SweepOptions &options)
         hold = hold && verdict.outcome.holds;
     }
     if (!options.folder.isEmpty()) {
-        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts, measureContexts());
+        const SweepFiles files = writeSweepFiles(options.folder, results, verdicts, contextSizes(heap));
         if (!files.problem.empty())
             complain(kName, files.problem);
         if (!files.written)
@@ -67,6 +67,7 @@ int runSweep(const QStringList &arguments)
         complain(kName, options.folder.toStdString() + ": the folder cannot be made");
         return kCannotOpen;
     }
+    experiment::HeapFigures heap; // before the threads
     crypto::SystemRandom random;
     std::unique_ptr<experiment::Lab> lab;
     engine::StationConfig station = options.station;
@@ -88,7 +89,7 @@ int runSweep(const QStringList &arguments)
         describeSetting(SKYSEAL_CLI_VERSION, kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
-    experiment::SweepRunner runner({options.plan, *link, station, lab.get()});
+    experiment::SweepRunner runner({options.plan, *link, station, lab.get(), &heap});
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &runner, &experiment::SweepRunner::cancel);
     QObject::connect(&runner, &experiment::SweepRunner::sampleTaken, qApp, [&](const experiment::Sample &sample) {
@@ -105,7 +106,7 @@ int runSweep(const QStringList &arguments)
             experiment::Results results = runner.results();
             results.setting = setting;
             const bool nothing = results.samples.empty();
-            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options);
+            status = !opened ? kCannotOpen : nothing ? kNotReached : conclude(results, options, heap);
             QCoreApplication::exit(status);
         },
         Qt::QueuedConnection);

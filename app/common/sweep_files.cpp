@@ -88,11 +88,11 @@ QString programPath(const QString &name)
     return QFileInfo(beside).isExecutable() ? beside : QStandardPaths::findExecutable(name);
 }
 
-ContextSizes measureContexts()
+ContextSizes contextSizes(experiment::HeapFigures &heap)
 {
     ContextSizes out;
     for (const crypto::SuiteInfo &suite : crypto::suites()) {
-        if (const auto bytes = experiment::contextBytes(suite.id))
+        if (const auto bytes = heap.context(suite.id))
             out[suite.id] = *bytes;
     }
     return out;

@@ -1,6 +1,7 @@
 // The files of a sweep: sweep.json, sweep.csv, report.html, figures as SVG; PNG and PDF where skyseal-figures is installed.
 #pragma once
 
+#include "core/experiment/heap_figures.h"
 #include "core/experiment/results.h"
 #include "core/experiment/verdicts.h"
 
@@ -20,8 +21,7 @@ struct SweepFiles
 
 /// The heap of one keyed cipher, in bytes, of those suites that it can be told of.
 using ContextSizes = std::map<crypto::SuiteId, double>;
-/// To be called on the main thread, whose heap alone the C library counts.
-ContextSizes measureContexts();
+ContextSizes contextSizes(experiment::HeapFigures &heap);
 
 /// Takes seconds where there are pictures to draw; any thread. Where the folder holds an older sweep, its figures and its
 /// PDF are removed first; no other file is.

@@ -19,7 +19,10 @@ const QString kName = QStringLiteral("skyseal");
 
 } // namespace
 
-Application::Application(WindowOptions options, RandomSource &random) : m_options(std::move(options)), m_random(random) {}
+Application::Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap)
+    : m_options(std::move(options)), m_random(random), m_heap(std::move(heap))
+{
+}
 
 Application::~Application()
 {
@@ -176,6 +179,7 @@ void Application::makeWindow()
     facts.version = QCoreApplication::applicationVersion();
     facts.recordFolder = defaultRecordFolder();
     facts.demoAvailable = Demo::isAvailable();
+    facts.sessionBytes = [heap = m_heap](crypto::SuiteId suite) { return heap ? heap->session(suite) : std::nullopt; };
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
     connect(m_station.get(), &StationAdapter::failed, m_window.get(),
             [this](const QString &problem) { m_window->tellProblem(problem); });
@@ -183,7 +187,7 @@ void Application::makeWindow()
             [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     m_window->setKeyring(m_keyring, &m_pairing);
-    m_sweep = std::make_unique<SweepDesk>(*m_station);
+    m_sweep = std::make_unique<SweepDesk>(*m_station, m_heap);
     m_window->setSweep(*m_sweep);
     connect(m_station.get(), &StationAdapter::happened, &m_keyring, &Keyring::take);
     connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);

@@ -22,8 +22,8 @@ class Application : public QObject
     Q_OBJECT
 
 public:
-    /// `random` must outlive it.
-    Application(WindowOptions options, RandomSource &random);
+    /// `random` must outlive it. `heap` was made before there were threads; without it the memory of suites is not shown.
+    Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap = {});
     ~Application() override;
 
     /// Shows the window; false where there can be no station at all, with a word on stderr.
@@ -45,6 +45,7 @@ private:
 
     WindowOptions m_options;
     RandomSource &m_random;
+    const std::shared_ptr<experiment::HeapFigures> m_heap;
     QSettings m_store;
     QString m_keyProblem;
     std::unique_ptr<PassphraseMemory> m_memory = desktopMemory(m_store);

@@ -6,6 +6,7 @@
 #include "app/common/process.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "core/experiment/heap_figures.h"
 
 #include <QtWidgets/QApplication>
 
@@ -33,6 +34,7 @@ int main(int argc, char **argv)
     if (const int *status = std::get_if<int>(&options))
         return *status;
 
+    const auto heap = std::make_shared<experiment::HeapFigures>(); // the window system brings threads
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Skyseal"));
     QApplication::setDesktopFileName(QStringLiteral("skyseal"));
@@ -43,7 +45,7 @@ int main(int argc, char **argv)
     StopSignals signalled; // before the links open: who sees one may already want the end
     QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
     crypto::SystemRandom random;
-    Application window(std::get<WindowOptions>(std::move(options)), random);
+    Application window(std::get<WindowOptions>(std::move(options)), random, heap);
     if (!window.start())
         return kCannotOpen;
     return QApplication::exec();

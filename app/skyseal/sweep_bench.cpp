@@ -45,7 +45,10 @@ QString commandOf(const experiment::Plan &plan, bool connected)
 
 } // namespace
 
-SweepBench::SweepBench(experiment::Plan plan, engine::Station *station) : m_plan(std::move(plan)), m_station(station) {}
+SweepBench::SweepBench(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap)
+    : m_plan(std::move(plan)), m_station(station), m_heap(heap)
+{
+}
 
 SweepBench::~SweepBench()
 {
@@ -65,6 +68,7 @@ void SweepBench::begin()
     experiment::SweepConfig config;
     config.plan = m_plan;
     config.borrowed = m_station;
+    config.heap = m_heap;
     if (!m_station) {
         crypto::SystemRandom random;
         auto lab = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),

@@ -18,8 +18,8 @@ class SweepBench : public QObject
     Q_OBJECT
 
 public:
-    /// Without a station a simulator and an agent are started for it.
-    SweepBench(experiment::Plan plan, engine::Station *station);
+    /// Without a station a simulator and an agent are started for it. `heap` may be null and must outlive it, as the station.
+    SweepBench(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap);
     ~SweepBench() override;
 
     void begin();
@@ -36,6 +36,7 @@ private:
 
     experiment::Plan m_plan;
     engine::Station *m_station;
+    experiment::HeapFigures *m_heap;
     std::unique_ptr<experiment::Lab> m_lab;
     std::unique_ptr<experiment::SweepRunner> m_runner;
     experiment::Setting m_setting;

@@ -5,7 +5,10 @@
 
 namespace skyseal::app {
 
-SweepDesk::SweepDesk(StationAdapter &station) : m_station(station) {}
+SweepDesk::SweepDesk(StationAdapter &station, std::shared_ptr<experiment::HeapFigures> heap)
+    : m_station(station), m_heap(std::move(heap))
+{
+}
 
 SweepDesk::~SweepDesk()
 {
@@ -35,7 +38,7 @@ void SweepDesk::start(const ui::SweepOrder &order)
         Q_EMIT finished(std::move(nothing), tr("the station is not running"));
         return;
     }
-    m_bench = new SweepBench(order.plan, order.ownVehicle ? nullptr : &m_station.station());
+    m_bench = new SweepBench(order.plan, order.ownVehicle ? nullptr : &m_station.station(), m_heap.get());
     follow();
     if (order.ownVehicle) {
         m_thread = std::make_unique<QThread>();
@@ -78,7 +81,7 @@ void SweepDesk::save(const experiment::Results &results, const QString &folder)
     if (m_writer)
         return;
     // Drawing the pictures takes seconds.
-    m_writer.reset(QThread::create([this, results, folder, contexts = measureContexts()] {
+    m_writer.reset(QThread::create([this, results, folder, contexts = m_heap ? contextSizes(*m_heap) : ContextSizes()] {
         const SweepFiles files = writeSweepFiles(folder, results, {}, contexts);
         QMetaObject::invokeMethod(this, [this, folder, files] {
             m_writer->wait();

@@ -3,6 +3,7 @@
 
 #include "app/skyseal/sweep_bench.h"
 #include "app/skyseal/station_adapter.h"
+#include "core/experiment/heap_figures.h"
 #include "ui/sweep/sweep_port.h"
 
 #include <QtCore/QThread>
@@ -16,8 +17,8 @@ class SweepDesk : public ui::SweepPort
     Q_OBJECT
 
 public:
-    /// `station` must outlive it.
-    explicit SweepDesk(StationAdapter &station);
+    /// `station` must outlive it. Without `heap` reports do not say what suites take of it.
+    SweepDesk(StationAdapter &station, std::shared_ptr<experiment::HeapFigures> heap);
     /// A sweep that runs still is ended; its link is on its way back to the suite that it had.
     ~SweepDesk() override;
 
@@ -30,6 +31,7 @@ private:
     void follow();
 
     StationAdapter &m_station;
+    const std::shared_ptr<experiment::HeapFigures> m_heap;
     std::unique_ptr<QThread> m_thread; ///< of a sweep with a vehicle of its own
     SweepBench *m_bench = nullptr;     ///< lives on that thread, or on ours
     std::unique_ptr<QThread> m_writer;

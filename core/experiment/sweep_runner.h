@@ -7,6 +7,7 @@
 #pragma once
 
 #include "core/engine/station.h"
+#include "core/experiment/heap_figures.h"
 #include "core/experiment/lab.h"
 #include "core/experiment/measurement.h"
 #include "core/experiment/results.h"
@@ -27,6 +28,7 @@ struct SweepConfig
     std::optional<link::LinkUrl> link = std::nullopt;
     engine::StationConfig station; ///< keys and policy; the rest is the runner's
     Lab *lab = nullptr;            ///< null where the far end is somebody else's
+    HeapFigures *heap = nullptr;   ///< null where nobody asked what a session takes
     /// In place of a station of its own, whose link and config are not used then: one with a single sealed session. The plan
     /// has one load and one condition. The sweep ends when the station goes.
     engine::Station *borrowed = nullptr;
@@ -91,7 +93,6 @@ private:
     static double tripsOf(const engine::Snapshot &snapshot);
     Reading readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot);
     double warmUpOf(const engine::Snapshot &snapshot) const;
-    double sessionMemory(crypto::SuiteId suite);
     const Run &run() const { return m_schedule[m_next]; }
     crypto::SuiteId wantedSuite() const { return m_config.plan.arms[run().arm].suite; }
     engine::Protection wantedProtection() const;
@@ -130,7 +131,6 @@ private:
     Reading m_begin;
     std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
     metrics::EnergyMeter m_energy;
-    std::map<crypto::SuiteId, double> m_sessionMemory; ///< measured once each
     double m_switchTook = std::numeric_limits<double>::quiet_NaN();
     std::optional<channel::SessionId> m_switchOrdered; ///< of this session, for this run
     unsigned m_orders = 0;                             ///< in this run

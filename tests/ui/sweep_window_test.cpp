@@ -121,7 +121,7 @@ void SweepWindowTest::initTestCase()
     auto station = engine::Station::create(config);
     QVERIFY2(station, station ? "" : station.error().text().c_str());
     m_station = std::make_unique<app::StationAdapter>(std::move(*station));
-    m_desk = std::make_unique<app::SweepDesk>(*m_station);
+    m_desk = std::make_unique<app::SweepDesk>(*m_station, nullptr);
     m_store = std::make_unique<QSettings>(m_folder.filePath(q("s.ini")), QSettings::IniFormat);
     Settings settings;
     settings.allowResearch = true;

@@ -35,6 +35,7 @@ public:
     static constexpr std::size_t kOverlaysAtOnce = 3; ///< each has a line for every suite, and most of it is history
 
     explicit DiagnosticsPanel(QWidget *parent = nullptr);
+    void setSessionMeasure(const SessionMemory::Measure &measure) { m_sessionMemory = SessionMemory(measure); }
     ~DiagnosticsPanel() override;
 
     void showScene(const Scene &scene);

@@ -1,5 +1,4 @@
-// What a session's memory is under each suite: measured once for each, when it is used for the first time, with a session of
-// this program's own that nobody else sees (some milliseconds).
+// What a session's memory is under each suite, asked for once for each, when it is used for the first time.
 #pragma once
 
 #include "core/experiment/cipher_bench.h"
