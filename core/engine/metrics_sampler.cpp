@@ -38,6 +38,7 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
         m_peerMavlinkLoss.note(channel.peerFrames->taken, channel.peerFrames->lost);
     m_frames.note(reading.mavlink.frames);
     m_bytes.note(channel.rx.openedBytes);
+    m_clearBytes.note(reading.mavlink.bytes);
     m_good.note(channel.rx.good);
     m_replayed.note(channel.rx.replayed);
     if (m_replayed.value() > m_good.value())
@@ -59,8 +60,8 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     one.openedFramesPerSecond = static_cast<double>(m_frames.value());
     one.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
     one.txBytesPerSecond = static_cast<double>(m_txBytes.value());
-    // What came in clear needed no opening: it is all frames.
-    one.openedBytesPerSecond = channel.up ? static_cast<double>(m_bytes.value()) : one.rxBytesPerSecond;
+    // What came in clear needed no opening.
+    one.openedBytesPerSecond = static_cast<double>(channel.up ? m_bytes.value() : m_clearBytes.value());
     one.rxOverheadPercent = channel.up ? overheadPercent(m_wireReceived, m_wireReceivedFrames) : 0;
     one.txOverheadPercent = channel.up ? overheadPercent(m_wireSent, m_wireSentFrames) : 0;
     one.latency = reading.latency;

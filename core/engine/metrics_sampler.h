@@ -47,7 +47,7 @@ private:
     TimePoint m_energyAt{};
     double m_watts = vehicle::kUnknown;
     LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss, m_peerMavlinkLoss;
-    Growth<4> m_frames, m_bytes, m_rxBytes, m_txBytes;
+    Growth<4> m_frames, m_bytes, m_clearBytes, m_rxBytes, m_txBytes;
     Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
     Growth<4> m_good, m_replayed;
     std::uint64_t m_replayedBefore = 0;

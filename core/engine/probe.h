@@ -16,6 +16,8 @@ struct Probe
     std::uint64_t residentBytes = 0;
     metrics::Histogram open; ///< ns per record, session look-up and replay window included
     metrics::Histogram seal;
+    /// Datagrams of agents that wait for a session while this end speaks plain MAVLink: no part of that.
+    std::uint64_t waitingBytes = 0, waitingDatagrams = 0;
 };
 
 } // namespace skyseal::engine

@@ -219,6 +219,8 @@ private:
     UnansweringAgents m_unanswering{std::string()};
     HeldBack m_heldBack;
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
+    std::uint64_t m_frameBytes = 0;
+    std::uint64_t m_waitingBytes = 0, m_waitingDatagrams = 0; ///< see Probe
     bool m_readerAlive = true;
     bool m_measuring = false;
     bool m_stopped = false;

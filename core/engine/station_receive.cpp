@@ -100,6 +100,8 @@ void StationCore::takeMessage(const link::ReceivedBlock &message)
 void StationCore::takeRecord(TimePoint now, const link::ReceivedBlock &block)
 {
     if (!isSealing()) {
+        m_waitingBytes += block.bytes.size();
+        ++m_waitingDatagrams;
         repeatGoodbye(now, block.path);
         m_garbage += !channel::Endpoint::isAnnouncement(block.bytes); // of an agent that waits for whoever wants a session
         return;
@@ -237,6 +239,7 @@ void StationCore::takeFrame(TimePoint now, const Path &from, const mavlink::Fram
     if (live)
         m_heldBack.release(systemId);
     const WallTime wall = wallNow();
+    m_frameBytes += frame.bytes().size();
     m_sequences.note({from.link, systemId, frame.componentId()}, frame.sequence(), now);
     m_inspector.note(now, frame);
     if (m_recorder && !replayed)

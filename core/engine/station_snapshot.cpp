@@ -10,7 +10,7 @@ MavlinkTotals StationCore::mavlinkTotals() const
 {
     const metrics::SequenceCounts counts = m_sequences.total();
     return {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(),
-            m_sequences.evicted()};
+            m_sequences.evicted(), m_frameBytes};
 }
 
 ChannelTotals StationCore::channelTotals() const
@@ -71,6 +71,8 @@ std::shared_ptr<const Probe> StationCore::probe() const
     out->processCpu = metrics::processCpuTime();
     out->ioThreadCpu = metrics::threadCpuTime();
     out->residentBytes = metrics::residentBytes().value_or(0);
+    out->waitingBytes = m_waitingBytes;
+    out->waitingDatagrams = m_waitingDatagrams;
     if (m_channel) {
         out->open = m_channel->opening();
         out->seal = m_channel->sealing();

@@ -19,6 +19,7 @@ struct MavlinkTotals
     std::uint64_t duplicate = 0;
     std::uint64_t badCrc = 0;
     std::uint64_t sendersEvicted = 0; ///< more senders than anybody has: made up; see metrics::SequenceTable
+    std::uint64_t bytes = 0;          ///< of all these frames
 };
 
 /// Cost of the suite in use, over the last second: elapsed time from the datagram to the opened frames (session look-up,

@@ -1,6 +1,9 @@
 #include "core/experiment/measurement.h"
 
+#include "core/metrics/sequence_tracker.h"
+
 #include <algorithm>
+#include <limits>
 
 namespace skyseal::experiment {
 
@@ -20,10 +23,18 @@ double share(double lost, double received)
     return lost + received > 0 ? lost / (lost + received) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// A second copy of a clear frame is none more; sealed ones are refused before they are counted.
-std::uint64_t distinctFrames(const engine::MavlinkTotals &totals)
+struct FrameCount
 {
-    return totals.frames - totals.duplicate;
+    double distinct = 0;
+    double lost = 0; ///< NaN where the numbers cannot tell
+};
+
+FrameCount framesBetween(const engine::MavlinkTotals &begin, const engine::MavlinkTotals &end, bool sealed, bool numbersTell)
+{
+    const double frames = growth(begin.frames, end.frames), lost = growth(begin.lost, end.lost);
+    // A second copy of a clear frame is none more; sealed ones are refused before they are counted.
+    const double copies = sealed || !numbersTell ? 0 : growth(begin.duplicate, end.duplicate);
+    return {frames - copies, numbersTell ? lost : std::numeric_limits<double>::quiet_NaN()};
 }
 
 struct Traffic
@@ -33,7 +44,7 @@ struct Traffic
 
 Traffic trafficOf(const engine::Snapshot &snapshot)
 {
-    Traffic out;
+    Traffic out{0 - snapshot.probe->waitingBytes, 0, 0 - snapshot.probe->waitingDatagrams};
     for (const engine::LinkSnapshot &link : snapshot.links) {
         out.rxBytes += link.rxBytes;
         out.txBytes += link.txBytes;
@@ -130,19 +141,30 @@ std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session)
     return AgentReport{session.stats.peerStamp, *session.stats.peerCosts};
 }
 
-Values valuesBetween(const Reading &begin, const Reading &end, bool sealed)
+bool numbersTell(const impair::Settings &link, Load load)
+{
+    constexpr double kShortestFrame = 12, kBitsOfByte = 10;
+    if (link.jitter <= Duration::zero() || load == Load::Natural)
+        return true;
+    // A load goes out as quickly as the line takes it: how many frames fit into the jitter?
+    const double most = static_cast<double>(link.baud) / kBitsOfByte / kShortestFrame * seconds(link.jitter);
+    return link.baud > 0 && most <= metrics::SequenceTracker::kShortWindow;
+}
+
+Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool numbersTell)
 {
     Values out;
     const engine::Snapshot &before = *begin.station, &after = *end.station;
     const double time = after.time - before.time;
-    const double frames = growth(distinctFrames(before.mavlink), distinctFrames(after.mavlink));
+    const FrameCount counted = framesBetween(before.mavlink, after.mavlink, sealed, numbersTell);
+    const double frames = counted.distinct;
     const Traffic traffic = trafficOf(before), later = trafficOf(after);
     const double received = growth(traffic.rxBytes, later.rxBytes);
-    const double mavlink = sealed ? growth(before.channel.rx.openedBytes, after.channel.rx.openedBytes) : received;
+    const double mavlink = growth(before.mavlink.bytes, after.mavlink.bytes);
     out[Metric::Packets] = frames;
     out[Metric::FrameRate] = frames / time;
     out[Metric::ByteRate] = mavlink / time;
-    out[Metric::Loss] = share(growth(before.mavlink.lost, after.mavlink.lost), frames);
+    out[Metric::Loss] = share(counted.lost, frames);
     out[Metric::WireBytes] = received + growth(traffic.txBytes, later.txBytes);
     out[Metric::WireRate] = received / time;
     out[Metric::WirePerFrame] = (received + kHeaders * growth(traffic.rxDatagrams, later.rxDatagrams)) / frames;

@@ -4,6 +4,7 @@
 #include "core/engine/snapshot.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/results.h"
+#include "core/impair/impairment.h"
 
 #include <memory>
 #include <optional>
@@ -28,8 +29,12 @@ struct Reading
     std::optional<std::uint64_t> microjoules; ///< of the whole processor, growing
 };
 
-/// Everything but Metric::Switch. `sealed`: whether records are what the link carries.
-Values valuesBetween(const Reading &begin, const Reading &end, bool sealed);
+/// Whether MAVLink's sequence numbers, of 8 bits, tell on such a link what was lost and what came late or twice. Frames that
+/// may overtake too many others look like lost ones and second copies.
+bool numbersTell(const impair::Settings &link, Load load);
+
+/// Everything but Metric::Switch. `sealed`: whether records are what the link carries. `numbersTell`: see above.
+Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool numbersTell);
 
 /// The counters that the above takes the differences of.
 Counted countedBy(const engine::Snapshot &snapshot);

@@ -21,7 +21,9 @@ constexpr std::array<MetricInfo, kMetrics> kTable{{
      {0, kEdgeFrames}},
     {Metric::FrameRate, "frame_rate", "Rate", "frames/s", "the same for each second", {0, kEdgeFrames, true}},
     {Metric::ByteRate, "byte_rate", "Rate in bytes", "B/s", "MAVLink bytes taken in for each second, after opening"},
-    {Metric::Loss, "loss", "Frames lost", "", "share of the vehicle's frames missing by MAVLink sequence numbers, 0 to 1"},
+    {Metric::Loss, "loss", "Frames lost", "",
+     "share of the vehicle's frames missing by MAVLink sequence numbers, 0 to 1; not told where jitter lets frames "
+     "of the saturated load overtake more others than 8 bits can number"},
     {Metric::RecordLoss, "record_loss", "Records lost, to the station", "",
      "share of the agent's records missing by their counters, 0 to 1"},
     {Metric::RecordLossUp, "record_loss_up", "Records lost, to the agent", "",

@@ -283,14 +283,6 @@ double SweepRunner::warmUpOf(const engine::Snapshot &snapshot) const
     return out;
 }
 
-double SweepRunner::sessionMemory(crypto::SuiteId suite)
-{
-    const auto [place, isNew] = m_sessionMemory.try_emplace(suite, std::numeric_limits<double>::quiet_NaN());
-    if (isNew)
-        place->second = sessionBytes(suite).value_or(place->second);
-    return place->second;
-}
-
 Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot)
 {
     Reading out;
@@ -336,7 +328,9 @@ void SweepRunner::endRun(std::string problem)
             problem = "the session did not last through the run";
     }
     if (problem.empty()) {
-        sample.values = valuesBetween(m_begin, readingOf(m_snapshot), !isPlain());
+        sample.values = valuesBetween(
+            m_begin, readingOf(m_snapshot), !isPlain(),
+            numbersTell(m_config.plan.conditions[run().condition].settings, m_config.plan.loads[run().load]));
         if (!vehicleSpeaks(*m_snapshot) || sample.values[Metric::Packets] == 0)
             problem = "the vehicle fell silent during the run";
     }
@@ -345,8 +339,11 @@ void SweepRunner::endRun(std::string problem)
         sample.values[Metric::Switch] = m_switchTook;
         // Measured once, so it is one sample and no more, however often the suite is run.
         const Cell cell{run().condition, run().load, run().arm};
-        if (m_protection == engine::Protection::Sealed && summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count == 0)
-            sample.values[Metric::SessionMemory] = sessionMemory(wantedSuite());
+        if (m_config.heap && m_protection == engine::Protection::Sealed
+            && summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count == 0) {
+            double &memory = sample.values[Metric::SessionMemory];
+            memory = m_config.heap->session(wantedSuite()).value_or(memory);
+        }
         sample.begin = countedBy(*m_begin.station);
         sample.end = countedBy(*m_snapshot);
         m_plainWorked = m_plainWorked || isPlain();

@@ -152,6 +152,15 @@ std::vector<std::string> sweepText(const Results &results)
     return out;
 }
 
+/// Of frames, or of records where frames cannot tell.
+static std::string lossText(const Values &values)
+{
+    const double frames = values[Metric::Loss], records = values[Metric::RecordLoss];
+    if (!std::isnan(frames))
+        return readable(100 * frames) + " % lost";
+    return std::isnan(records) ? "loss not told" : readable(100 * records) + " % of the records lost";
+}
+
 std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, double remaining)
 {
     std::string out = "[" + std::to_string(sample.order + 1) + "/" + std::to_string(runs) + "] ";
@@ -159,8 +168,8 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
         out += plan.conditions[sample.run.condition].name + ", ";
     out += std::string(name(plan.loads[sample.run.load])) + ", " + fullName(plan.arms[sample.run.arm]) + ": ";
     if (sample.problem.empty())
-        out += readable(sample.values[Metric::Packets]) + " packets, " + readable(100 * sample.values[Metric::Loss])
-               + " % lost, CPU " + readable(sample.values[Metric::Cpu]) + " %";
+        out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "
+               + readable(sample.values[Metric::Cpu]) + " %";
     else
         out += sample.problem;
     return out + "; " + leftText(remaining);

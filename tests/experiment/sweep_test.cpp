@@ -279,14 +279,19 @@ void SweepTest::lossIsThatOfTheLink()
 {
     // Saturated, so that there are records enough for the share to be near the probability.
     const RunResult run = runProgram(
-        "skyseal-cli", sweep("--suites aes-256-gcm --load saturated --seconds 2 --repeats 1 --impair loss=0.05 --json --expect "
-                             "record_loss<=0.01"),
-        {}, 120000);
+        "skyseal-cli", sweep("--suites none,aes-256-gcm --load saturated --seconds 2 --repeats 2 --no-noise --impair loss=0.05 "
+                             "--json --expect loss<=0.01"),
+        {}, 240000);
     QCOMPARE(run.status, 1); // and the assertion notices
     QVERIFY(!events(run.out, "expect").at(0)[QLatin1String("holds")].toBool());
-    const QJsonObject sample = events(run.out, "run").at(0);
-    QVERIFY2(std::abs(valueOf(sample, "record_loss") - 0.05) < 0.025, qPrintable(QString::number(valueOf(sample, "record_loss"))));
-    QVERIFY(valueOf(sample, "loss") > 0.01);
+    QCOMPARE(events(run.out, "run").size(), 4);
+    for (const QJsonObject &sample : events(run.out, "run")) {
+        // Each arm, also after a change between clear and sealed, which takes long there: the load is not a tenth of this.
+        QVERIFY2(valueOf(sample, "packets") > 3000, QJsonDocument(sample).toJson().constData());
+        QVERIFY2(std::abs(valueOf(sample, "loss") - 0.05) < 0.025, QJsonDocument(sample).toJson().constData());
+        if (sample[QLatin1String("suite")] == QLatin1String("aes-256-gcm"))
+            QVERIFY(std::abs(valueOf(sample, "record_loss") - 0.05) < 0.025);
+    }
 }
 
 void SweepTest::radioSetsThePace()
