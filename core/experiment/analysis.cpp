@@ -18,10 +18,31 @@ static bool isCompared(const Arm &arm, Metric metric)
     return info(metric).independent && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
 }
 
+/// The frames or records that a cell's shares are of, in all runs that have one.
+static double trialsOf(const Results &results, const Cell &cell, Metric metric)
+{
+    const auto trials = [metric](const Sample &sample) {
+        if (metric == Metric::Loss)
+            return sample.values[Metric::Packets];
+        const auto records = metric == Metric::RecordLoss ? &Counted::rx : &Counted::tx;
+        return static_cast<double>((sample.end.*records).good) - static_cast<double>((sample.begin.*records).good);
+    };
+    double out = 0;
+    for (const Sample &sample : results.samples) {
+        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && std::isfinite(sample.values[metric]))
+            out += trials(sample);
+    }
+    return out;
+}
+
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
 {
     Summary out = summarise(valuesOf(results, cell, metric));
     out.least = 0; // loads, shares, times and sizes
+    if (isShare(metric))
+        out.most = 1;
+    if (isShare(metric) && out.max == 0)
+        out.halfWidth = boundOfNone(trialsOf(results, cell, metric));
     if (!info(metric).independent)
         out.halfWidth = std::numeric_limits<double>::quiet_NaN();
     return out;

@@ -33,7 +33,8 @@ struct Noise
 };
 
 /// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent). Nothing that is
-/// measured can be negative, so intervals end at zero.
+/// measured can be negative, so intervals end at zero, and those of shares at one. Where nothing was lost in any run, Student's t
+/// knows of no spread: the interval ends at the bound by all frames or records of these runs together (boundOfNone).
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);

@@ -20,11 +20,6 @@ struct Scale
     std::string unit;
 };
 
-bool isShare(Metric metric)
-{
-    return metric == Metric::Loss || metric == Metric::RecordLoss || metric == Metric::RecordLossUp;
-}
-
 Scale scaleFor(Metric metric, double highest)
 {
     const std::string_view unit = info(metric).unit;

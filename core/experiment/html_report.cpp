@@ -18,8 +18,9 @@ constexpr std::array kFigures{Metric::Packets,     Metric::Memory,           Met
                               Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss,
                               Metric::SessionMemory, Metric::EnergyPerFrame};
 /// Of which differences are told.
-constexpr std::array kCompared{Metric::Packets, Metric::CpuPerFrame, Metric::AgentCpuPerFrame, Metric::OpenP50,
-                               Metric::Memory,  Metric::AgentMemory, Metric::Latency,          Metric::WirePerFrame};
+constexpr std::array kCompared{Metric::Packets,  Metric::FrameRate,   Metric::Loss,             Metric::RecordLoss,
+                               Metric::Cpu,      Metric::CpuPerFrame, Metric::AgentCpu,         Metric::AgentCpuPerFrame,
+                               Metric::OpenP50,  Metric::Latency,     Metric::WirePerFrame};
 
 constexpr const char *kStyle =
     "body{font-family:'DejaVu Sans',Verdana,sans-serif;font-size:14px;line-height:1.45;max-width:1180px;margin:2em auto;"
@@ -126,24 +127,54 @@ const char *verdictText(const Comparison &comparison, bool differs)
     return !comparison.known() ? "cannot be said" : differs ? "differs" : "no difference";
 }
 
+/// "-3.1 to 4.2 %" of the mean.
+std::string intervalText(const Noise &noise)
+{
+    const WelchTest &test = noise.comparison.test;
+    const double low = 100 * (test.difference - test.halfWidth(0.95)) / noise.mean;
+    const double high = 100 * (test.difference + test.halfWidth(0.95)) / noise.mean;
+    return std::isfinite(low) && std::isfinite(high) ? readable(low) + " to " + readable(high) + " %" : "–";
+}
+
 std::string noiseTable(const Results &results)
 {
     std::string rows;
-    const std::vector<Noise> all = noiseOf(results);
-    for (const Noise &noise : all) {
-        if (std::find(kCompared.begin(), kCompared.end(), noise.metric) != kCompared.end())
-            rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + escaped(info(noise.metric).title),
-                         readable(noise.mean), readable(noise.meanAgain), readable(100 * (noise.meanAgain / noise.mean - 1)) + " %",
-                         readable(noise.comparison.test.p), readable(noise.comparison.adjusted), verdictText(noise.comparison, noise.differs())});
+    std::size_t tests = 0;
+    for (const Noise &noise : noiseOf(results)) {
+        const Comparison &pair = noise.comparison;
+        tests += !std::isnan(pair.test.p);
+        if (std::find(kCompared.begin(), kCompared.end(), noise.metric) == kCompared.end())
+            continue;
+        const double percent = 100 * (noise.meanAgain / noise.mean - 1);
+        rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + escaped(info(noise.metric).title),
+                     readable(noise.mean), readable(noise.meanAgain), readable(percent) + (std::isfinite(percent) ? " %" : ""),
+                     intervalText(noise), readable(pair.test.p), verdictText(pair, pair.significantAlone()),
+                     readable(pair.adjusted), verdictText(pair, noise.differs())});
     }
     if (rows.empty())
         return "<p>No suite was measured twice.</p>\n";
-    return "<p>One suite was measured under two names. What differs between the two is noise; smaller differences between "
-           "suites mean nothing. The p values are corrected by Holm's method over all "
-           + std::to_string(all.size()) + " such tests of the sweep (sweep.json has them all): together they say \"differs\" by "
-           "chance in one sweep of twenty.</p>\n"
-           "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-           + row({"metric", "mean", "mean again", "difference", "p", "p corrected", "A/A"}, "th") + rows + "</table>\n";
+    return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence interval "
+           "of the difference, in per cent of the mean, says how large a difference these runs could have missed: a smaller one "
+           "between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: this pair is "
+           "the only one of its metric, link and load, so its p stays as it is, and about one line in twenty differs by chance. "
+           "The last two columns are corrected by Holm's method over all " + std::to_string(tests)
+           + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
+             "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+           + row({"metric", "mean", "mean again", "difference", "95 % interval", "p", "as two suites", "p corrected", "A/A"}, "th")
+           + rows + "</table>\n";
+}
+
+/// Metrics in their places of which any two suites were tested.
+std::size_t familiesOf(const Results &results)
+{
+    std::size_t out = 0;
+    forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
+        for (const MetricInfo &metric : metrics()) {
+            const auto pairs = compareArms(results, condition, load, metric.metric);
+            out += std::any_of(pairs.begin(), pairs.end(), [](const ArmComparison &pair) { return !std::isnan(pair.comparison.test.p); });
+        }
+    });
+    return out;
 }
 
 std::string claimsTable(const std::vector<Claim> &claims)
@@ -262,9 +293,14 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     out += "<p>Means of " + runsWords(results)
            + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
-             "where it begins at zero, below which nothing can be; * marks outliers by Tukey's fences, which stay in. Resident "
+             "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
+             "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "
              "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
-             "are not compared by it.</p>\n<h2>Figures</h2>\n";
+             "are not compared by it.</p>\n<p>Two suites differ significantly by Welch's t test at 5 %, its p values corrected by "
+             "Holm's method over all pairs of one metric, link and load: of the " + std::to_string(familiesOf(results))
+           + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
+             "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
+             "fewer than five runs, it cannot be said.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // On paper each begins a page, so that no head of a table stands alone at the foot of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";

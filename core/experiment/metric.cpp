@@ -95,6 +95,11 @@ const MetricInfo &info(Metric metric)
     return kTable[static_cast<std::size_t>(metric)];
 }
 
+bool isShare(Metric metric)
+{
+    return metric == Metric::Loss || metric == Metric::RecordLoss || metric == Metric::RecordLossUp;
+}
+
 std::optional<Metric> metricFromKey(std::string_view key)
 {
     const auto found = std::find_if(kTable.begin(), kTable.end(), [&](const MetricInfo &entry) { return entry.key == key; });
@@ -115,15 +120,21 @@ std::string readable(double value)
 
 std::string readable(double mean, double low, double high)
 {
-    constexpr int kMostDecimals = 6;
-    const double halfWidth = high - mean;
+    constexpr int kMostDecimals = 6, kMostOfNone = 9;
+    const double above = high - mean, below = mean - low;
+    const double halfWidth = std::max(above, below);
     if (!std::isfinite(mean) || !std::isfinite(low) || !std::isfinite(high))
         return readable(mean);
     if (halfWidth == 0)
         return readable(mean) + " ± 0";
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(halfWidth))), 0, kMostDecimals);
-    if (low == 0 && halfWidth > mean)
+    const int digits = 1 - static_cast<int>(std::floor(std::log10(halfWidth)));
+    if (mean == 0 && low == 0)
+        return "0 (≤ " + grouped(high, std::clamp(digits, 0, kMostOfNone)) + ")";
+    const int decimals = std::clamp(digits, 0, kMostDecimals);
+    if (low == 0 && above > mean)
         return grouped(mean, decimals) + " (≤ " + grouped(high, decimals) + ")";
+    if (below > above * (1 + 1e-6))
+        return grouped(mean, decimals) + " (≥ " + grouped(low, decimals) + ")";
     return grouped(mean, decimals) + " ± " + grouped(halfWidth, decimals);
 }
 

@@ -46,6 +46,8 @@ struct MetricInfo
 
 std::span<const MetricInfo> metrics();
 const MetricInfo &info(Metric metric);
+/// Of frames or records that were lost: between 0 and 1, and people read it in per cent.
+bool isShare(Metric metric);
 std::optional<Metric> metricFromKey(std::string_view key);
 
 /// One value for each metric; NaN = could not be measured, such as a record's cost without records.
@@ -63,7 +65,7 @@ private:
 /// A number with a sensible count of digits for people: "1,234,567", "12.3", "0.00042"; "–" when it is not finite.
 std::string readable(double value);
 /// A mean with its interval: "21.613 ± 0.077", two digits of the half width, and the mean to the same place. "0.012 (≤ 0.034)"
-/// where the interval was cut at zero. The mean alone where an end is not finite.
+/// where the interval was cut at zero, "0.98 (≥ 0.91)" where it was cut at its upper end. The mean alone where an end is not finite.
 std::string readable(double mean, double low, double high);
 
 } // namespace skyseal::experiment

@@ -75,12 +75,8 @@ std::string compiler()
 
 std::string build()
 {
-    std::string out;
-#if defined(__OPTIMIZE__)
-    out = "optimised";
-#else
-    out = "not optimised: figures of this build say little";
-#endif
+    const std::string warning = buildWarning(SKYSEAL_BUILD_FLAGS);
+    std::string out = warning.empty() ? "optimised" : warning;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
     out += ", with sanitizers: figures of this build say nothing";
 #endif
@@ -107,6 +103,18 @@ std::string busyWarning()
 {
     double load = 0;
     return ::getloadavg(&load, 1) == 1 ? busyWarning(load, ::sysconf(_SC_NPROCESSORS_ONLN)) : std::string();
+}
+
+std::string buildWarning(std::string_view flags)
+{
+    std::istringstream words{std::string(flags)};
+    std::string level = "-O0"; // the last one counts
+    for (std::string word; words >> word;)
+        level = word.starts_with("-O") ? word : level;
+    if (level == "-O2" || level == "-O3" || level == "-Ofast")
+        return {};
+    return level == "-O0" ? "not optimised: figures of this build say little"
+                          : "optimised by " + level + " alone, as for tests: figures are higher than a release's";
 }
 
 std::optional<bool> opensslUsesAes(std::string_view cpuInfo)
@@ -163,7 +171,9 @@ Setting machineSetting()
     out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
     out.emplace_back("energy_counters", metrics::EnergyMeter().describe());
     out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
-    if (const std::string warning = busyWarning(); !warning.empty())
+    const std::string busy = busyWarning(), built = buildWarning(SKYSEAL_BUILD_FLAGS);
+    const std::string warning = (built.empty() ? "" : "this build is ") + built + (built.empty() || busy.empty() ? "" : "; ") + busy;
+    if (!warning.empty())
         out.emplace_back("warning", warning);
     out.emplace_back("libsodium", sodium_version_string());
     out.emplace_back("openssl", OpenSSL_version(OPENSSL_VERSION));

@@ -19,6 +19,9 @@ std::string busyWarning(double load, long cores);
 /// The same of this machine now.
 std::string busyWarning();
 
+/// What makes figures of a build doubtful that was compiled with these flags and no -O2 or -O3; empty for one that was.
+std::string buildWarning(std::string_view flags);
+
 /// What makes the figures of a setting doubtful, in sentences without a full stop.
 std::vector<std::string> warningsOf(const Setting &setting);
 

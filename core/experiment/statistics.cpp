@@ -147,6 +147,11 @@ Summary summarise(std::span<const double> samples)
     return out;
 }
 
+double boundOfNone(double trials)
+{
+    return trials > 0 ? -std::expm1(std::log(0.05) / trials) : 1;
+}
+
 double WelchTest::halfWidth(double confidence) const
 {
     return degrees > 0 ? studentQuantile((1 + confidence) / 2, degrees) * error : std::numeric_limits<double>::infinity();

@@ -30,18 +30,23 @@ struct Summary
     double mean = 0;
     double deviation = 0;  ///< of the samples (n − 1)
     double halfWidth = 0;  ///< of the 95 % confidence interval: mean ± halfWidth
-    double least = -std::numeric_limits<double>::infinity(); ///< that the mean can be: the interval ends there
+    /// What the mean can be: the interval ends there.
+    double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
     double min = 0, max = 0, median = 0;
     /// Indices of samples more than 1.5 interquartile ranges outside the quartiles (Tukey's fences); empty below five
     /// samples, where the fences mean nothing. They are counted in all of the above.
     std::vector<std::size_t> outliers;
 
     double low() const { return mean - halfWidth < least ? least : mean - halfWidth; }
-    double high() const { return mean + halfWidth; }
+    double high() const { return mean + halfWidth > most ? most : mean + halfWidth; }
 };
 
 /// Samples that are not finite are left out: they stand for "could not be measured".
 Summary summarise(std::span<const double> samples);
+
+/// What the share of something may be at most (95 %) that was seen in none of `trials`, each on its own: 1 − 0.05^(1/n), about
+/// 3/n (Hanley and Lippman-Hand 1983); 1 without any trial.
+double boundOfNone(double trials);
 
 /// Whether two groups have different means.
 ///

@@ -160,10 +160,15 @@ void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
     json.field("framing", framingName(plan.arms[noise.arm]));
     number(json, "mean", noise.mean);
     number(json, "mean_again", noise.meanAgain);
-    number(json, "p", noise.comparison.test.p);
+    const WelchTest &test = noise.comparison.test;
+    number(json, "difference", test.difference);
+    number(json, "ci95_low", test.difference - test.halfWidth(0.95));
+    number(json, "ci95_high", test.difference + test.halfWidth(0.95));
+    number(json, "p", test.p);
     number(json, "p_holm", noise.comparison.adjusted);
     number(json, "step", noise.comparison.step);
     verdict(json, "differs", noise.comparison, noise.differs());
+    verdict(json, "differs_alone", noise.comparison, noise.comparison.significantAlone());
     json.endObject();
 }
 

@@ -83,11 +83,15 @@ private Q_SLOTS:
     void dronesCpuIsJudgedAsWell();
     void residentMemoryHasNoInterval();
     void noIntervalBelowZero();
+    void nothingLostHasABound();
+    void shareEndsAtOne();
     void runsAreCounted();
     void howPlainTravelsIsSaid();
     void noiseIsNoDifference();
     void untestedIsSaidSo();
     void ratioToNothingIsNull();
+    void noiseIsJudgedAsSuitesAre();
+    void comparedIsWhatThePaperCompared();
     void framingsAreTold();
     void reportIsWholeAndSafe();
 };
@@ -157,9 +161,12 @@ void ReportTest::lossIsInPerCent()
     const BarChart chart = chartOf(resultsWith(Metric::Loss, [](SuiteId) { return 0.05; }), 0, 0, Metric::Loss);
     QVERIFY(std::abs(chart.bars[0].mean - 5) < 0.1);
     QCOMPARE(chart.axis, std::string("Frames lost, %"));
-    const std::string nothing = svg(chartOf(resultsWith(Metric::Loss, [](SuiteId) { return 0.0; }), 0, 0, Metric::Loss));
+    const auto none = [](SuiteId) { return 0.0; };
+    const std::string nothing = svg(chartOf(resultsWith(Metric::Overhead, none), 0, 0, Metric::Overhead));
     for (const char *tick : {">0<", ">0.2<", ">0.8<", ">1<"}) // an axis, though there is nothing on it
         QVERIFY2(nothing.find(tick) != std::string::npos, tick);
+    const std::string unknown = svg(chartOf(resultsWith(Metric::Loss, none), 0, 0, Metric::Loss)); // nor of any frame counted
+    QVERIFY(unknown.find(">100<") != std::string::npos && unknown.find(">120<") == std::string::npos);
 }
 
 void ReportTest::claimsFollowSignificance()
@@ -270,11 +277,49 @@ void ReportTest::noIntervalBelowZero()
     const BarChart chart = chartOf(results, 0, 0, Metric::Loss);
     QCOMPARE(chart.bars[1].low, 0.0);
     QVERIFY(svg(chart).find("1.0 (≤ 3.8)") != std::string::npos);
-    QVERIFY(sweepJson(results, {}).find("\"ci95_low\":-") == std::string::npos);
-    // No loss at all has no interval to be cut.
+    const std::string json = sweepJson(results, {});
+    QVERIFY(json.substr(0, json.find("\"noise\":")).find("\"ci95_low\":-") == std::string::npos); // differences can be negative
+}
+
+/// That nothing was lost of 880 frames does not say that nothing ever is.
+void ReportTest::nothingLostHasABound()
+{
+    Results results = resultsWith(Metric::Loss, [](SuiteId) { return 0.0; });
+    for (Sample &sample : results.samples) {
+        sample.values[Metric::Packets] = 176;
+        sample.begin.rx.good = 500;
+        sample.end.rx.good = 500 + 60;
+        sample.values[Metric::RecordLoss] = sample.run.repeat == 0 ? std::nan("") : 0; // such a run's records do not count
+        sample.values[Metric::RecordLossUp] = 0; // of no record at all
+    }
+    QVERIFY(std::abs(summaryOf(results, {0, 0, 1}, Metric::Loss).high() - (1 - std::pow(0.05, 1 / 880.0))) < 1e-12);
+    QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 (≤ 0.0034)"));
+    QCOMPARE(meanText(results, {0, 0, 1}, Metric::RecordLoss), std::string("0 (≤ 0.012)"));
+    QCOMPARE(summaryOf(results, {0, 0, 1}, Metric::RecordLossUp).high(), 1.0);
+    QVERIFY(svg(chartOf(results, 0, 0, Metric::Loss)).find("0 (≤ 0.34)") != std::string::npos);
+    std::erase_if(results.samples, [](const Sample &sample) { return sample.run.repeat > 0; });
+    QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 (≤ 0.017)")); // of one run, too
+    // What is no share needs no such bound.
+    results = resultsWith(Metric::Overhead, [](SuiteId) { return 0.0; });
+    QCOMPARE(meanText(results, {0, 0, 1}, Metric::Overhead), std::string("0 ± 0"));
+}
+
+void ReportTest::shareEndsAtOne()
+{
+    Results results = resultsWith(Metric::Loss, [](SuiteId) { return 0.8; });
     for (Sample &sample : results.samples)
-        sample.values[Metric::Loss] = 0;
-    QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 ± 0"));
+        sample.values[Metric::Loss] = sample.run.repeat == 0 ? 0.4 : 0.9; // 0.80 ± 0.28
+    const Summary summary = summaryOf(results, {0, 0, 1}, Metric::Loss);
+    QVERIFY(summary.mean + summary.halfWidth > 1.05);
+    QCOMPARE(summary.high(), 1.0);
+    const std::string text = meanText(results, {0, 0, 1}, Metric::Loss);
+    QVERIFY2(text.starts_with("0.80 (≥ 0.52)"), text.c_str());
+    const std::string figure = svg(chartOf(results, 0, 0, Metric::Loss));
+    QVERIFY(figure.find(">100<") != std::string::npos && figure.find(">120<") == std::string::npos);
+    // Of both ends: all between none and all.
+    for (Sample &sample : results.samples)
+        sample.values[Metric::Loss] = sample.run.repeat % 2 == 0 ? 0.95 : 0.05;
+    QVERIFY(summaryOf(results, {0, 0, 1}, Metric::Loss).low() >= 0 && summaryOf(results, {0, 0, 1}, Metric::Loss).high() <= 1);
 }
 
 void ReportTest::runsAreCounted()
@@ -356,6 +401,57 @@ void ReportTest::ratioToNothingIsNull()
     const std::string json = sweepJson(results, {});
     QVERIFY(json.find("\"ratio\":null") != std::string::npos && json.find("\"significant\":true") != std::string::npos);
     QVERIFY(json.find("Infinity") == std::string::npos);
+}
+
+/// The same suite twice, held to both criteria: as any two suites are, and over all such tests of the sweep.
+void ReportTest::noiseIsJudgedAsSuitesAre()
+{
+    Results results = resultsWith(Metric::CpuPerFrame, [](SuiteId) { return 1000.0; });
+    for (Sample &sample : results.samples) {
+        const double unlike = results.plan.arms[sample.run.arm].again ? 20 : 0; // p = 0.01
+        const double noise = 10 * (static_cast<double>(sample.run.repeat) - 2) / std::sqrt(2.5);
+        sample.values[Metric::CpuPerFrame] = 1000 + noise + unlike;
+        for (const Metric metric : {Metric::Cpu, Metric::AgentCpu, Metric::Latency, Metric::OpenP50, Metric::WirePerFrame})
+            sample.values[metric] = 1000 + noise;
+    }
+    const std::vector<Noise> all = noiseOf(results);
+    QCOMPARE(all.size(), std::size_t(6));
+    const auto found = std::find_if(all.begin(), all.end(), [](const Noise &one) { return one.metric == Metric::CpuPerFrame; });
+    QVERIFY(found->comparison.significantAlone() && !found->differs());
+    const std::string page = htmlReport({results, {}, {}, {}});
+    const std::size_t begin = page.find("machine's noise");
+    const std::size_t row = page.find("CPU time per frame, station</td>", begin);
+    const std::string line = page.substr(row, page.find("</tr>", row) - row);
+    // R: t.test of the two: difference 20, standard error sqrt(2 * 100 / 5), 8 degrees of freedom: 5.416 to 34.584
+    QVERIFY2(line.find("<td>2 %</td><td>0.542 to 3.46 %</td><td>0.0133</td><td>differs</td><td>0.0801</td><td>no difference</td>") != std::string::npos,
+             line.c_str());
+    QVERIFY(page.find("over all 6 A/A tests") != std::string::npos && page.find("of the 6 such families") != std::string::npos);
+    const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
+    for (const QJsonValue noise : json[QLatin1String("noise")].toArray()) {
+        if (noise[QLatin1String("metric")] != QLatin1String("cpu_per_frame"))
+            continue;
+        QVERIFY(noise[QLatin1String("differs_alone")].toBool() && !noise[QLatin1String("differs")].toBool(true));
+        QVERIFY(std::abs(noise[QLatin1String("ci95_low")].toDouble() - 5.416) < 0.001);
+        QVERIFY(std::abs(noise[QLatin1String("ci95_high")].toDouble() - 34.584) < 0.001);
+    }
+}
+
+/// What the paper compared stands among the differences, what no two suites are compared by does not.
+void ReportTest::comparedIsWhatThePaperCompared()
+{
+    Results results = resultsWith(Metric::Packets, [](SuiteId suite) { return 1000.0 + static_cast<double>(suite); });
+    for (Sample &sample : results.samples) {
+        for (const Metric metric : {Metric::FrameRate, Metric::Cpu, Metric::AgentCpu, Metric::Loss, Metric::RecordLoss, Metric::Memory, Metric::AgentMemory})
+            sample.values[metric] = sample.values[Metric::Packets] / 1e4;
+    }
+    const std::string page = htmlReport({results, {}, {}, {}});
+    for (const auto &[from, to] : {std::pair("Which suites differ", "machine's noise"), std::pair("machine's noise", "The paper's claims")}) {
+        const std::size_t begin = page.find(from);
+        const std::string part = page.substr(begin, page.find(to, begin) - begin);
+        for (const char *title : {"Packets transmitted", "Rate", "CPU load, station", "CPU load, agent", "Frames lost", "Records lost, to the station"})
+            QVERIFY2(part.find(std::string(title) + "</td>") != std::string::npos, title);
+        QVERIFY(part.find("Memory") == std::string::npos);
+    }
 }
 
 void ReportTest::framingsAreTold()

@@ -19,6 +19,7 @@ class SettingTest : public QObject
 private Q_SLOTS:
     void namesTheBuild();
     void busyMachineIsWarnedOf();
+    void slowBuildIsWarnedOf();
     void readsWhatOpensslSaysOfItself();
     void benchSaysWhatItUsed_data();
     void benchSaysWhatItUsed();
@@ -40,6 +41,23 @@ void SettingTest::busyMachineIsWarnedOf()
     QVERIFY(busyWarning(0.3, 2).empty() && busyWarning(1.0, 2).empty());
     const std::string warning = busyWarning(8.57, 2);
     QVERIFY2(warning.find("8.57 on 2 cores") != std::string::npos, warning.c_str());
+}
+
+void SettingTest::slowBuildIsWarnedOf()
+{
+    for (const char *fast : {"-O3 -DNDEBUG", "-O2 -g1", "-g -O2 -ffile-prefix-map=/a=. -O3"})
+        QVERIFY2(buildWarning(fast).empty(), fast);
+    for (const char *forTests : {"-O1 -g1 -DNDEBUG", "-O3 -Os", "-O"})
+        QVERIFY2(buildWarning(forTests).find("as for tests") != std::string::npos, forTests);
+    for (const char *none : {"", "-g", "-O2 -O0"})
+        QVERIFY2(buildWarning(none).starts_with("not optimised"), none);
+
+    const Setting setting = machineSetting();
+    QVERIFY(warningsOf(setting).size() <= 1); // a key of sweep.json
+    const auto flags = std::find_if(setting.begin(), setting.end(), [](const auto &entry) { return entry.first == "build_flags"; });
+    for (const std::string &warning : warningsOf(setting))
+        QCOMPARE(warning.find("this build is " + buildWarning(flags->second)) == 0, !buildWarning(flags->second).empty());
+    QVERIFY(buildWarning(flags->second).empty() || !warningsOf(setting).empty());
 }
 
 void SettingTest::readsWhatOpensslSaysOfItself()

@@ -43,6 +43,7 @@ private Q_SLOTS:
     void welchAgreesWithR_data();
     void welchAgreesWithR();
     void constantGroups();
+    void noneSeenIsNotNone();
     void holmsExample();
     void holmIsBetweenNothingAndBonferroni();
     void pairsOfOneSourceDoNotDiffer();
@@ -220,6 +221,15 @@ void StatisticsTest::constantGroups()
     QCOMPARE(welch(manyZeros, manyOnes).p, 0.0);
     QCOMPARE(welch(manyZeros, manyOnes).halfWidth(0.95), 0.0);
     QVERIFY(std::isfinite(welch(zeros, std::vector<double>{1, 1, 2}).p)); // one that varies is enough
+}
+
+void StatisticsTest::noneSeenIsNotNone()
+{
+    // Hanley and Lippman-Hand, JAMA 249 (1983) 1743: the exact bounds beside 3/n.
+    QVERIFY(near(boundOfNone(10), 0.26, 0.005) && near(boundOfNone(20), 0.14, 0.005) && near(boundOfNone(100), 0.03, 0.005));
+    for (const double trials : {1.0, 30.0, 1000.0, 5e6}) // where that is the share, none is seen in one of twenty
+        QVERIFY(near(std::pow(1 - boundOfNone(trials), trials), 0.05, 1e-8));
+    QCOMPARE(boundOfNone(0), 1.0);
 }
 
 void StatisticsTest::holmsExample()

@@ -1,5 +1,6 @@
 // A whole sweep by the real programs: files that agree with each other and with the arithmetic, losses that are those of the
 // link, assertions that decide the exit status, a cancel that ends in good order.
+#include "core/crypto/suite.h"
 #include "tests/support/run_program.h"
 #include "tests/support/flight.h"
 
@@ -71,6 +72,7 @@ class SweepTest : public QObject
 private Q_SLOTS:
     void initTestCase() { qunsetenv("XDG_RUNTIME_DIR"); } // as in a service or a container
     void filesAgree();
+    void everySuiteIsMeasured();
     void lossIsThatOfTheLink();
     void radioSetsThePace();
     void cancelKeepsWhatThereIs();
@@ -104,6 +106,20 @@ static QList<QJsonObject> summariesOf(const QJsonObject &report, const QString &
     return out;
 }
 
+/// The frames or records of a run that a share is of; 0 for what is no share.
+static double sharedBy(const QJsonObject &sample, const QString &metric)
+{
+    const auto grown = [&sample](const char *kind) {
+        const auto at = [&](const char *edge) {
+            return sample[QLatin1String("counted")][QLatin1String(edge)][QLatin1String(kind)][QLatin1String("good")].toDouble();
+        };
+        return at("end") - at("begin");
+    };
+    if (metric == QLatin1String("loss"))
+        return valueOf(sample, "packets");
+    return metric == QLatin1String("record_loss") ? grown("rx") : metric == QLatin1String("record_loss_up") ? grown("tx") : 0;
+}
+
 /// A number as people read it, "1,234.5", and what half a unit of its last digit is.
 static std::pair<double, double> shown(QString text)
 {
@@ -118,13 +134,16 @@ void SweepTest::checkSummaries(const QJsonObject &report)
     int checked = 0;
     for (const QJsonValue summary : report[QLatin1String("summaries")].toArray()) {
         QList<double> values;
+        double frames = 0;
         for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
             bool same = true;
             for (const char *key : {"condition", "load", "suite", "framing", "again"})
                 same = same && sample[QLatin1String(key)] == summary[QLatin1String(key)];
             const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(std::nan(""));
-            if (same && std::isfinite(value))
+            if (same && std::isfinite(value)) {
                 values.append(value);
+                frames += sharedBy(sample.toObject(), summary[QLatin1String("metric")].toString());
+            }
         }
         QCOMPARE(summary[QLatin1String("n")].toInt(), static_cast<int>(values.size()));
         double mean = 0;
@@ -135,9 +154,13 @@ void SweepTest::checkSummaries(const QJsonObject &report)
         if (summary[QLatin1String("metric")].toString().endsWith(QLatin1String("memory"))) {
             // Resident memory is one process's through all runs, a session's is measured once.
             QVERIFY(summary[QLatin1String("ci95_low")].isNull() && summary[QLatin1String("ci95_high")].isNull());
+        } else if (frames > 0 && summary[QLatin1String("max")].toDouble() == 0) {
+            QVERIFY(std::abs(summary[QLatin1String("ci95_high")].toDouble() - (1 - std::pow(0.05, 1 / frames))) < 1e-9);
+            QCOMPARE(summary[QLatin1String("ci95_low")].toDouble(), 0.0);
         } else if (values.size() == 2) { // t for one degree of freedom is 12.7062
             const double half = 12.7062047 * std::abs(values[0] - values[1]) / 2;
-            QVERIFY(std::abs(summary[QLatin1String("ci95_high")].toDouble() - (mean + half)) <= 1e-6 * (std::abs(mean) + half));
+            const double high = frames > 0 ? std::min(1.0, mean + half) : mean + half;
+            QVERIFY(std::abs(summary[QLatin1String("ci95_high")].toDouble() - high) <= 1e-6 * (std::abs(mean) + half));
         }
         ++checked;
     }
@@ -273,6 +296,31 @@ void SweepTest::filesAgree()
 #endif
     QCOMPARE(report[QLatin1String("comparisons")].toArray().isEmpty(), false);
     QCOMPARE(report[QLatin1String("noise")].toArray().isEmpty(), false);
+}
+
+/// Plain MAVLink and every suite under both loads: as a sweep is that names none.
+void SweepTest::everySuiteIsMeasured()
+{
+    const RunResult run = runProgram("skyseal-cli", sweep("--seconds 0.5 --warm-up 0.2 --repeats 1 --json"), {}, 120000);
+    QVERIFY2(run.status == 0, run.err.constData());
+    QSet<QString> suites;
+    const QList<QJsonObject> runs = events(run.out, "run");
+    for (const QJsonObject &sample : runs) {
+        suites << sample[QLatin1String("suite")].toString();
+        QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));
+        QVERIFY(valueOf(sample, "packets") >= 10 && valueOf(sample, "cpu") > 0 && valueOf(sample, "agent_cpu") > 0);
+        if (sample[QLatin1String("suite")] == q("none"))
+            continue;
+        QVERIFY(valueOf(sample, "open_p50") > 0 && valueOf(sample, "seal_p50") > 0);
+        QVERIFY(valueOf(sample, "record_loss") <= 0.2);
+    }
+    QSet<QString> all;
+    for (const skyseal::crypto::SuiteInfo &suite : skyseal::crypto::suites()) {
+        if (skyseal::crypto::suiteAvailable(suite.id))
+            all << QString::fromLatin1(suite.name.data(), static_cast<qsizetype>(suite.name.size()));
+    }
+    QCOMPARE(suites, all);
+    QCOMPARE(runs.size(), 2 * all.size()); // each once under each load
 }
 
 void SweepTest::lossIsThatOfTheLink()
