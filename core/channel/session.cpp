@@ -29,7 +29,7 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause),
-      m_called(now - kEventPause), m_heardHere(now)
+      m_lifeShown(now - kEventPause), m_heardHere(now)
 {
     if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
         return;

@@ -100,9 +100,9 @@ public:
     void rekey(TimePoint now);
     /// In a single-peer carrier: records name their session until then, since another one may be there at the other end.
     void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
-    /// A report with the wish for an answer, sent at once: our line was joined anew, or the peer may have lost us. At most
-    /// once a second: what asks for it need not be authentic.
-    void callPeer(TimePoint now);
+    /// A report at once: our line was joined anew, or the peer may have lost us. At most once a second, since what asks for it
+    /// need not be authentic; false within that.
+    bool showLife(TimePoint now, bool wantAnswer);
     /// Keys changed in the list of peers: role and name follow.
     void updatePeer(const Peer &peer) { m_setup.peer = peer; }
     void policyChanged(TimePoint now);
@@ -183,7 +183,7 @@ private:
     std::uint64_t m_forgedUntold = 0;
     std::uint64_t m_replayedUntold = 0;
     TimePoint m_alarmTold;
-    TimePoint m_called;
+    TimePoint m_lifeShown;
 
     std::optional<Path> m_former;   ///< where the peer was known to hear us; set while the present path is on trial
     std::uint32_t m_trialStamp = 0; ///< a report that echoes a later one has heard us at the present path

@@ -81,12 +81,13 @@ void Session::goBackWhenDue(TimePoint now)
     m_former.reset();
 }
 
-void Session::callPeer(TimePoint now)
+bool Session::showLife(TimePoint now, bool wantAnswer)
 {
-    if (now < m_called + kEventPause)
-        return; // The next report says it soon enough.
-    m_called = now;
-    sendReport(now, true);
+    if (now < m_lifeShown + kEventPause)
+        return false; // The next report says it soon enough.
+    m_lifeShown = now;
+    sendReport(now, wantAnswer);
+    return true;
 }
 
 void Session::tellMove(TimePoint now)
