@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kFigures{Metric::Packets,     Metric::Memory,           Metric::AgentMemory, Metric::Cpu,
                               Metric::AgentCpu,    Metric::CpuPerFrame,      Metric::AgentCpuPerFrame, Metric::FrameRate,
                               Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss,
-                              Metric::SessionMemory, Metric::EnergyPerFrame};
+                              Metric::RecordLoss,  Metric::SessionMemory,    Metric::EnergyPerFrame};
 /// Of which differences are told.
 constexpr std::array kCompared{Metric::Packets,  Metric::FrameRate,   Metric::Loss,             Metric::RecordLoss,
                                Metric::Cpu,      Metric::CpuPerFrame, Metric::AgentCpu,         Metric::AgentCpuPerFrame,

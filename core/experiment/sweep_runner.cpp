@@ -339,7 +339,8 @@ void SweepRunner::endRun(std::string problem)
         sample.values[Metric::Switch] = m_switchTook;
         // Measured once, so it is one sample and no more, however often the suite is run.
         const Cell cell{run().condition, run().load, run().arm};
-        if (m_config.heap && m_protection == engine::Protection::Sealed
+        const bool again = m_config.plan.arms[run().arm].again;
+        if (m_config.heap && !again && m_protection == engine::Protection::Sealed
             && summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count == 0) {
             double &memory = sample.values[Metric::SessionMemory];
             memory = m_config.heap->session(wantedSuite()).value_or(memory);
