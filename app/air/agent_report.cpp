@@ -63,8 +63,8 @@ void AgentReport::framesRefused(const engine::FramesRefused &refused)
     if (refused.command != 0)
         what += format(" %u", unsigned(refused.command));
     say(engine::framesRefusedEvent(refused),
-        format("refused %llu frames of %s, the last one %s: %s", static_cast<unsigned long long>(refused.frames),
-               refused.peer.c_str(), what.c_str(),
+        format("refused %llu frame%s of %s, the last one %s: %s", static_cast<unsigned long long>(refused.frames),
+               refused.frames == 1 ? "" : "s", refused.peer.c_str(), what.c_str(),
                observer ? "it may only look" : "it may not speak as that system"));
 }
 

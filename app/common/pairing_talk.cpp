@@ -77,6 +77,8 @@ void PairingTalk::take(PairingNews news)
     case State::Open:
         say("Open for pairing for " + std::to_string(news.seconds) + " s. The fingerprint of this device:");
         say("    " + keys::fingerprint(news.key));
+        if (m_settings.asks)
+            say("Open the window at the agent, while the vehicle is disarmed: skyseal-air --pair --identity FILE");
         say("Waiting for the other end …");
         return;
     case State::Seen:
@@ -98,6 +100,10 @@ void PairingTalk::take(PairingNews news)
     case State::Paired:
         m_paired = true;
         say("Paired with " + news.name + ".");
+        if (m_settings.asks)
+            say("This station asked to be " + std::string(keys::peerRoleText(*m_settings.asks))
+                + " there. What it is, pilot (may command) or observer (may only look), is what was confirmed beside the agent; "
+                  "it stands in the agent's list alone.");
         return;
     case State::Refused:
         m_failed = true;

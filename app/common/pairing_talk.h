@@ -35,6 +35,8 @@ public:
         bool decidesRole = false; ///< the agent's side: whether the other one may command
         /// What is granted there; otherwise who is known keeps the role, and who is new gets what it asks for.
         std::optional<channel::PeerRole> role;
+        /// The station's side: what it asks to be at the agent.
+        std::optional<channel::PeerRole> asks;
     };
 
     /// --json, --expect, --replace and --as.

@@ -376,6 +376,9 @@ void AgentCore::takeFromGround(channel::SessionId session, const mavlink::ScanIt
 void AgentCore::refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason)
 {
     ++(reason == FramesRefused::Reason::Observer ? m_counters.observerRefused : m_counters.spoofRefused);
+    // Every station sends them once a second, an observer's too: nothing to tell of each.
+    if (reason == FramesRefused::Reason::Observer && item.frame && item.frame->messageId() == mavlink::Heartbeat::kId)
+        return;
     FramesRefused &refused = m_refusedUntold[{session, reason}];
     if (refused.frames++ == 0) {
         refused.reason = reason;

@@ -44,7 +44,8 @@ struct AgentLinkChanged
     bool groundSide = false;
     LinkSnapshot link;
 };
-/// Frames of an authenticated peer that did not reach the vehicle; told once a snapshot and peer.
+/// Frames of an authenticated peer that did not reach the vehicle; told once a snapshot and peer. An observer's heartbeats
+/// are only counted.
 struct FramesRefused
 {
     enum class Reason : std::uint8_t { Observer, System };

@@ -7,6 +7,13 @@
 
 namespace skyseal::engine {
 
+namespace {
+
+/// The role stands in the agent's list alone, and to an observer's commands it is silent.
+const std::string kMaybeObserver = "; the agent may know this station as an observer, whose commands it drops";
+
+} // namespace
+
 void StationCore::serveVehicles(TimePoint now)
 {
     for (auto &[systemId, vehicle] : m_vehicles.all())
@@ -20,15 +27,25 @@ void StationCore::serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Ve
         if (outlet)
             send(now, *outlet, *message);
     }
-    while (auto result = vehicle.pollResult())
+    const bool sealed = outlet && outlet->session && !vehicle.isLost(now);
+    while (auto result = vehicle.pollResult()) {
+        if (sealed && result->unanswered)
+            result->reason += kMaybeObserver;
         tell(std::move(*result));
+    }
     while (auto text = vehicle.pollText())
         tell(TextReceived{systemId, std::move(*text)});
-    while (auto done = vehicle.pollMissionResult())
+    while (auto done = vehicle.pollMissionResult()) {
+        if (sealed && done->unanswered && done->transfer != vehicle::MissionTransfer::Download)
+            done->reason += kMaybeObserver;
         tell(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
                                  std::move(done->reason)});
-    while (auto written = vehicle.pollParameterResult())
+    }
+    while (auto written = vehicle.pollParameterResult()) {
+        if (sealed && written->unanswered)
+            written->reason += kMaybeObserver;
         tell(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
+    }
 }
 
 void StationCore::sendHeartbeats(TimePoint now)

@@ -286,7 +286,8 @@ void Commander::finish(Action &action, CommandOutcome outcome, std::string reaso
         return;
     if (outcome == CommandOutcome::Refused && !action.words.empty())
         reason += ": " + action.words;
-    m_results.push_back({action.id, m_addressing.system, outcome, action.result, std::move(reason)});
+    const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Watching;
+    m_results.push_back({action.id, m_addressing.system, outcome, action.result, std::move(reason), unanswered});
     action.done = true;
     action.deadline = kNever;
 }

@@ -263,6 +263,7 @@ bool MissionClient::giveUp()
     if (m_phase == Phase::Downloading)
         reason += " for item " + std::to_string(m_items.size());
     finish(false, std::move(reason));
+    m_results.back().unanswered = true;
     return true;
 }
 

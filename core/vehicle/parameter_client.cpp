@@ -111,7 +111,7 @@ void ParameterClient::handleDeadline(TimePoint now, Outbox &outbox)
             finishWrite(now, {*front.seen, false, "the vehicle keeps " + shortNumber(front.seen->value, 6)}, outbox);
         } else {
             finishWrite(now,
-                        {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts"},
+                        {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts", true},
                         outbox);
         }
     }

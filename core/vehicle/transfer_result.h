@@ -15,6 +15,7 @@ struct MissionResult
     MissionTransfer transfer{};
     bool ok = false;
     std::string reason; ///< in words, when not ok
+    bool unanswered = false;
 };
 
 struct ParameterResult
@@ -22,6 +23,7 @@ struct ParameterResult
     Parameter parameter; ///< with the value that the vehicle has now, where it said so
     bool ok = false;
     std::string reason;
+    bool unanswered = false;
 };
 
 } // namespace skyseal::vehicle

@@ -38,6 +38,7 @@ struct CommandResult
     CommandOutcome outcome{};
     std::uint8_t result = 0; ///< MAV_RESULT, when answered
     std::string reason; ///< in words: MAV_RESULT's name, the vehicle's own words where it gave any, or why nothing was sent
+    bool unanswered = false; ///< timed out, and not one word of it came back
 };
 
 } // namespace skyseal::vehicle

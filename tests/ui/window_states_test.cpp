@@ -147,6 +147,12 @@ private Q_SLOTS:
         m_station->tell(
             vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
+        QTest::mousePress(arm, Qt::LeftButton);
+        QTRY_COMPARE(m_station->commands.size(), std::size_t(2));
+        QTest::mouseRelease(arm, Qt::LeftButton);
+        m_station->tell(
+            vehicle::CommandResult{vehicle::CommandId{2}, 1, vehicle::CommandOutcome::TimedOut, 0, "no answer to 5 attempts"});
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: no answer to 5 attempts")); // said once
     }
 
     void takeOffByKeys()

@@ -60,6 +60,7 @@ void CommandTest::repeatsOnceASecondWithARisingConfirmation()
     QCOMPARE(result->id, CommandId{7});
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
     QCOMPARE(result->reason, std::string("no answer to 5 attempts"));
+    QVERIFY(result->unanswered);
 }
 
 void CommandTest::progressExtendsTheWait()

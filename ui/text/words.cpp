@@ -148,7 +148,7 @@ QString commandOutcomeWords(const vehicle::CommandResult &result)
     case vehicle::CommandOutcome::Refused:
         return reason.isEmpty() ? Words::tr("refused") : Words::tr("refused: %1").arg(reason);
     case vehicle::CommandOutcome::TimedOut:
-        return reason.isEmpty() ? Words::tr("no answer") : Words::tr("no answer: %1").arg(reason);
+        return reason.isEmpty() ? Words::tr("no answer") : reason;
     }
     return {};
 }

@@ -91,6 +91,7 @@ int pairWithAgent(const QStringList &arguments)
         return kCannotOpen;
     }
     engine::Station &engine = **station;
+    settings.asks = role;
     const std::string callIt = settings.callIt;
     PairingTalk talk(std::move(settings));
     Decision decision;
