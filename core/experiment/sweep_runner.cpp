@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace skyseal::experiment {
 
@@ -25,7 +26,8 @@ const std::string kNothingClear = "no vehicle was heard in clear; do both ends c
 
 } // namespace
 
-SweepRunner::SweepRunner(SweepConfig config) : m_config(std::move(config)), m_schedule(schedule(m_config.plan))
+SweepRunner::SweepRunner(SweepConfig config) : m_config(std::move(config)), m_schedule(schedule(m_config.plan)),
+      m_timeLeft(seconds(m_config.plan.measure + m_config.plan.warmUp) + 0.2)
 {
     m_results.plan = m_config.plan;
     connect(&m_tick, &QTimer::timeout, this, [this] { tick(); });
@@ -102,13 +104,18 @@ void SweepRunner::cancel()
         restore();
 }
 
+bool SweepRunner::beginsBlock(std::size_t run) const
+{
+    const auto blockOf = [](const Run &one) { return std::pair(one.condition, one.load); };
+    return run == 0 || blockOf(m_schedule[run]) != blockOf(m_schedule[run - 1]);
+}
+
 double SweepRunner::remaining() const
 {
-    const Plan &plan = m_config.plan;
-    const double planned = seconds(plan.measure + plan.warmUp) + 0.2;
-    const auto done = static_cast<double>(m_next), left = static_cast<double>(m_schedule.size() - m_next);
-    const double taken = done > 0 ? static_cast<double>(m_clock.elapsed()) / 1000 / done : planned;
-    return left * std::max(planned, taken);
+    std::size_t blocks = 0;
+    for (std::size_t i = m_next; i < m_schedule.size(); ++i)
+        blocks += beginsBlock(i);
+    return m_timeLeft.of(m_schedule.size() - m_next, blocks);
 }
 
 void SweepRunner::enter(Stage stage, Duration patience)
@@ -379,6 +386,8 @@ void SweepRunner::refuseRun(const std::string &problem)
 void SweepRunner::record(Sample sample)
 {
     m_stage = Stage::Idle;
+    const double now = static_cast<double>(m_clock.elapsed()) / 1000;
+    m_timeLeft.runEnded(now - std::exchange(m_lastEnd, now), beginsBlock(m_next));
     ++m_next;
     m_results.samples.push_back(sample);
     Q_EMIT sampleTaken(sample);

@@ -11,6 +11,7 @@
 #include "core/experiment/lab.h"
 #include "core/experiment/measurement.h"
 #include "core/experiment/results.h"
+#include "core/experiment/time_left.h"
 #include "core/metrics/energy_meter.h"
 
 #include <QtCore/QElapsedTimer>
@@ -83,6 +84,7 @@ private:
     void noteReport(const engine::Snapshot &snapshot);
     void refuseRun(const std::string &problem);
     void record(Sample sample);
+    bool beginsBlock(std::size_t run) const;
     void restore();
     void putBack(const engine::Snapshot &snapshot);
     void end();
@@ -107,6 +109,7 @@ private:
     SweepConfig m_config;
     Results m_results;
     std::vector<Run> m_schedule;
+    TimeLeft m_timeLeft;
     std::size_t m_next = 0;
     std::unique_ptr<engine::Station> m_own;
     engine::Station *m_station = nullptr; ///< that, or the borrowed one
@@ -126,7 +129,7 @@ private:
     QElapsedTimer m_clock, m_stageClock;
     Duration m_patience{};
     double m_stageStart = 0; ///< snapshot time
-    double m_runStart = 0;
+    double m_runStart = 0, m_lastEnd = 0;
     std::shared_ptr<const engine::Snapshot> m_snapshot;
     Reading m_begin;
     std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
