@@ -150,8 +150,9 @@ bool Application::start()
     auto station = engine::Station::create(configOf(settings, keys));
     if (station)
         m_question.opened();
-    if (!station && m_options.identityFile.empty() && !m_options.demo) {
-        // A damaged key of one's own must not keep the window away: it opens for plain links and says so.
+    if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.declined())) {
+        // A damaged key of one's own must not keep the window away, nor must a passphrase that the operator keeps to himself:
+        // it opens for plain links and says so.
         m_keyProblem = QString::fromStdString(station.error().text());
         station = engine::Station::create(configOf(settings, {}));
     }

@@ -17,7 +17,8 @@ Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::str
     ui::PassphraseDialog dialog(QString::fromStdString(file), attempt > 0, problem);
     dialog.setToBeRemembered(m_memory.remembers(file)); // an old one that does not open it any more
     const InputError none{"the passphrase was not given", file};
-    if (dialog.exec() != QDialog::Accepted)
+    m_declined = dialog.exec() != QDialog::Accepted;
+    if (m_declined)
         return tl::unexpected(none);
     auto passphrase = dialog.takePassphrase();
     if (!passphrase)

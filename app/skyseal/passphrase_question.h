@@ -18,6 +18,8 @@ public:
     {
         return [this](const std::string &file, int attempt) { return answer(file, attempt); };
     }
+    /// The operator was asked and did not answer.
+    bool declined() const { return m_declined; }
     /// The last answer opened the file: what the operator wanted remembered is remembered.
     void opened();
 
@@ -28,6 +30,7 @@ private:
     std::string m_file;
     std::optional<crypto::Passphrase> m_toRemember;
     bool m_forget = false;
+    bool m_declined = false;
 };
 
 } // namespace skyseal::app

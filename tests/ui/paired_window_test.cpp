@@ -62,6 +62,7 @@ private Q_SLOTS:
     void agentThatGoesAwayIsWaitedFor();
     void keyIsSealedInTheDialog();
     void sealedKeyIsAskedForAtTheStart();
+    void namedKeyMayStaySealed();
 
 private:
     QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -81,7 +82,7 @@ private:
     }
     QString newKey(const char *name) const;
     void startAgent(const char *key);
-    void startWindow();
+    void startWindow(app::WindowOptions options = {});
     std::unique_ptr<Program> openDesk(const char *key, const char *passphraseFile = nullptr) const;
 
     template<typename W> W *find(const char *name) const
@@ -139,9 +140,8 @@ void PairedWindowTest::startAgent(const char *key)
     QVERIFY(!m_agent->waitFor(QStringLiteral("link"), kPatience).isEmpty());
 }
 
-void PairedWindowTest::startWindow()
+void PairedWindowTest::startWindow(app::WindowOptions options)
 {
-    app::WindowOptions options;
     options.links = {*link::LinkUrl::parse(QStringLiteral("udpin:127.0.0.1:%1").arg(m_groundPort).toStdString())};
     m_app = std::make_unique<app::Application>(std::move(options), m_random);
     QVERIFY(m_app->start());
@@ -460,6 +460,38 @@ void PairedWindowTest::sealedKeyIsAskedForAtTheStart()
     startWindow();
     person.stop();
     QCOMPARE(asked, 2);
+    QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
+}
+
+void PairedWindowTest::namedKeyMayStaySealed()
+{
+    m_app.reset();
+    bool declined = false;
+    QTimer person;
+    connect(&person, &QTimer::timeout, this, [&] {
+        auto *dialog = qobject_cast<PassphraseDialog *>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        person.stop();
+        if (!std::exchange(declined, true)) {
+            QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Cancel), Qt::LeftButton);
+        } else {
+            QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")), QStringLiteral("swordfish"));
+            QTest::keyClick(dialog, Qt::Key_Return);
+        }
+    });
+    person.setInterval(20);
+    person.start();
+    app::WindowOptions options;
+    options.identityFile = ownFile("identity.key").toStdString();
+    options.peersFile = ownFile("peers").toStdString();
+    startWindow(std::move(options));
+    QVERIFY(declined);
+    QVERIFY(textOf(m_window, "problemText").startsWith(QStringLiteral("No sealed links")));
+    picture("passphrase-declined", m_window);
+    // It is not too late.
+    person.start();
+    click(m_window, "problemRemedy");
     QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
 }
 
