@@ -109,6 +109,7 @@ void MainWindow::connectPanels()
             [this] { m_docks->reveal("dockLinks"); });
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
+    connect(m_empty, &EmptyState::keysWanted, this, &MainWindow::openKeys);
     connect(m_empty, &EmptyState::plainWanted, this,
             [this](const engine::HeldBackVehicle &held) { askAllowPlain(m_station, held, this); });
     connect(m_docks->secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);

@@ -43,6 +43,8 @@ std::string sealText(const engine::Snapshot &snapshot)
     }
     for (const engine::UnansweringAgent &agent : snapshot.unanswering)
         out += (out.empty() ? "" : "; ") + agent.peerName + " does not answer";
+    if (out.empty() && !snapshot.unknownAgents.empty())
+        out = "no session: the agent at " + snapshot.unknownAgents.front().remoteAddress + " is not known here";
     if (out.empty())
         out = snapshot.security == engine::Security::Plain ? "NOT SEALED" : "no session";
     return out;

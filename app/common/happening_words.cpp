@@ -130,6 +130,10 @@ std::string sentence(const engine::Happening &happening, const std::map<channel:
                               static_cast<unsigned>(e.epoch), ms < 9.95 ? 1 : 0, ms);
             },
             [](const channel::HandshakeRefused &e) {
+                if (e.reason == channel::RefusalReason::UnknownPeer && e.peer == channel::PublicKey{}) // heard by a station
+                    return "an agent at " + link::toText(e.path.remote)
+                        + " announces itself with a key that is not known here: pair the two (keys pair; beside it skyseal-air "
+                          "--pair), or add its key (keys peers add)";
                 std::string out = "refused a handshake from " + link::toText(e.path.remote) + ": " + whyRefused(e.reason);
                 return e.peer == channel::PublicKey{} ? out : out + " (" + keys::fingerprint(e.peer) + ")";
             },

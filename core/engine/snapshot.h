@@ -154,6 +154,12 @@ struct UnansweringAgent
     double seconds = 0;         ///< since the first message that it did not answer
 };
 
+/// Something announces itself as an agent, with a key that is not among the known peers. Its key is not shown by that.
+struct UnknownAgent
+{
+    std::string remoteAddress;
+};
+
 /// A vehicle in clear of which nothing is shown, and to which nothing is sent, before a person allows it; see
 /// Station::allowClear().
 struct HeldBackVehicle
@@ -172,6 +178,7 @@ struct Snapshot
     std::vector<SessionSnapshot> sessions;
     std::vector<VehicleSnapshot> vehicles;
     std::vector<UnansweringAgent> unanswering;
+    std::vector<UnknownAgent> unknownAgents;
     std::vector<HeldBackVehicle> heldBack;
     channel::ReceiveCounters strays;
     std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet

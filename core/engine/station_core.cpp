@@ -305,6 +305,9 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         noteDown(now, *down);
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
         m_policy.sessionMoved(moved->session, moved->to);
+    } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
+        if (refused->reason == channel::RefusalReason::UnknownPeer && !m_unknownAgents.note(now, refused->path))
+            return; // it was told
     }
     std::visit([this](const auto &value) { tell(value); }, event);
 }

@@ -24,6 +24,7 @@
 #include "core/engine/sender_policy.h"
 #include "core/engine/station_config.h"
 #include "core/engine/unanswering_agents.h"
+#include "core/engine/unknown_agents.h"
 #include "core/metrics/sequence_table.h"
 #include "core/vehicle/gcs_heartbeat.h"
 #include "core/vehicle/vehicle_set.h"
@@ -217,6 +218,7 @@ private:
     Refusals<SystemRefused> m_spoofed; ///< sealed frames of a system that their peer may not speak as
     channel::SessionId m_spoofer{};
     UnansweringAgents m_unanswering{std::string()};
+    UnknownAgents m_unknownAgents;
     HeldBack m_heldBack;
     std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
     std::uint64_t m_frameBytes = 0;

@@ -92,6 +92,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
                 out->sessions.push_back(describe(now, *info));
         }
         out->unanswering = m_unanswering.all();
+        out->unknownAgents = m_unknownAgents.all(now);
         // Nobody is to be heard any more: the next of their frames is taken or refused, and they wait for no person.
         if (const std::string mayBe = m_policy.neverHeard(); !mayBe.empty())
             out->heldBack = m_heldBack.all(mayBe);

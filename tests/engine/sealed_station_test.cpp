@@ -234,7 +234,14 @@ void SealedStationTest::observerCannotCommand()
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
     ground.station->command(1, vehicle::SetMode{"GUIDED"});
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
-    QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::TimedOut));
+    const vehicle::CommandResult result = ground.ears->all<vehicle::CommandResult>()[0];
+    QCOMPARE(int(result.outcome), int(vehicle::CommandOutcome::TimedOut));
+    QVERIFY2(result.reason.starts_with("no answer to 5 attempts; ") && result.reason.find("observer") != std::string::npos,
+             result.reason.c_str());
+    ground.station->writeParameter(1, "FS_GCS_ENABLE", 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::ParameterWritten>().empty(), 30000);
+    const engine::ParameterWritten written = ground.ears->all<engine::ParameterWritten>()[0];
+    QVERIFY2(!written.ok && written.reason.find("observer") != std::string::npos, written.reason.c_str());
     const engine::AgentSnapshot agent = rig.agent->snapshot();
     QVERIFY(agent.counters.observerRefused > 0);
     QCOMPARE(int(vehicle.vehicle.autopilot().modes().current()), int(sim::FlightMode::Stabilize));
@@ -263,6 +270,14 @@ void SealedStationTest::unknownStationGetsNothing()
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::HandshakeRefused>().empty(), 10000);
     QVERIFY(!ground.up());
     QVERIFY(ground.ears->snapshot->vehicles.empty());
+    // It goes on announcing itself, which the snapshots show and which is told once.
+    const auto unknown = [&ground] { return ground.ears->snapshot->unknownAgents; };
+    QTRY_COMPARE(unknown().size(), std::size_t(1));
+    QVERIFY(unknown()[0].remoteAddress.starts_with("127.0.0.1:"));
+    const double then = ground.ears->snapshot->time;
+    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->time > then + 3.5, 10000);
+    QCOMPARE(ground.ears->all<channel::HandshakeRefused>().size(), std::size_t(1));
+    QCOMPARE(unknown().size(), std::size_t(1));
     QCOMPARE(rig.agent->snapshot().counters.toGround, std::uint64_t(0));
 }
 

@@ -93,6 +93,29 @@ private Q_SLOTS:
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
     }
 
+    void unknownAgentIsNamed()
+    {
+        engine::Snapshot snapshot = waitingSnapshot();
+        snapshot.unknownAgents.push_back({"192.0.2.7:40000"});
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("not known here")));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("192.0.2.7:40000")));
+        QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("--pair")));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("192.0.2.7:40000")));
+        QVERIFY(find<QPushButton>("emptyKeys")->isVisible() && find<QPushButton>("secureKeys")->isVisible());
+        snapshot.unknownAgents.clear();
+        snapshot.time += 1;
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Waiting for a vehicle")));
+        QVERIFY(!find<QPushButton>("emptyKeys")->isVisible() && !find<QPushButton>("secureKeys")->isVisible());
+        // Beside a vehicle it is no news for the middle of the window.
+        engine::Snapshot sealed = sealedSnapshot(2);
+        sealed.unknownAgents.push_back({"192.0.2.7:40000"});
+        m_station->show(sealed);
+        QVERIFY(!find<QWidget>("emptyState")->isVisible());
+        QVERIFY(!find<QPushButton>("secureKeys")->isVisible());
+    }
+
     void valuesAreThoseOfTheVehicle()
     {
         engine::Snapshot snapshot = plainSnapshot(1);

@@ -1,6 +1,7 @@
 #include "ui/map/empty_state.h"
 
 #include "ui/security/allow_plain.h"
+#include "ui/status/link_ended.h"
 #include "ui/text/words.h"
 #include "ui/theme/grid.h"
 
@@ -33,7 +34,7 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_command = new QLabel(this);
     m_command->setObjectName(QStringLiteral("emptyCommand"));
-    m_command->setAccessibleName(tr("Command that starts an agent"));
+    m_command->setAccessibleName(tr("Command to run beside the autopilot"));
     m_command->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_command->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_otherwise = new QLabel(tr("or let any autopilot send plain MAVLink here: it is shown, but not sealed."), this);
@@ -49,6 +50,10 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     m_plain->setObjectName(QStringLiteral("allowPlainButton"));
     m_plain->setAccessibleName(tr("Allow plain MAVLink"));
     m_plain->hide();
+    m_keys = new QPushButton(tr("Keys and peers …"), this);
+    m_keys->setObjectName(QStringLiteral("emptyKeys"));
+    m_keys->setAccessibleName(tr("Open keys and peers"));
+    m_keys->hide();
     column->addWidget(m_title);
     column->addWidget(m_text);
     column->addWidget(m_command);
@@ -60,8 +65,10 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     buttons->addStretch(1);
     column->addSpacing(kGrid);
     column->addWidget(m_plain, 0, Qt::AlignLeft);
+    column->addWidget(m_keys, 0, Qt::AlignLeft);
     column->addLayout(buttons);
     connect(m_plain, &QPushButton::clicked, this, [this] { Q_EMIT plainWanted(m_held); });
+    connect(m_keys, &QPushButton::clicked, this, &EmptyState::keysWanted);
     connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
     connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
     showScene({});
@@ -95,6 +102,7 @@ void EmptyState::showScene(const Scene &scene)
         }
     }
     QString title, text, command;
+    const engine::UnknownAgent *unknown = unknownAgentOf(scene);
     if (scene.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
         text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
@@ -112,6 +120,14 @@ void EmptyState::showScene(const Scene &scene)
                   "Its list of peers needs the key with the fingerprint\n%2\n\n"
                   "It is as silent when it permits none of the suites that are offered here.")
                    .arg(fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
+    } else if (unknown) {
+        title = tr("An agent that is not known here");
+        text = tr("It announces itself from %1, with a key that is not among this station's peers. That does not show its "
+                  "fingerprint.\n\n"
+                  "If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent, while the vehicle is "
+                  "disarmed:")
+                   .arg(fromStd(unknown->remoteAddress));
+        command = QStringLiteral("skyseal-air --pair --identity air.key");
     } else if (replaying) {
         title = tr("Replaying a log");
         text = tr("No vehicle in it so far.");
@@ -134,7 +150,8 @@ void EmptyState::showScene(const Scene &scene)
         m_plain->setAccessibleName(m_plain->text());
     }
     m_command->setVisible(!command.isEmpty());
-    m_otherwise->setVisible(!command.isEmpty());
+    m_otherwise->setVisible(!command.isEmpty() && !unknown);
+    m_keys->setVisible(unknown != nullptr);
     if (m_command->text() != command)
         m_command->setText(command);
     if (m_title->text() != title)

@@ -27,12 +27,13 @@ public:
 Q_SIGNALS:
     void demoWanted();
     void connectWanted();
+    void keysWanted();
     /// The operator wants to take this vehicle in clear.
     void plainWanted(const skyseal::engine::HeldBackVehicle &held);
 
 private:
     QLabel *m_title, *m_text, *m_command, *m_otherwise;
-    QPushButton *m_demo, *m_connect, *m_plain;
+    QPushButton *m_demo, *m_connect, *m_plain, *m_keys;
     engine::HeldBackVehicle m_held;
 };
 

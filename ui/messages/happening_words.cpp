@@ -1,5 +1,6 @@
 #include "ui/messages/happening_words.h"
 
+#include "core/link/address_text.h"
 #include "ui/text/units.h"
 #include "ui/text/words.h"
 #include "ui/theme/suite_style.h"
@@ -112,6 +113,11 @@ public:
     }
     Line operator()(const channel::HandshakeRefused &e) const
     {
+        if (e.reason == channel::RefusalReason::UnknownPeer)
+            return HappeningLine{tr("An agent at %1 announces itself with a key that is not known here. Security → Keys and "
+                                    "peers pairs the two")
+                                     .arg(fromStd(link::toText(e.path.remote))),
+                                 kWarning};
         return HappeningLine{tr("Handshake refused: %1").arg(refusalWords(e.reason)), kWarning};
     }
     Line operator()(const channel::ForgeryAlarm &e) const

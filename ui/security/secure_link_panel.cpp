@@ -169,6 +169,7 @@ void SecureLinkPanel::showHead(const Scene &scene)
     const StateColors &colors = stateColors(palette());
     const LockFace face = lockFaceOf(scene);
     const auto oneWay = oneWayOf(scene);
+    const engine::UnknownAgent *unknown = unknownAgentOf(scene);
     QString title, advice;
     QColor color = colors.dim;
     switch (face.security) {
@@ -182,6 +183,9 @@ void SecureLinkPanel::showHead(const Scene &scene)
             title = tr("%1 does not answer").arg(fromStd(agent->peerName));
             advice = tr("It is there, at %1, and silent: does it know this station's key? Look there for the fingerprint %2")
                          .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
+        } else if (unknown) {
+            advice = tr("An agent at %1 announces itself with a key that is not known here. If it is yours, pair the two.")
+                         .arg(fromStd(unknown->remoteAddress));
         } else if (const auto ended = linkEndedOf(scene)) {
             title = ended->title;
             advice = ended->advice;
@@ -234,7 +238,7 @@ void SecureLinkPanel::showHead(const Scene &scene)
     put(m_title, title);
     put(m_advice, advice);
     m_help->setVisible(!scene.session && !face.lost && !scene.plainRun && !oneWay);
-    m_keys->setVisible(face.lost && !scene.inSweep);
+    m_keys->setVisible((face.lost || unknown) && !scene.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);

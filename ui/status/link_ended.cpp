@@ -67,4 +67,12 @@ const engine::UnansweringAgent *unansweringOf(const Scene &scene)
     return found == agents.end() ? nullptr : &*found;
 }
 
+const engine::UnknownAgent *unknownAgentOf(const Scene &scene)
+{
+    if (scene.session || scene.vehicle || scene.heldBack || !scene.snapshot || unansweringOf(scene))
+        return nullptr;
+    const auto &agents = scene.snapshot->unknownAgents;
+    return agents.empty() ? nullptr : &agents.front();
+}
+
 } // namespace skyseal::ui

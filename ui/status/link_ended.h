@@ -21,4 +21,7 @@ std::optional<LinkEnded> linkEndedOf(const Scene &scene);
 /// The agent of the scene's vehicle (or any, where there is none) that is there and does not answer; null when none is so.
 const engine::UnansweringAgent *unansweringOf(const Scene &scene);
 
+/// An agent whose key is not known here, where that is all there is; null otherwise.
+const engine::UnknownAgent *unknownAgentOf(const Scene &scene);
+
 } // namespace skyseal::ui
