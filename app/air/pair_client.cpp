@@ -36,8 +36,7 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     const QString name = controlSocket(identityFile);
     socket.connectToServer(name);
     if (!socket.waitForConnected(kPatienceMs)) {
-        complain(program, name.toStdString() + ": no agent with this identity runs here, or it is another user's: "
-                              + socket.errorString().toStdString());
+        complain(program, name.toStdString() + ": no agent with this identity runs here, or it is another user's");
         return kCannotOpen;
     }
     settings.decidesRole = true;

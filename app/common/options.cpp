@@ -74,17 +74,17 @@ Options::Options(QString name, const QString &description) : m_name(std::move(na
 
 void Options::addFlag(const char *name, const char *help)
 {
-    m_parser.addOption({QLatin1String(name), QLatin1String(help)});
+    m_parser.addOption({QLatin1String(name), QString::fromUtf8(help)});
 }
 
 void Options::addValue(const char *name, const char *placeholder, const char *help, const char *preset)
 {
-    m_parser.addOption({QLatin1String(name), QLatin1String(help), QLatin1String(placeholder), QLatin1String(preset)});
+    m_parser.addOption({QLatin1String(name), QString::fromUtf8(help), QLatin1String(placeholder), QLatin1String(preset)});
 }
 
 void Options::addArgument(const char *name, const char *help)
 {
-    m_parser.addPositionalArgument(QLatin1String(name), QLatin1String(help), QLatin1String(name));
+    m_parser.addPositionalArgument(QLatin1String(name), QString::fromUtf8(help), QLatin1String(name));
 }
 
 std::optional<int> Options::parse(const QStringList &arguments)

@@ -153,6 +153,8 @@ void PairingTalk::hear()
         return;
     if (count <= 0) { // nobody can answer any more
         m_input->setEnabled(false);
+        m_failed = true;
+        say("Not paired: standard input has ended, so that nobody can answer; --expect FINGERPRINT confirms without a question");
         Q_EMIT cancelled();
         return;
     }

@@ -63,6 +63,7 @@ PassphraseInput PassphraseInput::read(Options &options, const char *which)
     const std::string file = std::string(which) + "passphrase-file";
     const std::string descriptor = std::string(which) + "passphrase-fd";
     PassphraseInput out;
+    out.m_which = which;
     if (options.has(file.c_str()))
         out.m_file = options.required(file.c_str());
     if (out.m_file == "-") {
@@ -94,23 +95,24 @@ keys::AskPassphrase PassphraseInput::ask() const
             return attempt == 0 ? input.readGiven() : tl::unexpected(wrong);
         if (attempt >= kAttempts)
             return tl::unexpected(wrong);
-        return askAtTerminal(attempt == 0 ? "Passphrase of " + file + ": " : "That does not open it. Once more: ", file);
+        return askAtTerminal(attempt == 0 ? "Passphrase of " + file + ": " : "That does not open it. Once more: ", file,
+                             input.m_which);
     };
 }
 
 Result<Passphrase, InputError> PassphraseInput::once(const std::string &question) const
 {
-    return isGiven() ? readGiven() : askAtTerminal(question, "the terminal");
+    return isGiven() ? readGiven() : askAtTerminal(question, "the terminal", m_which);
 }
 
 Result<Passphrase, InputError> PassphraseInput::choose(const std::string &file) const
 {
     if (isGiven())
         return readGiven();
-    auto first = askAtTerminal("New passphrase of " + file + ": ", file);
+    auto first = askAtTerminal("New passphrase of " + file + ": ", file, m_which);
     if (!first)
         return first;
-    const auto second = askAtTerminal("The same again: ", file);
+    const auto second = askAtTerminal("The same again: ", file, m_which);
     if (!second)
         return tl::unexpected(second.error());
     if (!first->equals(*second))

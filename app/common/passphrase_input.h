@@ -31,6 +31,7 @@ public:
 private:
     Result<crypto::Passphrase, InputError> readGiven() const;
 
+    std::string m_which; ///< what the options' names begin with
     std::string m_file;
     int m_descriptor = -1;
 };

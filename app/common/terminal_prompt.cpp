@@ -67,12 +67,13 @@ private:
 
 } // namespace
 
-Result<Passphrase, InputError> askAtTerminal(const std::string &question, const std::string &source)
+Result<Passphrase, InputError> askAtTerminal(const std::string &question, const std::string &source, const std::string &which)
 {
     const SilentTerminal terminal;
     if (!terminal.isReady())
-        return tl::unexpected(
-            InputError{"there is no terminal to ask for the passphrase; use --passphrase-file or --passphrase-fd", source});
+        return tl::unexpected(InputError{"there is no terminal to ask for the passphrase; use --" + which + "passphrase-file or --"
+                                             + which + "passphrase-fd",
+                                         source});
     terminal.say(question);
     SecretBytes<4096> line; // as long as a terminal's line can be
     ssize_t size = -1;

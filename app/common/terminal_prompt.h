@@ -8,7 +8,9 @@
 
 namespace skyseal::app {
 
-/// A line typed without an echo. Ctrl+C and Ctrl+D cancel. An error names `source`.
-Result<crypto::Passphrase, InputError> askAtTerminal(const std::string &question, const std::string &source);
+/// A line typed without an echo. Ctrl+C and Ctrl+D cancel. An error names `source`, and without a terminal what does
+/// without one: the options of PassphraseInput, whose names begin with `which`.
+Result<crypto::Passphrase, InputError> askAtTerminal(const std::string &question, const std::string &source,
+                                                     const std::string &which);
 
 } // namespace skyseal::app

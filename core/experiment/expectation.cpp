@@ -175,7 +175,10 @@ private:
             node.metric = *metric;
         } else {
             m_at = begin;
-            fail("no metric is named '" + std::string(key) + "'");
+            std::string names;
+            for (const MetricInfo &one : metrics())
+                names.append(names.empty() ? "" : ", ").append(one.key);
+            fail("no metric is named '" + std::string(key) + "'; there are " + names);
         }
         if (take("("))
             arguments(node);

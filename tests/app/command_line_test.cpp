@@ -50,6 +50,7 @@ void CommandLineTest::helpAndVersion_data()
     row("skyseal-cli", "keys --help", "peers add");
     row("skyseal-cli", "log --help", "verify");
     row("skyseal-air", "--help", "--allow-plain");
+    row("skyseal-sim", "--help", "udpin:…");
     row("skyseal-air", "--version", "skyseal-air ");
 }
 
@@ -61,6 +62,7 @@ void CommandLineTest::helpAndVersion()
     const RunResult result = runProgram(program.toUtf8().constData(), arguments);
     QCOMPARE(result.status, 0);
     QVERIFY2(result.out.contains(expected.toUtf8()), result.out.constData());
+    QVERIFY2(!result.out.contains("\xc3\xa2\xc2\x80"), result.out.constData()); // UTF-8 that was encoded once more
 }
 
 void CommandLineTest::usageErrors_data()

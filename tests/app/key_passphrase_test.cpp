@@ -20,6 +20,7 @@ private Q_SLOTS:
     void readFromAFile();
     void readFromADescriptor();
     void passphraseFileIsChecked();
+    void withoutATerminalTheOptionIsNamed();
     void changedAndRemoved();
     void agentAndMonitorOpenIt();
     void noKeyByteAndNoPassphraseInTheOutput();
@@ -140,6 +141,20 @@ void KeyPassphraseTest::passphraseFileIsChecked()
     QVERIFY(read("a.key").startsWith("skyseal-sealed-key-v1\n"));
 }
 
+void KeyPassphraseTest::withoutATerminalTheOptionIsNamed()
+{
+    const auto alone = [](const QStringList &arguments) { // without the terminal of whoever runs the tests
+        return runToItsEnd(QStringLiteral("setsid"), QStringList{QStringLiteral("-w"), QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"), QStringLiteral("keys")} + arguments);
+    };
+    const RunResult made = alone({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")});
+    QCOMPARE(made.status, 3);
+    QVERIFY2(made.err.contains("use --new-passphrase-file or --new-passphrase-fd"), made.err.constData());
+    QCOMPARE(newSealed("a.key", "x").status, 0);
+    const RunResult opened = alone({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--remove")});
+    QCOMPARE(opened.status, 3);
+    QVERIFY2(opened.err.contains("use --passphrase-file or --passphrase-fd"), opened.err.constData());
+}
+
 void KeyPassphraseTest::changedAndRemoved()
 {
     QCOMPARE(keys({QStringLiteral("new"), QStringLiteral("--out"), path("a.key")}).status, 0);
@@ -147,7 +162,9 @@ void KeyPassphraseTest::changedAndRemoved()
     const QByteArray shownPlain = keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out;
     const QString words = write("words", "first"), others = write("others", "second");
     QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--new-passphrase-file"), words}).status, 0);
-    QCOMPARE(keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out, shownPlain); // without a passphrase
+    QByteArray shownSealed = keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out; // without a passphrase
+    QVERIFY2(shownSealed.contains("\"sealed\":true") && shownPlain.contains("\"sealed\":false"), shownSealed.constData());
+    QCOMPARE(shownSealed.replace("\"sealed\":true", "\"sealed\":false"), shownPlain);
     QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), words, QStringLiteral("--new-passphrase-file"), others}).status, 0);
     QCOMPARE(opens("a.key", "first"), 3);
     QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), others, QStringLiteral("--remove")}).status, 0);

@@ -27,6 +27,8 @@ private Q_SLOTS:
     void privateKeyIsImported();
     void presharedKeyIsMadeAndNamed();
     void damagedPeersFileIsLeftAlone();
+    void missingFilesSayWhatMakesThem();
+    void pairingNeedsSomebodyToAnswer();
     void noKeyByteInTheOutput();
 
 private:
@@ -151,7 +153,10 @@ void KeysCommandTest::peersAreRenamedAndGivenAnotherRole()
     QCOMPARE(newKey("a.key").status, 0);
     QCOMPARE(addPeer(publicKeyOf("a.key")).status, 0);
     QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("two words")}).status, 1);
-    QCOMPARE(peers("rename", {QStringLiteral("nobody"), QStringLiteral("scout-2")}).status, 1);
+    const RunResult unknown = peers("rename", {QStringLiteral("nobody"), QStringLiteral("scout-2")});
+    QCOMPARE(unknown.status, 1);
+    QVERIFY2(unknown.err.contains("there is no peer named \"nobody\""), unknown.err.constData());
+    QVERIFY(peers("role", {QStringLiteral("nobody"), QStringLiteral("pilot")}).err.contains("there is no peer named \"nobody\""));
     QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("scout-2")}).status, 0);
     QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("captain")}).status, 2);
     QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("observer")}).status, 0);
@@ -173,7 +178,7 @@ void KeysCommandTest::publicKeyTravelsInAFile()
     QCOMPARE(keys({QStringLiteral("export"), path("a.key")}).out.trimmed(), publicKeyOf("a.key").toUtf8());
     const QStringList add{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"), QStringLiteral("--name"),
                           QStringLiteral("scout-1"), QStringLiteral("--from")};
-    QCOMPARE(keys(add + QStringList{path("nowhere")}).status, 2);
+    QCOMPARE(keys(add + QStringList{path("nowhere")}).status, 3);
     QCOMPARE(keys(add + QStringList{path("a.key")}).status, 2); // the private one is no public key
     QCOMPARE(keys(add + QStringList{path("a.pub")}).status, 0);
     QCOMPARE(listed()[QLatin1String("public")].toString(), publicKeyOf("a.key"));
@@ -218,6 +223,30 @@ void KeysCommandTest::damagedPeersFileIsLeftAlone()
     QVERIFY2(refused.err.contains("peers:1:"), refused.err.constData());
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.readAll(), QByteArray("nonsense\n"));
+}
+
+void KeysCommandTest::missingFilesSayWhatMakesThem()
+{
+    const RunResult list = peers("list", {});
+    QCOMPARE(list.status, 3);
+    QVERIFY2(list.err.contains("peers: does not exist; keys pair and keys peers add make it"), list.err.constData());
+    const RunResult from = peers("add", {QStringLiteral("--name"), QStringLiteral("scout-1"), QStringLiteral("--from"), path("none.pub")});
+    QCOMPARE(from.status, 3);
+    QVERIFY2(from.err.contains("none.pub"), from.err.constData());
+}
+
+void KeysCommandTest::pairingNeedsSomebodyToAnswer()
+{
+    QCOMPARE(newKey("a.key").status, 0);
+    const RunResult ended = keys({QStringLiteral("pair"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
+                                  path("a.key"), QStringLiteral("--peers"), path("peers")});
+    QCOMPARE(ended.status, 1);
+    QVERIFY2(ended.err.contains("skyseal-air --pair --identity FILE"), ended.err.constData()); // what to do at the other end
+    QVERIFY2(ended.err.contains("standard input has ended") && ended.err.contains("--expect"), ended.err.constData());
+    QVERIFY2(!ended.err.contains("cancelled"), ended.err.constData());
+    const RunResult nobody = runProgram("skyseal-air", {QStringLiteral("--pair"), QStringLiteral("--identity"), path("a.key")});
+    QCOMPARE(nobody.status, 3);
+    QVERIFY2(nobody.err.contains("no agent with this identity runs here") && !nobody.err.contains("QLocalSocket"), nobody.err.constData());
 }
 
 void KeysCommandTest::noKeyByteInTheOutput()

@@ -111,7 +111,7 @@ void ExpectationTest::refusals_data()
     row(QStringLiteral("loss"), 5, "comparison");
     row(QStringLiteral("loss<="), 7, "instead of end");
     row(QStringLiteral("loss=0"), 5, "comparison");
-    row(QStringLiteral("los<=0"), 1, "no metric is named 'los'");
+    row(QStringLiteral("los<=0"), 1, "no metric is named 'los'; there are packets, frame_rate, ");
     row(QStringLiteral("loss<=0 and more"), 9, "unexpected 'a'");
     row(QStringLiteral("cpu(des)<1"), 5, "no suite is named 'des'");
     row(QStringLiteral("cpu(none,fast)<1"), 10, "natural or saturated");

@@ -2,6 +2,7 @@
 // fingerprints and gets nothing; the window opens while the vehicle is disarmed, and closes when it is armed or left.
 #include "tests/support/flight.h"
 #include "tests/support/heartbeat.h"
+#include "tests/support/run_program.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -42,6 +43,7 @@ private Q_SLOTS:
     void armedVehicleOpensNoWindow();
     void armingClosesTheWindow();
     void leavingClosesTheWindow();
+    void nobodyToAnswerIsTold();
     void oneVisitorAtATime();
     void passphraseOfBothEnds();
     void wrongPassphraseIsTold();
@@ -132,6 +134,8 @@ void PairingTest::bothConfirmAndASessionFollows()
     desk->tell(QStringLiteral("yes"));
     QCOMPARE(desk->waitForExit(10000), 0);
     QCOMPARE(ground->waitForExit(10000), 0);
+    QVERIFY2(ground->errors().contains("asked to be pilot there"), ground->errors().constData());
+    QVERIFY(!desk->errors().contains("asked to be")); // it decides
     QCOMPARE(text(desk->last(QStringLiteral("pairing")), "state"), QStringLiteral("over"));
     QVERIFY2(read("ground.peers").startsWith("heron pilot any skyseal:"), read("ground.peers").constData());
     QVERIFY2(read("air.peers").startsWith("base pilot any skyseal:"), read("air.peers").constData());
@@ -326,6 +330,15 @@ void PairingTest::leavingClosesTheWindow()
             QCOMPARE(desk->terminate(), 1);
         QVERIFY(!air->waitFor(QStringLiteral("pairing"), 5000, stateIs("over")).isEmpty());
     }
+}
+
+void PairingTest::nobodyToAnswerIsTold()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const RunResult ended = runProgram("skyseal-air", {QStringLiteral("--pair"), QStringLiteral("--identity"), path("air.key")});
+    QCOMPARE(ended.status, 1);
+    QVERIFY2(ended.err.contains("standard input has ended") && ended.err.contains("--expect"), ended.err.constData());
 }
 
 void PairingTest::oneVisitorAtATime()

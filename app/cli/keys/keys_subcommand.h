@@ -15,7 +15,7 @@ class KeysSubcommand
 public:
     /// `words` is what stands behind "skyseal-cli keys".
     KeysSubcommand(const char *words, const char *help)
-        : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QLatin1String(help))
+        : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QString::fromUtf8(help))
     {
     }
 

@@ -14,16 +14,22 @@ namespace skyseal::app {
 
 namespace {
 
-void printKey(const keys::PublicKey &key, bool json)
+/// `sealed`: whether its file is, where that is to be told.
+void printKey(const keys::PublicKey &key, bool json, std::optional<bool> sealed = {})
 {
     if (!json) {
         printLine("public      " + keys::publicKeyText(key));
         printLine("fingerprint " + keys::fingerprint(key));
+        if (sealed.value_or(false))
+            printLine("sealed with a passphrase");
         return;
     }
     JsonWriter line;
     line.beginObject().field("event", "key").field("public", keys::publicKeyText(key));
-    line.field("fingerprint", keys::fingerprint(key)).endObject();
+    line.field("fingerprint", keys::fingerprint(key));
+    if (sealed)
+        line.field("sealed", *sealed);
+    line.endObject();
     printLine(line.text());
 }
 
@@ -101,9 +107,7 @@ int showKey(const QStringList &arguments)
     if (!facts)
         return command.cannotOpen(facts.error());
     const bool json = command.options.has("json");
-    printKey(facts->publicKey, json);
-    if (!json && facts->sealed)
-        printLine("sealed with a passphrase");
+    printKey(facts->publicKey, json, facts->sealed);
     if (canShowQr() && command.options.has("qr"))
         std::fputs(qrText(keys::publicKeyText(facts->publicKey)).c_str(), json ? stderr : stdout);
     return kDone;

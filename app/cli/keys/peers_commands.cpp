@@ -18,7 +18,7 @@ namespace {
 
 InputError noSuchPeer(const std::string &name)
 {
-    return {"no peer is named '" + name + "'", {}};
+    return {"there is no peer named \"" + name + "\"", {}};
 }
 
 /// Changes the peers file. A file that is damaged or cannot be written is another status than a change that is refused.
@@ -91,19 +91,20 @@ int changePeer(const QStringList &arguments, const PeerChange &change, Read read
     return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { put(entry, *value); });
 }
 
-keys::PublicKey readPublicKey(Options &options)
+/// Or why a file that was named cannot be read.
+Result<keys::PublicKey, InputError> readPublicKey(Options &options)
 {
     const QStringList given = options.arguments(0, 1);
     if (given.isEmpty() == !options.has("from")) {
         options.fail("a public key is expected, or --from FILE");
-        return {};
+        return keys::PublicKey{};
     }
     std::string text = given.value(0).toStdString();
     if (given.isEmpty()) {
         const auto content = readNamed(options.text("from"));
         if (!content)
-            options.fail(content.error().text());
-        text = content ? asText(*content) : std::string_view();
+            return tl::unexpected(content.error());
+        text = asText(*content);
     }
     const auto key = keys::publicKeyFromText(text);
     if (!key)
@@ -145,11 +146,13 @@ int addPeer(const QStringList &arguments)
     entry.peer.systemIds = readSystems(options, options.text("sysids")).value_or(std::vector<std::uint8_t>{});
     if (options.has("psk")) // whoever reads the file may stand in another folder
         entry.presharedKeyFile = QFileInfo(QString::fromStdString(options.text("psk"))).absoluteFilePath().toStdString();
-    entry.peer.key = readPublicKey(options);
+    const auto given = readPublicKey(options);
     if (const auto status = options.finish())
         return *status;
+    if (!given)
+        return command.cannotOpen(given.error());
 
-    const keys::PublicKey key = entry.peer.key;
+    const keys::PublicKey key = entry.peer.key = *given;
     const int status = edit(command, file, [&](PeersFile &peers) -> Result<void, InputError> {
         const PeerEntry *known = peers.find(entry.peer.name);
         if (known && peers.acquaintance(entry.peer.name, key) == keys::Acquaintance::KeyChanged && !options.has("replace"))
