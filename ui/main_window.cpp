@@ -29,6 +29,7 @@
 #include "ui/window_docks.h"
 
 #include <QtCore/QSettings>
+#include <QtCore/QTimer>
 #include <QtGui/QCloseEvent>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMenu>
@@ -36,6 +37,7 @@
 #include <QtWidgets/QVBoxLayout>
 
 #include <cmath>
+#include <utility>
 
 namespace skyseal::ui {
 
@@ -334,6 +336,13 @@ void MainWindow::openSweep()
         m_docks->diagnostics->showSweep();
     else if (m_sweep)
         m_sweep->ask(m_scene, m_settings.requireSealed);
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (!std::exchange(m_wasShown, true))
+        QTimer::singleShot(0, m_docks, &WindowDocks::raiseFloating);
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

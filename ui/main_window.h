@@ -70,6 +70,7 @@ Q_SIGNALS:
     void settingsChanged(const skyseal::ui::Settings &settings);
 
 protected:
+    void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
 
 private:
@@ -102,6 +103,7 @@ private:
     std::uint8_t m_chosenVehicle = 0; ///< by hand, or as the first one that there was; 0 before that
     double m_numbersAt = -1;  ///< when the numbers were last shown, by the snapshots' clock
     SceneState m_shownState;
+    bool m_wasShown = false;
 
     SuiteActions *m_suites;
     VehicleCommands *m_commands;

@@ -126,6 +126,17 @@ void WindowDocks::restore(const QSettings &store)
     m_window.restoreState(store.value(QStringLiteral("window/docks")).toByteArray(), kArrangementVersion);
 }
 
+void WindowDocks::raiseFloating()
+{
+    for (QDockWidget *dock : m_docks) {
+        if (!dock->isFloating() || dock->isHidden())
+            continue;
+        dock->hide(); // shown anew, it knows the window that it belongs to
+        dock->show();
+        dock->raise();
+    }
+}
+
 void WindowDocks::reset()
 {
     m_window.restoreState(m_default, kArrangementVersion);

@@ -66,6 +66,8 @@ public:
 
     /// To be called once the window has its first size.
     void rememberDefault();
+    /// Floating panels that were restored before their window was there: openbox and others leave them behind it.
+    void raiseFloating();
     void restore(const QSettings &store);
     void reset();
     void save(QSettings &store) const;
