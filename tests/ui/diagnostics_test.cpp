@@ -2,6 +2,8 @@
 // suite over suite, as bars and in numbers; what is saved is what is shown.
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
+#include "ui/charts/chart_cursor.h"
+#include "ui/charts/chart_view.h"
 #include "ui/charts/chart_words.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/quantities.h"
@@ -274,6 +276,41 @@ private Q_SLOTS:
         QVERIFY(m_panel->chart(0)->cursorWords().isEmpty());
         Q_EMIT m_panel->chart(0)->hovered(20 - all.back().time);
         QVERIFY(m_panel->chart(0)->cursorWords().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
+    }
+
+    void hoverCoversNoPointAskedFor()
+    {
+        m_panel->showScene(sceneWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
+        m_panel->refresh();
+        for (int i = 0; i < 3; ++i) {
+            TimeSeriesChart *chart = m_panel->chart(i);
+            const auto *cursor = chart->findChild<ChartCursor *>();
+            for (int x = -120; x <= 0; ++x) {
+                Q_EMIT chart->hovered(x);
+                const QRectF box = cursor->box();
+                const qreal line = chart->findChild<ChartView *>()->placeOf(x);
+                QVERIFY2(line < box.left() || line > box.right(), qPrintable(QStringLiteral("chart %1 at %2 s").arg(i).arg(x)));
+                QVERIFY(cursor->rect().contains(box.toAlignedRect()));
+            }
+        }
+        // A line at the top is left free, and one at the bottom.
+        ChartCursor cursor(m_panel.get());
+        cursor.resize(400, 100);
+        const QRectF plot(0, 0, 400, 100);
+        std::vector<QPointF> high, low;
+        for (int x = 0; x <= 400; ++x) {
+            high.emplace_back(x, 10);
+            low.emplace_back(x, 90);
+        }
+        const QStringList words{QStringLiteral("69.0")};
+        cursor.showAt(200, plot, words, high);
+        QVERIFY(cursor.box().top() > 10);
+        cursor.showAt(200, plot, words, low);
+        QVERIFY(cursor.box().bottom() < 90);
+        // Both are as good: it stays.
+        const QRectF before = cursor.box();
+        cursor.showAt(200, plot, words, {});
+        QCOMPARE(cursor.box(), before);
     }
 
     void interruptedLineSpeaksOnce()

@@ -95,6 +95,7 @@ struct ChartTitle
     QString name, unit;
     QString key;  ///< which stroke is which: "to it dashed"
     QString note; ///< what is measured and how
+    QString remark = {}; ///< why there is nothing to see; empty where there is
 };
 
 /// The caller's parent owns it.

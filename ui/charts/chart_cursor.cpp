@@ -15,13 +15,12 @@ ChartCursor::ChartCursor(QWidget *chart) : QWidget(chart)
     hide();
 }
 
-void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &words)
+void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &words, const std::vector<QPointF> &curves)
 {
-    if (x == m_x && words == m_words && plot == m_plot && isVisible())
-        return;
     m_x = x;
     m_plot = plot;
     m_words = words;
+    placeBox(curves);
     show();
     update();
 }
@@ -29,19 +28,44 @@ void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &words)
 void ChartCursor::clear()
 {
     m_words.clear();
+    m_place = 0;
     hide();
 }
 
-QRectF ChartCursor::box() const
+QSizeF ChartCursor::wordsSize() const
 {
     const QFontMetricsF metrics(font());
     qreal wide = 0;
     for (const QString &line : m_words)
         wide = std::max(wide, metrics.horizontalAdvance(line));
-    const QSizeF size(wide + 2 * kHalfGrid + 4, metrics.height() * static_cast<qreal>(m_words.size()) + kHalfGrid);
-    const bool right = m_x + kGrid + size.width() <= m_plot.right();
-    const qreal left = right ? m_x + kGrid : std::max(m_plot.left(), m_x - kGrid - size.width());
-    return {QPointF(left, m_plot.top()), size};
+    return {wide + 2 * kHalfGrid + 4, metrics.height() * static_cast<qreal>(m_words.size()) + kHalfGrid};
+}
+
+/// Beside the line or at an end of the plot, above or below: where it covers least of the curves. Rather over the axis than
+/// over the line. It stays where it is until another place is clearly better, so that it does not jump.
+void ChartCursor::placeBox(const std::vector<QPointF> &curves)
+{
+    constexpr std::ptrdiff_t kOutsideThePlot = 10'000, kOverTheLine = 1'000'000, kClearly = 4;
+    const QSizeF size = wordsSize();
+    const qreal tops[] = {m_plot.top(), m_plot.bottom() - size.height()};
+    const qreal lefts[] = {std::min(m_x + kGrid, width() - size.width()), std::max(0.0, m_x - kGrid - size.width()),
+                           m_plot.right() - size.width(), m_plot.left()};
+    std::vector<QRectF> places;
+    std::vector<std::ptrdiff_t> costs;
+    for (const qreal left : lefts) {
+        for (const qreal top : tops) {
+            const QRectF place(QPointF(left, top), size);
+            const bool inside = left >= m_plot.left() && place.right() <= m_plot.right();
+            const bool overTheLine = left <= m_x && place.right() >= m_x;
+            places.push_back(place);
+            costs.push_back(std::ranges::count_if(curves, [&](const QPointF &point) { return place.contains(point); })
+                            + (inside ? 0 : kOutsideThePlot) + (overTheLine ? kOverTheLine : 0));
+        }
+    }
+    const auto best = std::ranges::min_element(costs);
+    if (costs[m_place] / 2 > *best + kClearly)
+        m_place = static_cast<std::size_t>(best - costs.begin());
+    m_box = places[m_place];
 }
 
 void ChartCursor::paintEvent(QPaintEvent *)
@@ -52,9 +76,9 @@ void ChartCursor::paintEvent(QPaintEvent *)
     painter.drawLine(QPointF(m_x, m_plot.top()), QPointF(m_x, m_plot.bottom()));
     if (m_words.isEmpty())
         return;
-    const QRectF frame = box();
+    const QRectF &frame = m_box;
     QColor back = palette().color(QPalette::ToolTipBase);
-    back.setAlpha(235);
+    back.setAlpha(215); // where it has to cover a curve, that shows through
     painter.setBrush(back);
     painter.setPen(colors.line);
     painter.drawRect(frame);

@@ -61,7 +61,7 @@ void ChartView::drawForeground(QPainter *painter, const QRectF &)
     drawBars(*painter, area);
     drawMarks(*painter, area);
     if (!m_anyRun) {
-        const QString words = tr("nothing measured yet");
+        const QString &words = m_nothing;
         const QRectF place = painter->boundingRect(area, Qt::AlignCenter, words);
         painter->fillRect(place.adjusted(-kHalfGrid, 0, kHalfGrid, 0), palette().color(QPalette::Window));
         painter->setPen(stateColors(palette()).dim);

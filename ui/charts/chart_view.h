@@ -21,6 +21,8 @@ public:
     void setFrame(const ChartContent &content, bool anyRun);
     const ChartContent &frame() const { return m_frame; }
     void setUnit(const QString &unit) { m_unit = unit; }
+    /// What stands in the plot while there is nothing to see.
+    void setWordsForNothing(const QString &words) { m_nothing = words; }
     /// Seconds at a place in the view, held to the plot.
     double timeAt(qreal x) const;
     qreal placeOf(double time) const;
@@ -59,6 +61,7 @@ private:
 
     ChartContent m_frame; ///< without runs
     QString m_unit;
+    QString m_nothing = tr("nothing measured yet");
     ChartCursor *m_cursor;
     bool m_anyRun = false;
     int m_bars = -1; ///< for which the plot was placed

@@ -82,7 +82,7 @@ void DiagnosticsPanel::connectTools()
         changeRange([&](ChartRange &range) { frozen ? range.freeze(m_history.newest()) : range.goLive(); });
     });
     connect(m_tools, &DiagnosticsTools::csvWanted, this, [this] {
-        askAndSave(tr("Save the samples"), QStringLiteral("skyseal-samples.csv"), tr("Comma-separated values (*.csv)"),
+        askAndSave(tr("Save the samples shown"), QStringLiteral("skyseal-samples.csv"), tr("Comma-separated values (*.csv)"),
                    [this](const QString &file) { return saveCsv(file); });
     });
     connect(m_tools, &DiagnosticsTools::pictureWanted, this, [this] {
@@ -110,9 +110,7 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
             note += QLatin1Char(' ') + tr("The bars are of “%1” alone.").arg(line.name);
         }
     }
-    if (!quantity.remark.isEmpty())
-        key << quantity.remark;
-    plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), note},
+    plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), note, quantity.remark},
                                       m_grid->sheet());
     plot.widget->setObjectName(QStringLiteral("chart_") + QLatin1String(quantity.key));
     connect(plot.widget, &TimeSeriesChart::hovered, this, [this](double x) { showCursor(x); });

@@ -66,6 +66,8 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_view = new ChartView(m_chart, this);
     m_view->setUnit(title.unit);
+    if (!title.remark.isEmpty())
+        m_view->setWordsForNothing(title.remark);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -144,8 +146,15 @@ void QtTimeSeriesChart::showCursor(std::optional<double> x)
     }
     constexpr double kMarkReach = 5; // pixels
     const int decimals = m_value->max() >= 1000 ? 0 : m_value->max() >= 20 ? 1 : m_value->max() >= 2 ? 2 : 3;
-    m_view->cursorLayer()->showAt(m_view->placeOf(*x), m_view->plot(),
-                                  chartWordsAt(plotted(), *x, kMarkReach * m_view->secondsPerPixel(), decimals));
+    const ChartContent content = plotted();
+    const QRectF plot = m_view->plot();
+    std::vector<QPointF> curves;
+    for (const ChartRun &run : content.runs) {
+        for (const QPointF &point : run.points)
+            curves.emplace_back(m_view->placeOf(point.x()), plot.bottom() - point.y() / content.top * plot.height());
+    }
+    m_view->cursorLayer()->showAt(m_view->placeOf(*x), plot,
+                                  chartWordsAt(content, *x, kMarkReach * m_view->secondsPerPixel(), decimals), curves);
 }
 
 QStringList QtTimeSeriesChart::cursorWords() const

@@ -100,21 +100,21 @@ std::vector<Quantity> links()
 std::vector<Quantity> costs()
 {
     return {
-        {"cpu", Words::tr("CPU load"), Words::tr("% of a core"),
+        {"cpu", Words::tr("CPU"), Words::tr("% of a core"),
          Words::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
                    "seal and open (elapsed time of each call, added up), over the last second."), 2, 5,
          {{Words::tr("process"), Stroke::Solid, processCpu},
           {Words::tr("link"), Stroke::Dashed, ioCpu},
           {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true, {},
          2}, // the others hold much that is no suite's
-        {"openCost", Words::tr("Time to open a record"), Words::tr("µs"),
+        {"openCost", Words::tr("Opening a record"), Words::tr("µs"),
          Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after "
                    "the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records "
                    "that follow in the same wake-up, which come closer to the suite itself."), 2, 1,
          {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::openNsP50>},
           {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::openNsP99>},
           {Words::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}}, true},
-        {"sealCost", Words::tr("Time to seal a record"), Words::tr("µs"),
+        {"sealCost", Words::tr("Sealing a record"), Words::tr("µs"),
          Words::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."), 2, 1,
          {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::sealNsP50>},
           {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::sealNsP99>}}, true},

@@ -27,7 +27,7 @@ struct Quantity
     double least = 1;  ///< the least end of its axis
     std::vector<QuantityLine> lines;
     bool perSuite = true; ///< false: the figure says nothing about a suite, so that bars would mislead
-    QString remark = {};  ///< beside the title: why there is nothing to see
+    QString remark = {};  ///< in the chart: why there is nothing to see
     std::size_t barLine = 0; ///< of which line the bars are
 };
 

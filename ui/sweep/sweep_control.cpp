@@ -85,7 +85,7 @@ void SweepControl::cancel()
 
 void SweepControl::askFolder()
 {
-    const QString folder = QFileDialog::getExistingDirectory(&m_window, tr("Save the sweep in a new folder of"));
+    const QString folder = QFileDialog::getExistingDirectory(&m_window, tr("Choose where to make the folder of this sweep"));
     if (!folder.isEmpty())
         saveIn(folder);
 }
