@@ -546,10 +546,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save the samples</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Comma-separated values (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -579,6 +575,10 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
     </message>
     <message>
         <source>The bars are of “%1” alone.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the samples shown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -645,11 +645,11 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Samples as &amp;CSV …</source>
+        <source>&amp;Picture as PNG or SVG …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Picture as PNG or SVG …</source>
+        <source>Samples shown, as &amp;CSV …</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -692,10 +692,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Command that starts an agent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>or let any autopilot send plain MAVLink here: it is shown, but not sealed.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -728,6 +724,28 @@ It is as silent when it permits none of the suites that are offered here.</sourc
         <source>It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.
 
 If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command to run beside the autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys and peers …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open keys and peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent that is not known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It announces itself from %1, with a key that is not among this station&apos;s peers. That does not show its fingerprint.
+
+If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent, while the vehicle is disarmed:</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -850,6 +868,10 @@ If it is the vehicle of %2, start the agent beside it instead: what it sends is 
     </message>
     <message>
         <source>Switched from %1 to %2 in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with a key that is not known here. Security → Keys and peers pairs the two</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2495,10 +2517,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>CPU load</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>% of a core</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2519,10 +2537,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Time to open a record</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>µs</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2540,10 +2554,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>next p50</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time to seal a record</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2608,6 +2618,18 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Cost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>CPU</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealing a record</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2732,6 +2754,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Sealed, changing keys…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with a key that is not known here. If it is yours, pair the two.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3112,7 +3138,7 @@ with a pre-shared key</source>
 <context>
     <name>skyseal::ui::SweepControl</name>
     <message>
-        <source>Save the sweep in a new folder of</source>
+        <source>Choose where to make the folder of this sweep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3871,10 +3897,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>no answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no answer: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
