@@ -1,8 +1,8 @@
 // Gives simulated vehicles a clock and links: all vehicles share all links.
 #pragma once
 
-#include "core/sim/saturator.h"
 #include "app/sim/sim_link.h"
+#include "core/sim/saturator.h"
 #include "core/sim/simulated_vehicle.h"
 
 #include <QtCore/QObject>
