@@ -64,11 +64,10 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
     }
 
-    // A station that still has the old session takes a report under it as its answer; one that has restarted asks again, and is
-    // answered then: not both at once, since nobody is made to say more than he heard. Where records come, this is an old
-    // message of a station that goes on, or one that did restart.
-    if (Session *old = m_core.table.upWith(key); old && old->silent(now) && old->showLife(now, false))
-        return false;
+    // A station that still has the old session takes this as its answer; one that has restarted ignores it. It and the answer
+    // are shorter than the message: who repeats one is not given more than he sends.
+    if (Session *old = m_core.table.upWith(key))
+        old->showLife(now);
 
     makeRoomFor(key);
     const auto connection = m_core.table.reserve(m_core.around.random);

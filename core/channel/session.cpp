@@ -29,7 +29,7 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
       m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause),
-      m_lifeShown(now - kEventPause), m_heardHere(now)
+      m_lifeShown(now - kEventPause), m_lineBegan(now - kEventPause), m_heardHere(now)
 {
     if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
         return;
@@ -185,14 +185,20 @@ void Session::send(TimePoint now, const ControlMessage &message)
     if (m_closingUntil)
         return;
     std::array<std::uint8_t, kMaxControl> plaintext;
-    const std::size_t length = writeControl(message, plaintext);
+    sendControl(now, ByteView(plaintext).first(writeControl(message, plaintext)));
+}
+
+void Session::sendControl(TimePoint now, ByteView plaintext)
+{
     Outbox::Item &draft = m_around.outbox.draft();
-    if (const auto sealed = sealRecord(now, ByteView(plaintext).first(length), draft.bytes))
+    if (const auto sealed = sealRecord(now, plaintext, draft.bytes))
         m_around.outbox.commit(m_setup.path, *sealed);
 }
 
 void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
 {
+    if (plaintext.empty())
+        return; // a sign of life, and no more
     const auto message = readControl(plaintext);
     if (!message)
         return countMalformed();

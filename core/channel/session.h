@@ -100,9 +100,11 @@ public:
     void rekey(TimePoint now);
     /// In a single-peer carrier: records name their session until then, since another one may be there at the other end.
     void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
-    /// A report at once: our line was joined anew, or the peer may have lost us. At most once a second, since what asks for it
-    /// need not be authentic; false within that.
-    bool showLife(TimePoint now, bool wantAnswer);
+    /// An empty record, for a peer that may have lost us. At most once a second, since what asks for it need not be authentic.
+    void showLife(TimePoint now);
+    /// The line that we are on was joined anew: a report that asks for an answer, at most once a second, whoever joins it how
+    /// often.
+    void lineBegan(TimePoint now);
     /// Keys changed in the list of peers: role and name follow.
     void updatePeer(const Peer &peer) { m_setup.peer = peer; }
     void policyChanged(TimePoint now);
@@ -138,6 +140,7 @@ private:
                   std::optional<Delivery> &delivery);
     void follow(TimePoint now, const Path &from);
     void goBackWhenDue(TimePoint now);
+    void sendControl(TimePoint now, ByteView plaintext);
     void handleControl(TimePoint now, const Path &from, ByteView plaintext);
     void handleReport(TimePoint now, const Path &from, const Report &report);
     void sendReport(TimePoint now, bool answerAtOnce);
@@ -183,7 +186,7 @@ private:
     std::uint64_t m_forgedUntold = 0;
     std::uint64_t m_replayedUntold = 0;
     TimePoint m_alarmTold;
-    TimePoint m_lifeShown;
+    TimePoint m_lifeShown, m_lineBegan;
 
     std::optional<Path> m_former;   ///< where the peer was known to hear us; set while the present path is on trial
     std::uint32_t m_trialStamp = 0; ///< a report that echoes a later one has heard us at the present path

@@ -81,13 +81,20 @@ void Session::goBackWhenDue(TimePoint now)
     m_former.reset();
 }
 
-bool Session::showLife(TimePoint now, bool wantAnswer)
+void Session::showLife(TimePoint now)
 {
-    if (now < m_lifeShown + kEventPause)
-        return false; // The next report says it soon enough.
+    if (now < m_lifeShown + kEventPause || m_closingUntil)
+        return;
     m_lifeShown = now;
-    sendReport(now, wantAnswer);
-    return true;
+    sendControl(now, {});
+}
+
+void Session::lineBegan(TimePoint now)
+{
+    if (now < m_lineBegan + kEventPause)
+        return; // The next report says it soon enough.
+    m_lineBegan = now;
+    sendReport(now, true);
 }
 
 void Session::tellMove(TimePoint now)
