@@ -23,7 +23,7 @@ enum class Weakness : std::uint8_t {
     RoamOnLate,         ///< an authentic record moves it even when it is not the newest
     NoTrial,            ///< the session's address stays where one record moved it, though nobody was heard there since
     NoHardStop,         ///< an epoch has no end
-    KeepOldKeys,        ///< the previous epoch never dies by itself
+    KeepOldKeys,        ///< the previous epoch never dies by itself, and no session does
     NoWipe,             ///< secrets stay in memory when they die
     // switch
     CommitEarly,        ///< the answerer sends under the next epoch as soon as it has accepted

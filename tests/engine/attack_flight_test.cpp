@@ -3,10 +3,9 @@
 // were.
 #include "core/base/weakness.h"
 #include "core/mavlink/enums.h"
-#include "core/mavlink/frame_scanner.h"
-#include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
+#include "tests/support/clear_frames.h"
 #include "tests/support/holds.h"
 #include "tests/support/udp_attacker.h"
 
@@ -37,14 +36,6 @@ struct AttackedFlight
     std::unique_ptr<VehicleOnUdp> vehicle;
 };
 
-template<typename Message> QByteArray frameOf(const Message &message, std::uint8_t systemId, std::uint8_t componentId = 190)
-{
-    mavlink::FrameWriter writer(systemId, componentId);
-    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = writer.write(message, buffer);
-    return QByteArray(reinterpret_cast<const char *>(frame.data()), static_cast<qsizetype>(frame.size()));
-}
-
 /// Arm by force, another mode, full throttle.
 std::vector<QByteArray> hostileCommands(std::uint8_t systemId)
 {
@@ -60,17 +51,6 @@ std::vector<QByteArray> hostileCommands(std::uint8_t systemId)
                 RcChannelsOverride{
                     .target_system = 1, .target_component = 1, .chan1_raw = 1900, .chan2_raw = 1100, .chan3_raw = 2000},
                 systemId)};
-}
-
-std::size_t framesIn(const QByteArray &bytes)
-{
-    mavlink::FrameScanner scanner(
-        ByteView(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size())),
-        mavlink::Dialect::builtin());
-    std::size_t frames = 0;
-    while (const auto item = scanner.next())
-        frames += item->frame.has_value();
-    return frames;
 }
 
 } // namespace

@@ -104,7 +104,8 @@ void FlightRig::startAgent(const std::string &ground)
     engine::AgentConfig config{urlOf("udpin:127.0.0.1:" + m_vehiclePort),
                                urlOf("udpout:" + ground),
                                {channel::defaultSuites(), true, allowPlain},
-                               allowPlain};
+                               allowPlain,
+                               carrier};
     agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(*secrets),
                                                 [this](const engine::AgentEvent &event) { agentEvents.push_back(event); });
     agent->start();

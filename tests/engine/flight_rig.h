@@ -50,7 +50,8 @@ public:
 
     std::unique_ptr<engine::AgentCore> agent;
     std::vector<engine::AgentEvent> agentEvents;
-    bool allowPlain = false; ///< of agents that start from now on
+    bool allowPlain = false;              ///< of agents that start from now on
+    Carrier carrier = Carrier::Datagram; ///< of those too
 
 private:
     std::string file(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }

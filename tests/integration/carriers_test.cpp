@@ -2,14 +2,13 @@
 // walks through all suites and loses nothing; a command gets through; and routers see nothing but TUNNEL and the agent's
 // heartbeat. With SKYSEAL_MAVLINK_ROUTERD naming the program, also through the real mavlink-router.
 #include "tests/support/flight.h"
-#include "tests/support/heartbeat.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"
+#include "tests/support/router_spoofers.h"
 #include "tests/support/tcp_cable.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonDocument>
-#include <QtCore/QTimer>
 #include <QtNetwork/QTcpSocket>
 #include <QtTest/QTest>
 
@@ -63,45 +62,6 @@ struct Way
     QString carrier; ///< empty: the default
     int rate = 20;   ///< Hz of each stream
     bool spoofed = false; ///< somebody sends clear frames beside it
-};
-
-/// Speaks at a router in the names of the vehicle, its agent and the station, each from an end of its own, so that the router
-/// sends there what is for these.
-template<typename Socket> class Spoofers
-{
-public:
-    static constexpr std::array<std::pair<std::uint8_t, std::uint8_t>, 3> kNames{{{1, 1}, {1, 191}, {255, 190}}};
-
-    /// `join` connects the socket of each name.
-    explicit Spoofers(const std::function<void(std::size_t, Socket &)> &join)
-    {
-        for (std::size_t i = 0; i < kNames.size(); ++i) {
-            join(i, m_sockets[i]);
-            QObject::connect(&m_sockets[i], &QIODevice::readyRead, &m_sockets[i], [this, i] { look(m_sockets[i].readAll()); });
-        }
-        QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
-            for (std::size_t i = 0; i < kNames.size(); ++i)
-                m_sockets[i].write(clearHeartbeat(kNames[i].first, kNames[i].second, true));
-        });
-        m_timer.start(100);
-    }
-
-    int copied = 0;    ///< TUNNEL messages that the router sent there
-    bool more = false; ///< anything else but HEARTBEAT
-
-private:
-    void look(const QByteArray &bytes)
-    {
-        const ByteView view(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size()));
-        mavlink::FrameScanner scanner(view, mavlink::Dialect::builtin());
-        while (const auto item = scanner.next()) {
-            copied += item->frame && item->frame->messageId() == 385;
-            more = more || (item->frame && item->frame->messageId() != 385 && item->frame->messageId() != 0);
-        }
-    }
-
-    std::array<Socket, kNames.size()> m_sockets;
-    QTimer m_timer;
 };
 
 } // namespace
@@ -346,7 +306,7 @@ void CarriersTest::spoofersAtTheHub()
     MavlinkHub hub(5);
     Flight flight;
     hub.setRemote(1, flight.groundPort);
-    Spoofers<QUdpSocket> spoofers([&hub](std::size_t i, QUdpSocket &socket) {
+    RouterSpoofers<QUdpSocket> spoofers([&hub](std::size_t i, QUdpSocket &socket) {
         socket.connectToHost(QHostAddress(QHostAddress::LocalHost), hub.port(2 + i));
     });
     fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
@@ -375,7 +335,7 @@ void CarriersTest::spoofersAtMavlinkRouter()
     const quint16 port = freeUdpPort(), door = freeTcpPort();
     const QString address = QStringLiteral("127.0.0.1:%1");
     Program router(program, words({"-t"}) + QStringList{QString::number(door), QStringLiteral("-e"), address.arg(flight.groundPort), address.arg(port)});
-    Spoofers<QTcpSocket> spoofers([door](std::size_t, QTcpSocket &socket) {
+    RouterSpoofers<QTcpSocket> spoofers([door](std::size_t, QTcpSocket &socket) {
         const auto connected = [&] {
             if (socket.state() == QAbstractSocket::ConnectedState)
                 return true;

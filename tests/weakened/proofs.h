@@ -93,6 +93,10 @@ inline constexpr Proof kProofs[] = {
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},
     {"NoEncryption", "attack_flight_test", "nothingReadableOnTheWire", "nothing that is known is found on the wire"},
 
+    {"NoEncryption", "attack_router_test", "copiesAreSealed", "he gets nothing but what is sealed"},
+    {"ClearAccepted", "attack_router_test", "spoofedHeartbeatsAreNotTaken", "the vehicle is shown as it is"},
+    {"RoamOnForged", "attack_router_test", "forgedTunnelsDivertNothing", "delivery goes on"},
+
     {"NoCookie", "channel_attack_cookie_test", "floodFromForgedAddresses", "a station gets its session"},
     {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddresses", "a station gets its session"},
     {"NoCookie", "channel_attack_cookie_test", "floodFromRealAddressesOfAStranger", "a station gets its session"},
@@ -107,6 +111,9 @@ inline constexpr Proof kProofs[] = {
 
     {"LoosePart", "channel_attack_parts_test", "splicedParts", "no message is put together of two"},
     {"LoosePart", "channel_attack_parts_test", "sendersDoNotMix", "no message is put together of two senders'"},
+
+    {"KeepOldKeys", "channel_attack_resources_test", "records", "memory is what it was"},
+    {"KeepOldKeys", "channel_attack_resources_test", "handshakes", "memory is what it was"},
 
     {"NoFileCheck", "attack_files_test", "keysThatOthersCanRead", "no key is used that others can read"},
     {"NoFileCheck", "attack_files_test", "peersThatOthersCanChange", "no list is used that others can change"},

@@ -1,0 +1,126 @@
+// An attacker who has time: however many records and handshakes there were, the memory is what it was. Here for a hundred
+// thousand records and a thousand handshakes; the label slow runs ten million and ten thousand of them.
+#include "attack.h"
+#include "core/crypto/init_crypto.h"
+
+#include <cstdio>
+
+#include <malloc.h>
+#include <unistd.h>
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/allocator_interface.h>
+#endif
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class AttackResourcesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void records();
+    void handshakes();
+};
+
+namespace {
+
+struct Memory
+{
+    std::size_t allocated = 0; ///< bytes that were asked for and not given back
+    std::size_t resident = 0;  ///< bytes
+};
+
+Memory memoryNow()
+{
+    unsigned long size = 0, resident = 0;
+    std::FILE *file = std::fopen("/proc/self/statm", "r");
+    if (!file || std::fscanf(file, "%lu %lu", &size, &resident) != 2)
+        qFatal("no /proc/self/statm");
+    std::fclose(file);
+    Memory now{0, resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))};
+#ifdef __SANITIZE_ADDRESS__
+    now.allocated = __sanitizer_get_current_allocated_bytes();
+#else
+    const struct mallinfo2 info = ::mallinfo2();
+    now.allocated = info.uordblks + info.hblkhd;
+#endif
+    return now;
+}
+
+/// What is allocated moves by no more than the simulation's own queues; what is resident, where it says something, by no
+/// more than an allocator may keep for itself. A sanitizer keeps what was freed.
+bool isAsBefore(const Memory &before, const Memory &now)
+{
+    qInfo("allocated %zu bytes, then %zu; resident %zu kB, then %zu kB", before.allocated, now.allocated,
+          before.resident / 1024, now.resident / 1024);
+    constexpr std::size_t kQueues = 16 * 1024, kAllocators = 256 * 1024;
+#ifdef __SANITIZE_ADDRESS__
+    return now.allocated <= before.allocated + kQueues;
+#else
+    return now.allocated <= before.allocated + kQueues && now.resident <= before.resident + kAllocators;
+#endif
+}
+
+int countOr(const char *variable, int usual)
+{
+    const int asked = qEnvironmentVariableIntValue(variable);
+    return asked > 0 ? asked : usual;
+}
+
+} // namespace
+
+void AttackResourcesTest::records()
+{
+    const int records = countOr("SKYSEAL_RECORDS", 100'000);
+    PairOptions options = attackOptions();
+    options.timing.rekeyAfterRecords = static_cast<std::uint32_t>(records / 200); // some fifty epochs
+    Pair pair(options);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const Bytes frame(40, 0xfd);
+    Bytes record(frame.size() + kMaxRecordOverhead);
+    std::uint64_t delivered = 0;
+    Memory before;
+    for (int i = 0; i < records; ++i) {
+        const Side from = i & 1 ? Ground : Air;
+        const auto size = pair.ends[from].endpoint->seal(pair.now, pair.ends[from].session(), frame, record);
+        QVERIFY(size);
+        const Path path = pair.pathOf(from);
+        delivered += pair.ends[from == Air ? Ground : Air]
+                         .endpoint->handleDatagram(pair.now, path, MutableByteView(record).first(*size))
+                         .has_value();
+        if (i % (records / 1000) == 0) { // time for the control records
+            pair.run(25ms);
+            pair.ground().events.clear();
+            pair.air().events.clear();
+        }
+        if (i == records / 4)
+            before = memoryNow();
+    }
+    const Memory after = memoryNow();
+    QCOMPARE(delivered, static_cast<std::uint64_t>(records));
+    qInfo("epoch %u", static_cast<unsigned>(pair.air().endpoint->sessionInfo(pair.air().session())->epoch));
+    HOLDS(isAsBefore(before, after), "memory is what it was");
+}
+
+void AttackResourcesTest::handshakes()
+{
+    const int handshakes = countOr("SKYSEAL_HANDSHAKES", 1'000);
+    Pair pair(attackOptions());
+    Memory before;
+    for (int i = 0; i < handshakes; ++i) {
+        QVERIFY(pair.run(6s, [&] { return pair.ground().up() && pair.air().all<SessionUp>().size() == 1; }));
+        for (auto &end : pair.ends)
+            end.events.clear();
+        pair.kill(Ground);
+        pair.start(Ground);
+        if (i == handshakes / 4)
+            before = memoryNow();
+    }
+    HOLDS(isAsBefore(before, memoryNow()), "memory is what it was");
+}
+
+QTEST_GUILESS_MAIN(AttackResourcesTest)
+#include "attack_resources_test.moc"

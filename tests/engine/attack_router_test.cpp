@@ -1,0 +1,127 @@
+// A MAVLink router between agent and station, and somebody who speaks at it in every name: all that it copies to him is
+// sealed, nothing of what he says is taken, and delivery goes on.
+#include "core/base/weakness.h"
+#include "tests/engine/ground.h"
+#include "tests/support/holds.h"
+#include "tests/support/mavlink_hub.h"
+#include "tests/support/router_spoofers.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+engine::StationConfig underAesCtr(engine::StationConfig config)
+{
+    config.preferredSuite = crypto::SuiteId::Aes256Ctr;
+    return config;
+}
+
+/// Joins a socket to one end of a hub.
+void join(QUdpSocket &socket, const MavlinkHub &hub, std::size_t end)
+{
+    socket.connectToHost(QHostAddress(QHostAddress::LocalHost), hub.port(end));
+}
+
+/// Agent and station at the first two ends of the router, the spoofers at the three behind them, the last is free.
+struct RoutedFlight
+{
+    RoutedFlight() : ground(underAesCtr(rig.stationConfig()))
+    {
+        hub.setRemote(1, ground.port());
+        rig.carrier = Carrier::Tunnel;
+        rig.startAgent("127.0.0.1:" + std::to_string(hub.port(0)));
+        vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
+    }
+    bool flying() const
+    {
+        return ground.up() && vehicle->sent > 20 && !ground.ears->snapshot->vehicles.empty()
+            && ground.ears->snapshot->channel.suite == crypto::SuiteId::Aes256Ctr;
+    }
+    sim::FlightMode mode() const { return vehicle->vehicle.autopilot().modes().current(); }
+
+    FlightRig rig;
+    Ground ground;
+    MavlinkHub hub{6};
+    RouterSpoofers<QUdpSocket> spoofers{[this](std::size_t i, QUdpSocket &socket) { join(socket, hub, 2 + i); }};
+    std::unique_ptr<VehicleOnUdp> vehicle;
+};
+
+} // namespace
+
+class AttackRouterTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void copiesAreSealed();
+    void spoofedHeartbeatsAreNotTaken();
+    void forgedTunnelsDivertNothing();
+};
+
+void AttackRouterTest::copiesAreSealed()
+{
+    RoutedFlight flight;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    std::size_t copies = 0, readable = 0;
+    flight.spoofers.onCopy = [&](const mavlink::Frame &frame) {
+        const mavlink::Tunnel copy = mavlink::Tunnel::decode(frame.payload());
+        ++copies;
+        readable += framesIn(QByteArray(reinterpret_cast<const char *>(copy.payload.data()), copy.payload_length));
+    };
+    flight.ground.station->requestParameters(1);
+    QTRY_VERIFY_WITH_TIMEOUT(copies > 150, 20000);
+    HOLDS(readable == 0, "he gets nothing but what is sealed");
+    QVERIFY(!flight.spoofers.more);
+    // The same search finds what an unsealed part would carry.
+    QCOMPARE(framesIn(QByteArray(6, 'x') + frameOf(mavlink::Attitude{.roll = 1}, 1)), std::size_t(1));
+}
+
+void AttackRouterTest::spoofedHeartbeatsAreNotTaken()
+{
+    RoutedFlight flight;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    const auto taken = [&] {
+        const auto &vehicles = flight.ground.ears->snapshot->vehicles;
+        return vehicles.size() != 1 || vehicles[0].state.armed;
+    };
+    const std::uint64_t before = flight.ground.ears->snapshot->plaintextRefused;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->plaintextRefused > before + 30 || taken(), 20000);
+    HOLDS(!taken(), "the vehicle is shown as it is");
+    QVERIFY(!flight.vehicle->vehicle.autopilot().armed());
+}
+
+void AttackRouterTest::forgedTunnelsDivertNothing()
+{
+    // Under a name of his own he repeats each copy as a newer record, so that whoever believed it would send to him.
+    RoutedFlight flight;
+    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    QUdpSocket forger;
+    join(forger, flight.hub, 5);
+    constexpr std::uint8_t kForger = 42;
+    flight.spoofers.onCopy = [&](const mavlink::Frame &frame) {
+        mavlink::Tunnel copy = mavlink::Tunnel::decode(frame.payload());
+        const bool isRecord = channel::kindOf(copy.payload[0]) == channel::DatagramKind::Record;
+        if (frame.systemId() == kForger || !isRecord)
+            return;
+        copy.payload[4] = static_cast<std::uint8_t>(copy.payload[4] + 1); // its counter
+        forger.write(frameOf(copy, kForger));
+    };
+    const auto station = [&] { return flight.ground.ears->snapshot->channel.rx; };
+    const auto agent = [&] { return flight.rig.agent->snapshot().channel.rx; };
+    const auto lost = [&] { return station().lost + agent().lost; };
+    QTRY_VERIFY_WITH_TIMEOUT(agent().forged + station().forged > 0, 10000);
+    const std::uint64_t good = station().good;
+    const bool arrive = QTest::qWaitFor([&] { return station().good > good + 60; }, 10000);
+    HOLDS(arrive && lost() == 0, "delivery goes on");
+    QVERIFY(station().forged > 20);
+    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
+    QCOMPARE(lost(), std::uint64_t(0));
+    QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
+}
+
+QTEST_GUILESS_MAIN(AttackRouterTest)
+#include "attack_router_test.moc"
