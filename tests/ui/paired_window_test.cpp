@@ -27,6 +27,8 @@
 #include <QtWidgets/QMessageBox>
 #include <QtWidgets/QPushButton>
 
+#include <functional>
+
 using namespace skyseal;
 using namespace skyseal::ui;
 using test::Program;
@@ -43,6 +45,20 @@ Program::Predicate stateIs(const char *state)
 QString inOneLine(QString fingerprint)
 {
     return fingerprint.replace(QLatin1Char('\n'), QLatin1Char(' '));
+}
+
+/// The person in front of the program: acts on the next question for a passphrase, which holds up the caller; on another
+/// one after `person` was started again.
+void answerPassphrases(QTimer &person, const std::function<void(PassphraseDialog *)> &act)
+{
+    QObject::connect(&person, &QTimer::timeout, &person, [&person, act] {
+        auto *dialog = qobject_cast<PassphraseDialog *>(QApplication::activeModalWidget());
+        if (!dialog || !dialog->isVisible())
+            return;
+        person.stop();
+        act(dialog);
+    });
+    person.start(20);
 }
 
 } // namespace
@@ -442,11 +458,7 @@ void PairedWindowTest::sealedKeyIsAskedForAtTheStart()
     m_app.reset();
     int asked = 0;
     QTimer person;
-    connect(&person, &QTimer::timeout, this, [&] {
-        auto *dialog = qobject_cast<PassphraseDialog *>(QApplication::activeModalWidget());
-        if (!dialog || !dialog->isVisible())
-            return;
-        person.stop();
+    answerPassphrases(person, [&](PassphraseDialog *dialog) {
         QCOMPARE(textOf(dialog, "passphraseWrong").isEmpty(), asked == 0);
         picture(asked == 0 ? "passphrase-start" : "passphrase-start-again", dialog);
         QTest::keyClicks(dialog->findChild<QLineEdit *>(QStringLiteral("passphrase")),
@@ -455,8 +467,6 @@ void PairedWindowTest::sealedKeyIsAskedForAtTheStart()
         QTest::keyClick(dialog, Qt::Key_Return);
         person.start();
     });
-    person.setInterval(20);
-    person.start();
     startWindow();
     person.stop();
     QCOMPARE(asked, 2);
@@ -468,11 +478,7 @@ void PairedWindowTest::namedKeyMayStaySealed()
     m_app.reset();
     bool declined = false;
     QTimer person;
-    connect(&person, &QTimer::timeout, this, [&] {
-        auto *dialog = qobject_cast<PassphraseDialog *>(QApplication::activeModalWidget());
-        if (!dialog || !dialog->isVisible())
-            return;
-        person.stop();
+    answerPassphrases(person, [&](PassphraseDialog *dialog) {
         if (!std::exchange(declined, true)) {
             QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Cancel), Qt::LeftButton);
         } else {
@@ -480,8 +486,6 @@ void PairedWindowTest::namedKeyMayStaySealed()
             QTest::keyClick(dialog, Qt::Key_Return);
         }
     });
-    person.setInterval(20);
-    person.start();
     app::WindowOptions options;
     options.identityFile = ownFile("identity.key").toStdString();
     options.peersFile = ownFile("peers").toStdString();
