@@ -13,6 +13,9 @@ constexpr std::size_t kMaxAnswered = 8;
 /// Three Diffie-Hellmans each.
 constexpr double kFirstsPerSecond = 15;
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
+/// Each is up to one Diffie-Hellman more. Of one answer, so that who asked for another one cannot use them up.
+constexpr double kThirdsPerSecond = 5;
+constexpr double kThirdsAtOnce = 5;
 
 } // namespace
 
@@ -41,13 +44,18 @@ bool PairingAgent::mayCompute(TimePoint now, const Path &from)
     return m_limit.admit(now, from, expected ? Standing::Expected : Standing::Proven);
 }
 
+void PairingAgent::forgetOldAnswers(TimePoint now)
+{
+    std::erase_if(m_answered, [now](const Answered &answered) { return now >= answered.at + kAnswerKept; });
+}
+
 void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
     // Whoever has not heard a call of this window is turned away for the price of a comparison.
     const auto head = firstHead(datagram);
     if (!head || sodium_memcmp(head->token.data(), m_token.data(), m_token.size()) != 0)
         return;
-    std::erase_if(m_answered, [now](const Answered &answered) { return now >= answered.at + kAnswerKept; });
+    forgetOldAnswers(now);
     for (const Answered &answered : m_answered) {
         if (answered.path == from && std::equal(datagram.begin(), datagram.end(), answered.first.begin())) {
             m_core.outbox.send(from, answered.answer);
@@ -65,7 +73,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
         return;
     if (m_answered.size() == kMaxAnswered)
         m_answered.erase(m_answered.begin());
-    Answered answered{std::move(*handshake), from, {}, *answer, now};
+    Answered answered{std::move(*handshake), from, {}, *answer, now, {}};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(std::move(answered));
     m_core.outbox.send(from, *answer);
@@ -73,10 +81,11 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
 
 std::optional<PairingTalk> PairingAgent::handleThird(TimePoint now, const Path &from, ByteView datagram)
 {
+    forgetOldAnswers(now);
     const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &answered) {
         return answered.path == from && answered.handshake.id() == sealedPairing(datagram);
     });
-    if (found == m_answered.end())
+    if (found == m_answered.end() || !found->thirds.take(now, kThirdsPerSecond, kThirdsAtOnce))
         return std::nullopt;
     const auto about = found->handshake.takeThird(datagram);
     if (!about) {

@@ -1,6 +1,7 @@
 // The agent's side of coming to talk: it calls while its window is open, and answers who has heard it.
 #pragma once
 
+#include "core/channel/bucket.h"
 #include "core/channel/handshake_limit.h"
 #include "core/channel/pairing_talk.h"
 
@@ -26,7 +27,9 @@ private:
         PairingDatagram first{};
         PairingDatagram answer{};
         TimePoint at{};
+        Bucket thirds; ///< that may still be computed on
     };
+    void forgetOldAnswers(TimePoint now);
     bool mayCompute(TimePoint now, const Path &from);
 
     PairingCore &m_core;

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void lateAnswerOfAnother();
     void floodWithoutTheToken();
     void floodWithTheToken();
+    void floodOfFalseThirds();
     void floodOfFalseAnswers();
     void forgedCalls();
     void noMoreOutThanIn();
@@ -277,6 +278,44 @@ void PairingWireTest::floodWithTheToken()
     QVERIFY(shown);
     QVERIFY(static_cast<double>(answers) <= 15 * seconds(pair.now - start) + 20);
     QVERIFY(out <= in);
+}
+
+void PairingWireTest::floodOfFalseThirds()
+{
+    // Somebody hears a call, has a first message of his own answered, and sends twenty false thirds a millisecond: each would
+    // cost a Diffie-Hellman, since his key can be read in it. A station beside him is shown all the same.
+    PairingPair pair;
+    SeededRandom random(25);
+    Path from{LinkId{1}, {}};
+    from.remote.ip[15] = 77;
+    std::optional<PairingToken> token;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (const auto called = calledToken(flight.bytes))
+            token = called;
+        return true;
+    };
+    Bytes answer;
+    pair.elsewhere = [&](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+    pair.open(Air);
+    QVERIFY(pair.run(1s, [&] { return token.has_value(); }));
+    auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *token);
+    pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
+    pair.pump();
+    QVERIFY(handshake.takeAnswer(answer));
+    const ThirdDatagram good = *handshake.third({}, random);
+    ThirdDatagram wrong = good;
+    wrong.back() ^= 1;
+    for (int ms = 0; ms < 3000 && (ms <= 100 || !pair.shown()); ++ms) {
+        for (int i = 0; i < 20; ++i)
+            pair.air().pairing->handleDatagram(pair.now, from, wrong);
+        if (ms == 100) {
+            pair.air().pairing->handleDatagram(pair.now, from, good);
+            QVERIFY(!pair.air().pairing->peer()); // not computed on, so it is not seen that it is right
+            pair.open(Ground);
+        }
+        pair.run(1ms);
+    }
+    QVERIFY(pair.shown());
 }
 
 void PairingWireTest::floodOfFalseAnswers()
