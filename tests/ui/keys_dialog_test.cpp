@@ -75,6 +75,7 @@ private Q_SLOTS:
     void everyMistakeInWords_data();
     void everyMistakeInWords();
     void changedKeyIsReplacedKnowingly();
+    void replacedPeerStaysWhatItWas();
     void tickCountsForOneKeyAlone();
     void editedByKeysAlone();
     void revokedAfterAQuestion();
@@ -241,6 +242,7 @@ void KeysDialogTest::changedKeyIsReplacedKnowingly()
 {
     PeerDialog *dialog = openAdd();
     type(dialog, "peerKey", textOf(key(9)));
+    type(dialog, "peerSystems", QStringLiteral("7"));
     type(dialog, "peerName", QStringLiteral("scout-1"));
     auto *warning = dialog->findChild<ChangedKeyWarning *>();
     QVERIFY(warning->isVisible());
@@ -256,7 +258,24 @@ void KeysDialogTest::changedKeyIsReplacedKnowingly()
     QCOMPARE(okOf(dialog)->text(), QStringLiteral("Replace the key"));
     QTest::mouseClick(okOf(dialog), Qt::LeftButton);
     QVERIFY(m_keyring->list.peers[0].key == key(9));
+    QCOMPARE(m_keyring->list.peers[0].systems, std::vector<std::uint8_t>{7}); // what was typed stands
     QCOMPARE(m_keyring->list.peers.size(), std::size_t(2));
+}
+
+void KeysDialogTest::replacedPeerStaysWhatItWas()
+{
+    PeerDialog *dialog = openAdd();
+    type(dialog, "peerKey", textOf(key(9)));
+    type(dialog, "peerName", QStringLiteral("tablet"));
+    QCOMPARE(dialog->findChild<QLineEdit *>(QStringLiteral("peerSystems"))->text(), QStringLiteral("1,2"));
+    type(dialog, "peerName", QStringLiteral("tablet-2")); // a new one brings nothing along
+    QVERIFY(dialog->findChild<QLineEdit *>(QStringLiteral("peerSystems"))->text().isEmpty());
+    type(dialog, "peerName", QStringLiteral("tablet"));
+    dialog->findChild<QCheckBox *>(QStringLiteral("replaceKey"))->setChecked(true);
+    QTest::mouseClick(okOf(dialog), Qt::LeftButton);
+    const KnownPeer &replaced = m_keyring->list.peers[1];
+    QVERIFY(replaced.key == key(9) && replaced.role == PeerRole::Observer);
+    QCOMPARE(replaced.systems, (std::vector<std::uint8_t>{1, 2}));
 }
 
 void KeysDialogTest::tickCountsForOneKeyAlone()
@@ -267,6 +286,9 @@ void KeysDialogTest::tickCountsForOneKeyAlone()
     dialog->findChild<QCheckBox *>(QStringLiteral("replaceKey"))->setChecked(true);
     QVERIFY(okOf(dialog)->isEnabled());
     dialog->findChild<QLineEdit *>(QStringLiteral("peerKey"))->setText(textOf(key(10)));
+    QVERIFY(!okOf(dialog)->isEnabled());
+    dialog->findChild<QCheckBox *>(QStringLiteral("replaceKey"))->setChecked(true);
+    dialog->findChild<QLineEdit *>(QStringLiteral("peerName"))->setText(QStringLiteral("tablet")); // nor for another peer
     QVERIFY(!okOf(dialog)->isEnabled());
 }
 

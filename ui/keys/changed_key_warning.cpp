@@ -8,6 +8,8 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QGridLayout>
 
+#include <utility>
+
 namespace skyseal::ui {
 
 ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
@@ -47,10 +49,12 @@ void ChangedKeyWarning::showKeys(const QString &name, const channel::PublicKey &
     m_words->setText(tr("The key of %1 has changed. Either it was made anew there, or somebody pretends to be %1.").arg(name));
     m_known->setText(fingerprintLines(known));
     m_offered->setText(fingerprintLines(offered));
-    if (offered != m_shown) // what was said of another key does not count
-        m_accept->setChecked(false);
-    m_shown = offered;
     show();
+    Case shown{name, known, offered};
+    if (m_shown == shown)
+        return;
+    m_shown = std::move(shown); // first, since taking the tick away has the owner ask again
+    m_accept->setChecked(false);
 }
 
 bool ChangedKeyWarning::isAccepted() const

@@ -4,6 +4,7 @@
 
 #include "core/channel/policy.h"
 
+#include <QtCore/QString>
 #include <QtWidgets/QFrame>
 
 class QCheckBox;
@@ -18,6 +19,7 @@ class ChangedKeyWarning : public QFrame
 public:
     explicit ChangedKeyWarning(QWidget *parent = nullptr);
 
+    /// What the person said before counts as long as it is about the same.
     void showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered);
     /// The person said knowingly that the key is to be replaced.
     bool isAccepted() const;
@@ -28,7 +30,13 @@ Q_SIGNALS:
 private:
     QLabel *m_icon, *m_words, *m_known, *m_offered;
     QCheckBox *m_accept;
-    channel::PublicKey m_shown{};
+    struct Case
+    {
+        QString name;
+        channel::PublicKey known{}, offered{};
+        bool operator==(const Case &) const = default;
+    };
+    Case m_shown;
 };
 
 } // namespace skyseal::ui

@@ -20,6 +20,16 @@
 
 namespace skyseal::ui {
 
+namespace {
+
+/// As it is typed; empty = any.
+QString systemsOf(const KnownPeer &peer)
+{
+    return peer.systems.empty() ? QString() : fromStd(keys::systemIdsText(peer.systems));
+}
+
+} // namespace
+
 PeerDialog::PeerDialog(KeyringPort &keyring, QWidget *parent) : PeerDialog(keyring, nullptr, parent) {}
 
 PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent) {}
@@ -88,7 +98,11 @@ PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *par
     if (peer) {
         m_name->setText(peer->name);
         m_role->setCurrentIndex(m_role->findData(static_cast<int>(peer->role)));
-        m_systems->setText(peer->systems.empty() ? QString() : fromStd(keys::systemIdsText(peer->systems)));
+        m_systems->setText(systemsOf(*peer));
+    } else {
+        connect(m_name, &QLineEdit::textChanged, this, &PeerDialog::proposeAsKnown);
+        connect(m_role, &QComboBox::activated, this, [this] { m_roleChosen = true; });
+        connect(m_systems, &QLineEdit::textEdited, this, [this] { m_systemsTyped = true; });
     }
     for (const QLineEdit *edit : {m_key, m_name, m_systems})
         connect(edit, &QLineEdit::textChanged, this, &PeerDialog::check);
@@ -115,6 +129,16 @@ const KnownPeer *PeerDialog::knownByName(const QString &name) const
 {
     const auto found = std::ranges::find(m_peers, name, &KnownPeer::name);
     return found == m_peers.end() ? nullptr : &*found;
+}
+
+void PeerDialog::proposeAsKnown()
+{
+    const KnownPeer *known = knownByName(m_name->text().trimmed());
+    const KnownPeer proposed = known ? *known : KnownPeer();
+    if (!m_roleChosen)
+        m_role->setCurrentIndex(m_role->findData(static_cast<int>(proposed.role)));
+    if (!m_systemsTyped)
+        m_systems->setText(systemsOf(proposed));
 }
 
 QString PeerDialog::problem(KnownPeer &out) const

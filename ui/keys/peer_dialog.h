@@ -31,6 +31,8 @@ private:
     PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *parent);
     void readKeyFile();
     void check();
+    /// A peer whose key is replaced stays what it was, unless the person said otherwise.
+    void proposeAsKnown();
     /// What is wrong with what stands there; empty when nothing is. Fills `out` as far as it goes.
     QString problem(KnownPeer &out) const;
     const KnownPeer *knownByName(const QString &name) const;
@@ -38,6 +40,7 @@ private:
     KeyringPort &m_keyring;
     std::vector<KnownPeer> m_peers;
     std::optional<KnownPeer> m_changing;
+    bool m_roleChosen = false, m_systemsTyped = false; ///< by the person
     QLineEdit *m_key, *m_name, *m_systems;
     QComboBox *m_role;
     QLabel *m_fingerprint, *m_problem;
