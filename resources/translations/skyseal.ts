@@ -1247,6 +1247,18 @@ INSECURE: anybody can read, change and invent what comes. Nothing is sent.</sour
         <source>Key of the stream</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>the published counter, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;ounter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counter is a number from 0 to 4294967295</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::LinkEnded</name>

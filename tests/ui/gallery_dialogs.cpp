@@ -106,7 +106,7 @@ const std::map<QString, Open> &dialogs()
         {QStringLiteral("link-mavsec"), [](const Stage &stage) -> QWidget * {
              auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);
              auto *protection = dialog->findChild<QComboBox *>(QStringLiteral("linkProtection"));
-             protection->setCurrentIndex(protection->count() - 1);
+             protection->setCurrentIndex(1);
              return dialog;
          }},
     };

@@ -320,11 +320,21 @@ private Q_SLOTS:
         QTest::keyClicks(nonce, QStringLiteral("00"));
         QVERIFY(!ok->isEnabled());
         nonce->clear();
+        auto *counter = dialog->findChild<QLineEdit *>(QStringLiteral("linkCounter"));
+        QVERIFY(ok->isEnabled() && counter->isVisible());
+        QTest::keyClicks(counter, QStringLiteral("4294967296"));
+        QVERIFY(!ok->isEnabled());
+        QVERIFY(result->text().contains(QStringLiteral("counter")));
+        QTest::keyClick(counter, Qt::Key_Backspace);
+        QTest::keyClick(protection, Qt::Key_Down); // AES-256-CTR
+        QVERIFY(!counter->isVisible() && ok->isEnabled());
+        QTest::keyClick(protection, Qt::Key_Up);
         QTest::mouseClick(ok, Qt::LeftButton);
         QVERIFY(m_station->addedLinks.empty());
         QCOMPARE(m_station->mavsecLinks.size(), std::size_t(1));
         QCOMPARE(m_station->mavsecLinks[0].first, std::string("udpin:0.0.0.0:14550"));
         QCOMPARE(m_station->mavsecLinks[0].second.kind, crypto::MavsecCipher::Kind::ChaCha20);
+        QCOMPARE(m_station->mavsecLinks[0].second.counter, 429496729u);
     }
 
     void inspectorCollectsOnlyWhileSeen()

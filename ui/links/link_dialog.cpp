@@ -64,6 +64,9 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_nonce = new QLineEdit(this);
     m_nonce->setObjectName(QStringLiteral("linkNonce"));
     m_nonce->setPlaceholderText(tr("the published nonce"));
+    m_counter = new QLineEdit(this);
+    m_counter->setObjectName(QStringLiteral("linkCounter"));
+    m_counter->setPlaceholderText(tr("the published counter, %1").arg(MavsecCipher::kPublishedCounter));
     m_browseKey = new QPushButton(tr("Browse …"), this);
     m_browseKey->setAccessibleName(tr("Browse for the key file"));
     m_result = new QLabel(this);
@@ -95,6 +98,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_keyLabel = line(tr("K&ey file"), m_key, 1);
     grid->addWidget(m_browseKey, row - 1, 2);
     m_nonceLabel = line(tr("&Nonce"), m_nonce);
+    m_counterLabel = line(tr("C&ounter"), m_counter);
     grid->addWidget(m_result, row++, 0, 1, 3);
     grid->addWidget(m_buttons, row, 0, 1, 3);
     setMinimumWidth(56 * kGrid);
@@ -106,6 +110,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     connect(m_baud, &QComboBox::currentTextChanged, this, &LinkDialog::check);
     connect(m_protection, &QComboBox::currentIndexChanged, this, &LinkDialog::showProtection);
     connect(m_nonce, &QLineEdit::textChanged, this, &LinkDialog::check);
+    connect(m_counter, &QLineEdit::textChanged, this, &LinkDialog::check);
     connect(m_browseKey, &QPushButton::clicked, this, &LinkDialog::browseKey);
     connect(m_browse, &QPushButton::clicked, this, &LinkDialog::browse);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -172,6 +177,8 @@ std::optional<engine::MavsecSettings> LinkDialog::mavsec() const
     settings.kind = static_cast<MavsecCipher::Kind>(m_protection->currentData().toInt());
     settings.keyFile = m_key->text().toStdString();
     settings.nonceHex = m_nonce->text().remove(QLatin1Char(' ')).toStdString();
+    if (settings.kind == MavsecCipher::Kind::ChaCha20 && !m_counter->text().isEmpty())
+        settings.counter = m_counter->text().toUInt();
     return settings;
 }
 
@@ -180,6 +187,10 @@ void LinkDialog::showProtection()
     const bool asked = m_protection->currentData().isValid();
     for (QWidget *widget : std::initializer_list<QWidget *>{m_key, m_keyLabel, m_browseKey, m_nonce, m_nonceLabel})
         widget->setVisible(asked);
+    // AES-256-CTR counts on from its nonce.
+    const bool counts = asked && mavsec()->kind == MavsecCipher::Kind::ChaCha20;
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_counter, m_counterLabel})
+        widget->setVisible(counts);
     check();
 }
 
@@ -192,7 +203,12 @@ QString LinkDialog::problem() const
     const auto digits = settings ? 2 * MavsecCipher::nonceLength(settings->kind) : 0;
     const bool wrongNonce = settings && !settings->nonceHex.empty()
         && (settings->nonceHex.size() != digits || !fromHex(settings->nonceHex));
-    return wrongNonce ? tr("The nonce has %1 hex digits").arg(digits) : QString();
+    if (wrongNonce)
+        return tr("The nonce has %1 hex digits").arg(digits);
+    bool isNumber = false;
+    static_cast<void>(m_counter->text().toUInt(&isNumber));
+    const bool counts = settings && settings->kind == MavsecCipher::Kind::ChaCha20 && !m_counter->text().isEmpty();
+    return counts && !isNumber ? tr("The counter is a number from 0 to 4294967295") : QString();
 }
 
 void LinkDialog::check()

@@ -46,9 +46,9 @@ private:
     QPushButton *m_browse;
     QComboBox *m_baud;
     QComboBox *m_protection; ///< the cipher of MAVSec's stream; none first
-    QLineEdit *m_key, *m_nonce;
+    QLineEdit *m_key, *m_nonce, *m_counter;
     QPushButton *m_browseKey;
-    QLabel *m_hostLabel, *m_portLabel, *m_pathLabel, *m_baudLabel, *m_keyLabel, *m_nonceLabel;
+    QLabel *m_hostLabel, *m_portLabel, *m_pathLabel, *m_baudLabel, *m_keyLabel, *m_nonceLabel, *m_counterLabel;
     QLabel *m_result;
     QDialogButtonBox *m_buttons;
 };
