@@ -22,6 +22,12 @@ QString entryOf(const std::string &file)
     return QStringLiteral("passphrase of %1").arg(QString::fromStdString(file));
 }
 
+/// The bytes themselves, which the job shares: to write through data() would make a copy and wipe that.
+void wipe(const QByteArray &shared)
+{
+    sodium_memzero(const_cast<char *>(shared.constData()), static_cast<std::size_t>(shared.size()));
+}
+
 class DesktopKeyring : public PassphraseMemory
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::app::DesktopKeyring)
@@ -51,20 +57,21 @@ public:
             note(file, false);
         if (job.error() != QKeychain::NoError)
             return std::nullopt;
-        QByteArray found = job.binaryData();
+        const QByteArray found = job.binaryData();
         auto out = crypto::Passphrase::fromBytes(
             {reinterpret_cast<const std::uint8_t *>(found.constData()), static_cast<std::size_t>(found.size())});
-        sodium_memzero(found.data(), static_cast<std::size_t>(found.size()));
+        wipe(found);
         return out;
     }
 
     void remember(const std::string &file, const crypto::Passphrase &passphrase) override
     {
         const ByteView words = passphrase.view();
-        QByteArray bytes(reinterpret_cast<const char *>(words.data()), static_cast<qsizetype>(words.size()));
+        const QByteArray bytes(reinterpret_cast<const char *>(words.data()), static_cast<qsizetype>(words.size()));
         auto *job = new QKeychain::WritePasswordJob(kService, this);
         job->setKey(entryOf(file));
         job->setBinaryData(bytes);
+        connect(job, &QKeychain::Job::finished, this, [bytes] { wipe(bytes); });
         run(job, file, true);
     }
 
