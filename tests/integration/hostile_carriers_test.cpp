@@ -1,0 +1,190 @@
+// Real programs over bad lines, with connections that are cut or idle, and beside a MAVLink router at which somebody speaks
+// in every name: the session holds and loses nothing that was not spoilt. With SKYSEAL_MAVLINK_ROUTERD naming the program,
+// also at the real mavlink-router.
+#include "carrier_flight.h"
+#include "tests/support/mavlink_hub.h"
+#include "tests/support/null_modem.h"
+#include "tests/support/router_spoofers.h"
+#include "tests/support/tcp_cable.h"
+
+#include <QtNetwork/QTcpSocket>
+
+#include <array>
+#include <memory>
+#include <set>
+#include <vector>
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class HostileCarriersTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void noisySerialLine();
+    void tcpConnectionCut();
+    void idleConnectionsKeepNobodyOut();
+    void routersSeeNoMore();
+    void spoofersAtTheHub();
+    void spoofersAtMavlinkRouter();
+};
+
+void HostileCarriersTest::noisySerialLine()
+{
+    NullModem line;
+    int spoilt = 0; // at most so many records: a spoilt delimiter makes one of two
+    // One byte of some 2000, as a bad radio does it; from the beginning.
+    line.noise = [&spoilt, at = std::uint64_t(0)](std::size_t, std::array<char, 4096> &bytes, std::size_t size) mutable {
+        for (std::size_t i = 0; i < size; ++i) {
+            if (++at % 2003 == 0) {
+                spoilt += bytes[i] == 0 ? 2 : 1;
+                bytes[i] = static_cast<char>(bytes[i] ^ (at % 3 == 0 ? bytes[i] : 0x41));
+            }
+        }
+    };
+    Flight flight;
+    QVERIFY(flight.ready());
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", serial(line.device(0), 57600)));
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    with(flight.monitorArguments(words({"--duration", "15", "--switch-to"}) + QStringList{allSuites()}),
+                         "--link", serial(line.device(1), 57600)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty());
+    QCOMPARE(monitor.waitForExit(60000), 0);
+    const QJsonObject summary = monitor.last(QStringLiteral("summary"));
+    const QJsonObject received = summary[QLatin1String("channel")][QLatin1String("rx")].toObject();
+    const qint64 good = number(received, "good");
+    QVERIFY(spoilt > 10);
+    QVERIFY2(number(received, "lost") <= spoilt && good > 3 * number(received, "lost"),
+             qPrintable(QStringLiteral("%1 good, %2 lost, %3 spoilt").arg(good).arg(number(received, "lost")).arg(spoilt)));
+    QCOMPARE(number(summary[QLatin1String("mavlink")].toObject(), "bad_crc"), 0);
+}
+
+void HostileCarriersTest::tcpConnectionCut()
+{
+    Flight flight;
+    QVERIFY(flight.ready());
+    const quint16 port = freeTcpPort();
+    TcpCable cable(port);
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("tcp", cable.port())));
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("vehicle"), 15000).isEmpty());
+    const auto received = [&monitor](const char *counter) {
+        const QJsonObject stats = monitor.waitFor(QStringLiteral("stats"), 5000);
+        return number(stats[QLatin1String("channel")][QLatin1String("rx")].toObject(), counter);
+    };
+    for (int cut = 1; cut <= 3; ++cut) {
+        cable.cut();
+        QTRY_COMPARE_WITH_TIMEOUT(cable.joined, cut + 1, 10000);
+        monitor.skipWhatCame();
+        const qint64 before = received("good");
+        QTRY_VERIFY_WITH_TIMEOUT(received("good") > before + 20, 10000);
+    }
+    // It is the same session all the time, found again by its first report.
+    QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
+    QCOMPARE(received("forged"), 0);
+}
+
+void HostileCarriersTest::idleConnectionsKeepNobodyOut()
+{
+    // More connections than there are places, from which nothing ever comes; and more of them while a session is up.
+    Flight flight;
+    QVERIFY(flight.ready());
+    const quint16 port = freeTcpPort();
+    Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    std::vector<std::unique_ptr<QTcpSocket>> idle;
+    int connected = 0; // not one that is turned away before it has noticed that it was connected
+    const auto connectIdle = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            idle.push_back(std::make_unique<QTcpSocket>());
+            idle.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), port);
+            connected += idle.back()->waitForConnected(10000);
+        }
+    };
+    connectIdle(40);
+    QVERIFY2(connected >= 32, qPrintable(QString::number(connected)));
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("tcp", port)));
+    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 20000).isEmpty());
+    connectIdle(80);
+    const auto good = [&monitor] {
+        return number(monitor.waitFor(QStringLiteral("stats"), 5000)[QLatin1String("channel")][QLatin1String("rx")].toObject(),
+                      "good");
+    };
+    monitor.skipWhatCame();
+    const qint64 before = good();
+    QTRY_VERIFY_WITH_TIMEOUT(good() > before + 100, 10000);
+    QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
+}
+
+void HostileCarriersTest::routersSeeNoMore()
+{
+    MavlinkHub hub;
+    Flight flight;
+    QVERIFY(flight.ready());
+    hub.setRemote(1, flight.groundPort);
+    std::set<std::pair<int, int>> speakers;
+    bool telemetryInClear = false;
+    hub.filter = [&](const mavlink::Frame &frame) {
+        speakers.insert({frame.systemId(), frame.componentId()});
+        telemetryInClear = telemetryInClear || (frame.messageId() == 0 && frame.payload()[5] != 8);
+        return true;
+    };
+    Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
+    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("udpout", hub.port(0)))
+                      + QStringList{QStringLiteral("--carrier"), QStringLiteral("tunnel")});
+    Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments());
+    QVERIFY(!monitor.waitFor(QStringLiteral("vehicle"), 20000).isEmpty());
+    for (int second = 0; second < 3; ++second)
+        QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 5000).isEmpty());
+    QCOMPARE(speakers, (std::set<std::pair<int, int>>{{1, 191}, {255, 190}}));
+    QVERIFY(!telemetryInClear);
+    // The heartbeat that routers need is no clear telemetry that was refused.
+    const QJsonObject channel = monitor.last(QStringLiteral("stats"))[QLatin1String("channel")].toObject();
+    QCOMPARE(number(channel[QLatin1String("rx")].toObject(), "plaintext_dropped"), 0);
+}
+
+/// Armed heartbeats in all three names, from before the session until after it: it comes up, flies and holds all the same.
+void HostileCarriersTest::spoofersAtTheHub()
+{
+    MavlinkHub hub(5);
+    Flight flight;
+    hub.setRemote(1, flight.groundPort);
+    RouterSpoofers<QUdpSocket> spoofers([&hub](std::size_t i, QUdpSocket &socket) {
+        socket.connectToHost(QHostAddress(QHostAddress::LocalHost), hub.port(2 + i));
+    });
+    fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
+    QVERIFY(spoofers.copied > 100 && !spoofers.more); // what it gets of them is sealed
+}
+
+void HostileCarriersTest::spoofersAtMavlinkRouter()
+{
+    const QString program = qEnvironmentVariable("SKYSEAL_MAVLINK_ROUTERD");
+    if (program.isEmpty())
+        QSKIP("SKYSEAL_MAVLINK_ROUTERD names no mavlink-routerd");
+    Flight flight;
+    const quint16 port = freeUdpPort(), door = freeTcpPort();
+    const QString address = QStringLiteral("127.0.0.1:%1");
+    Program router(program, words({"-t"}) + QStringList{QString::number(door), QStringLiteral("-e"), address.arg(flight.groundPort), address.arg(port)});
+    RouterSpoofers<QTcpSocket> spoofers([door](std::size_t, QTcpSocket &socket) {
+        const auto connected = [&] {
+            if (socket.state() == QAbstractSocket::ConnectedState)
+                return true;
+            socket.abort();
+            socket.connectToHost(QHostAddress(QHostAddress::LocalHost), door);
+            return socket.waitForConnected(1000);
+        };
+        QTRY_VERIFY(connected());
+    });
+    fly(flight, {loopback("udpout", port), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
+    QVERIFY2(router.running(), router.errors());
+    QVERIFY(spoofers.copied > 100 && !spoofers.more);
+}
+
+QTEST_GUILESS_MAIN(HostileCarriersTest)
+#include "hostile_carriers_test.moc"
