@@ -1,6 +1,8 @@
-// The packet path allocates nothing: sealing, opening and refusing are counted against operator new.
+// The packet path allocates nothing: sealing, opening and refusing are counted against operator new. And strangers leave
+// nothing behind.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "first_message_flood.h"
 #include "inline_pair.h"
 
 #include <atomic>
@@ -12,7 +14,7 @@ using namespace skyseal::test;
 
 namespace {
 
-std::atomic<std::size_t> allocations = 0; // QtTest has a thread of its own
+std::atomic<std::size_t> allocations = 0, released = 0; // QtTest has a thread of its own
 
 } // namespace
 
@@ -24,8 +26,13 @@ void *operator new(std::size_t size)
     throw std::bad_alloc();
 }
 
-void operator delete(void *memory) noexcept { std::free(memory); }
-void operator delete(void *memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void *memory) noexcept
+{
+    released += memory != nullptr;
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept { operator delete(memory); }
 
 class AllocationTest : public QObject
 {
@@ -38,6 +45,7 @@ private Q_SLOTS:
     void sealAndOpen();
     void sealAndOpenInline_data() { everyInlineSuite(); }
     void sealAndOpenInline();
+    void strangersLeaveNothing();
 };
 
 void AllocationTest::countsAtAll()
@@ -99,6 +107,37 @@ void AllocationTest::sealAndOpenInline()
     QCOMPARE(opened, std::size_t(1000));
     QCOMPARE(refused, std::size_t(1000));
     QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before)));
+}
+
+void AllocationTest::strangersLeaveNothing()
+{
+    // First messages from a hundred thousand addresses, with a right mac1 and without: nothing is kept of any of them.
+    Pair pair(attackOptions());
+    pair.kill(Ground);
+    pair.run(1s);
+    const Mac1 mac(pair.air().identity->publicKey);
+    SeededRandom random(kAttackSeed);
+    const auto flood = [&](std::uint32_t from, std::uint32_t to) {
+        FirstMessage message;
+        for (std::uint32_t i = from; i < to; ++i) {
+            random.fill(message);
+            message[0] = firstByte(HandshakeMessage::First);
+            if (i & 1)
+                mac.sign(message);
+            pair.air().endpoint->handleDatagram(pair.now, addressNumber(i), message);
+            while (pair.air().endpoint->pollTransmit()) {}
+            while (pair.air().endpoint->pollEvent()) {}
+            if (i % kFloodPerMillisecond == 0)
+                pair.run(1ms);
+        }
+        pair.air().events.clear();
+    };
+    flood(0, 20'000);
+    const std::size_t kept = allocations - released;
+    flood(20'000, 120'000);
+    const std::size_t after = allocations - released;
+    qInfo("kept %zu, then %zu", kept, after);
+    QVERIFY(after <= kept + 8); // queues that grew
 }
 
 QTEST_GUILESS_MAIN(AllocationTest)

@@ -11,7 +11,6 @@ namespace skyseal::test {
 
 using namespace std::chrono_literals;
 
-
 inline constexpr int kFloodPerMillisecond = 20;
 
 inline Path addressNumber(std::uint32_t number)
