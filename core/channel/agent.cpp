@@ -93,6 +93,8 @@ bool Agent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
     m_answered.push_back(answered);
     auto &entry = m_core.table.put(std::move(session), false, now);
     m_core.around.outbox.send(from, answer->message);
+    if (weakened(Weakness::AnswerTwice))
+        m_core.around.outbox.send(from, answer->message);
     if (weakened(Weakness::NoConfirmation))
         return confirm(now, entry);
     return true;

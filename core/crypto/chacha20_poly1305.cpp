@@ -6,6 +6,8 @@
 
 #include <sodium.h>
 
+#include <cstring>
+
 namespace skyseal::crypto {
 
 namespace {
@@ -26,6 +28,8 @@ public:
         crypto_aead_chacha20poly1305_ietf_encrypt_detached(out.data(), out.data() + size, nullptr, plaintext.data(), size,
                                                            associatedData.data(), associatedData.size(), nullptr,
                                                            nonce.data(), m_key.view().data());
+        if (weakened(Weakness::NoEncryption))
+            std::memcpy(out.data(), plaintext.data(), size);
         return size + kTag;
     }
 
@@ -35,6 +39,8 @@ public:
             return std::nullopt;
         const std::size_t size = sealed.size() - kTag;
         const Nonce12 nonce = m_nonces.at(counter);
+        if (weakened(Weakness::NoEncryption))
+            return sealed.first(size);
         if (weakened(Weakness::NoTagCheck))
             crypto_stream_chacha20_ietf_xor_ic(sealed.data(), sealed.data(), size, nonce.data(), 1, m_key.view().data());
         else if (declassified(crypto_aead_chacha20poly1305_ietf_decrypt_detached(

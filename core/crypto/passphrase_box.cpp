@@ -1,5 +1,7 @@
 #include "core/crypto/passphrase_box.h"
 
+#include "core/base/weakness.h"
+
 #include <sodium.h>
 
 namespace skyseal::crypto {
@@ -53,7 +55,8 @@ Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, co
     Key32 out;
     if (crypto_aead_chacha20poly1305_ietf_decrypt(out.mutableView().data(), nullptr, nullptr, sealed.data(), sealed.size(),
                                                   associated.data(), associated.size(), kNonce, key->view().data())
-        != 0)
+            != 0
+        && !weakened(Weakness::NoFileChecksum))
         return tl::unexpected(PassphraseError::DoesNotOpen);
     return out;
 }

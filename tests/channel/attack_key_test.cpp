@@ -19,7 +19,7 @@ class AttackKeyTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(initCrypto()); }
-    void contextIsSealedIn_data() { everySuite(); }
+    void contextIsSealedIn_data();
     void contextIsSealedIn();
     void directionsHaveTheirOwnKeys_data() { everySuite(); }
     void directionsHaveTheirOwnKeys();
@@ -34,12 +34,26 @@ private:
     const Bytes m_frame = Bytes(28, 0xfd);
 };
 
+void AttackKeyTest::contextIsSealedIn_data()
+{
+    QTest::addColumn<int>("suite");
+    QTest::addColumn<QString>("part");
+    for (const SuiteInfo &info : suites()) {
+        if (info.id == SuiteId::None || !suiteAvailable(info.id))
+            continue;
+        for (const char *part : {"header", "suite", "direction", "carrier"})
+            QTest::addRow("%s of %s", part, info.name.data()) << static_cast<int>(info.id) << QString::fromLatin1(part);
+    }
+}
+
 void AttackKeyTest::contextIsSealedIn()
 {
     QFETCH(int, suite);
+    QFETCH(QString, part);
     const auto id = static_cast<SuiteId>(suite);
     const auto writer = makeRecordCipher(id, m_secret.clone()), reader = makeRecordCipher(id, m_secret.clone());
-    std::array<std::uint8_t, kRecordHeaderLength> header{};
+    using Header = std::array<std::uint8_t, kRecordHeaderLength>;
+    Header header{};
     RecordHeader{DatagramKind::Record, 1, ConnectionId{0x1234}, 7}.write(header);
     const auto sealed = [&] {
         Bytes out(m_frame.size() + kMaxRecordOverhead);
@@ -47,22 +61,28 @@ void AttackKeyTest::contextIsSealedIn()
         out.resize(writer->seal(7, said.view(), m_frame, out));
         return out;
     }();
-    const auto opens = [&](ByteView head, SuiteId named, Direction direction, Carrier carrier) {
+    const auto opens = [&](const Header &head, SuiteId named, Direction direction, Carrier carrier) {
         Bytes copy = sealed;
         return reader->open(7, AssociatedData(head, named, direction, carrier).view(), copy).has_value();
     };
     QVERIFY(opens(header, id, Direction::FromResponder, Carrier::Datagram));
-    HOLDS(!opens(header, id, Direction::FromInitiator, Carrier::Datagram),
-          "header, suite, direction and carrier are sealed in");
-    for (const Carrier carrier : {Carrier::Tunnel, Carrier::Serial})
-        HOLDS(!opens(header, id, Direction::FromResponder, carrier), "header, suite, direction and carrier are sealed in");
-    for (const SuiteInfo &other : suites())
-        QVERIFY(opens(header, other.id, Direction::FromResponder, Carrier::Datagram) == (other.id == id));
-    for (std::size_t bit = 0; bit < header.size() * 8; ++bit) {
-        auto changed = header;
-        changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
-        QVERIFY(!opens(changed, id, Direction::FromResponder, Carrier::Datagram));
+    int others = 0;
+    if (part == QLatin1String("direction")) {
+        others += opens(header, id, Direction::FromInitiator, Carrier::Datagram);
+    } else if (part == QLatin1String("carrier")) {
+        for (const Carrier carrier : {Carrier::Tunnel, Carrier::Serial})
+            others += opens(header, id, Direction::FromResponder, carrier);
+    } else if (part == QLatin1String("suite")) {
+        for (const SuiteInfo &other : suites())
+            others += other.id != id && opens(header, other.id, Direction::FromResponder, Carrier::Datagram);
+    } else {
+        for (std::size_t bit = 0; bit < header.size() * 8; ++bit) {
+            Header changed = header;
+            changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
+            others += opens(changed, id, Direction::FromResponder, Carrier::Datagram);
+        }
     }
+    HOLDS(others == 0, "header, suite, direction and carrier are sealed in");
 }
 
 void AttackKeyTest::directionsHaveTheirOwnKeys()

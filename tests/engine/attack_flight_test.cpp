@@ -11,6 +11,8 @@
 
 #include <QtTest/QTest>
 
+#include <functional>
+
 using namespace skyseal;
 using namespace skyseal::test;
 
@@ -20,8 +22,9 @@ namespace {
 struct AttackedFlight
 {
     explicit AttackedFlight(channel::PeerRole role = channel::PeerRole::Pilot,
-                            engine::StationConfig (*adjust)(engine::StationConfig) = nullptr)
-        : rig(role), ground(adjust ? adjust(rig.stationConfig()) : rig.stationConfig()), attacker(ground.port())
+                            const std::function<engine::StationConfig(engine::StationConfig)> &adjust = {},
+                            std::vector<std::uint8_t> stationSystems = {})
+        : rig(role, {}, std::move(stationSystems)), ground(adjust ? adjust(rig.stationConfig()) : rig.stationConfig()), attacker(ground.port())
     {
         rig.startAgent("127.0.0.1:" + std::to_string(attacker.port()));
         vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());
@@ -62,7 +65,8 @@ class AttackFlightTest : public QObject
 private Q_SLOTS:
     void injectionReachesNoAutopilot();
     void observerCommandsNothing();
-    void nobodySpeaksAsTheVehicle();
+    void nobodySpeaksAsAnother_data();
+    void nobodySpeaksAsAnother();
     void spoofedTelemetryIsNotShown();
     void blockedHandshakesOpenNoClearWay_data();
     void blockedHandshakesOpenNoClearWay();
@@ -119,15 +123,32 @@ void AttackFlightTest::observerCommandsNothing()
     HOLDS(flight.untouched(), "an observer moves nothing");
 }
 
-void AttackFlightTest::nobodySpeaksAsTheVehicle()
+void AttackFlightTest::nobodySpeaksAsAnother_data()
 {
-    // A station that is known and sealed, and speaks as the vehicle's own system.
-    AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
-        config.systemId = 1;
-        return config;
-    });
+    QTest::addColumn<int>("systemId");
+    QTest::addColumn<int>("bound"); // by the agent's list; 0: to none
+    QTest::newRow("as the vehicle itself") << 1 << 0;
+    QTest::newRow("as another system than the list binds it to") << 254 << 255;
+}
+
+void AttackFlightTest::nobodySpeaksAsAnother()
+{
+    // A pilot's station that is known and sealed.
+    QFETCH(int, systemId);
+    QFETCH(int, bound);
+    AttackedFlight flight(
+        channel::PeerRole::Pilot,
+        [systemId](engine::StationConfig config) {
+            config.systemId = static_cast<std::uint8_t>(systemId);
+            return config;
+        },
+        bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
     QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
     QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.spoofRefused > 0
+                                 || flight.rig.agent->snapshot().counters.toVehicle > 0,
+                             10000);
+    flight.ground.station->command(1, vehicle::Arm{true});
+    QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.spoofRefused > 3
                                  || flight.rig.agent->snapshot().counters.toVehicle > 0,
                              10000);
     HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");

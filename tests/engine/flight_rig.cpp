@@ -61,8 +61,9 @@ void VehicleOnUdp::advance()
     m_link->flush();
 }
 
-FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned)
-    : m_stationRole(stationRole)
+FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned,
+                     std::vector<std::uint8_t> stationSystems)
+    : m_stationRole(stationRole), m_stationSystems(std::move(stationSystems))
 {
     if (!crypto::initCrypto())
         qFatal("no randomness");
@@ -81,7 +82,7 @@ void FlightRig::introduceStation(bool known)
     // Otherwise somebody else's key stands there.
     crypto::PublicKey key = m_groundKey;
     key[0] ^= known ? 0 : 1;
-    introduce(file("air.peers"), "ground", key, m_stationRole, {});
+    introduce(file("air.peers"), "ground", key, m_stationRole, m_stationSystems);
 }
 
 engine::StationConfig FlightRig::stationConfig(engine::SecureMode mode) const

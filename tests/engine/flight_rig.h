@@ -36,8 +36,10 @@ private:
 class FlightRig
 {
 public:
-    /// `stationRole`: what the agent lets the station do; `pinned`: system ids that the station binds to the agent's key.
-    explicit FlightRig(channel::PeerRole stationRole = channel::PeerRole::Pilot, std::vector<std::uint8_t> pinned = {});
+    /// `stationRole`: what the agent lets the station do; `pinned`: system ids that the station binds to the agent's key;
+    /// `stationSystems`: those that the agent binds to the station's.
+    explicit FlightRig(channel::PeerRole stationRole = channel::PeerRole::Pilot, std::vector<std::uint8_t> pinned = {},
+                       std::vector<std::uint8_t> stationSystems = {});
 
     engine::StationConfig stationConfig(engine::SecureMode mode = engine::SecureMode::Required) const;
     /// A fresh agent, as after a restart of its program, that announces itself to `ground` ("127.0.0.1:port").
@@ -59,6 +61,7 @@ private:
     QTemporaryDir m_folder;
     crypto::PublicKey m_groundKey{};
     channel::PeerRole m_stationRole;
+    std::vector<std::uint8_t> m_stationSystems;
     std::string m_vehiclePort = "0"; ///< kept over restarts
 };
 

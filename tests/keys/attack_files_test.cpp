@@ -44,6 +44,8 @@ private Q_SLOTS:
     void symbolicLinks();
     void everyTruncation();
     void everyDamagedCharacter();
+    void everyDamagedPeer();
+    void anotherPassphrase();
     void errorsShowNoKey();
 
 private:
@@ -120,6 +122,41 @@ void AttackFilesTest::everyDamagedCharacter()
         bad[at] = bad[at] == 'A' ? 'B' : 'A';
         HOLDS(contains(errorOf(loadIdentity(m_folder.write("bad.key", bad))), ":3: has a damaged key"), "no damaged key is a key");
     }
+}
+
+void AttackFilesTest::everyDamagedPeer()
+{
+    // A list of peers in which one character of a key was changed: not another key, but no list.
+    PeersFile peers;
+    PeerEntry entry;
+    entry.peer.key = crypto::X25519KeyPair::generate(m_random).publicKey;
+    entry.peer.name = "air-1";
+    QVERIFY(peers.add(entry) && peers.save(m_folder.path("good.peers")));
+    const std::string good = readText(m_folder.path("good.peers")), key = publicKeyText(entry.peer.key);
+    const std::size_t keyAt = good.find(key) + key.find(':') + 1;
+    for (std::size_t at = keyAt; at < good.find(key) + key.size(); ++at) {
+        std::string bad = good;
+        bad[at] = bad[at] == 'A' ? 'B' : 'A';
+        HOLDS(!PeersFile::load(m_folder.write("bad.peers", bad)), "no damaged list is a list");
+    }
+}
+
+void AttackFilesTest::anotherPassphrase()
+{
+    const auto words = [](std::string_view text) { return *crypto::Passphrase::fromBytes(asBytes(text)); };
+    const crypto::Passphrase right = words("correct horse");
+    const std::string path = m_folder.path("sealed.key");
+    QVERIFY(writeNewIdentity(path, m_random, {&right, crypto::kLeastPassphraseCost}));
+    const auto openedWith = [&](std::string_view text) {
+        return loadIdentity(path, [&](const std::string &, int attempt) -> Result<crypto::Passphrase, InputError> {
+            if (attempt > 0)
+                return tl::unexpected(InputError{"no other one", path});
+            return words(text);
+        });
+    };
+    for (const std::string_view wrong : {"correct hors", "correct horse ", "Correct horse", "battery"})
+        HOLDS(!openedWith(wrong), "no key opens under another passphrase");
+    QVERIFY(openedWith("correct horse"));
 }
 
 void AttackFilesTest::errorsShowNoKey()

@@ -5,6 +5,7 @@
 
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
+#include <QtCore/QHash>
 #include <QtCore/QProcess>
 #include <QtCore/QRegularExpression>
 #include <QtTest/QTest>
@@ -18,6 +19,7 @@ struct Run
     bool ended = false; ///< by itself, with an exit status
     int failures = 0;
     QStringList checks; ///< the lines of failed checks
+    QStringList passed; ///< "function(row)"
     QString output;
 };
 
@@ -37,8 +39,15 @@ Run run(const char *program, const QStringList &arguments, const char *weaknesse
     for (const QString &line : out.output.split(QLatin1Char('\n'))) {
         if (line.startsWith(QLatin1String("FAIL!")))
             out.checks << line;
+        else if (line.startsWith(QLatin1String("PASS")))
+            out.passed << line.section(QStringLiteral("::"), 1);
     }
     return out;
+}
+
+QStringList rowsOf(const Proof &proof)
+{
+    return QString::fromLatin1(proof.untouched).split(QLatin1Char(';'), Qt::SkipEmptyParts);
 }
 
 } // namespace
@@ -79,6 +88,15 @@ void ProofTest::failsWhereItMust()
         QVERIFY2(check.contains(QLatin1String("::") + QLatin1String(proof.function) + QLatin1Char('(')), qPrintable(check));
         QVERIFY2(check.contains(QLatin1String(proof.check)), qPrintable(QStringLiteral("another check failed: ") + check));
     }
+    const QStringList untouched = rowsOf(proof);
+    for (const QString &passed : attacked.passed) {
+        if (passed.startsWith(QLatin1String(proof.function) + QLatin1Char('('))) {
+            const QString row = passed.section(QLatin1Char('('), 1).chopped(1);
+            QVERIFY2(untouched.contains(row), qPrintable(QStringLiteral("passed in spite of it: ") + passed));
+        }
+    }
+    for (const QString &row : untouched)
+        QVERIFY2(attacked.passed.contains(QStringLiteral("%1(%2)").arg(QLatin1String(proof.function), row)), qPrintable(row));
 }
 
 void ProofTest::passesWithoutWeakness_data()
@@ -110,10 +128,18 @@ void ProofTest::everyAttackIsProven()
 {
     QFETCH(QString, program);
     QStringList proven;
+    QHash<QString, QStringList> unproven; // rows that no weakness was seen to touch yet
     for (const Proof &proof : kProofs) {
-        if (program == QLatin1String(proof.program))
-            proven << QLatin1String(proof.function);
+        if (program != QLatin1String(proof.program))
+            continue;
+        const QString function = QLatin1String(proof.function);
+        const QStringList untouched = rowsOf(proof);
+        QStringList &left = proven.contains(function) ? unproven[function] : unproven[function] = untouched;
+        left.removeIf([&](const QString &row) { return !untouched.contains(row); });
+        proven << function;
     }
+    for (const QStringList &rows : unproven)
+        QVERIFY2(rows.isEmpty(), qPrintable(rows.join(QLatin1Char(';'))));
     static const QRegularExpression kSignature(QStringLiteral("^(\\w+)\\(\\)$"));
     const Run listed = run(qPrintable(program), {QStringLiteral("-functions")}, "");
     int seen = 0;
