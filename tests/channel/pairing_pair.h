@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/channel/pairing.h"
+#include "core/channel/pairing_handshake.h"
 #include "pair.h"
 
 namespace skyseal::test {
@@ -133,6 +134,23 @@ public:
 
 private:
     SeededRandom m_random;
+};
+
+/// Who hears the agent's calls, and what it answers to him.
+struct Stranger
+{
+    explicit Stranger(PairingPair &pair)
+    {
+        pair.link.attacker = [this](TimePoint, Flight &flight) {
+            if (const auto called = calledToken(flight.bytes))
+                token = called;
+            return true;
+        };
+        pair.elsewhere = [this](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+    }
+
+    std::optional<PairingToken> token;
+    Bytes answer;
 };
 
 } // namespace skyseal::test

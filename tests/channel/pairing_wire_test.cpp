@@ -282,26 +282,20 @@ void PairingWireTest::floodWithTheToken()
 
 void PairingWireTest::floodOfFalseThirds()
 {
-    // Somebody hears a call, has a first message of his own answered, and sends twenty false thirds a millisecond: each would
-    // cost a Diffie-Hellman, since his key can be read in it. A station beside him is shown all the same.
+    // Somebody hears a call, has a first message of his own answered, and sends twenty false thirds a millisecond: each
+    // would cost a Diffie-Hellman, since his key can be read in it. A station beside him is shown all the same.
     PairingPair pair;
     SeededRandom random(25);
     Path from{LinkId{1}, {}};
     from.remote.ip[15] = 77;
-    std::optional<PairingToken> token;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        if (const auto called = calledToken(flight.bytes))
-            token = called;
-        return true;
-    };
-    Bytes answer;
-    pair.elsewhere = [&](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+    Stranger stranger(pair);
     pair.open(Air);
-    QVERIFY(pair.run(1s, [&] { return token.has_value(); }));
-    auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *token);
+    QVERIFY(pair.run(1s, [&] { return stranger.token.has_value(); }));
+    auto handshake =
+        *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *stranger.token);
     pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
     pair.pump();
-    QVERIFY(handshake.takeAnswer(answer));
+    QVERIFY(handshake.takeAnswer(stranger.answer));
     const ThirdDatagram good = *handshake.third({}, random);
     ThirdDatagram wrong = good;
     wrong.back() ^= 1;
@@ -425,17 +419,10 @@ void PairingWireTest::onlyTheLastAnswersAreKept()
 {
     PairingPair pair;
     SeededRandom random(31);
-    std::optional<PairingToken> token;
-    pair.link.attacker = [&](TimePoint, Flight &flight) {
-        if (const auto called = calledToken(flight.bytes))
-            token = called;
-        return true;
-    };
-    Bytes answer;
-    pair.elsewhere = [&](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+    Stranger stranger(pair);
     pair.open(Air);
     pair.run(100ms);
-    QVERIFY(token);
+    QVERIFY(stranger.token);
     struct Caller
     {
         Path from;
@@ -447,10 +434,10 @@ void PairingWireTest::onlyTheLastAnswersAreKept()
         Path from = PairingPair::pathOf(Ground);
         from.remote.ip[0] = static_cast<std::uint8_t>(50 + i); // another host each: one has a share of five
         const auto key = newKey(random);
-        auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *key, nullptr, PairingId{i + 1}, *token);
+        auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *key, nullptr, PairingId{i + 1}, *stranger.token);
         pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
         pair.pump();
-        QVERIFY(handshake.takeAnswer(answer));
+        QVERIFY(handshake.takeAnswer(stranger.answer));
         callers.push_back({from, key->publicKey, *handshake.third({}, random)});
     }
     const auto finish = [&](const Caller &caller) {
