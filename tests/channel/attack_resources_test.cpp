@@ -77,7 +77,7 @@ void AttackResourcesTest::records()
 {
     const int records = countOr("SKYSEAL_RECORDS", 100'000);
     PairOptions options = attackOptions();
-    options.timing.rekeyAfterRecords = static_cast<std::uint32_t>(records / 200); // some fifty epochs
+    options.timing.rekeyAfterRecords = static_cast<std::uint32_t>(records / 200); // dozens of epochs
     Pair pair(options);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
