@@ -196,7 +196,10 @@ void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
     QVERIFY(!heard.empty());
     QCOMPARE(pair.ground().all<SessionUp>().size(), sessions);
     jammed = false;
-    QVERIFY(pair.run(3s, [&] { return pair.ground().all<SessionUp>().size() > sessions && pair.bothUp(); }));
+    const bool up = pair.run(3s, [&] { return pair.ground().all<SessionUp>().size() > sessions && pair.bothUp(); });
+    pair.stopTasks();
+    pair.link.attacker = nullptr;
+    QVERIFY(up);
     took = seconds(pair.now - begun);
 }
 

@@ -93,7 +93,7 @@ void AttackResourcesTest::records()
         delivered += pair.ends[from == Air ? Ground : Air]
                          .endpoint->handleDatagram(pair.now, path, MutableByteView(record).first(*size))
                          .has_value();
-        if (i % (records / 1000) == 0) { // time for the control records
+        if (i % std::max(records / 1000, 1) == 0) { // time for the control records
             pair.run(25ms);
             pair.ground().events.clear();
             pair.air().events.clear();

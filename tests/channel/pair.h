@@ -115,6 +115,8 @@ public:
     bool run(Duration span, const std::function<bool()> &until = {});
     /// Lets `act` happen every `period` from now on.
     void every(Duration period, std::function<void()> act);
+    /// Ends all that every() began.
+    void stopTasks() { m_tasks.clear(); }
     void stopTraffic() { m_tasks.clear(); }
 
     /// Seals one frame of `size` bytes (at least 9) and sends it; its number, 0 when there was no session.

@@ -24,7 +24,8 @@ struct AttackedFlight
     explicit AttackedFlight(channel::PeerRole role = channel::PeerRole::Pilot,
                             const std::function<engine::StationConfig(engine::StationConfig)> &adjust = {},
                             std::vector<std::uint8_t> stationSystems = {})
-        : rig(role, {}, std::move(stationSystems)), ground(adjust ? adjust(rig.stationConfig()) : rig.stationConfig()), attacker(ground.port())
+        : rig(role, {}, std::move(stationSystems)), ground(adjust ? adjust(rig.stationConfig()) : rig.stationConfig()),
+          attacker(ground.port())
     {
         rig.startAgent("127.0.0.1:" + std::to_string(attacker.port()));
         vehicle = std::make_unique<VehicleOnUdp>(rig.vehicleAddress());

@@ -52,7 +52,7 @@ public:
 
     std::unique_ptr<engine::AgentCore> agent;
     std::vector<engine::AgentEvent> agentEvents;
-    bool allowPlain = false;              ///< of agents that start from now on
+    bool allowPlain = false;             ///< of agents that start from now on
     Carrier carrier = Carrier::Datagram; ///< of those too
 
 private:
