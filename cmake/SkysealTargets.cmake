@@ -38,15 +38,24 @@ if(SKYSEAL_COVERAGE)
   add_link_options(--coverage)
 endif()
 
-# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT]): the static library skyseal_NAME, alias skyseal::NAME.
+include(SkysealPrecompiled)
+
+# skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]]): the static library skyseal_NAME, alias skyseal::NAME.
 # Without QT it does not see Qt at all: the rule "no Qt" of the core layers enforces itself.
 function(skyseal_library name)
-  cmake_parse_arguments(arg "QT" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "QT;WIDGETS" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skyseal_${name} STATIC ${arg_SOURCES})
   add_library(skyseal::${name} ALIAS skyseal_${name})
   target_link_libraries(skyseal_${name} PUBLIC skyseal_options ${arg_PUBLIC} PRIVATE skyseal_hardening ${arg_PRIVATE})
   if(arg_QT)
     set_target_properties(skyseal_${name} PROPERTIES AUTOMOC ON)
+  endif()
+  if(arg_WIDGETS)
+    skyseal_precompile(skyseal_${name} ui)
+  elseif(arg_QT)
+    skyseal_precompile(skyseal_${name} engine)
+  else()
+    skyseal_precompile(skyseal_${name} protocol)
   endif()
 endfunction()
 
@@ -67,6 +76,7 @@ function(skyseal_test name)
   add_executable(${name} ${arg_SOURCES})
   set_target_properties(${name} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   target_link_libraries(${name} PRIVATE skyseal_options Qt6::Test ${arg_LINK})
+  skyseal_precompile(${name} tests)
   target_compile_definitions(${name} PRIVATE
     SKYSEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKYSEAL_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
   add_test(NAME ${name} COMMAND ${name})

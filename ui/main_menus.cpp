@@ -6,7 +6,7 @@
 #include "ui/map/map_view.h"
 #include "ui/security/allow_plain.h"
 #include "ui/security/suite_actions.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/window_docks.h"
 
 #include <QtGui/QAction>
@@ -75,7 +75,7 @@ void MainMenus::askAndSend(const QString &question, const vehicle::VehicleComman
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);
     box->setEscapeButton(QMessageBox::Cancel);
-    box->button(QMessageBox::Yes)->setText(commandWords(asked));
+    box->button(QMessageBox::Yes)->setText(commandText(asked));
     connect(box, &QMessageBox::finished, &m_window, [this, systemId, asked](int result) {
         if (result == QMessageBox::Yes)
             m_window.m_commands->send(systemId, asked);
@@ -106,12 +106,12 @@ void MainMenus::fillVehicle(QMenu &menu)
     modes->setObjectName(QStringLiteral("menuMode"));
     connect(modes, &QMenu::aboutToShow, &m_window, [this, modes] {
         modes->clear();
-        if (!m_window.m_scene.vehicle)
+        if (!m_window.m_view.vehicle)
             return;
-        for (const std::string &mode : m_window.m_scene.vehicle->state.modes) {
+        for (const std::string &mode : m_window.m_view.vehicle->state.modes) {
             QAction *action = modes->addAction(fromStd(mode) + QStringLiteral(" …"));
             action->setCheckable(true);
-            action->setChecked(mode == m_window.m_scene.vehicle->state.mode);
+            action->setChecked(mode == m_window.m_view.vehicle->state.mode);
             connect(action, &QAction::triggered, &m_window,
                     [this, mode] { askAndSend(tr("Change the mode to %1?").arg(fromStd(mode)), vehicle::SetMode{mode}); });
         }
@@ -122,24 +122,24 @@ void MainMenus::fillVehicle(QMenu &menu)
     choose->setObjectName(QStringLiteral("menuChooseVehicle"));
     connect(choose, &QMenu::aboutToShow, &m_window, [this, choose] {
         choose->clear();
-        if (!m_window.m_scene.snapshot)
+        if (!m_window.m_view.snapshot)
             return;
-        for (const auto &vehicle : m_window.m_scene.snapshot->vehicles) {
+        for (const auto &vehicle : m_window.m_view.snapshot->vehicles) {
             const std::uint8_t id = vehicle.state.systemId;
             QAction *action = choose->addAction(tr("Vehicle %1").arg(id));
             action->setCheckable(true);
-            action->setChecked(m_window.m_scene.vehicle && m_window.m_scene.vehicle->state.systemId == id);
+            action->setChecked(m_window.m_view.vehicle && m_window.m_view.vehicle->state.systemId == id);
             connect(action, &QAction::triggered, &m_window, [this, id] { m_window.chooseVehicle(id); });
         }
     });
     connect(&menu, &QMenu::aboutToShow, &m_window, [this, all, choose] {
-        const QString reason = whyNoCommands(m_window.m_scene);
+        const QString reason = whyNoCommands(m_window.m_view);
         for (QAction *action : all) {
             action->setEnabled(reason.isEmpty());
             action->setToolTip(reason); // empty: its own text
             action->setStatusTip(reason);
         }
-        choose->setEnabled(m_window.m_scene.vehicle != nullptr);
+        choose->setEnabled(m_window.m_view.vehicle != nullptr);
     });
 }
 
@@ -156,16 +156,16 @@ void MainMenus::fillSecurity(QMenu &menu)
     plain->setObjectName(QStringLiteral("menuAllowPlain"));
     connect(plain, &QMenu::aboutToShow, &m_window, [this, plain] {
         plain->clear();
-        if (!m_window.m_scene.snapshot)
+        if (!m_window.m_view.snapshot)
             return;
-        for (const engine::HeldBackVehicle &held : m_window.m_scene.snapshot->heldBack) {
+        for (const engine::PendingVehicle &held : m_window.m_view.snapshot->pendingApproval) {
             QAction *action = plain->addAction(tr("Vehicle %1 at %2 …").arg(held.systemId).arg(fromStd(held.remoteAddress)));
             connect(action, &QAction::triggered, &m_window,
                     [this, held] { askAllowPlain(m_window.m_station, held, &m_window); });
         }
     });
     connect(&menu, &QMenu::aboutToShow, &m_window, [this, plain] {
-        const bool any = m_window.m_scene.snapshot && !m_window.m_scene.snapshot->heldBack.empty();
+        const bool any = m_window.m_view.snapshot && !m_window.m_view.snapshot->pendingApproval.empty();
         plain->setEnabled(any);
         plain->menuAction()->setToolTip(any ? QString() : tr("No vehicle is held back"));
     });

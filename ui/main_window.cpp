@@ -21,9 +21,9 @@
 #include "ui/security/suite_actions.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/traffic_bar.h"
-#include "ui/sweep/sweep_control.h"
+#include "ui/sweep/sweep_presenter.h"
 #include "ui/sweep/sweep_page.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
 #include "ui/window_docks.h"
@@ -45,7 +45,7 @@ namespace {
 constexpr double kNumbersEvery = 0.2; ///< seconds: nobody reads numbers quicker, and every repaint costs
 }
 
-MainWindow::MainWindow(StationPort &station, QSettings &store, ProgramFacts facts, QWidget *parent)
+MainWindow::MainWindow(StationInterface &station, QSettings &store, ProgramFacts facts, QWidget *parent)
     : QMainWindow(parent), m_station(station), m_store(store), m_facts(std::move(facts)), m_settings(loadSettings(store)),
       m_suites(new SuiteActions(station, this)), m_commands(new VehicleCommands(station, this))
 {
@@ -102,8 +102,8 @@ void MainWindow::makeCentre()
 
 void MainWindow::connectPanels()
 {
-    connect(&m_station, &StationPort::snapshotReady, this, &MainWindow::showSnapshot);
-    connect(&m_station, &StationPort::happened, this, &MainWindow::take);
+    connect(&m_station, &StationInterface::snapshotReady, this, &MainWindow::showSnapshot);
+    connect(&m_station, &StationInterface::eventOccurred, this, &MainWindow::take);
     connect(m_strip, &StatusStrip::lockClicked, this,
             [this] { m_docks->reveal("dockSecure"); });
     connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
@@ -113,11 +113,11 @@ void MainWindow::connectPanels()
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
     connect(m_empty, &EmptyState::keysWanted, this, &MainWindow::openKeys);
     connect(m_empty, &EmptyState::plainWanted, this,
-            [this](const engine::HeldBackVehicle &held) { askAllowPlain(m_station, held, this); });
+            [this](const engine::PendingVehicle &held) { askAllowPlain(m_station, held, this); });
     connect(m_docks->secure, &SecureLinkPanel::helpWanted, this, &MainWindow::openHelp);
     connect(m_docks->secure, &SecureLinkPanel::keysWanted, this, &MainWindow::openKeys);
     connect(m_docks->secure, &SecureLinkPanel::sessionChosen, this, [this](quint32 session) {
-        for (const auto &vehicle : m_scene.snapshot->vehicles)
+        for (const auto &vehicle : m_view.snapshot->vehicles)
             if (vehicle.session && static_cast<quint32>(*vehicle.session) == session)
                 chooseVehicle(vehicle.state.systemId);
     });
@@ -135,15 +135,15 @@ void MainWindow::connectPanels()
 
 void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 {
-    m_scene = sceneOf(snapshot, m_chosenVehicle);
-    if (m_scene.vehicle)
-        m_chosenVehicle = m_scene.vehicle->state.systemId; // it keeps its place: commands go to the one that is shown
+    m_view = viewOf(snapshot, m_chosenVehicle);
+    if (m_view.vehicle)
+        m_chosenVehicle = m_view.vehicle->state.systemId; // it keeps its place: commands go to the one that is shown
     if (m_sweep)
-        m_sweep->mark(m_scene);
-    m_commands->showScene(m_scene);
-    m_map->showScene(m_scene);
-    m_docks->showMoving(m_scene);
-    SceneState state = stateOf(m_scene);
+        m_sweep->mark(m_view);
+    m_commands->showViewState(m_view);
+    m_map->showViewState(m_view);
+    m_docks->showMoving(m_view);
+    AlarmState state = stateOf(m_view);
     const bool changed = state != m_shownState;
     if (!changed && snapshot && std::abs(snapshot->time - m_numbersAt) < kNumbersEvery)
         return;
@@ -154,22 +154,22 @@ void MainWindow::showSnapshot(const SnapshotPtr &snapshot)
 
 void MainWindow::showNumbers()
 {
-    m_suites->showScene(m_scene);
-    m_strip->showScene(m_scene);
-    m_traffic->showScene(m_scene);
-    m_empty->showScene(m_scene);
-    m_docks->showNumbers(m_scene);
+    m_suites->showViewState(m_view);
+    m_strip->showViewState(m_view);
+    m_traffic->showViewState(m_view);
+    m_empty->showViewState(m_view);
+    m_docks->showNumbers(m_view);
 }
 
-void MainWindow::take(const engine::Happening &happening)
+void MainWindow::take(const engine::Event &event)
 {
-    m_docks->messages->take(happening);
-    if (const auto *changed = std::get_if<engine::LinkChanged>(&happening); changed && changed->link.addressInUse)
+    m_docks->messages->take(event);
+    if (const auto *changed = std::get_if<engine::LinkChanged>(&event); changed && changed->link.addressInUse)
         tellPortInUse(changed->link);
     // With neither vehicle nor session the middle of the window says it.
-    if (const auto *refused = std::get_if<engine::PlaintextRefused>(&happening);
-        refused && !refused->mayBe.empty() && (m_scene.vehicle || m_scene.session)) {
-        const engine::HeldBackVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
+    if (const auto *refused = std::get_if<engine::PlaintextRefused>(&event);
+        refused && !refused->mayBe.empty() && (m_view.vehicle || m_view.session)) {
+        const engine::PendingVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
         tellProblem(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.")
                         .arg(held.systemId)
                         .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)),
@@ -200,7 +200,7 @@ void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)
 
 void MainWindow::tellProblem(const QString &problem, const QString &remedy, std::function<void()> act)
 {
-    m_banner->tell(problem, remedy, std::move(act));
+    m_banner->notify(problem, remedy, std::move(act));
 }
 
 void MainWindow::addLink(const QString &url)
@@ -222,23 +222,23 @@ void MainWindow::addLink(const LinkDialog &dialog)
 void MainWindow::chooseVehicle(std::uint8_t systemId)
 {
     m_chosenVehicle = systemId;
-    if (m_scene.snapshot)
-        showSnapshot(m_scene.snapshot);
+    if (m_view.snapshot)
+        showSnapshot(m_view.snapshot);
     showNumbers();
 }
 
 void MainWindow::popUpVehicles()
 {
-    if (!m_scene.snapshot || m_scene.snapshot->vehicles.empty())
+    if (!m_view.snapshot || m_view.snapshot->vehicles.empty())
         return;
     QMenu menu(this);
-    for (const auto &vehicle : m_scene.snapshot->vehicles) {
+    for (const auto &vehicle : m_view.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
-        const QString type = vehicleTypeWord(vehicle.state.type);
+        const QString type = vehicleTypeText(vehicle.state.type);
         QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type)
                                                          : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
         action->setCheckable(true);
-        action->setChecked(m_scene.vehicle && m_scene.vehicle->state.systemId == id);
+        action->setChecked(m_view.vehicle && m_view.vehicle->state.systemId == id);
         connect(action, &QAction::triggered, this, [this, id] { chooseVehicle(id); });
     }
     menu.exec(m_strip->mapToGlobal(QPoint(kGrid, m_strip->height())));
@@ -314,13 +314,13 @@ void MainWindow::applySettings(const Settings &settings)
     Q_EMIT settingsChanged(settings);
 }
 
-void MainWindow::setSweep(SweepPort &sweep)
+void MainWindow::setSweep(SweepInterface &sweep)
 {
     SweepPage *page = m_docks->diagnostics->sweep();
-    m_sweep = new SweepControl(sweep, *page, *m_suites, *this);
+    m_sweep = new SweepPresenter(sweep, *page, *m_suites, *this);
     page->setPossible(true);
-    connect(m_sweep, &SweepControl::askWanted, this, &MainWindow::openSweep);
-    connect(m_sweep, &SweepControl::began, this, [this] {
+    connect(m_sweep, &SweepPresenter::askWanted, this, &MainWindow::openSweep);
+    connect(m_sweep, &SweepPresenter::began, this, [this] {
         m_docks->reveal("dockDiagnostics");
         m_docks->diagnostics->showSweep();
         constexpr int kEnough = 320; // for a row of each suite
@@ -335,7 +335,7 @@ void MainWindow::openSweep()
     if (m_sweep && m_sweep->isRunning())
         m_docks->diagnostics->showSweep();
     else if (m_sweep)
-        m_sweep->ask(m_scene, m_settings.requireSealed);
+        m_sweep->ask(m_view, m_settings.requireSealed);
 }
 
 void MainWindow::showEvent(QShowEvent *event)
@@ -349,7 +349,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 {
     if (m_sweep && m_sweep->isRunning()) {
         // The link goes back to its suite first; that takes a few seconds at the most.
-        connect(m_sweep, &SweepControl::finished, this, &MainWindow::close, Qt::UniqueConnection);
+        connect(m_sweep, &SweepPresenter::finished, this, &MainWindow::close, Qt::UniqueConnection);
         m_sweep->cancel();
         event->ignore();
         return;

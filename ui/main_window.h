@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/charts/session_memory.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/settings.h"
 
 #include <QtWidgets/QMainWindow>
@@ -16,15 +16,15 @@ class QSettings;
 namespace skyseal::ui {
 
 class EmptyState;
-class KeyringPort;
+class KeyringInterface;
 class LinkDialog;
 class MapView;
-class PairingPort;
+class PairingInterface;
 class ProblemBanner;
 class StatusStrip;
 class SuiteActions;
-class SweepControl;
-class SweepPort;
+class SweepPresenter;
+class SweepInterface;
 class TrafficBar;
 class VehicleCommands;
 class WindowDocks;
@@ -46,7 +46,7 @@ class MainWindow : public QMainWindow
 
 public:
     /// `store` keeps settings and the arrangement of the docks; it and `station` must outlive the window.
-    MainWindow(StationPort &station, QSettings &store, ProgramFacts facts, QWidget *parent = nullptr);
+    MainWindow(StationInterface &station, QSettings &store, ProgramFacts facts, QWidget *parent = nullptr);
     ~MainWindow() override;
 
     void showSnapshot(const SnapshotPtr &snapshot);
@@ -57,12 +57,12 @@ public:
     /// Of the link dialog, once it was accepted.
     void addLink(const LinkDialog &dialog);
     /// What the dialog of keys and peers works on; without it that dialog does not open. They must outlive the window.
-    void setKeyring(KeyringPort &keyring, PairingPort *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
+    void setKeyring(KeyringInterface &keyring, PairingInterface *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
     /// What sweeps are made with; without it there are none.
-    void setSweep(SweepPort &sweep);
-    SweepControl *sweep() const { return m_sweep; }
+    void setSweep(SweepInterface &sweep);
+    SweepPresenter *sweep() const { return m_sweep; }
     const Settings &settings() const { return m_settings; }
-    const Scene &scene() const { return m_scene; }
+    const ViewState &view() const { return m_view; }
     SuiteActions &suites() { return *m_suites; }
 
 Q_SIGNALS:
@@ -79,7 +79,7 @@ private:
     void makeCentre();
     void connectPanels();
     void showNumbers();
-    void take(const engine::Happening &happening);
+    void take(const engine::Event &event);
     void tellPortInUse(const engine::LinkSnapshot &link);
     void chooseVehicle(std::uint8_t systemId);
     void popUpVehicles();
@@ -92,17 +92,17 @@ private:
     void replay(const QString &file);
     void applySettings(const Settings &settings);
 
-    StationPort &m_station;
-    KeyringPort *m_keyring = nullptr;
-    PairingPort *m_pairing = nullptr;
-    SweepControl *m_sweep = nullptr;
+    StationInterface &m_station;
+    KeyringInterface *m_keyring = nullptr;
+    PairingInterface *m_pairing = nullptr;
+    SweepPresenter *m_sweep = nullptr;
     QSettings &m_store;
     ProgramFacts m_facts;
     Settings m_settings;
-    Scene m_scene;
+    ViewState m_view;
     std::uint8_t m_chosenVehicle = 0; ///< by hand, or as the first one that there was; 0 before that
     double m_numbersAt = -1;  ///< when the numbers were last shown, by the snapshots' clock
-    SceneState m_shownState;
+    AlarmState m_shownState;
     bool m_wasShown = false;
 
     SuiteActions *m_suites;

@@ -83,21 +83,21 @@ void WindowDocks::watch(QDockWidget *dock, DockPanel *panel)
     connect(dock, &QDockWidget::visibilityChanged, panel, &DockPanel::setInFront);
 }
 
-void WindowDocks::showMoving(const Scene &scene)
+void WindowDocks::showMoving(const ViewState &view)
 {
-    flight->showAttitude(scene);
-    diagnostics->showScene(scene);
+    flight->showAttitude(view);
+    diagnostics->showViewState(view);
 }
 
-void WindowDocks::showNumbers(const Scene &scene)
+void WindowDocks::showNumbers(const ViewState &view)
 {
-    flight->showScene(scene);
-    secure->showScene(scene);
-    inspector->showScene(scene);
-    parameters->showScene(scene);
-    mission->showScene(scene);
-    logs->showScene(scene);
-    links->showScene(scene);
+    flight->showViewState(view);
+    secure->showViewState(view);
+    inspector->showViewState(view);
+    parameters->showViewState(view);
+    mission->showViewState(view);
+    logs->showViewState(view);
+    links->showViewState(view);
 }
 
 void WindowDocks::reveal(QDockWidget *dock)

@@ -2,7 +2,7 @@
 // them, and how the arrangement is kept.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QByteArray>
 #include <QtCore/QObject>
@@ -31,7 +31,7 @@ class VehicleCommands;
 /// What the panels work with; all of it outlives the window.
 struct PanelNeeds
 {
-    StationPort &station;
+    StationInterface &station;
     VehicleCommands &commands;
     SuiteActions &suites;
     QString recordFolder;
@@ -57,9 +57,9 @@ public:
     /// In the order of Ctrl+1 … n.
     const std::vector<QDockWidget *> &all() const { return m_docks; }
     /// What must follow every snapshot.
-    void showMoving(const Scene &scene);
+    void showMoving(const ViewState &view);
     /// The rest: numbers and lists, which nobody reads quicker than a few times a second.
-    void showNumbers(const Scene &scene);
+    void showNumbers(const ViewState &view);
     /// Shows a dock, brings its tab to the front and puts the focus into it.
     void reveal(QDockWidget *dock);
     void reveal(const char *name);

@@ -1,10 +1,10 @@
 #include "app/air/agent_report.h"
 
 #include "app/common/format.h"
-#include "app/common/happening_words.h"
+#include "app/common/event_text.h"
 #include "app/common/output.h"
-#include "core/engine/agent_json.h"
-#include "core/engine/event_json.h"
+#include "core/engine/headless/agent_json.h"
+#include "core/engine/headless/event_json.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"
 
@@ -39,7 +39,7 @@ std::string AgentReport::peer(channel::SessionId session) const
     return found == m_peers.end() ? std::string() : found->second;
 }
 
-void AgentReport::tell(const engine::AgentEvent &event)
+void AgentReport::notify(const engine::AgentEvent &event)
 {
     if (const auto *changed = std::get_if<engine::AgentLinkChanged>(&event))
         linkChanged(*changed);
@@ -52,7 +52,7 @@ void AgentReport::tell(const engine::AgentEvent &event)
 void AgentReport::linkChanged(const engine::AgentLinkChanged &changed)
 {
     const std::string side = changed.groundSide ? "ground" : "vehicle";
-    const std::string words = linkWords(changed.link);
+    const std::string words = linkText(changed.link);
     say(engine::linkEvent(changed.link, side), words.empty() ? "" : side + " side: " + words);
 }
 
@@ -88,15 +88,15 @@ void AgentReport::channelEvent(const channel::Event &event)
     } else if (const auto *alarm = std::get_if<channel::ForgeryAlarm>(&event)) {
         json = engine::forgeryEvent(*alarm);
     }
-    const engine::Happening happening = std::visit([](const auto &value) { return engine::Happening(value); }, event);
-    say(json, sentence(happening, m_peers));
+    const engine::Event event = std::visit([](const auto &value) { return engine::Event(value); }, event);
+    say(json, sentence(event, m_peers));
     if (const auto *down = std::get_if<channel::SessionDown>(&event))
         m_peers.erase(down->session);
 }
 
-void AgentReport::pairing(const PairingNews &news)
+void AgentReport::pairing(const PairingStatus &news)
 {
-    using State = PairingNews::State;
+    using State = PairingStatus::State;
     std::string words;
     if (news.state == State::Open)
         words = "the window for pairing is open";

@@ -1,8 +1,8 @@
 // What the agent says: one JSON object a line on stdout with --json, sentences for people on stderr otherwise.
 #pragma once
 
-#include "app/common/pairing_news.h"
-#include "core/engine/agent_core.h"
+#include "app/common/pairing_status.h"
+#include "core/engine/agent/agent_core.h"
 
 #include <map>
 #include <string>
@@ -14,9 +14,9 @@ class AgentReport
 public:
     explicit AgentReport(bool json) : m_json(json) {}
 
-    void tell(const engine::AgentEvent &event);
+    void notify(const engine::AgentEvent &event);
     /// What is told where the window for pairing was opened.
-    void pairing(const PairingNews &news);
+    void pairing(const PairingStatus &news);
     void stats(const engine::AgentSnapshot &snapshot, double time);
     void summary(const engine::AgentSnapshot &snapshot, double time);
 

@@ -1,7 +1,7 @@
 // skyseal-air: the agent beside an autopilot.
 #include "app/air/agent_report.h"
 #include "app/air/pair_client.h"
-#include "app/air/pairing_desk.h"
+#include "app/air/pairing_server.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
@@ -50,7 +50,7 @@ void declare(Options &options)
     options.addValue("role", "pilot|observer",
                      "With --pair: what the other end may do here. Without it who is known keeps the role, and who is new gets "
                      "what it asks for, pilot as a rule.");
-    PairingTalk::declare(options); // with --json
+    PairingPrompt::declare(options); // with --json
     PairingPassphraseInput::declare(options);
 }
 
@@ -99,7 +99,7 @@ void refusePairingOptions(Options &options)
 int pair(Options &options)
 {
     const std::string identity = options.required("identity");
-    PairingTalk::Settings settings = PairingTalk::read(options);
+    PairingPrompt::Settings settings = PairingPrompt::read(options);
     if (options.has("role") && !(settings.role = keys::peerRoleFromText(options.text("role"))))
         options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
@@ -164,7 +164,7 @@ int main(int argc, char **argv)
     AgentReport report(options.has("json"));
     int status = kDone;
     bool started = false;
-    PairingDesk *desk = nullptr;
+    PairingServer *desk = nullptr;
     engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier}, std::move(*secrets),
                             [&](const engine::AgentEvent &event) {
                                 if (!started && isHopeless(event)) {
@@ -176,9 +176,9 @@ int main(int argc, char **argv)
                                 }
                                 if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
                                     desk->take(*pairing);
-                                report.tell(event);
+                                report.notify(event);
                             });
-    PairingDesk pairings(agent, paths, [&report](const PairingNews &news) { report.pairing(news); });
+    PairingServer pairings(agent, paths, [&report](const PairingStatus &news) { report.pairing(news); });
     desk = &pairings;
     if (!pairings.problem().isEmpty())
         remark("no pairing: " + pairings.problem().toStdString());

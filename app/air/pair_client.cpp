@@ -1,6 +1,6 @@
 #include "app/air/pair_client.h"
 
-#include "app/air/pairing_desk.h"
+#include "app/air/pairing_server.h"
 #include "app/common/exit_status.h"
 #include "app/common/process.h"
 #include "core/base/json_writer.h"
@@ -29,7 +29,7 @@ void order(QLocalSocket &socket, std::string_view what)
 
 } // namespace
 
-int runPairClient(const QString &program, const std::string &identityFile, PairingTalk::Settings settings,
+int runPairClient(const QString &program, const std::string &identityFile, PairingPrompt::Settings settings,
                   const Key32 *passphraseKey)
 {
     QLocalSocket socket;
@@ -41,31 +41,31 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     }
     settings.decidesRole = true;
     const std::string callIt = settings.callIt;
-    PairingTalk talk(std::move(settings));
+    PairingPrompt talk(std::move(settings));
     QObject::connect(&socket, &QLocalSocket::readyRead, &talk, [&] {
         while (socket.canReadLine()) {
-            if (auto news = PairingNews::fromJson(socket.readLine()))
-                talk.take(std::move(*news));
+            if (auto status = PairingStatus::fromJson(socket.readLine()))
+                talk.take(std::move(*status));
         }
     });
     QObject::connect(&socket, &QLocalSocket::disconnected, &talk, [&] {
         complain(program, "the agent ended");
         QCoreApplication::exit(kNotReached);
     });
-    QObject::connect(&talk, &PairingTalk::confirmed, &socket, [&](const PairingTalk::Answer &answer) {
+    QObject::connect(&talk, &PairingPrompt::confirmed, &socket, [&](const PairingPrompt::Answer &answer) {
         JsonWriter json;
         json.beginObject().field("do", "confirm").field("public", keys::publicKeyText(answer.key)).field("name", answer.name);
         json.field("role", keys::peerRoleText(answer.role)).field("replace", answer.replace).endObject();
         order(socket, json);
     });
-    QObject::connect(&talk, &PairingTalk::refused, &socket, [&] { order(socket, "refuse"); });
+    QObject::connect(&talk, &PairingPrompt::refused, &socket, [&] { order(socket, "refuse"); });
     // Going away closes the window.
     const auto leave = [&](int status) {
         socket.disconnect(&talk);
         QCoreApplication::exit(status);
     };
-    QObject::connect(&talk, &PairingTalk::cancelled, &socket, [&] { leave(kNotReached); });
-    QObject::connect(&talk, &PairingTalk::finished, &socket, leave);
+    QObject::connect(&talk, &PairingPrompt::cancelled, &socket, [&] { leave(kNotReached); });
+    QObject::connect(&talk, &PairingPrompt::finished, &socket, leave);
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
     JsonWriter open;

@@ -5,7 +5,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
-#include "core/engine/mavsec_stream.h"
+#include "core/engine/station/mavsec_stream.h"
 #include "core/log/decode.h"
 #include "core/mavlink/signing_key.h"
 #include "core/mavlink/user_dialect.h"

@@ -2,7 +2,7 @@
 
 #include "app/common/overloaded.h"
 #include "app/common/output.h"
-#include "core/engine/event_json.h"
+#include "core/engine/headless/event_json.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"
 
@@ -14,7 +14,7 @@ std::string JsonReport::peerName(channel::SessionId session) const
     return found == m_peers.end() ? std::string() : found->second;
 }
 
-void JsonReport::happened(const engine::Happening &happening)
+void JsonReport::eventOccurred(const engine::Event &event)
 {
     std::visit(Overloaded{
                    [](const engine::LinkChanged &e) { printLine(engine::linkEvent(e.link)); },
@@ -46,7 +46,7 @@ void JsonReport::happened(const engine::Happening &happening)
                    },
                    [](const channel::ForgeryAlarm &e) { printLine(engine::forgeryEvent(e)); },
                },
-               happening);
+               event);
 }
 
 void JsonReport::stepEnded(const vehicle::StepReport &report)

@@ -1,7 +1,7 @@
 // What a monitor run prints with --json: one object a line.
 #pragma once
 
-#include "core/engine/headless_run.h"
+#include "core/engine/headless/headless_run.h"
 
 #include <map>
 #include <string>
@@ -11,7 +11,7 @@ namespace skyseal::app {
 class JsonReport final : public engine::RunListener
 {
 public:
-    void happened(const engine::Happening &happening) override;
+    void eventOccurred(const engine::Event &event) override;
     void stepEnded(const vehicle::StepReport &report) override;
     void secondPassed(const engine::Snapshot &snapshot, double time) override;
     void ended(const engine::Snapshot &last, double time) override;

@@ -5,7 +5,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
-#include "core/engine/telemetry_csv.h"
+#include "core/engine/headless/telemetry_csv.h"
 #include "core/log/log_summary.h"
 
 namespace skyseal::app {

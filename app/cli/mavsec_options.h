@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/common/options.h"
-#include "core/engine/mavsec_settings.h"
+#include "core/engine/station/mavsec_settings.h"
 
 namespace skyseal::app {
 

@@ -1,7 +1,7 @@
 #include "app/cli/people_report.h"
 
 #include "app/common/format.h"
-#include "app/common/happening_words.h"
+#include "app/common/event_text.h"
 #include "app/common/output.h"
 
 #include <cmath>
@@ -79,11 +79,11 @@ PeopleReport::PeopleReport(const std::string &recordFolder)
         remark("recording to " + recordFolder);
 }
 
-void PeopleReport::happened(const engine::Happening &happening)
+void PeopleReport::eventOccurred(const engine::Event &event)
 {
-    if (const auto *up = std::get_if<channel::SessionUp>(&happening))
+    if (const auto *up = std::get_if<channel::SessionUp>(&event))
         m_peers[up->session] = up->peerName;
-    if (const std::string words = sentence(happening, m_peers); !words.empty())
+    if (const std::string words = sentence(event, m_peers); !words.empty())
         remark(words);
 }
 

@@ -2,7 +2,7 @@
 // for each thing that happens.
 #pragma once
 
-#include "core/engine/headless_run.h"
+#include "core/engine/headless/headless_run.h"
 
 #include <map>
 #include <string>
@@ -17,7 +17,7 @@ public:
     /// `recordFolder` is where the flight is recorded; empty when it is not.
     explicit PeopleReport(const std::string &recordFolder);
 
-    void happened(const engine::Happening &happening) override;
+    void eventOccurred(const engine::Event &event) override;
     void stepEnded(const vehicle::StepReport &report) override;
     void secondPassed(const engine::Snapshot &snapshot, double time) override;
     void ended(const engine::Snapshot &last, double time) override;

@@ -4,7 +4,7 @@
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "core/base/json_writer.h"
-#include "core/engine/self_test.h"
+#include "core/engine/headless/self_test.h"
 
 namespace skyseal::app {
 

@@ -1,7 +1,7 @@
 // The command line of a sweep, read and checked.
 #pragma once
 
-#include "core/engine/station_config.h"
+#include "core/engine/station/station_config.h"
 #include "core/experiment/plan.h"
 #include "core/experiment/verdicts.h"
 #include "core/link/link_url.h"

@@ -90,13 +90,13 @@ std::string peersEvent(const std::string &problem)
     return line.text();
 }
 
-std::string peersWords(const keys::PeersInForce &peers)
+std::string peersText(const keys::PeersInForce &peers)
 {
     return "the list of known peers was changed: " + std::to_string(peers.count) + (peers.count == 1 ? " peer" : " peers")
         + (peers.leftOut.empty() ? "" : "; left out: " + peers.leftOut);
 }
 
-std::string peersWords(const std::string &problem)
+std::string peersText(const std::string &problem)
 {
     return "the changed list of known peers is refused, the old one stays: " + problem;
 }
@@ -109,7 +109,7 @@ void tellPeers(const PeersWatch &watch, bool json)
         if (json)
             printLine(peersEvent(what));
         else
-            remark(peersWords(what));
+            remark(peersText(what));
     };
     QObject::connect(&watch, &PeersWatch::reloaded, &watch, say);
     QObject::connect(&watch, &PeersWatch::refused, &watch, [say](const QString &problem) { say(problem.toStdString()); });

@@ -55,8 +55,8 @@ private:
 std::string peersEvent(const keys::PeersInForce &peers);
 std::string peersEvent(const std::string &problem);
 /// The same for people.
-std::string peersWords(const keys::PeersInForce &peers);
-std::string peersWords(const std::string &problem);
+std::string peersText(const keys::PeersInForce &peers);
+std::string peersText(const std::string &problem);
 
 /// Says on stdout (with `json`) or stderr what the watch meets.
 void tellPeers(const PeersWatch &watch, bool json);

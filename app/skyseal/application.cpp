@@ -188,9 +188,9 @@ void Application::makeWindow()
             [this](const QString &problem) { m_window->tellProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     m_window->setKeyring(m_keyring, &m_pairing);
-    m_sweep = std::make_unique<SweepDesk>(*m_station, m_heap);
+    m_sweep = std::make_unique<SweepController>(*m_station, m_heap);
     m_window->setSweep(*m_sweep);
-    connect(m_station.get(), &StationAdapter::happened, &m_keyring, &Keyring::take);
+    connect(m_station.get(), &StationAdapter::eventOccurred, &m_keyring, &Keyring::take);
     connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);
     connect(m_window.get(), &ui::MainWindow::demoWanted, this, [this] {
         if (m_demo)

@@ -8,7 +8,7 @@
 #include "app/skyseal/keyring.h"
 #include "app/skyseal/passphrase_question.h"
 #include "app/skyseal/station_adapter.h"
-#include "app/skyseal/sweep_desk.h"
+#include "app/skyseal/sweep_controller.h"
 #include "app/skyseal/window_pairing.h"
 #include "ui/main_window.h"
 #include "app/skyseal/window_options.h"
@@ -54,7 +54,7 @@ private:
     WindowPairing m_pairing;
     engine::KeyPaths m_keys;
     std::unique_ptr<StationAdapter> m_station;
-    std::unique_ptr<SweepDesk> m_sweep;
+    std::unique_ptr<SweepController> m_sweep;
     std::unique_ptr<PeersWatch> m_peersWatch;
     std::unique_ptr<ui::MainWindow> m_window;
     std::unique_ptr<Demo> m_demo;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/engine/station.h"
+#include "core/engine/station/station.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QProcess>

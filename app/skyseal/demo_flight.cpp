@@ -24,11 +24,11 @@ std::string script()
 
 } // namespace
 
-DemoFlight::DemoFlight(ui::StationPort &station) : m_station(station), m_script(vehicle::parseFlightScript(script()).value())
+DemoFlight::DemoFlight(ui::StationInterface &station) : m_station(station), m_script(vehicle::parseFlightScript(script()).value())
 {
-    connect(&m_station, &ui::StationPort::snapshotReady, this, [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
-    connect(&m_station, &ui::StationPort::happened, this, [this](const engine::Happening &happening) {
-        if (const auto *result = std::get_if<vehicle::CommandResult>(&happening))
+    connect(&m_station, &ui::StationInterface::snapshotReady, this, [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
+    connect(&m_station, &ui::StationInterface::eventOccurred, this, [this](const engine::Event &event) {
+        if (const auto *result = std::get_if<vehicle::CommandResult>(&event))
             hear(*result);
     });
 }

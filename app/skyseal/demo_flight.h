@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/vehicle/flight_script_runner.h"
-#include "ui/station_port.h"
+#include "ui/station_interface.h"
 
 #include <optional>
 
@@ -15,14 +15,14 @@ class DemoFlight : public QObject
 
 public:
     /// `station` must outlive it.
-    explicit DemoFlight(ui::StationPort &station);
+    explicit DemoFlight(ui::StationInterface &station);
 
 private:
     void advance(const engine::Snapshot &snapshot);
     void hear(const vehicle::CommandResult &result);
     void sendOrders();
 
-    ui::StationPort &m_station;
+    ui::StationInterface &m_station;
     std::optional<vehicle::FlightScriptRunner> m_script; ///< empty once the operator flies
     std::optional<vehicle::CommandId> m_ours;
 };

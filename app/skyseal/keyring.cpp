@@ -50,7 +50,7 @@ Result<void, InputError> reseal(const std::string &file, const std::optional<cry
 } // namespace
 
 Keyring::Keyring(QSettings &store, PassphraseMemory &memory, QObject *parent)
-    : KeyringPort(parent), m_store(store), m_memory(memory)
+    : KeyringInterface(parent), m_store(store), m_memory(memory)
 {
     connect(&memory, &PassphraseMemory::done, this, &Keyring::changed);
 }
@@ -69,12 +69,12 @@ void Keyring::setProblem(const QString &problem)
     Q_EMIT changed();
 }
 
-void Keyring::take(const engine::Happening &happening)
+void Keyring::take(const engine::Event &event)
 {
-    if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
+    if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_sessions[up->session] = up->peer;
         m_store.setValue(seenKey(up->peer), QDateTime::currentDateTime());
-    } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         const auto found = m_sessions.find(down->session);
         if (found == m_sessions.end())
             return;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
-#include "core/engine/happening.h"
-#include "core/engine/station_config.h"
-#include "ui/keys/keyring_port.h"
+#include "core/engine/station/event.h"
+#include "core/engine/station/station_config.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <QtCore/QSettings>
 #include <QtCore/QThreadPool>
@@ -13,7 +13,7 @@
 
 namespace skyseal::app {
 
-class Keyring : public ui::KeyringPort
+class Keyring : public ui::KeyringInterface
 {
     Q_OBJECT
 
@@ -26,7 +26,7 @@ public:
     /// Why the key is not in use; empty when it is.
     void setProblem(const QString &problem);
     /// Sessions that begin and end.
-    void take(const engine::Happening &happening);
+    void take(const engine::Event &event);
     /// Somebody else changed the files.
     void touched() { Q_EMIT changed(); }
 

@@ -3,7 +3,7 @@
 
 #include "core/base/random_source.h"
 #include "core/base/result.h"
-#include "core/engine/station.h"
+#include "core/engine/station/station.h"
 
 #include <QtCore/QString>
 

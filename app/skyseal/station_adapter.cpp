@@ -13,8 +13,8 @@ StationAdapter::~StationAdapter() = default;
 
 void StationAdapter::listen()
 {
-    connect(m_station.get(), &Station::snapshotReady, this, &StationPort::snapshotReady);
-    connect(m_station.get(), &Station::happened, this, &StationPort::happened);
+    connect(m_station.get(), &Station::snapshotReady, this, &StationInterface::snapshotReady);
+    connect(m_station.get(), &Station::eventOccurred, this, &StationInterface::eventOccurred);
     connect(m_station.get(), &Station::pairing, this, &StationAdapter::pairing);
 }
 
@@ -73,10 +73,10 @@ void StationAdapter::switchSuite(channel::SessionId session, crypto::SuiteId sui
         m_station->switchSuite(session, suite);
 }
 
-void StationAdapter::allowClear(std::uint8_t systemId)
+void StationAdapter::allowPlaintext(std::uint8_t systemId)
 {
     if (m_station)
-        m_station->allowClear(systemId);
+        m_station->allowPlaintext(systemId);
 }
 
 void StationAdapter::setAllowResearch(bool allow)

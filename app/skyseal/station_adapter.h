@@ -1,14 +1,14 @@
 // The engine behind the windows' seam. The station can be exchanged while the window lives (the demo brings its own keys).
 #pragma once
 
-#include "core/engine/station.h"
-#include "ui/station_port.h"
+#include "core/engine/station/station.h"
+#include "ui/station_interface.h"
 
 #include <memory>
 
 namespace skyseal::app {
 
-class StationAdapter : public ui::StationPort
+class StationAdapter : public ui::StationInterface
 {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override;
     void setAllowResearch(bool allow) override;
     void setWeakestSuite(crypto::SuiteId weakest) override;
-    void allowClear(std::uint8_t systemId) override;
+    void allowPlaintext(std::uint8_t systemId) override;
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override;
     void requestParameters(std::uint8_t systemId) override;
     void writeParameter(std::uint8_t systemId, std::string name, double value) override;

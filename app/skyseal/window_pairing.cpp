@@ -1,6 +1,6 @@
 #include "app/skyseal/window_pairing.h"
 
-#include "app/common/pairing_news.h"
+#include "app/common/pairing_status.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -104,17 +104,17 @@ void WindowPairing::take(const channel::PairingEvent &event)
     if (m_deaf) // it is of the window before this one, which had another passphrase or none
         return;
     const auto known = keys::PeersFile::loadOrEmpty(m_peersFile);
-    const auto news = newsOf(event, known ? *known : keys::PeersFile());
-    if (!news)
+    const auto status = statusOf(event, known ? *known : keys::PeersFile());
+    if (!status)
         return;
-    const QString reason = QString::fromStdString(news->reason);
-    switch (news->state) {
-    case PairingNews::State::Seen: Q_EMIT seen({news->key, QString::fromStdString(news->name)}); return;
-    case PairingNews::State::Confirmed: Q_EMIT confirmedThere(); return;
-    case PairingNews::State::Gone: Q_EMIT gone(reason); return;
-    case PairingNews::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(news->key))); return;
-    case PairingNews::State::Differs: Q_EMIT passphraseDiffers(); return;
-    case PairingNews::State::Over:
+    const QString reason = QString::fromStdString(status->reason);
+    switch (status->state) {
+    case PairingStatus::State::Seen: Q_EMIT seen({status->key, QString::fromStdString(status->name)}); return;
+    case PairingStatus::State::Confirmed: Q_EMIT confirmedThere(); return;
+    case PairingStatus::State::Gone: Q_EMIT gone(reason); return;
+    case PairingStatus::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(status->key))); return;
+    case PairingStatus::State::Differs: Q_EMIT passphraseDiffers(); return;
+    case PairingStatus::State::Over:
         if (!reason.isEmpty()) // empty: both said yes
             Q_EMIT failed(reason);
         return;

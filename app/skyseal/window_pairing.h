@@ -3,7 +3,7 @@
 
 #include "app/skyseal/station_adapter.h"
 #include "core/channel/pairing_passphrase.h"
-#include "ui/keys/pairing_port.h"
+#include "ui/keys/pairing_interface.h"
 
 #include <QtCore/QThread>
 
@@ -12,7 +12,7 @@
 
 namespace skyseal::app {
 
-class WindowPairing : public ui::PairingPort
+class WindowPairing : public ui::PairingInterface
 {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     using DeriveKey = std::function<std::shared_ptr<const Key32>(const crypto::Passphrase &)>;
 
     explicit WindowPairing(DeriveKey derive = channel::pairingPassphraseKey, QObject *parent = nullptr)
-        : PairingPort(parent), m_derive(std::move(derive))
+        : PairingInterface(parent), m_derive(std::move(derive))
     {
     }
     /// Waits for a key that is being derived.

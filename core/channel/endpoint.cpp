@@ -1,9 +1,9 @@
 #include "core/channel/endpoint.h"
 
-#include "core/channel/agent.h"
+#include "core/channel/agent_handshakes.h"
 #include "core/channel/endpoint_core.h"
 #include "core/channel/inline_frame.h"
-#include "core/channel/station.h"
+#include "core/channel/station_handshakes.h"
 
 #include <algorithm>
 
@@ -30,8 +30,8 @@ struct Endpoint::State
     void handleHandshake(TimePoint at, const Path &from, ByteView datagram);
 
     EndpointCore core;
-    std::optional<Station> station;
-    std::optional<Agent> agent;
+    std::optional<StationHandshakes> station;
+    std::optional<AgentHandshakes> agent;
     TimePoint deadline = kNever;
     TimePoint now; ///< of the last input or command
 };
@@ -73,7 +73,7 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
     else if (header && from.carrier == Carrier::Serial)
         entry = core.table.upAt(from);
     if (!entry) {
-        ++core.strays.malformed;
+        ++core.unmatched.malformed;
         return delivery;
     }
     const auto opened = entry->session->open(now, from, *header, datagram, delivery);
@@ -89,11 +89,11 @@ std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const P
 {
     now = at;
     std::optional<Delivery> delivery;
-    const FrameFacts *facts = core.around.facts;
+    const MessageTraits *facts = core.around.facts;
     const auto frame = facts ? InlineFrame::read(bytes, *facts) : std::nullopt;
     SessionTable::Entry *entry = core.table.upAt(from);
     if (!entry)
-        ++core.strays.malformed;
+        ++core.unmatched.malformed;
     else if (!frame)
         entry->session->countMalformed();
     else
@@ -128,7 +128,7 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
     } else if (message == HandshakeMessage::Announcement && station) {
         station->handleAnnouncement(now, from, datagram);
     } else {
-        ++core.strays.malformed;
+        ++core.unmatched.malformed;
         return;
     }
     handleDeadline(now);
@@ -176,9 +176,9 @@ std::vector<Unanswered> Endpoint::unanswered() const
     return m_state->station ? m_state->station->unanswered() : std::vector<Unanswered>();
 }
 
-const ReceiveCounters &Endpoint::strays() const
+const ReceiveCounters &Endpoint::unmatched() const
 {
-    return m_state->core.strays;
+    return m_state->core.unmatched;
 }
 
 TimePoint Endpoint::nextDeadline() const
@@ -208,11 +208,11 @@ bool Endpoint::isAnnouncement(ByteView datagram)
 std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from, MutableByteView datagram)
 {
     if (datagram.empty() || !isOurs(datagram[0])) {
-        ++m_state->core.strays.malformed;
+        ++m_state->core.unmatched.malformed;
         return std::nullopt;
     }
     if (versionOf(datagram[0]) != kProtocolVersion) {
-        ++m_state->core.strays.malformed;
+        ++m_state->core.unmatched.malformed;
         m_state->core.tellRefused(now, from, RefusalReason::Version);
         return std::nullopt;
     }
@@ -221,7 +221,7 @@ std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from
     if (kindOf(datagram[0]) == DatagramKind::Handshake)
         m_state->handleHandshake(now, from, datagram);
     else
-        ++m_state->core.strays.malformed;
+        ++m_state->core.unmatched.malformed;
     return std::nullopt;
 }
 
@@ -249,7 +249,7 @@ void Endpoint::countPlaintextDropped(SessionId session, std::uint64_t count)
     if (auto *entry = m_state->core.table.find(session))
         entry->session->countPlaintextDropped(count);
     else
-        m_state->core.strays.plaintextDropped += count;
+        m_state->core.unmatched.plaintextDropped += count;
 }
 
 void Endpoint::noteFrames(SessionId session, const FrameCounters &frames)
@@ -367,7 +367,7 @@ void Endpoint::setAnnounceTo(TimePoint now, std::vector<Path> paths)
 
 std::optional<Transmit> Endpoint::pollTransmit()
 {
-    const Outbox::Item *item = m_state->core.around.outbox.take();
+    const DatagramQueue::Item *item = m_state->core.around.outbox.take();
     if (!item)
         return std::nullopt;
     return Transmit{item->to, item->view()};

@@ -15,7 +15,7 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/channel/events.h"
-#include "core/channel/frame_facts.h"
+#include "core/channel/message_traits.h"
 #include "core/channel/policy.h"
 #include "core/channel/stats.h"
 #include "core/crypto/x25519.h"
@@ -84,7 +84,7 @@ struct Config
     /// one peer of a link that has one.
     std::vector<Path> announceTo;
     /// What frames look like; without it, frames are never sealed in place, whatever the policy says.
-    std::shared_ptr<const FrameFacts> frameFacts = nullptr;
+    std::shared_ptr<const MessageTraits> messageTraits = nullptr;
 };
 
 /// A datagram to send as it is. The bytes live until the next call of a non-const member.
@@ -180,7 +180,7 @@ public:
     std::vector<Unanswered> unanswered() const;
     /// Datagrams that belong to no session. malformed: no message of this version, or of an unknown connection; forged: a
     /// handshake message that is not meant for our key; replayed: one that came before.
-    const ReceiveCounters &strays() const;
+    const ReceiveCounters &unmatched() const;
     /// When handleDeadline() must be called at the latest; kNever when there is nothing to wait for.
     TimePoint nextDeadline() const;
     /// True for a first byte that belongs to this protocol; MAVLink's 0xFD and 0xFE never do.

@@ -24,7 +24,7 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)), counters(store),
-      around{random, {}, {}, {}, config.timing, config.frameFacts.get()}, ownMac(config.identity->publicKey)
+      around{random, {}, {}, {}, config.timing, config.messageTraits.get()}, ownMac(config.identity->publicKey)
 {
     offerPolicy();
 }
@@ -50,7 +50,7 @@ void EndpointCore::tellRefused(TimePoint now, const Path &path, RefusalReason re
     if (weakened(Weakness::TellEverything))
         return around.events.push_back(HandshakeRefused{path, reason, key});
     std::optional<Told> *slot = nullptr;
-    for (auto &told : m_told) {
+    for (auto &told : m_notified) {
         const bool current = told && now < told->at + kRefusalPause;
         if (current && told->path == path)
             return;

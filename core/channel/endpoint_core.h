@@ -30,7 +30,7 @@ struct EndpointCore
     CounterStore &counters;
     Surroundings around;
     SessionTable table;
-    ReceiveCounters strays;
+    ReceiveCounters unmatched;
     Mac1 ownMac;
 
 private:
@@ -40,7 +40,7 @@ private:
         TimePoint at{};
     };
     // A flood from many addresses shares these few slots, so that it can neither fill memory nor the owner's log.
-    std::array<std::optional<Told>, 8> m_told;
+    std::array<std::optional<Told>, 8> m_notified;
 };
 
 } // namespace skyseal::channel

@@ -24,7 +24,7 @@ HandshakeLimit::HandshakeLimit(RandomSource &random, TimePoint now, double perSe
     m_random.fill(m_key);
 }
 
-Bucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
+TokenBucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
 {
     if (now >= m_keySince + kKeyLife) {
         m_random.fill(m_key);

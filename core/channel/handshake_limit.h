@@ -6,7 +6,7 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/base/random_source.h"
-#include "core/channel/bucket.h"
+#include "core/channel/token_bucket.h"
 
 #include <array>
 
@@ -31,7 +31,7 @@ public:
     bool admit(TimePoint now, const Path &from, Standing standing);
 
 private:
-    Bucket &shareOf(TimePoint now, const Path &from);
+    TokenBucket &shareOf(TimePoint now, const Path &from);
 
     // Not a list of addresses, which a flood could fill: each falls into one of these, by a secret that changes, so that
     // two which meet in one do not meet for long.
@@ -39,8 +39,8 @@ private:
 
     RandomSource &m_random;
     double m_perSecond;
-    Bucket m_all;
-    std::array<Bucket, kShares> m_shares{};
+    TokenBucket m_all;
+    std::array<TokenBucket, kShares> m_shares{};
     std::array<std::uint8_t, 16> m_key{};
     TimePoint m_keySince;
 };

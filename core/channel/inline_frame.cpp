@@ -18,7 +18,7 @@ using Hidden = std::array<std::uint8_t, 255>;
 
 /// The facts of the message when the bytes begin with a MAVLink 2 frame of it with these flags, are as long as it and
 /// `trailer`, and their checksum is right.
-std::optional<FrameFacts::Message> factsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer, const FrameFacts &facts)
+std::optional<MessageTraits::Message> factsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer, const MessageTraits &facts)
 {
     if (bytes.size() < kHeader + kChecksum + trailer || bytes[0] != kMagic || bytes[2] != flags)
         return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<FrameFacts::Message> factsOf(ByteView bytes, std::uint8_t flags, s
     return right ? message : std::nullopt;
 }
 
-void writeChecksum(MutableByteView frame, std::uint8_t crcExtra, const FrameFacts &facts)
+void writeChecksum(MutableByteView frame, std::uint8_t crcExtra, const MessageTraits &facts)
 {
     const std::size_t payloadEnd = kHeader + frame[1];
     const std::uint16_t checksum = facts.checksum(ByteView(frame).subspan(1, payloadEnd - 1), crcExtra);
@@ -65,7 +65,7 @@ private:
 
 } // namespace
 
-ClearBytes::ClearBytes(const FrameFacts::Message &message, std::size_t payloadLength) : m_length(payloadLength)
+ClearBytes::ClearBytes(const MessageTraits::Message &message, std::size_t payloadLength) : m_length(payloadLength)
 {
     const auto present = [payloadLength](std::int16_t offset) {
         return offset >= 0 && static_cast<std::size_t>(offset) < payloadLength ? static_cast<std::uint8_t>(offset) : kNone;
@@ -108,7 +108,7 @@ std::array<std::uint8_t, 4> ClearBytes::describe(ByteView payload) const
     return {m_first, m_second, byteAt(m_first), byteAt(m_second)};
 }
 
-std::optional<SealableFrame> SealableFrame::read(ByteView frame, const FrameFacts &facts)
+std::optional<SealableFrame> SealableFrame::read(ByteView frame, const MessageTraits &facts)
 {
     const auto message = factsOf(frame, 0, 0, facts);
     return message ? std::optional(SealableFrame(frame, *message, facts)) : std::nullopt;
@@ -137,7 +137,7 @@ bool SealableFrame::seal(const InlinePlace &place, crypto::InlineCipher &cipher,
     return trailer.ok();
 }
 
-std::optional<InlineFrame> InlineFrame::read(MutableByteView frame, const FrameFacts &facts)
+std::optional<InlineFrame> InlineFrame::read(MutableByteView frame, const MessageTraits &facts)
 {
     const auto message = factsOf(frame, kInlineFlags, kInlineTrailer, facts);
     if (!message)

@@ -8,7 +8,7 @@
 // still finds the frame's end, and skips it. Little-endian, as MAVLink is. PROTOCOL.md section 12.
 #pragma once
 
-#include "core/channel/frame_facts.h"
+#include "core/channel/message_traits.h"
 #include "core/channel/wire_format.h"
 #include "core/crypto/inline_cipher.h"
 
@@ -43,7 +43,7 @@ class ClearBytes
 {
 public:
     /// Offsets at which this payload has no byte (the message has no such field, or its zero was trimmed) fall away.
-    ClearBytes(const FrameFacts::Message &message, std::size_t payloadLength);
+    ClearBytes(const MessageTraits::Message &message, std::size_t payloadLength);
 
     std::size_t hiddenLength() const { return m_length - (m_first != kNone) - (m_second != kNone); }
     /// The payload without its clear bytes, to the front of `out`, and back again.
@@ -66,7 +66,7 @@ class SealableFrame
 {
 public:
     /// nullopt for anything else, and for bytes that go on behind the frame.
-    static std::optional<SealableFrame> read(ByteView frame, const FrameFacts &facts);
+    static std::optional<SealableFrame> read(ByteView frame, const MessageTraits &facts);
 
     std::size_t sealedSize() const { return m_bytes.size() + kInlineTrailer; }
     /// Writes `sealedSize()` bytes to the front of `out`, which has them and is apart from the frame; false when the library
@@ -74,14 +74,14 @@ public:
     [[nodiscard]] bool seal(const InlinePlace &place, crypto::InlineCipher &cipher, MutableByteView out) const;
 
 private:
-    SealableFrame(ByteView bytes, const FrameFacts::Message &message, const FrameFacts &facts)
+    SealableFrame(ByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
         : m_bytes(bytes), m_message(message), m_facts(&facts)
     {
     }
 
     ByteView m_bytes;
-    FrameFacts::Message m_message;
-    const FrameFacts *m_facts;
+    MessageTraits::Message m_message;
+    const MessageTraits *m_facts;
 };
 
 /// A sealed frame whose form and checksum are right; whether it is authentic only `open` tells. Lives as long as its bytes.
@@ -90,7 +90,7 @@ class InlineFrame
 public:
     /// nullopt unless the bytes are one such frame, exactly: flags 0x81, the length that its header gives, a known message,
     /// a right checksum, a counter that may be.
-    static std::optional<InlineFrame> read(MutableByteView frame, const FrameFacts &facts);
+    static std::optional<InlineFrame> read(MutableByteView frame, const MessageTraits &facts);
 
     std::uint8_t epochByte() const { return m_bytes[m_bytes.size() - kInlineTrailer]; }
     std::uint32_t counter() const;
@@ -99,14 +99,14 @@ public:
     std::optional<MutableByteView> open(Direction direction, Carrier carrier, crypto::InlineCipher &cipher) const;
 
 private:
-    InlineFrame(MutableByteView bytes, const FrameFacts::Message &message, const FrameFacts &facts)
+    InlineFrame(MutableByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
         : m_bytes(bytes), m_message(message), m_facts(&facts)
     {
     }
 
     MutableByteView m_bytes;
-    FrameFacts::Message m_message;
-    const FrameFacts *m_facts;
+    MessageTraits::Message m_message;
+    const MessageTraits *m_facts;
 };
 
 } // namespace skyseal::channel

@@ -225,13 +225,13 @@ void LiveSwitch::finishOwn(TimePoint now, SwitchFailure failure, SwitchActions &
 
 void LiveSwitch::tellPending(const Switch &s, bool byPeer, SwitchActions &actions) const
 {
-    actions.tell(SwitchPending{m_session, s.from, s.to, s.epoch, byPeer, s.rekey});
+    actions.notify(SwitchPending{m_session, s.from, s.to, s.epoch, byPeer, s.rekey});
 }
 
 void LiveSwitch::tellDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure,
                           SwitchActions &actions) const
 {
-    actions.tell(SwitchDone{m_session, s.from, s.to, s.epoch, byPeer, s.rekey, failure, now - s.since});
+    actions.notify(SwitchDone{m_session, s.from, s.to, s.epoch, byPeer, s.rekey, failure, now - s.since});
 }
 
 } // namespace skyseal::channel

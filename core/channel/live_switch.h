@@ -44,7 +44,7 @@ public:
     /// Records sealed under the epoch before the current one: final, since nothing is sent under it any more.
     virtual std::uint32_t sentBefore() const = 0;
     virtual void peerSentBefore(std::uint32_t records) = 0;
-    virtual void tell(const Event &event) = 0;
+    virtual void notify(const Event &event) = 0;
 };
 
 class LiveSwitch

@@ -26,7 +26,7 @@ struct Pairing::State
     State(const State &) = delete;
     State &operator=(const State &) = delete;
 
-    void takeUp(TimePoint at, std::optional<PairingTalk> &&next);
+    void takeUp(TimePoint at, std::optional<PairingConfirmation> &&next);
     void handleWord(TimePoint at, const Path &from, ByteView datagram);
     void weigh(TimePoint at);
     void dropTalk(PairingGone reason);
@@ -50,7 +50,7 @@ struct Pairing::State
     TimePoint now; ///< of the last input or command
     std::optional<PairingAgent> agent;
     std::optional<PairingStation> station;
-    std::optional<PairingTalk> talk;
+    std::optional<PairingConfirmation> talk;
     std::vector<Farewell> farewells;
     std::optional<PairingEnd> over;
     TimePoint otherTold = TimePoint::min();
@@ -58,7 +58,7 @@ struct Pairing::State
 
 /// A handshake came to its end. Only one is shown at a time, and who came first stays, so that nobody can put another key
 /// under the eyes of a person who is comparing.
-void Pairing::State::takeUp(TimePoint at, std::optional<PairingTalk> &&next)
+void Pairing::State::takeUp(TimePoint at, std::optional<PairingConfirmation> &&next)
 {
     if (!next)
         return;
@@ -280,7 +280,7 @@ void Pairing::cancel(TimePoint now, PairingEnd reason)
 
 std::optional<Transmit> Pairing::pollTransmit()
 {
-    const Outbox::Item *item = m_state->core.outbox.take();
+    const DatagramQueue::Item *item = m_state->core.outbox.take();
     if (!item)
         return std::nullopt;
     return Transmit{item->to, item->view()};

@@ -79,7 +79,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     m_core.outbox.send(from, *answer);
 }
 
-std::optional<PairingTalk> PairingAgent::handleThird(TimePoint now, const Path &from, ByteView datagram)
+std::optional<PairingConfirmation> PairingAgent::handleThird(TimePoint now, const Path &from, ByteView datagram)
 {
     forgetOldAnswers(now);
     const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &answered) {
@@ -97,7 +97,7 @@ std::optional<PairingTalk> PairingAgent::handleThird(TimePoint now, const Path &
     m_answered.erase(found);
     if (!voice || !m_core.mayShow(key))
         return std::nullopt;
-    return PairingTalk({key, about->name, about->roleAsked, from}, std::move(*voice),
+    return PairingConfirmation({key, about->name, about->roleAsked, from}, std::move(*voice),
                        about->wantPresharedKey && m_core.config.wantPresharedKey, now);
 }
 

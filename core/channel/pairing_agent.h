@@ -1,9 +1,9 @@
 // The agent's side of coming to talk: it calls while its window is open, and answers who has heard it.
 #pragma once
 
-#include "core/channel/bucket.h"
+#include "core/channel/token_bucket.h"
 #include "core/channel/handshake_limit.h"
-#include "core/channel/pairing_talk.h"
+#include "core/channel/pairing_confirmation.h"
 
 namespace skyseal::channel {
 
@@ -14,7 +14,7 @@ public:
 
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
     /// A handshake that is over: whoever wrote it owns the key, and knows the passphrase if there is one.
-    std::optional<PairingTalk> handleThird(TimePoint now, const Path &from, ByteView datagram);
+    std::optional<PairingConfirmation> handleThird(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
     TimePoint callDue() const { return m_callDue; }
 
@@ -27,7 +27,7 @@ private:
         PairingDatagram first{};
         PairingDatagram answer{};
         TimePoint at{};
-        Bucket thirds; ///< that may still be computed on
+        TokenBucket thirds; ///< that may still be computed on
     };
     void forgetOldAnswers(TimePoint now);
     bool mayCompute(TimePoint now, const Path &from);

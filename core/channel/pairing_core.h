@@ -1,7 +1,7 @@
 // What both roles of a pairing share: its outputs, whom a person turned down, and the pace of repeats.
 #pragma once
 
-#include "core/channel/outbox.h"
+#include "core/channel/datagram_queue.h"
 #include "core/channel/pairing.h"
 #include "core/channel/pairing_handshake.h"
 
@@ -15,7 +15,7 @@ struct PairingCore
 {
     PairingConfig config;
     RandomSource &random;
-    Outbox outbox;
+    DatagramQueue outbox;
     std::deque<PairingEvent> events;
     std::vector<PublicKey> turnedDown; ///< in this window, which computes 15 handshakes a second for two minutes at the most
     TimePoint hintTold = TimePoint::min();

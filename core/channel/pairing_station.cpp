@@ -114,11 +114,11 @@ void PairingStation::sendThird(TimePoint now)
     attempt.due = now + m_core.jittered(kThirdRepeat * (1 << std::min(attempt.sent++, 3u)));
 }
 
-std::optional<PairingTalk> PairingStation::handleWord(TimePoint now, const Path &from, ByteView datagram)
+std::optional<PairingConfirmation> PairingStation::handleWord(TimePoint now, const Path &from, ByteView datagram)
 {
     if (!m_attempt || !m_attempt->voice || m_attempt->path != from || !m_attempt->voice->hear(datagram))
         return std::nullopt;
-    PairingTalk talk(m_attempt->peer, std::move(*m_attempt->voice), m_attempt->presharedKeyWanted, now);
+    PairingConfirmation talk(m_attempt->peer, std::move(*m_attempt->voice), m_attempt->presharedKeyWanted, now);
     m_attempt.reset();
     talk.hear(now, from, datagram);
     return talk;

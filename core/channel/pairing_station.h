@@ -1,8 +1,8 @@
 // The station's side of coming to talk: it hears calls and takes up one after the other, until one comes to a talk.
 #pragma once
 
-#include "core/channel/bucket.h"
-#include "core/channel/pairing_talk.h"
+#include "core/channel/token_bucket.h"
+#include "core/channel/pairing_confirmation.h"
 
 namespace skyseal::channel {
 
@@ -14,7 +14,7 @@ public:
     void handleCall(TimePoint now, const Path &from, ByteView datagram);
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
     /// The first word of an agent: it has taken our third message, so it knows the passphrase if there is one.
-    std::optional<PairingTalk> handleWord(TimePoint now, const Path &from, ByteView datagram);
+    std::optional<PairingConfirmation> handleWord(TimePoint now, const Path &from, ByteView datagram);
     /// The one that called from there was turned down.
     void setAside(const Path &path);
     void handleDeadline(TimePoint now);
@@ -51,7 +51,7 @@ private:
     PairingCore &m_core;
     std::vector<Caller> m_callers;
     std::optional<Attempt> m_attempt;
-    Bucket m_answers; ///< that may be computed on
+    TokenBucket m_answers; ///< that may be computed on
     TimePoint m_nextFrom = TimePoint::min(); ///< not before then another attempt
 };
 

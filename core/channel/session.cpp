@@ -28,7 +28,7 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_since(now),
       m_lastReceived(now), m_lastSent(now),
       m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
-      m_toldPath(m_setup.path), m_moveTold(now - kEventPause), m_alarmTold(now - kEventPause),
+      m_toldPath(m_setup.path), m_moveNotified(now - kEventPause), m_alarmNotified(now - kEventPause),
       m_lifeShown(now - kEventPause), m_lineBegan(now - kEventPause), m_heardHere(now)
 {
     if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
@@ -170,12 +170,12 @@ Session::Opened Session::refuse(TimePoint now, std::uint64_t ReceiveCounters::*c
 {
     ++(epoch.rx.*counter);
     if (counter != &ReceiveCounters::forged) {
-        ++m_replayedUntold;
+        ++m_replayedPending;
         return {false, true};
     }
-    ++m_forgedUntold;
+    ++m_forgedPending;
     alarmWhenDue(now);
-    return {false, m_forgedUntold > 1};
+    return {false, m_forgedPending > 1};
 }
 
 // ---- control
@@ -190,7 +190,7 @@ void Session::send(TimePoint now, const ControlMessage &message)
 
 void Session::sendControl(TimePoint now, ByteView plaintext)
 {
-    Outbox::Item &draft = m_around.outbox.draft();
+    DatagramQueue::Item &draft = m_around.outbox.draft();
     if (const auto sealed = sealRecord(now, plaintext, draft.bytes))
         m_around.outbox.commit(m_setup.path, *sealed);
 }

@@ -8,7 +8,7 @@
 #include "core/channel/key_chain.h"
 #include "core/channel/live_switch.h"
 #include "core/channel/negotiation.h"
-#include "core/channel/outbox.h"
+#include "core/channel/datagram_queue.h"
 #include "core/channel/record.h"
 #include "core/channel/round_trip.h"
 
@@ -20,11 +20,11 @@ namespace skyseal::channel {
 struct Surroundings
 {
     RandomSource &random;
-    Outbox outbox;
+    DatagramQueue outbox;
     std::deque<Event> events;
     SuiteOffer offer; ///< what our policy allows now
     Timing timing;
-    const FrameFacts *facts = nullptr; ///< null: nothing is sealed in place here
+    const MessageTraits *facts = nullptr; ///< null: nothing is sealed in place here
     CostSource costs = {};             ///< empty: we do not measure ourselves
     bool askCosts = false;             ///< of the other end
 };
@@ -126,7 +126,7 @@ private:
     void commitNext(TimePoint now) override;
     std::uint32_t sentBefore() const override { return m_sentBefore; }
     void peerSentBefore(std::uint32_t records) override;
-    void tell(const Event &event) override { m_around.events.push_back(event); }
+    void notify(const Event &event) override { m_around.events.push_back(event); }
 
     bool prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
     Direction ourDirection() const { return m_setup.initiator ? Direction::FromInitiator : Direction::FromResponder; }
@@ -182,10 +182,10 @@ private:
     TimePoint m_peerReportAt;
 
     Path m_toldPath; ///< the path that the owner knows
-    TimePoint m_moveTold;
-    std::uint64_t m_forgedUntold = 0;
-    std::uint64_t m_replayedUntold = 0;
-    TimePoint m_alarmTold;
+    TimePoint m_moveNotified;
+    std::uint64_t m_forgedPending = 0;
+    std::uint64_t m_replayedPending = 0;
+    TimePoint m_alarmNotified;
     TimePoint m_lifeShown, m_lineBegan;
 
     std::optional<Path> m_former;   ///< where the peer was known to hear us; set while the present path is on trial

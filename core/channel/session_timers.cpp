@@ -26,11 +26,11 @@ TimePoint Session::deadline() const
     if (m_epochs.previous() && m_peerMovedOn)
         due = std::min(due, *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()));
     if (m_toldPath != m_setup.path)
-        due = std::min(due, m_moveTold + kEventPause);
+        due = std::min(due, m_moveNotified + kEventPause);
     if (m_former)
         due = std::min(due, m_heardHere + timing.peerSilentAfter);
-    if (m_forgedUntold > 0 && mayTell())
-        due = std::min(due, m_alarmTold + kEventPause);
+    if (m_forgedPending > 0 && mayTell())
+        due = std::min(due, m_alarmNotified + kEventPause);
     return due;
 }
 
@@ -66,7 +66,7 @@ void Session::handleDeadline(TimePoint now)
         sendReport(now, !m_confirmed);
     }
     goBackWhenDue(now);
-    if (m_toldPath != m_setup.path && now >= m_moveTold + kEventPause)
+    if (m_toldPath != m_setup.path && now >= m_moveNotified + kEventPause)
         tellMove(now);
     alarmWhenDue(now);
 }
@@ -99,21 +99,21 @@ void Session::lineBegan(TimePoint now)
 
 void Session::tellMove(TimePoint now)
 {
-    if (now < m_moveTold + kEventPause)
+    if (now < m_moveNotified + kEventPause)
         return;
-    tell(PeerMoved{id(), m_toldPath, m_setup.path});
+    notify(PeerMoved{id(), m_toldPath, m_setup.path});
     m_toldPath = m_setup.path;
-    m_moveTold = now;
+    m_moveNotified = now;
 }
 
 void Session::alarmWhenDue(TimePoint now)
 {
-    if (m_forgedUntold == 0 || !mayTell() || now < m_alarmTold + kEventPause)
+    if (m_forgedPending == 0 || !mayTell() || now < m_alarmNotified + kEventPause)
         return;
-    tell(ForgeryAlarm{id(), m_forgedUntold, m_replayedUntold});
-    m_forgedUntold = 0;
-    m_replayedUntold = 0;
-    m_alarmTold = now;
+    notify(ForgeryAlarm{id(), m_forgedPending, m_replayedPending});
+    m_forgedPending = 0;
+    m_replayedPending = 0;
+    m_alarmNotified = now;
 }
 
 void Session::end(TimePoint now, bool sayGoodbye)

@@ -13,7 +13,7 @@ static double stepOf(const Plan &plan, Metric metric, double mean, double other)
     return std::max(frames, resolution.share * std::max(std::abs(mean), std::abs(other)));
 }
 
-static bool isCompared(const Arm &arm, Metric metric)
+static bool isCompared(const SweepArm &arm, Metric metric)
 {
     return info(metric).independent && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
 }
@@ -70,11 +70,11 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
 /// One test, not corrected yet.
 static std::optional<Noise> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
-    const std::vector<Arm> &arms = results.plan.arms;
-    const auto again = std::find_if(arms.begin(), arms.end(), [](const Arm &arm) { return arm.again; });
+    const std::vector<SweepArm> &arms = results.plan.arms;
+    const auto again = std::find_if(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.again; });
     if (again == arms.end() || !isCompared(*again, metric))
         return std::nullopt;
-    const auto first = std::find(arms.begin(), arms.end(), Arm{again->suite, false, again->framing});
+    const auto first = std::find(arms.begin(), arms.end(), SweepArm{again->suite, false, again->framing});
     if (first == arms.end())
         return std::nullopt;
     Noise out;
@@ -115,9 +115,9 @@ std::vector<Noise> noiseOf(const Results &results)
     return out;
 }
 
-double meanOf(const Results &results, std::size_t condition, std::size_t load, const Arm &wanted, Metric metric)
+double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &wanted, Metric metric)
 {
-    const std::vector<Arm> &arms = results.plan.arms;
+    const std::vector<SweepArm> &arms = results.plan.arms;
     const auto found = std::find(arms.begin(), arms.end(), wanted);
     if (found == arms.end())
         return std::numeric_limits<double>::quiet_NaN();

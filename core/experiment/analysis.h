@@ -41,7 +41,7 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
 /// Of every place and metric; nothing without an arm that was repeated, and for metrics that it has no two samples of.
 std::vector<Noise> noiseOf(const Results &results);
 /// Mean of an arm's samples; NaN when it was not measured.
-double meanOf(const Results &results, std::size_t condition, std::size_t load, const Arm &arm, Metric metric);
+double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &arm, Metric metric);
 /// Whether any sample of the whole sweep has a value.
 bool wasMeasured(const Results &results, Metric metric);
 

@@ -162,7 +162,7 @@ double axisStep(double highest)
 static std::string legendOf(const Plan &plan, Metric metric, const std::vector<std::size_t> &counts, bool anyInterval,
                             bool anyOutlier)
 {
-    std::string out = runsWords(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
+    std::string out = runsText(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
                       + (anyInterval ? "whisker: 95 % confidence interval, " : "") + "dots: single runs";
     if (metric == Metric::SessionMemory)
         out = "measured once for each suite, with sessions of the program's own; hatched: insecure";

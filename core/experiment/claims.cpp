@@ -61,7 +61,7 @@ Standing standing(const Results &results, const Place &place, Metric metric, Sui
 {
     Standing out;
     for (const ArmComparison &pair : compareArms(results, place.condition, place.load, metric)) {
-        const Arm &one = results.plan.arms[pair.first], &two = results.plan.arms[pair.second];
+        const SweepArm &one = results.plan.arms[pair.first], &two = results.plan.arms[pair.second];
         const channel::Framing framing = judgedFraming(results.plan);
         if ((one.suite != SuiteId::None && one.framing != framing) || two.framing != framing)
             continue; // plain MAVLink is always the first arm

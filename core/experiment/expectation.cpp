@@ -283,7 +283,7 @@ std::optional<channel::Framing> Expectation::onlyFraming() const
     return std::nullopt;
 }
 
-double Expectation::evaluate(std::size_t index, const Arm &subject, const Lookup &lookup) const
+double Expectation::evaluate(std::size_t index, const SweepArm &subject, const Lookup &lookup) const
 {
     const Node &node = m_nodes[index];
     const auto side = [&](std::size_t child) { return evaluate(child, subject, lookup); };
@@ -301,7 +301,7 @@ double Expectation::evaluate(std::size_t index, const Arm &subject, const Lookup
     return 0;
 }
 
-Expectation::Outcome Expectation::check(const Arm &subject, const Lookup &lookup) const
+Expectation::Outcome Expectation::check(const SweepArm &subject, const Lookup &lookup) const
 {
     Outcome out;
     out.left = evaluate(m_left, subject, lookup);

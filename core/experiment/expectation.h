@@ -50,7 +50,7 @@ public:
         double left = 0, right = 0;
     };
     /// `subject` is what metrics without a suite stand for.
-    Outcome check(const Arm &subject, const Lookup &lookup) const;
+    Outcome check(const SweepArm &subject, const Lookup &lookup) const;
 
 private:
     friend class ExpectationParser;
@@ -68,7 +68,7 @@ private:
         std::size_t left = 0, right = 0; ///< indices of nodes
     };
 
-    double evaluate(std::size_t node, const Arm &subject, const Lookup &lookup) const;
+    double evaluate(std::size_t node, const SweepArm &subject, const Lookup &lookup) const;
 
     std::string m_text;
     std::vector<Node> m_nodes;

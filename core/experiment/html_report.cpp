@@ -38,7 +38,7 @@ std::string row(const std::vector<std::string> &cells, const char *tag = "td")
     return out + "</tr>\n";
 }
 
-std::string armText(const Arm &arm)
+std::string armText(const SweepArm &arm)
 {
     return isInsecure(arm) ? "<span class=\"insecure\">" + escaped(name(arm)) + " (insecure)</span>" : escaped(name(arm));
 }
@@ -60,10 +60,10 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
 {
     const Plan &plan = results.plan;
     std::vector<std::string> head{"metric"};
-    for (const Arm &arm : plan.arms)
+    for (const SweepArm &arm : plan.arms)
         head.push_back(armText(arm));
     std::vector<std::string> framings{"framing"};
-    for (const Arm &arm : plan.arms)
+    for (const SweepArm &arm : plan.arms)
         framings.emplace_back(framingName(arm));
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th");
     for (const MetricInfo &metric : metrics()) {
@@ -115,7 +115,7 @@ std::string differences(const Results &results, std::size_t condition, std::size
     }
     out += "</table>\n";
     const auto &arms = results.plan.arms;
-    if (std::any_of(arms.begin(), arms.end(), [](const Arm &arm) { return arm.suite == crypto::SuiteId::None; }))
+    if (std::any_of(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
         out += "<p>A comparison with none is one of sealing: in clear, too, the agent joins the frames of one wake-up into one "
                "datagram. Besides the cipher there are a header and a tag on each record, look-up, replay window and counters, and "
                "a report a second from each end.</p>\n";
@@ -199,7 +199,7 @@ std::string expectationList(const Results &results, const std::vector<Verdict> &
     return out + "</ul>\n";
 }
 
-std::string framingWords(const Plan &plan)
+std::string framingText(const Plan &plan)
 {
     std::string out;
     for (const channel::Framing framing : framingsOf(plan))
@@ -221,7 +221,7 @@ std::string settingTable(const Results &results)
     line("seed", std::to_string(plan.seed));
     line("runs", std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
                      + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
-    line("framing", framingWords(plan));
+    line("framing", framingText(plan));
     for (const Condition &condition : plan.conditions)
         line("link", condition.clean() ? "clean, as it is"
                                        : words(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
@@ -291,7 +291,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
         out += "<p class=\"bad\">This sweep was not carried out whole: it " + ended + ".</p>\n";
     if (const std::string failed = failedRuns(results); !failed.empty())
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
-    out += "<p>Means of " + runsWords(results)
+    out += "<p>Means of " + runsText(results)
            + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
              "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
              "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "

@@ -5,7 +5,7 @@
 
 #include "core/base/random_source.h"
 #include "core/base/result.h"
-#include "core/engine/station_config.h"
+#include "core/engine/station/station_config.h"
 #include "core/experiment/plan.h"
 
 #include <QtCore/QObject>

@@ -186,9 +186,9 @@ Counted countedBy(const engine::Snapshot &snapshot)
 {
     const engine::MavlinkTotals &mavlink = snapshot.mavlink;
     Counted out{{mavlink.frames, mavlink.lost, mavlink.late, mavlink.duplicate}, snapshot.channel.rx, snapshot.channel.peerRx};
-    out.rx.replayed -= snapshot.channel.strays.replayed; // handshakes are no records
-    out.rx.forged -= snapshot.channel.strays.forged;
-    out.rx.malformed -= snapshot.channel.strays.malformed;
+    out.rx.replayed -= snapshot.channel.unmatched.replayed; // handshakes are no records
+    out.rx.forged -= snapshot.channel.unmatched.forged;
+    out.rx.malformed -= snapshot.channel.unmatched.malformed;
     return out;
 }
 

@@ -1,7 +1,7 @@
 // One run's values: what happened between two snapshots of the station, and between two looks at the agent's process.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/results.h"
 #include "core/impair/impairment.h"

@@ -77,19 +77,19 @@ std::string_view name(Load load)
     return load == Load::Natural ? "natural" : "saturated";
 }
 
-std::string name(const Arm &arm)
+std::string name(const SweepArm &arm)
 {
     const bool said = framingName(arm) == name(Framing::Inline);
     return std::string(crypto::suiteInfo(arm.suite).name) + (said ? " inline" : "") + (arm.again ? " (A/A)" : "");
 }
 
-std::string fullName(const Arm &arm)
+std::string fullName(const SweepArm &arm)
 {
     const std::string framing = arm.suite == crypto::SuiteId::None ? "" : " " + std::string(framingName(arm));
     return std::string(crypto::suiteInfo(arm.suite).name) + framing + (arm.again ? " (A/A)" : "");
 }
 
-std::string_view framingName(const Arm &arm)
+std::string_view framingName(const SweepArm &arm)
 {
     return arm.suite == crypto::SuiteId::None ? "plain" : name(arm.framing);
 }
@@ -99,14 +99,14 @@ std::string_view name(Framing framing)
     return framing == Framing::Inline ? "inline" : "sealed";
 }
 
-bool exists(const Arm &arm)
+bool exists(const SweepArm &arm)
 {
     return arm.framing == Framing::Sealed || arm.suite == crypto::SuiteId::None || crypto::mayBeInline(arm.suite);
 }
 
-std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise)
+std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<Framing> &framings, bool noise)
 {
-    std::vector<Arm> out;
+    std::vector<SweepArm> out;
     for (const crypto::SuiteId suite : suites) {
         if (suite == crypto::SuiteId::None)
             out.push_back({suite, false, Framing::Sealed});
@@ -119,8 +119,8 @@ std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::v
     }
     if (!noise)
         return out;
-    auto twice = std::find(out.begin(), out.end(), Arm{crypto::SuiteId::ChaCha20Poly1305, false, Framing::Sealed});
-    const auto usable = [](const Arm &arm) { return exists(arm) && arm.suite != crypto::SuiteId::None; };
+    auto twice = std::find(out.begin(), out.end(), SweepArm{crypto::SuiteId::ChaCha20Poly1305, false, Framing::Sealed});
+    const auto usable = [](const SweepArm &arm) { return exists(arm) && arm.suite != crypto::SuiteId::None; };
     if (twice == out.end())
         twice = std::find_if(out.begin(), out.end(), usable);
     if (twice == out.end())
@@ -134,14 +134,14 @@ std::vector<Framing> framingsOf(const Plan &plan)
 {
     std::vector<Framing> out;
     for (const Framing framing : {Framing::Sealed, Framing::Inline}) {
-        const auto has = [framing](const Arm &arm) { return framingName(arm) == name(framing); };
+        const auto has = [framing](const SweepArm &arm) { return framingName(arm) == name(framing); };
         if (std::any_of(plan.arms.begin(), plan.arms.end(), has))
             out.push_back(framing);
     }
     return out;
 }
 
-bool isInsecure(const Arm &arm)
+bool isInsecure(const SweepArm &arm)
 {
     const crypto::SuiteInfo &info = crypto::suiteInfo(arm.suite);
     return info.research || !info.authenticated;

@@ -20,29 +20,29 @@ std::string_view name(Load load);
 
 /// What is compared: a suite in a framing. `again` is the same a second time, under another name: whatever differs between
 /// the two is noise (A/A). The framing means nothing for plain MAVLink.
-struct Arm
+struct SweepArm
 {
     crypto::SuiteId suite{};
     bool again = false;
     channel::Framing framing = channel::Framing::Sealed;
-    bool operator==(const Arm &) const = default;
+    bool operator==(const SweepArm &) const = default;
 };
 /// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-gcm (A/A)".
-std::string name(const Arm &arm);
+std::string name(const SweepArm &arm);
 /// The same, with the framing always said: "aes-256-gcm sealed"; plain MAVLink has none: "none".
-std::string fullName(const Arm &arm);
+std::string fullName(const SweepArm &arm);
 /// "sealed", "inline"; "plain" for plain MAVLink.
-std::string_view framingName(const Arm &arm);
+std::string_view framingName(const SweepArm &arm);
 std::string_view name(channel::Framing framing);
 /// False for a suite that cannot be in this framing; such an arm is named in every report, and never run.
-bool exists(const Arm &arm);
+bool exists(const SweepArm &arm);
 
 /// Every suite in every framing, plain MAVLink once; with `noise`, one of them again: the default suite where it is there.
-std::vector<Arm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
+std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
                         bool noise);
 
 /// Kept for comparison: a broken cipher, or none.
-bool isInsecure(const Arm &arm);
+bool isInsecure(const SweepArm &arm);
 
 /// The link that all arms meet alike: clean, or with what an impairment does to both directions.
 struct Condition
@@ -61,7 +61,7 @@ std::string words(const Condition &condition);
 
 struct Plan
 {
-    std::vector<Arm> arms;
+    std::vector<SweepArm> arms;
     std::vector<Load> loads{Load::Natural};
     std::vector<Condition> conditions{Condition{}};
     Duration measure = std::chrono::seconds(5); ///< of each run

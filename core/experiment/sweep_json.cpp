@@ -34,7 +34,7 @@ void place(JsonWriter &json, const Plan &plan, std::size_t condition, std::size_
     json.field("condition", plan.conditions[condition].name).field("load", name(plan.loads[load]));
 }
 
-void arm(JsonWriter &json, const Arm &arm)
+void arm(JsonWriter &json, const SweepArm &arm)
 {
     json.field("suite", crypto::suiteInfo(arm.suite).name).field("framing", framingName(arm)).field("again", arm.again);
 }
@@ -57,7 +57,7 @@ void writePlan(JsonWriter &json, const Plan &plan)
     json.field("seconds", seconds(plan.measure)).field("warm_up_seconds", seconds(plan.warmUp));
     json.field("repeats", std::uint64_t(plan.repeats)).field("seed", std::to_string(plan.seed));
     json.key("arms").beginArray();
-    for (const Arm &one : plan.arms) {
+    for (const SweepArm &one : plan.arms) {
         json.beginObject();
         arm(json, one);
         json.field("insecure", isInsecure(one));
@@ -265,7 +265,7 @@ std::string sweepCsv(const Results &results)
     out += ",problem\n";
     for (const Sample &sample : results.samples) {
         const Plan &plan = results.plan;
-        const Arm &one = plan.arms[sample.run.arm];
+        const SweepArm &one = plan.arms[sample.run.arm];
         out += std::to_string(sample.order) + "," + csvText(plan.conditions[sample.run.condition].name) + ",";
         out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
         out.append(",").append(framingName(one));

@@ -25,7 +25,7 @@ bool renews(std::optional<Protection> from, std::optional<Protection> to)
 
 Protection SweepRunner::wantedProtection() const
 {
-    const Arm &arm = m_config.plan.arms[run().arm];
+    const SweepArm &arm = m_config.plan.arms[run().arm];
     if (arm.suite == crypto::SuiteId::None)
         return Protection::Plain;
     return arm.framing == channel::Framing::Inline ? Protection::Inline : Protection::Sealed;

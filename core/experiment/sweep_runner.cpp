@@ -201,7 +201,7 @@ void SweepRunner::listen()
 {
     connect(m_station, &engine::Station::snapshotReady, this,
             [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { take(snapshot); });
-    connect(m_station, &engine::Station::happened, this, [this](const engine::Happening &happening) { hear(happening); });
+    connect(m_station, &engine::Station::eventOccurred, this, [this](const engine::Event &event) { hear(event); });
     m_station->setMeasuring(true);
 }
 
@@ -214,16 +214,16 @@ void SweepRunner::closeStation()
     QTimer::singleShot(0, this, [this] { end(); });
 }
 
-void SweepRunner::hear(const engine::Happening &happening)
+void SweepRunner::hear(const engine::Event &event)
 {
-    if (const auto *changed = std::get_if<engine::LinkChanged>(&happening)) {
+    if (const auto *changed = std::get_if<engine::LinkChanged>(&event)) {
         const engine::LinkSnapshot &link = changed->link;
         m_opened = m_opened || link.phase == engine::LinkPhase::Listening || link.phase == engine::LinkPhase::Connected;
         if (!m_opened && (link.phase == engine::LinkPhase::Failed || link.hostUnknown))
             giveUp(link.url + ": " + link.problem);
-    } else if (const auto *up = std::get_if<channel::SessionUp>(&happening)) {
+    } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_framing = up->framing;
-    } else if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
+    } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         hearSwitch(*done);
     }
 }

@@ -6,7 +6,7 @@
 // it carries MAVLink changes, and in the end, whatever ended it, it carries it as before.
 #pragma once
 
-#include "core/engine/station.h"
+#include "core/engine/station/station.h"
 #include "core/experiment/heap_figures.h"
 #include "core/experiment/lab.h"
 #include "core/experiment/measurement.h"
@@ -72,7 +72,7 @@ private:
     void protect(std::optional<engine::Protection> protection);
     void connectUp(const engine::Snapshot &snapshot);
     void take(const std::shared_ptr<const engine::Snapshot> &snapshot);
-    void hear(const engine::Happening &happening);
+    void hear(const engine::Event &event);
     void hearSwitch(const channel::SwitchDone &done);
     void advance(const engine::Snapshot &snapshot);
     void beginSwitching(const engine::Snapshot &snapshot);

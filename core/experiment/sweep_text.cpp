@@ -49,7 +49,7 @@ std::string leftText(double time)
 
 } // namespace
 
-const char *missingText(const Arm &arm)
+const char *missingText(const SweepArm &arm)
 {
     return exists(arm) ? "not measured" : "not in this framing";
 }
@@ -62,7 +62,7 @@ std::string meanText(const Results &results, const Cell &cell, Metric metric)
     return readable(summary.mean, summary.low(), summary.high()) + (summary.outliers.empty() ? "" : " *");
 }
 
-std::string runsWords(const std::vector<std::size_t> &counts)
+std::string runsText(const std::vector<std::size_t> &counts)
 {
     std::size_t least = 0, most = 0;
     for (const std::size_t count : counts) {
@@ -72,7 +72,7 @@ std::string runsWords(const std::vector<std::size_t> &counts)
     return (least == most ? "" : std::to_string(least) + " to ") + std::to_string(most) + (most == 1 ? " run" : " runs");
 }
 
-std::string runsWords(const Results &results)
+std::string runsText(const Results &results)
 {
     std::vector<std::size_t> counts;
     for (const Cell &cell : cells(results.plan)) {
@@ -81,7 +81,7 @@ std::string runsWords(const Results &results)
                 return Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && sample.problem.empty();
             })));
     }
-    return runsWords(counts);
+    return runsText(counts);
 }
 
 std::string endedEarly(const Results &results)
@@ -144,7 +144,7 @@ std::vector<std::string> sweepText(const Results &results)
             }
         }
     }
-    out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsWords(results) + " of "
+    out.push_back("mean ± half of the 95 % confidence interval (from two runs on) over " + runsText(results) + " of "
                   + readable(seconds(plan.measure)) + " s each" + (anyCut ? "; ≤ its end, where it begins at zero" : "")
                   + (anyOutlier ? "; * with outliers" : ""));
     if (const std::string ended = endedEarly(results); !ended.empty())

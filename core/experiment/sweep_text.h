@@ -9,16 +9,16 @@
 namespace skyseal::experiment {
 
 /// What stands in place of a figure: "not measured", or "not in this framing" for an arm that does not exist.
-const char *missingText(const Arm &arm);
+const char *missingText(const SweepArm &arm);
 
 /// "mean ± half of the 95 % interval", "–" where nothing was measured, "not in this framing" where nothing can be; an
 /// asterisk marks outliers among the samples.
 std::string meanText(const Results &results, const Cell &cell, Metric metric);
 
 /// "3 runs", "1 run", "1 to 3 runs": how many were measured of each arm that was measured at all; by `counts`, one an arm.
-std::string runsWords(const std::vector<std::size_t> &counts);
+std::string runsText(const std::vector<std::size_t> &counts);
 /// The same of the whole sweep, by the runs that succeeded in each place.
-std::string runsWords(const Results &results);
+std::string runsText(const Results &results);
 
 /// "ended after 2 of 12 runs"; empty for a whole sweep.
 std::string endedEarly(const Results &results);

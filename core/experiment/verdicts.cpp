@@ -12,7 +12,7 @@ using channel::Framing;
 Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 {
     for (const crypto::SuiteId suite : expectation.suites()) {
-        const auto has = [suite](const Arm &arm) { return arm.suite == suite && !arm.again; };
+        const auto has = [suite](const SweepArm &arm) { return arm.suite == suite && !arm.again; };
         if (std::none_of(plan.arms.begin(), plan.arms.end(), has))
             return tl::unexpected(InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name),
                                              expectation.text()});
@@ -49,7 +49,7 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
     bool allRan = true; // wherever it looked
     const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> named) {
         const auto at = std::find(plan.loads.begin(), plan.loads.end(), named.value_or(plan.loads[load.value_or(0)]));
-        const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const Arm &one) {
+        const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const SweepArm &one) {
             const bool fits = suite == crypto::SuiteId::None || !framing || one.framing == *framing;
             return one.suite == suite && !one.again && fits;
         });
@@ -62,7 +62,7 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
     if (!expectation.isForEachSuite())
         return {{expectation.text(), condition, {}, load, expectation.check({}, lookup)}};
     std::vector<Verdict> each, without;
-    for (const Arm &arm : plan.arms) {
+    for (const SweepArm &arm : plan.arms) {
         const Framing asked = expectation.onlyFraming().value_or(arm.framing);
         const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
         if (arm.again || !meant || !exists(arm))

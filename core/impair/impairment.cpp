@@ -27,7 +27,7 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
 {
     const bool lost = uniform() < m_settings.loss;
     const bool duplicated = uniform() < m_settings.duplicate;
-    const bool heldBack = uniform() < m_settings.reorder;
+    const bool pendingApproval = uniform() < m_settings.reorder;
     const bool corrupted = uniform() < m_settings.corrupt;
     const double where = uniform();
     const unsigned holdFor = 1 + static_cast<unsigned>(uniform() * 3);
@@ -49,10 +49,10 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
     }
     const TimePoint deadline = onLine + m_settings.delay + jitter;
     verdict.duplicated = duplicated;
-    verdict.heldBack = heldBack;
+    verdict.pendingApproval = pendingApproval;
     verdict.corrupted = corrupted && !datagram.empty();
     m_counters.duplicated += duplicated;
-    m_counters.heldBack += heldBack;
+    m_counters.pendingApproval += pendingApproval;
     m_counters.corrupted += verdict.corrupted;
 
     if (verdict.corrupted) {
@@ -62,7 +62,7 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
         m_damaged[bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
         datagram = m_damaged;
     }
-    enqueue(deadline, datagram, verdict.sequence, heldBack ? holdFor : 0);
+    enqueue(deadline, datagram, verdict.sequence, pendingApproval ? holdFor : 0);
     if (duplicated)
         enqueue(onLine + m_settings.delay + copyJitter, datagram, verdict.sequence, 0);
     releaseHeld(deadline, verdict.sequence);

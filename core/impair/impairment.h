@@ -37,7 +37,7 @@ struct Verdict
     std::size_t bytes = 0;
     Fate fate = Fate::Passed;
     bool duplicated = false;
-    bool heldBack = false;
+    bool pendingApproval = false;
     bool corrupted = false;
 
     bool dropped() const { return fate != Fate::Passed; }
@@ -52,7 +52,7 @@ struct Counters
     std::uint64_t lost = 0;
     std::uint64_t queueFull = 0; ///< dropped because the line or the memory was full
     std::uint64_t duplicated = 0;
-    std::uint64_t heldBack = 0; ///< chosen for reordering
+    std::uint64_t pendingApproval = 0; ///< chosen for reordering
     std::uint64_t corrupted = 0;
     std::uint64_t delivered = 0; ///< copies that came out
     std::uint64_t deliveredBytes = 0;

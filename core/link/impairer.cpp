@@ -122,7 +122,7 @@ static void writeTotals(JsonWriter &json, const Impairer::Totals &totals)
         .field("lost", c.lost)
         .field("queue_full", c.queueFull)
         .field("duplicated", c.duplicated)
-        .field("held_back", c.heldBack)
+        .field("held_back", c.pendingApproval)
         .field("corrupted", c.corrupted)
         .field("delivered", c.delivered)
         .field("delivered_bytes", c.deliveredBytes)
@@ -172,7 +172,7 @@ std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, cons
     JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
     json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
-    json.field("duplicated", verdict.duplicated).field("held_back", verdict.heldBack).field("corrupted", verdict.corrupted);
+    json.field("duplicated", verdict.duplicated).field("held_back", verdict.pendingApproval).field("corrupted", verdict.corrupted);
     json.key("counters").beginArray();
     for (const std::uint32_t counter : contents.counters)
         json.value(counter);

@@ -81,8 +81,8 @@ static LinkErrorCode codeOf(int number)
 LinkError systemError(int number, std::string subject)
 {
     const LinkErrorCode code = codeOf(number);
-    const bool ownWords = code != LinkErrorCode::System && code != LinkErrorCode::NotSupported;
-    return {code, std::move(subject), ownWords ? std::string() : std::generic_category().message(number)};
+    const bool ownText = code != LinkErrorCode::System && code != LinkErrorCode::NotSupported;
+    return {code, std::move(subject), ownText ? std::string() : std::generic_category().message(number)};
 }
 
 } // namespace skyseal::link

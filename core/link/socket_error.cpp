@@ -21,9 +21,9 @@ static LinkErrorCode codeOf(QAbstractSocket::SocketError error)
 LinkError socketError(QAbstractSocket::SocketError error, const QString &words, std::string subject)
 {
     const LinkErrorCode code = codeOf(error);
-    const bool needsWords = code == LinkErrorCode::System || code == LinkErrorCode::NotSupported
+    const bool needsText = code == LinkErrorCode::System || code == LinkErrorCode::NotSupported
         || code == LinkErrorCode::Unreachable;
-    return {code, std::move(subject), needsWords ? words.toStdString() : std::string()};
+    return {code, std::move(subject), needsText ? words.toStdString() : std::string()};
 }
 
 } // namespace skyseal::link

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/sim/autopilot.h"
-#include "core/sim/outbox.h"
+#include "core/sim/frame_queue.h"
 #include "core/sim/peer.h"
 #include "core/sim/stream_scheduler.h"
 #include "core/sim/telemetry.h"
@@ -24,7 +24,7 @@ struct Command
 class CommandServer
 {
 public:
-    CommandServer(Autopilot &autopilot, StreamScheduler &streams, Telemetry &telemetry, Outbox &outbox)
+    CommandServer(Autopilot &autopilot, StreamScheduler &streams, Telemetry &telemetry, FrameQueue &outbox)
         : m_autopilot(autopilot), m_streams(streams), m_telemetry(telemetry), m_outbox(outbox)
     {
     }
@@ -58,7 +58,7 @@ private:
     Autopilot &m_autopilot;
     StreamScheduler &m_streams;
     Telemetry &m_telemetry;
-    Outbox &m_outbox;
+    FrameQueue &m_outbox;
     bool m_reboot = false;
 };
 

@@ -12,7 +12,7 @@ namespace skyseal::sim {
 struct FrameRouter
 {
     Autopilot &autopilot;
-    Outbox &outbox;
+    FrameQueue &outbox;
     StreamScheduler &streams;
     CommandServer &commands;
     ControlServer &control;

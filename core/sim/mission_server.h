@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/sim/autopilot.h"
-#include "core/sim/outbox.h"
+#include "core/sim/frame_queue.h"
 #include "core/sim/peer.h"
 
 namespace skyseal::sim {
@@ -11,7 +11,7 @@ namespace skyseal::sim {
 class MissionServer
 {
 public:
-    MissionServer(Autopilot &autopilot, Outbox &outbox) : m_autopilot(autopilot), m_outbox(outbox) {}
+    MissionServer(Autopilot &autopilot, FrameQueue &outbox) : m_autopilot(autopilot), m_outbox(outbox) {}
 
     void handleCount(TimePoint now, const Peer &peer, std::uint16_t count, std::uint8_t type);
     /// MISSION_ITEM and MISSION_ITEM_INT of an upload.
@@ -37,7 +37,7 @@ private:
     void finish(std::uint8_t result);
 
     Autopilot &m_autopilot;
-    Outbox &m_outbox;
+    FrameQueue &m_outbox;
 
     bool m_receiving = false;
     Peer m_sender;

@@ -1,7 +1,7 @@
 // MAVLink's parameter protocol, the vehicle's side (https://mavlink.io/en/services/parameter.html).
 #pragma once
 
-#include "core/sim/outbox.h"
+#include "core/sim/frame_queue.h"
 #include "core/base/clock.h"
 #include "core/sim/parameters.h"
 #include "core/sim/status_texts.h"
@@ -11,7 +11,7 @@ namespace skyseal::sim {
 class ParameterServer
 {
 public:
-    ParameterServer(Parameters &parameters, Outbox &outbox, StatusTexts &texts)
+    ParameterServer(Parameters &parameters, FrameQueue &outbox, StatusTexts &texts)
         : m_parameters(parameters), m_outbox(outbox), m_texts(texts)
     {
     }
@@ -30,7 +30,7 @@ private:
     void sendValue(std::size_t index);
 
     Parameters &m_parameters;
-    Outbox &m_outbox;
+    FrameQueue &m_outbox;
     StatusTexts &m_texts;
     std::size_t m_next = 0;
     TimePoint m_due = kNever;

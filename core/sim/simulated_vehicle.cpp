@@ -31,10 +31,10 @@ struct SimulatedVehicle::Parts
     void fly(Duration span);
     void watchStation(TimePoint now);
     void speak(TimePoint now);
-    void tellNews();
+    void notifyStatus();
 
     Autopilot autopilot;
-    Outbox outbox;
+    FrameQueue outbox;
     Telemetry telemetry;
     StreamScheduler streams;
     CommandServer commands;
@@ -119,7 +119,7 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
     if (now >= look) {
         look = now + kLook;
         watchStation(now);
-        tellNews();
+        notifyStatus();
     }
     streams.applyParameters(now, autopilot.parameters());
     while (const auto message = streams.pollDue(now))
@@ -128,7 +128,7 @@ void SimulatedVehicle::Parts::speak(TimePoint now)
     missions.handleDeadline(now);
 }
 
-void SimulatedVehicle::Parts::tellNews()
+void SimulatedVehicle::Parts::notifyStatus()
 {
     missions.reportProgress();
     if (!homeTold)
@@ -164,13 +164,13 @@ void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
     const FrameRouter router{parts.autopilot, parts.outbox,     parts.streams, parts.commands, parts.control,
                              parts.missions,  parts.parameters, parts.station, m_boot,         systemId()};
     router.route(now, frame);
-    parts.tellNews();
+    parts.notifyStatus();
 }
 
 void SimulatedVehicle::reboot(TimePoint now)
 {
     const Parameters kept = m_parts->autopilot.parameters();
-    Outbox unsent = std::move(m_parts->outbox);
+    FrameQueue unsent = std::move(m_parts->outbox);
     const auto id = static_cast<std::uint8_t>(kept.integer("SYSID_THISMAV"));
     m_parts = std::make_unique<Parts>(m_config, id, now);
     m_parts->autopilot.parameters() = kept;

@@ -26,7 +26,7 @@ std::uint16_t pulse(double thrust, const Parameters &parameters)
 
 } // namespace
 
-Telemetry::Telemetry(const Autopilot &autopilot, Outbox &outbox, std::uint64_t seed)
+Telemetry::Telemetry(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
     : m_autopilot(autopilot), m_outbox(outbox), m_noise(seed, 4), m_serial(Noise(seed, 5).next())
 {
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sim/autopilot.h"
-#include "core/sim/outbox.h"
+#include "core/sim/frame_queue.h"
 
 namespace skyseal::sim {
 
@@ -10,7 +10,7 @@ class Telemetry
 {
 public:
     /// `seed` gives the sensors' noise and the board's serial number.
-    Telemetry(const Autopilot &autopilot, Outbox &outbox, std::uint64_t seed);
+    Telemetry(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed);
 
     /// Wall time at the next messages, for SYSTEM_TIME.
     void setWallTime(WallTime time) { m_wallTime = time; }
@@ -55,7 +55,7 @@ private:
     GeoPoint place(const Vector3 &ned) const { return m_autopilot.world().toGeo(ned); }
 
     const Autopilot &m_autopilot;
-    Outbox &m_outbox;
+    FrameQueue &m_outbox;
     Noise m_noise;
     std::uint64_t m_serial;
     WallTime m_wallTime{};

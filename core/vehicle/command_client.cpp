@@ -10,7 +10,7 @@ namespace {
 constexpr std::uint8_t kInProgress = 5; // MAV_RESULT_IN_PROGRESS
 }
 
-CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace, Outbox &outbox)
+CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace, MessageQueue &outbox)
 {
     const auto ticket = CommandTicket{++m_lastTicket};
     if (replace) {
@@ -30,7 +30,7 @@ CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool
     return ticket;
 }
 
-bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, Outbox &outbox)
+bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, MessageQueue &outbox)
 {
     const auto found = std::find_if(m_pending.begin(), m_pending.end(), [command](const Pending &pending) {
         return pending.order.command == command && pending.attempts > 0;
@@ -48,7 +48,7 @@ bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t
     return true;
 }
 
-void CommandClient::handleDeadline(TimePoint now, Outbox &outbox)
+void CommandClient::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     for (std::size_t i = 0; i < m_pending.size();) {
         Pending &pending = m_pending[i];
@@ -83,7 +83,7 @@ std::optional<CommandAnswer> CommandClient::poll()
     return answer;
 }
 
-void CommandClient::transmit(TimePoint now, Pending &pending, Outbox &outbox)
+void CommandClient::transmit(TimePoint now, Pending &pending, MessageQueue &outbox)
 {
     const CommandOrder &order = pending.order;
     if (order.asInt) {
@@ -119,7 +119,7 @@ void CommandClient::transmit(TimePoint now, Pending &pending, Outbox &outbox)
     pending.deadline = now + kAckTimeout;
 }
 
-void CommandClient::startWaiting(TimePoint now, std::uint16_t command, Outbox &outbox)
+void CommandClient::startWaiting(TimePoint now, std::uint16_t command, MessageQueue &outbox)
 {
     if (isUnderWay(command))
         return;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/vehicle_config.h"
 
 #include <cstdint>
@@ -48,10 +48,10 @@ public:
     explicit CommandClient(const Addressing &addressing) : m_addressing(addressing) {}
 
     /// `replace`: ends what is under way with the same number, instead of waiting for it.
-    CommandTicket send(TimePoint now, const CommandOrder &order, bool replace, Outbox &outbox);
+    CommandTicket send(TimePoint now, const CommandOrder &order, bool replace, MessageQueue &outbox);
     /// A COMMAND_ACK for us. False when nothing here was waiting for it.
-    bool handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, Outbox &outbox);
-    void handleDeadline(TimePoint now, Outbox &outbox);
+    bool handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, MessageQueue &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const;
 
     std::optional<CommandAnswer> poll();
@@ -66,8 +66,8 @@ private:
         bool inProgress = false;
     };
 
-    void transmit(TimePoint now, Pending &pending, Outbox &outbox);
-    void startWaiting(TimePoint now, std::uint16_t command, Outbox &outbox);
+    void transmit(TimePoint now, Pending &pending, MessageQueue &outbox);
+    void startWaiting(TimePoint now, std::uint16_t command, MessageQueue &outbox);
     bool isUnderWay(std::uint16_t command) const;
 
     Addressing m_addressing;

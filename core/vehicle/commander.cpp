@@ -1,7 +1,7 @@
 #include "core/vehicle/commander.h"
 
 #include "core/vehicle/flight_modes.h"
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint8_t kAccepted = 0, kUnsupported = 3, kInProgress = 5, kLongOnly = 7, kIntOnly = 8,
                        kNoSuchFrame = 9; // MAV_RESULT
 constexpr std::uint8_t kNotice = 5; // MAV_SEVERITY; what is chattier gives no reasons
-constexpr std::size_t kLongestWords = 300;
+constexpr std::size_t kLongestText = 300;
 
 bool isTrue(const Sign &sign, const VehicleState &state)
 {
@@ -45,7 +45,7 @@ std::string whatItReports(const Sign &sign, const VehicleState &state)
 
 } // namespace
 
-void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, Outbox &outbox)
+void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, MessageQueue &outbox)
 {
     auto plan = planCommand(command, state, m_addressing);
     Action action;
@@ -76,7 +76,7 @@ void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command
 }
 
 void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state,
-                          Outbox &outbox)
+                          MessageQueue &outbox)
 {
     if (!m_client.handleAck(now, command, result, outbox)) {
         // Some firmware acknowledges messages as well, by their message id.
@@ -96,11 +96,11 @@ void Commander::handleText(TimePoint, std::uint8_t severity, const std::string &
     if (severity > kNotice || text.empty())
         return;
     for (Action &action : m_actions) {
-        if (action.words.find(text) != std::string::npos || action.words.size() + text.size() > kLongestWords)
+        if (action.words.find(text) != std::string::npos || action.words.size() + text.size() > kLongestText)
             continue;
         action.words += (action.words.empty() ? "" : "; ") + text;
         if (action.phase == Phase::Holding)
-            finish(action, CommandOutcome::Refused, commandResultWords(action.result));
+            finish(action, CommandOutcome::Refused, commandResultText(action.result));
     }
     forgetDone();
 }
@@ -134,7 +134,7 @@ void Commander::handlePositionTarget(std::int32_t latitude, std::int32_t longitu
     });
 }
 
-void Commander::handleDeadline(TimePoint now, const VehicleState &state, Outbox &outbox)
+void Commander::handleDeadline(TimePoint now, const VehicleState &state, MessageQueue &outbox)
 {
     m_client.handleDeadline(now, outbox);
     takeAnswers(now, state, outbox);
@@ -145,7 +145,7 @@ void Commander::handleDeadline(TimePoint now, const VehicleState &state, Outbox 
         case Phase::Asking: break; // the client's deadline
         case Phase::Repeating: repeat(now, action, outbox); break;
         case Phase::Watching: watchEnded(now, action, state, outbox); break;
-        case Phase::Holding: finish(action, CommandOutcome::Refused, commandResultWords(action.result)); break;
+        case Phase::Holding: finish(action, CommandOutcome::Refused, commandResultText(action.result)); break;
         }
     }
     takeAnswers(now, state, outbox); // asking again may have been refused at once
@@ -168,7 +168,7 @@ std::optional<CommandResult> Commander::poll()
     return result;
 }
 
-void Commander::startWay(TimePoint now, Action &action, Outbox &outbox)
+void Commander::startWay(TimePoint now, Action &action, MessageQueue &outbox)
 {
     action.ticket.reset();
     action.repeats = 0;
@@ -183,7 +183,7 @@ void Commander::startWay(TimePoint now, Action &action, Outbox &outbox)
     }
 }
 
-void Commander::repeat(TimePoint now, Action &action, Outbox &outbox)
+void Commander::repeat(TimePoint now, Action &action, MessageQueue &outbox)
 {
     const auto &message = std::get<RepeatedMessage>(action.plan.ways[action.way]);
     if (action.repeats < kRepeats) {
@@ -198,7 +198,7 @@ void Commander::repeat(TimePoint now, Action &action, Outbox &outbox)
     }
 }
 
-void Commander::nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, Outbox &outbox)
+void Commander::nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, MessageQueue &outbox)
 {
     if (action.way + 1 < action.plan.ways.size()) {
         ++action.way;
@@ -208,7 +208,7 @@ void Commander::nextWay(TimePoint now, Action &action, CommandOutcome otherwise,
     }
 }
 
-void Commander::takeAnswers(TimePoint now, const VehicleState &state, Outbox &outbox)
+void Commander::takeAnswers(TimePoint now, const VehicleState &state, MessageQueue &outbox)
 {
     while (const auto answer = m_client.poll()) {
         const auto action = std::find_if(m_actions.begin(), m_actions.end(),
@@ -232,7 +232,7 @@ void Commander::takeAnswers(TimePoint now, const VehicleState &state, Outbox &ou
     forgetDone();
 }
 
-void Commander::answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, Outbox &outbox)
+void Commander::answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, MessageQueue &outbox)
 {
     action.result = result;
     if (result == kAccepted) {
@@ -250,14 +250,14 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, con
     if (otherWayMayHelp && action.way + 1 < action.plan.ways.size()) {
         nextWay(now, action, CommandOutcome::Refused, {}, outbox);
     } else if (!action.words.empty()) {
-        finish(action, CommandOutcome::Refused, commandResultWords(result));
+        finish(action, CommandOutcome::Refused, commandResultText(result));
     } else {
         action.phase = Phase::Holding;
         action.deadline = now + kHold;
     }
 }
 
-void Commander::watchEnded(TimePoint now, Action &action, const VehicleState &state, Outbox &outbox)
+void Commander::watchEnded(TimePoint now, Action &action, const VehicleState &state, MessageQueue &outbox)
 {
     if (!action.heardSince) {
         finish(action, CommandOutcome::Accepted, "acknowledged; no heartbeat came since");

@@ -32,15 +32,15 @@ public:
 
     explicit Commander(const Addressing &addressing) : m_addressing(addressing), m_client(addressing) {}
 
-    void begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, Outbox &outbox);
+    void begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, MessageQueue &outbox);
 
-    void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state, Outbox &outbox);
+    void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state, MessageQueue &outbox);
     void handleText(TimePoint now, std::uint8_t severity, const std::string &text);
     /// After a heartbeat was taken into `state`.
     void handleHeartbeat(TimePoint now, const VehicleState &state);
     void handleMissionCurrent(std::uint16_t index);
     void handlePositionTarget(std::int32_t latitude, std::int32_t longitude);
-    void handleDeadline(TimePoint now, const VehicleState &state, Outbox &outbox);
+    void handleDeadline(TimePoint now, const VehicleState &state, MessageQueue &outbox);
     TimePoint nextDeadline() const;
 
     std::optional<CommandResult> poll();
@@ -65,12 +65,12 @@ private:
         bool done = false;
     };
 
-    void startWay(TimePoint now, Action &action, Outbox &outbox);
-    void repeat(TimePoint now, Action &action, Outbox &outbox);
-    void nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, Outbox &outbox);
-    void takeAnswers(TimePoint now, const VehicleState &state, Outbox &outbox);
-    void answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, Outbox &outbox);
-    void watchEnded(TimePoint now, Action &action, const VehicleState &state, Outbox &outbox);
+    void startWay(TimePoint now, Action &action, MessageQueue &outbox);
+    void repeat(TimePoint now, Action &action, MessageQueue &outbox);
+    void nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, MessageQueue &outbox);
+    void takeAnswers(TimePoint now, const VehicleState &state, MessageQueue &outbox);
+    void answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, MessageQueue &outbox);
+    void watchEnded(TimePoint now, Action &action, const VehicleState &state, MessageQueue &outbox);
     template<typename T, typename Predicate> void seen(Predicate matches);
     void finish(Action &action, CommandOutcome outcome, std::string reason);
     void forgetDone();

@@ -58,7 +58,7 @@ void FirmwareInfo::handleVersion(std::uint32_t version, VehicleKind kind)
               + std::to_string(version >> 8 & 0xff) + suffix(static_cast<std::uint8_t>(version & 0xff));
 }
 
-void FirmwareInfo::handleDeadline(TimePoint now, Outbox &outbox)
+void FirmwareInfo::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     if (now < m_next)
         return;

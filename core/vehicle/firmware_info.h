@@ -3,7 +3,7 @@
 
 #include "core/base/clock.h"
 #include "core/vehicle/flight_modes.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/vehicle_config.h"
 
 #include <cstdint>
@@ -22,7 +22,7 @@ public:
     void start(TimePoint now);
     /// `version` as flight_sw_version packs it: major, minor, patch, FIRMWARE_VERSION_TYPE from the highest byte down.
     void handleVersion(std::uint32_t version, VehicleKind kind);
-    void handleDeadline(TimePoint now, Outbox &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const { return m_next; }
 
     /// "ArduCopter 4.5.7"; empty until known.

@@ -1,6 +1,6 @@
 #include "core/vehicle/flight_modes.h"
 
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 #include <charconv>
 #include <span>

@@ -1,7 +1,7 @@
 #include "core/vehicle/flight_script.h"
 
-#include "core/vehicle/script_words.h"
-#include "core/vehicle/words.h"
+#include "core/vehicle/script_tokens.h"
+#include "core/vehicle/result_text.h"
 
 #include <array>
 #include <charconv>
@@ -14,18 +14,18 @@ namespace {
 using Action = decltype(FlightStep::action);
 using StepResult = Result<Action, InputError>;
 
-tl::unexpected<InputError> fail(const ScriptWords &words, std::string expected)
+tl::unexpected<InputError> fail(const ScriptTokens &words, std::string expected)
 {
     return tl::make_unexpected(words.error(std::move(expected)));
 }
 
 /// A step without arguments.
-template<typename T> StepResult parsePlain(ScriptWords &)
+template<typename T> StepResult parsePlain(ScriptTokens &)
 {
     return Action(VehicleCommand(T{}));
 }
 
-template<typename T> StepResult parseArming(ScriptWords &words)
+template<typename T> StepResult parseArming(ScriptTokens &words)
 {
     T out;
     if (!words.atEnd()) {
@@ -37,14 +37,14 @@ template<typename T> StepResult parseArming(ScriptWords &words)
     return Action(VehicleCommand(out));
 }
 
-StepResult parseMode(ScriptWords &words)
+StepResult parseMode(ScriptTokens &words)
 {
     if (words.atEnd())
         return fail(words, "a mode's name");
     return Action(VehicleCommand(SetMode{std::string(words.take())}));
 }
 
-StepResult parseTakeOff(ScriptWords &words)
+StepResult parseTakeOff(ScriptTokens &words)
 {
     const auto altitude = words.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000);
     if (!altitude)
@@ -52,7 +52,7 @@ StepResult parseTakeOff(ScriptWords &words)
     return Action(VehicleCommand(TakeOff{*altitude}));
 }
 
-StepResult parseGoTo(ScriptWords &words)
+StepResult parseGoTo(ScriptTokens &words)
 {
     const auto latitude = words.number("a latitude in degrees, -90 to 90", -90, 90);
     if (!latitude)
@@ -66,7 +66,7 @@ StepResult parseGoTo(ScriptWords &words)
     return Action(VehicleCommand(GoTo{*latitude, *longitude, *altitude}));
 }
 
-StepResult parseSpeed(ScriptWords &words)
+StepResult parseSpeed(ScriptTokens &words)
 {
     const auto speed = words.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000);
     if (!speed)
@@ -74,7 +74,7 @@ StepResult parseSpeed(ScriptWords &words)
     return Action(VehicleCommand(ChangeSpeed{*speed}));
 }
 
-StepResult parseItem(ScriptWords &words)
+StepResult parseItem(ScriptTokens &words)
 {
     const auto index = words.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535);
     if (!index)
@@ -82,7 +82,7 @@ StepResult parseItem(ScriptWords &words)
     return Action(VehicleCommand(SetCurrentMissionItem{static_cast<std::uint16_t>(*index)}));
 }
 
-StepResult parseRaw(ScriptWords &words)
+StepResult parseRaw(ScriptTokens &words)
 {
     RawCommand out;
     const auto number = words.wholeNumber("the number of a MAV_CMD, 0 to 65535", 0, 65535);
@@ -98,7 +98,7 @@ StepResult parseRaw(ScriptWords &words)
     return Action(VehicleCommand(out));
 }
 
-StepResult parseSleep(ScriptWords &words)
+StepResult parseSleep(ScriptTokens &words)
 {
     const auto time = words.duration("a time in seconds, 0 to 86400");
     if (!time)
@@ -106,7 +106,7 @@ StepResult parseSleep(ScriptWords &words)
     return Action(Sleep{*time});
 }
 
-StepResult parseParam(ScriptWords &words)
+StepResult parseParam(ScriptTokens &words)
 {
     const std::string_view name = words.peek();
     if (name.empty() || name.size() > 16)
@@ -123,7 +123,7 @@ constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
     {">=", Comparison::AtLeast}, {"<=", Comparison::AtMost}, {"==", Comparison::Equal}, {"!=", Comparison::NotEqual},
     {">", Comparison::Greater}, {"<", Comparison::Less}};
 
-StepResult parseWait(ScriptWords &words)
+StepResult parseWait(ScriptTokens &words)
 {
     WaitUntil out;
     const std::string_view name = words.peekName();
@@ -169,14 +169,14 @@ StepResult parseWait(ScriptWords &words)
     return Action(out);
 }
 
-constexpr std::pair<std::string_view, StepResult (*)(ScriptWords &)> kVerbs[] = {
+constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {
     {"mode", parseMode}, {"arm", parseArming<Arm>}, {"disarm", parseArming<Disarm>}, {"takeoff", parseTakeOff},
     {"land", parsePlain<Land>}, {"rtl", parsePlain<ReturnToLaunch>}, {"goto", parseGoTo}, {"speed", parseSpeed},
     {"wait", parseWait}, {"sleep", parseSleep}, {"param", parseParam}, {"item", parseItem},
     {"start", parsePlain<StartMission>}, {"reboot", parsePlain<Reboot>}, {"command", parseRaw}};
 
 /// Takes "12:" off the front when it is there.
-Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptWords &words)
+Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &words)
 {
     const std::size_t digits = words.digitsBeforeColon();
     if (digits == 0)
@@ -191,7 +191,7 @@ Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptWords &words)
     return std::optional<std::uint8_t>(static_cast<std::uint8_t>(number));
 }
 
-Result<FlightStep, InputError> parseStep(ScriptWords &words)
+Result<FlightStep, InputError> parseStep(ScriptTokens &words)
 {
     FlightStep step;
     const auto prefix = parsePrefix(words);
@@ -229,7 +229,7 @@ Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view s
     std::size_t begin = 0;
     while (begin <= script.size()) {
         const std::size_t end = std::min(script.find(';', begin), script.size());
-        ScriptWords words(script.substr(begin, end - begin), begin + 1, steps.size() + 1);
+        ScriptTokens words(script.substr(begin, end - begin), begin + 1, steps.size() + 1);
         begin = end + 1;
         if (words.atEnd())
             continue;

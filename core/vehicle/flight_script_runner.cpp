@@ -1,6 +1,6 @@
 #include "core/vehicle/flight_script_runner.h"
 
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 namespace skyseal::vehicle {
 

@@ -1,6 +1,6 @@
 // What the steps of a flight script mean and how they are spelt; the parser is in flight_script.cpp.
 #include "core/vehicle/flight_script.h"
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 #include <array>
 #include <charconv>

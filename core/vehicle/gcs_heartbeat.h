@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 
 namespace skyseal::vehicle {
 

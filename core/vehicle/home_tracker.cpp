@@ -8,7 +8,7 @@ void HomeTracker::handleHomePosition(const Position &home, VehicleState &state)
 {
     if (!home.known())
         return;
-    m_told = true;
+    m_notified = true;
     state.home = home;
     update(state);
 }
@@ -16,7 +16,7 @@ void HomeTracker::handleHomePosition(const Position &home, VehicleState &state)
 void HomeTracker::update(VehicleState &state)
 {
     const bool justArmed = state.armed && !m_wasArmed;
-    if (!m_told && state.position.known() && (justArmed || (state.armed && !state.home.known())))
+    if (!m_notified && state.position.known() && (justArmed || (state.armed && !state.home.known())))
         state.home = state.position;
     m_wasArmed = state.armed;
     state.distanceHome = distanceMetres(state.position, state.home);

@@ -14,7 +14,7 @@ public:
     void update(VehicleState &state);
 
 private:
-    bool m_told = false;
+    bool m_notified = false;
     bool m_wasArmed = false;
 };
 

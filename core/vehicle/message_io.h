@@ -3,7 +3,7 @@
 
 #include "core/mavlink/frame.h"
 #include "core/mavlink/messages.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 
 namespace skyseal::vehicle {
 
@@ -24,7 +24,7 @@ template<typename Message> OutMessage pack(const Message &message, bool urgent =
     return out;
 }
 
-template<typename Message> void push(Outbox &outbox, const Message &message, bool urgent = false)
+template<typename Message> void push(MessageQueue &outbox, const Message &message, bool urgent = false)
 {
     outbox.push(pack(message, urgent));
 }

@@ -1,7 +1,7 @@
 #include "core/vehicle/mission_client.h"
 
 #include "core/vehicle/message_io.h"
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kAccepted = 0, kInvalidSequence = 13; // MAV_MISSION_RESULT
 }
 
-void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, Outbox &outbox)
+void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, MessageQueue &outbox)
 {
     if (!begin(MissionTransfer::Upload))
         return;
@@ -27,7 +27,7 @@ void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, Outbox
     announce(now, outbox);
 }
 
-void MissionClient::download(TimePoint now, Outbox &outbox)
+void MissionClient::download(TimePoint now, MessageQueue &outbox)
 {
     if (!begin(MissionTransfer::Download))
         return;
@@ -36,7 +36,7 @@ void MissionClient::download(TimePoint now, Outbox &outbox)
     askForCount(now, outbox);
 }
 
-void MissionClient::clear(TimePoint now, Outbox &outbox)
+void MissionClient::clear(TimePoint now, MessageQueue &outbox)
 {
     if (!begin(MissionTransfer::Clear))
         return;
@@ -44,7 +44,7 @@ void MissionClient::clear(TimePoint now, Outbox &outbox)
     sendClear(now, outbox);
 }
 
-void MissionClient::handleCount(TimePoint now, std::uint16_t count, Outbox &outbox)
+void MissionClient::handleCount(TimePoint now, std::uint16_t count, MessageQueue &outbox)
 {
     if (m_phase != Phase::AskingForCount)
         return;
@@ -60,7 +60,7 @@ void MissionClient::handleCount(TimePoint now, std::uint16_t count, Outbox &outb
     askForItem(now, outbox);
 }
 
-void MissionClient::handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, Outbox &outbox)
+void MissionClient::handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, MessageQueue &outbox)
 {
     if (m_phase != Phase::Announcing && m_phase != Phase::Uploading)
         return;
@@ -72,7 +72,7 @@ void MissionClient::handleRequest(TimePoint now, std::uint16_t sequence, bool as
     sendItem(m_items[sequence], asInteger || m_takesIntegers, outbox);
 }
 
-void MissionClient::handleItem(TimePoint now, const MissionItem &item, Outbox &outbox)
+void MissionClient::handleItem(TimePoint now, const MissionItem &item, MessageQueue &outbox)
 {
     if (m_phase != Phase::Downloading || item.sequence != m_items.size())
         return; // a repeated answer to an earlier request
@@ -84,7 +84,7 @@ void MissionClient::handleItem(TimePoint now, const MissionItem &item, Outbox &o
     finish(true);
 }
 
-void MissionClient::handleAck(TimePoint now, std::uint8_t result, Outbox &)
+void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &)
 {
     switch (m_phase) {
     case Phase::Idle:
@@ -109,10 +109,10 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result, Outbox &)
     case Phase::Clearing:
         break;
     }
-    finish(result == kAccepted, result == kAccepted ? std::string() : missionResultWords(result));
+    finish(result == kAccepted, result == kAccepted ? std::string() : missionResultText(result));
 }
 
-void MissionClient::handleDeadline(TimePoint now, Outbox &outbox)
+void MissionClient::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     if (now < m_deadline || giveUp())
         return;
@@ -156,7 +156,7 @@ bool MissionClient::begin(MissionTransfer transfer)
     return true;
 }
 
-void MissionClient::announce(TimePoint now, Outbox &outbox)
+void MissionClient::announce(TimePoint now, MessageQueue &outbox)
 {
     mavlink::MissionCount message;
     message.target_system = m_addressing.system;
@@ -167,7 +167,7 @@ void MissionClient::announce(TimePoint now, Outbox &outbox)
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::askForCount(TimePoint now, Outbox &outbox)
+void MissionClient::askForCount(TimePoint now, MessageQueue &outbox)
 {
     mavlink::MissionRequestList message;
     message.target_system = m_addressing.system;
@@ -177,7 +177,7 @@ void MissionClient::askForCount(TimePoint now, Outbox &outbox)
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::askForItem(TimePoint now, Outbox &outbox)
+void MissionClient::askForItem(TimePoint now, MessageQueue &outbox)
 {
     const auto ask = [&](auto message) {
         message.target_system = m_addressing.system;
@@ -193,7 +193,7 @@ void MissionClient::askForItem(TimePoint now, Outbox &outbox)
     m_deadline = now + kItemTimeout;
 }
 
-void MissionClient::sendItem(const MissionItem &item, bool asInteger, Outbox &outbox) const
+void MissionClient::sendItem(const MissionItem &item, bool asInteger, MessageQueue &outbox) const
 {
     const auto fill = [&](auto message) {
         message.target_system = m_addressing.system;
@@ -223,7 +223,7 @@ void MissionClient::sendItem(const MissionItem &item, bool asInteger, Outbox &ou
     }
 }
 
-void MissionClient::sendClear(TimePoint now, Outbox &outbox)
+void MissionClient::sendClear(TimePoint now, MessageQueue &outbox)
 {
     mavlink::MissionClearAll message;
     message.target_system = m_addressing.system;
@@ -233,7 +233,7 @@ void MissionClient::sendClear(TimePoint now, Outbox &outbox)
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::sendAck(Outbox &outbox) const
+void MissionClient::sendAck(MessageQueue &outbox) const
 {
     mavlink::MissionAck message;
     message.target_system = m_addressing.system;

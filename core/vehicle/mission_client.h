@@ -11,7 +11,7 @@
 
 #include "core/base/clock.h"
 #include "core/vehicle/mission.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/transfer_result.h"
 #include "core/vehicle/vehicle_config.h"
 
@@ -42,17 +42,17 @@ public:
     /// From the vehicle's capabilities: whether MISSION_REQUEST may be answered by MISSION_ITEM_INT.
     void setTakesIntegers(bool takesIntegers) { m_takesIntegers = takesIntegers; }
 
-    void upload(TimePoint now, std::vector<MissionItem> items, Outbox &outbox);
-    void download(TimePoint now, Outbox &outbox);
-    void clear(TimePoint now, Outbox &outbox);
+    void upload(TimePoint now, std::vector<MissionItem> items, MessageQueue &outbox);
+    void download(TimePoint now, MessageQueue &outbox);
+    void clear(TimePoint now, MessageQueue &outbox);
 
     // What the vehicle sends, for mission type 0 and addressed to us.
-    void handleCount(TimePoint now, std::uint16_t count, Outbox &outbox);
-    void handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, Outbox &outbox);
-    void handleItem(TimePoint now, const MissionItem &item, Outbox &outbox);
-    void handleAck(TimePoint now, std::uint8_t result, Outbox &outbox);
+    void handleCount(TimePoint now, std::uint16_t count, MessageQueue &outbox);
+    void handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, MessageQueue &outbox);
+    void handleItem(TimePoint now, const MissionItem &item, MessageQueue &outbox);
+    void handleAck(TimePoint now, std::uint8_t result, MessageQueue &outbox);
 
-    void handleDeadline(TimePoint now, Outbox &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const { return m_deadline; }
 
     bool isBusy() const { return m_phase != Phase::Idle; }
@@ -64,12 +64,12 @@ private:
     enum class Phase : std::uint8_t { Idle, Announcing, Uploading, AskingForCount, Downloading, Clearing };
 
     bool begin(MissionTransfer transfer);
-    void announce(TimePoint now, Outbox &outbox);
-    void askForCount(TimePoint now, Outbox &outbox);
-    void askForItem(TimePoint now, Outbox &outbox);
-    void sendItem(const MissionItem &item, bool asInteger, Outbox &outbox) const;
-    void sendClear(TimePoint now, Outbox &outbox);
-    void sendAck(Outbox &outbox) const;
+    void announce(TimePoint now, MessageQueue &outbox);
+    void askForCount(TimePoint now, MessageQueue &outbox);
+    void askForItem(TimePoint now, MessageQueue &outbox);
+    void sendItem(const MissionItem &item, bool asInteger, MessageQueue &outbox) const;
+    void sendClear(TimePoint now, MessageQueue &outbox);
+    void sendAck(MessageQueue &outbox) const;
     void finish(bool ok, std::string reason = {});
     bool giveUp();
 

@@ -1,7 +1,7 @@
 #include "core/vehicle/parameter_client.h"
 
 #include "core/vehicle/message_io.h"
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,7 +29,7 @@ bool sameValue(double asked, double has)
 
 } // namespace
 
-void ParameterClient::readAll(TimePoint now, Outbox &outbox)
+void ParameterClient::readAll(TimePoint now, MessageQueue &outbox)
 {
     m_have.clear();
     m_received = 0;
@@ -37,7 +37,7 @@ void ParameterClient::readAll(TimePoint now, Outbox &outbox)
     requestList(now, outbox);
 }
 
-void ParameterClient::write(TimePoint now, std::string name, double value, Outbox &outbox)
+void ParameterClient::write(TimePoint now, std::string name, double value, MessageQueue &outbox)
 {
     if (name.empty() || name.size() > 16 || !std::isfinite(value)) {
         m_results.push_back(
@@ -49,7 +49,7 @@ void ParameterClient::write(TimePoint now, std::string name, double value, Outbo
         sendWrite(now, outbox);
 }
 
-void ParameterClient::handleValue(TimePoint now, const ParameterValue &value, Outbox &outbox)
+void ParameterClient::handleValue(TimePoint now, const ParameterValue &value, MessageQueue &outbox)
 {
     if (value.name.empty())
         return;
@@ -87,7 +87,7 @@ void ParameterClient::handleValue(TimePoint now, const ParameterValue &value, Ou
     checkWrite(now, parameter, outbox);
 }
 
-void ParameterClient::handleDeadline(TimePoint now, Outbox &outbox)
+void ParameterClient::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     if (now >= m_listDeadline) {
         if (++m_fruitless > kRounds) {
@@ -166,7 +166,7 @@ float ParameterClient::encode(double value, std::uint8_t type) const
     return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
 }
 
-void ParameterClient::requestList(TimePoint now, Outbox &outbox)
+void ParameterClient::requestList(TimePoint now, MessageQueue &outbox)
 {
     mavlink::ParamRequestList request;
     request.target_system = m_addressing.system;
@@ -175,7 +175,7 @@ void ParameterClient::requestList(TimePoint now, Outbox &outbox)
     m_listDeadline = now + kListTimeout;
 }
 
-void ParameterClient::requestGaps(TimePoint now, Outbox &outbox)
+void ParameterClient::requestGaps(TimePoint now, MessageQueue &outbox)
 {
     std::size_t asked = 0;
     for (std::size_t index = 0; index < m_have.size() && asked < kBatch; ++index) {
@@ -191,7 +191,7 @@ void ParameterClient::requestGaps(TimePoint now, Outbox &outbox)
     m_listDeadline = now + kListTimeout;
 }
 
-void ParameterClient::sendWrite(TimePoint now, Outbox &outbox)
+void ParameterClient::sendWrite(TimePoint now, MessageQueue &outbox)
 {
     Write &write = m_writes.front();
     const auto known = m_values.find(write.name);
@@ -206,7 +206,7 @@ void ParameterClient::sendWrite(TimePoint now, Outbox &outbox)
     write.deadline = now + kWriteTimeout;
 }
 
-void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter, Outbox &outbox)
+void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter, MessageQueue &outbox)
 {
     if (m_writes.empty() || m_writes.front().name != parameter.name)
         return;
@@ -217,7 +217,7 @@ void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter, Outb
         write.seen = parameter; // it may be an answer from before the writing: ask once more before believing it
 }
 
-void ParameterClient::finishWrite(TimePoint now, ParameterResult result, Outbox &outbox)
+void ParameterClient::finishWrite(TimePoint now, ParameterResult result, MessageQueue &outbox)
 {
     m_results.push_back(std::move(result));
     m_writes.pop_front();

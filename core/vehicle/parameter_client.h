@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/parameter.h"
 #include "core/vehicle/transfer_result.h"
 #include "core/vehicle/vehicle_config.h"
@@ -43,10 +43,10 @@ public:
     /// Integers as the bytes of an integer (PX4), or as floats (ArduPilot).
     void setBytewise(bool bytewise) { m_bytewise = bytewise; }
 
-    void readAll(TimePoint now, Outbox &outbox);
-    void write(TimePoint now, std::string name, double value, Outbox &outbox);
-    void handleValue(TimePoint now, const ParameterValue &value, Outbox &outbox);
-    void handleDeadline(TimePoint now, Outbox &outbox);
+    void readAll(TimePoint now, MessageQueue &outbox);
+    void write(TimePoint now, std::string name, double value, MessageQueue &outbox);
+    void handleValue(TimePoint now, const ParameterValue &value, MessageQueue &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const;
 
     /// Sorted by name; null before the first. A new object after every change.
@@ -70,11 +70,11 @@ private:
 
     double decode(float raw, std::uint8_t type) const;
     float encode(double value, std::uint8_t type) const;
-    void requestList(TimePoint now, Outbox &outbox);
-    void requestGaps(TimePoint now, Outbox &outbox);
-    void sendWrite(TimePoint now, Outbox &outbox);
-    void checkWrite(TimePoint now, const Parameter &parameter, Outbox &outbox);
-    void finishWrite(TimePoint now, ParameterResult result, Outbox &outbox);
+    void requestList(TimePoint now, MessageQueue &outbox);
+    void requestGaps(TimePoint now, MessageQueue &outbox);
+    void sendWrite(TimePoint now, MessageQueue &outbox);
+    void checkWrite(TimePoint now, const Parameter &parameter, MessageQueue &outbox);
+    void finishWrite(TimePoint now, ParameterResult result, MessageQueue &outbox);
 
     Addressing m_addressing;
     bool m_bytewise = false;

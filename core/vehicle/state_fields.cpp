@@ -1,6 +1,6 @@
 #include "core/vehicle/state_fields.h"
 
-#include "core/vehicle/words.h"
+#include "core/vehicle/result_text.h"
 
 namespace skyseal::vehicle {
 

@@ -119,7 +119,7 @@ void StreamRequester::handleIntervalResult(std::uint8_t result)
         m_messages.fill({});
 }
 
-void StreamRequester::handleDeadline(TimePoint now, Outbox &outbox)
+void StreamRequester::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     const bool low = m_profile == StreamProfile::LowBandwidth;
     for (std::size_t i = 0; i < kGroups; ++i) {

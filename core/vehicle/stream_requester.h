@@ -6,7 +6,7 @@
 
 #include "core/base/clock.h"
 #include "core/vehicle/flight_modes.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/vehicle_config.h"
 
 #include <array>
@@ -32,7 +32,7 @@ public:
     void handleReturn(TimePoint now);
     /// The answer to SET_MESSAGE_INTERVAL.
     void handleIntervalResult(std::uint8_t result);
-    void handleDeadline(TimePoint now, Outbox &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const;
 
 private:

@@ -18,7 +18,7 @@ void TimeSyncClient::start(TimePoint now)
 }
 
 void TimeSyncClient::handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem,
-                                    std::uint8_t targetComponent, Outbox &outbox)
+                                    std::uint8_t targetComponent, MessageQueue &outbox)
 {
     if (!m_addressing.isForUs(targetSystem, targetComponent))
         return;
@@ -45,7 +45,7 @@ void TimeSyncClient::handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_
     m_latency = std::isnan(m_latency) ? measured : m_latency + kWeightOfNew * (measured - m_latency);
 }
 
-void TimeSyncClient::handleDeadline(TimePoint now, Outbox &outbox)
+void TimeSyncClient::handleDeadline(TimePoint now, MessageQueue &outbox)
 {
     if (now < m_next)
         return;

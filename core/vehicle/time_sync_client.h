@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/vehicle_config.h"
 
 #include <array>
@@ -26,8 +26,8 @@ public:
     void start(TimePoint now);
     /// `tc1`, `ts1` and the targets of a TIMESYNC of the vehicle.
     void handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem,
-                        std::uint8_t targetComponent, Outbox &outbox);
-    void handleDeadline(TimePoint now, Outbox &outbox);
+                        std::uint8_t targetComponent, MessageQueue &outbox);
+    void handleDeadline(TimePoint now, MessageQueue &outbox);
     TimePoint nextDeadline() const { return m_next; }
 
     /// Seconds there and back, smoothed; NaN before the first answer.

@@ -9,7 +9,7 @@
 #include "core/base/clock.h"
 #include "core/mavlink/frame.h"
 #include "core/vehicle/mission.h"
-#include "core/vehicle/outbox.h"
+#include "core/vehicle/message_queue.h"
 #include "core/vehicle/parameter.h"
 #include "core/vehicle/transfer_result.h"
 #include "core/vehicle/vehicle_command.h"

@@ -50,7 +50,7 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
     state.lastHeartbeat = monitor.lastHeartbeat();
     streams.handleMessage(now, frame.messageId());
     if (!handleConversation(now, frame))
-        takeNews(now, telemetry.handle(frame, state));
+        takeStatus(now, telemetry.handle(frame, state));
 }
 
 bool Vehicle::Parts::handleConversation(TimePoint now, const mavlink::Frame &frame)
@@ -190,7 +190,7 @@ void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
     }
 }
 
-void Vehicle::Parts::takeNews(TimePoint now, const TelemetryNews &news)
+void Vehicle::Parts::takeStatus(TimePoint now, const TelemetryNews &news)
 {
     if (news.home)
         home.handleHomePosition(*news.home, state);

@@ -34,7 +34,7 @@ struct Vehicle::Parts
     std::deque<StatusText> unread; ///< for pollText()
     std::uint64_t lastTextNumber = 0;
     WallTime lastWall{};           ///< of the last frame, for texts that a time-out completes
-    Outbox outbox;
+    MessageQueue outbox;
     Telemetry telemetry;
     HeartbeatMonitor monitor;
     StatusTextJoiner joiner;
@@ -56,7 +56,7 @@ private:
     void handleVersion(const mavlink::Frame &frame);
     void handleParameter(TimePoint now, const mavlink::Frame &frame);
     void handleMission(TimePoint now, const mavlink::Frame &frame);
-    void takeNews(TimePoint now, const TelemetryNews &news);
+    void takeStatus(TimePoint now, const TelemetryNews &news);
 };
 
 } // namespace skyseal::vehicle

@@ -61,9 +61,9 @@ private:
 void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
 {
     Terminal made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")});
-    QVERIFY2(made.waitForWords("New passphrase of "), made.errors().constData());
+    QVERIFY2(made.waitForText("New passphrase of "), made.errors().constData());
     made.type("swordfish\n");
-    QVERIFY(made.waitForWords("The same again: "));
+    QVERIFY(made.waitForText("The same again: "));
     made.type("swordfish\n");
     QCOMPARE(made.waitForExit(), 0);
     QVERIFY2(!made.shown().contains("sword"), made.shown().constData());
@@ -71,11 +71,11 @@ void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
 
     // Wrong twice, right at the third attempt; into another file, without a passphrase there.
     Terminal opened(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")});
-    QVERIFY(opened.waitForWords("Passphrase of "));
+    QVERIFY(opened.waitForText("Passphrase of "));
     opened.type("sworfish\n");
-    QVERIFY(opened.waitForWords("Once more: "));
+    QVERIFY(opened.waitForText("Once more: "));
     opened.type("s\n");
-    QVERIFY(opened.waitForWords("Once more: "));
+    QVERIFY(opened.waitForText("Once more: "));
     opened.type("swordfish\n");
     QCOMPARE(opened.waitForExit(), 0);
     QVERIFY(!opened.shown().contains("fish"));
@@ -87,7 +87,7 @@ void KeyPassphraseTest::interruptedAndMistyped()
     const QStringList make{QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")};
     {
         Terminal interrupted(QStringLiteral("skyseal-cli"), make);
-        QVERIFY(interrupted.waitForWords("New passphrase of "));
+        QVERIFY(interrupted.waitForText("New passphrase of "));
         interrupted.type("half a word\x03");
         QCOMPARE(interrupted.waitForExit(), 3);
         QVERIFY(interrupted.errors().contains("cancelled"));
@@ -95,9 +95,9 @@ void KeyPassphraseTest::interruptedAndMistyped()
     }
     {
         Terminal mistyped(QStringLiteral("skyseal-cli"), make);
-        QVERIFY(mistyped.waitForWords("New passphrase of "));
+        QVERIFY(mistyped.waitForText("New passphrase of "));
         mistyped.type("one\n");
-        QVERIFY(mistyped.waitForWords("The same again: "));
+        QVERIFY(mistyped.waitForText("The same again: "));
         mistyped.type("two\n");
         QCOMPARE(mistyped.waitForExit(), 3);
         QVERIFY(mistyped.errors().contains("differ"));

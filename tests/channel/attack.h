@@ -97,7 +97,7 @@ inline void setCounter(Bytes &record, std::uint32_t counter)
 
 inline ReceiveCounters received(const Pair::End &end) { return end.endpoint->stats(end.session())->rx; }
 inline std::uint64_t refused(const ReceiveCounters &c) { return c.forged + c.replayed + c.malformed; }
-inline std::uint64_t refusedInAll(const Pair::End &end) { return refused(received(end)) + refused(end.endpoint->strays()); }
+inline std::uint64_t refusedInAll(const Pair::End &end) { return refused(received(end)) + refused(end.endpoint->unmatched()); }
 
 /// The session of before still carries frames both ways.
 inline bool aliveAndExact(Pair &pair)

@@ -34,7 +34,7 @@ void AttackCookieTest::floodFromForgedAddresses()
         const TimePoint start = pair.now;
         HOLDS(connectsIn(pair, flood), "a station gets its session");
         // What was computed was refused as forged: at most 50 a second, 20 at once.
-        const double computed = static_cast<double>(pair.air().endpoint->strays().forged);
+        const double computed = static_cast<double>(pair.air().endpoint->unmatched().forged);
         QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
         QVERIFY(flood.bytesOut <= flood.bytesIn);
         QVERIFY(flood.cookies > 1000);

@@ -144,7 +144,7 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     pair.run(1s);
     const Mac1 mac(pair.air().identity->publicKey);
     Bytes flood(127);
-    const auto before = pair.air().endpoint->strays().forged;
+    const auto before = pair.air().endpoint->unmatched().forged;
     pair.every(1ms, [&] {
         for (int i = 0; i < 20; ++i) {
             fill(flood);
@@ -155,7 +155,7 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     });
     pair.run(2s);
     // Each that was computed was refused and counted; the others were not even looked at.
-    const auto computed = pair.air().endpoint->strays().forged - before;
+    const auto computed = pair.air().endpoint->unmatched().forged - before;
     HOLDS(computed <= 20 + 2 * 50, "at most fifty computations a second");
     QVERIFY(!pair.air().up());
 }
@@ -220,12 +220,12 @@ void AttackFloodTest::answerFloodWithTheRightMac()
         pair.run(3s);
         pair.start(Air);
     }
-    const auto before = pair.ground().endpoint->strays().forged;
+    const auto before = pair.ground().endpoint->unmatched().forged;
     double took = 0;
     floodAnswers(pair, kAnswerLength, took);
     QVERIFY(took > 0);
     // Each that was computed on was counted so.
-    const auto computed = pair.ground().endpoint->strays().forged - before;
+    const auto computed = pair.ground().endpoint->unmatched().forged - before;
     HOLDS(static_cast<double>(computed) <= 20 + 50 * took, "at most fifty computations a second");
     QVERIFY(computed > 0);
 }

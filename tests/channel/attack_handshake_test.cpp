@@ -134,7 +134,7 @@ void AttackHandshakeTest::unknownKeyShare()
     offer(two, Air, carried);
     two.run(1s);
     HOLDS(answers.ofKind(0x5a).empty(), "a message for another agent gets no answer");
-    QCOMPARE(two.air().endpoint->strays().forged, std::uint64_t(2));
+    QCOMPARE(two.air().endpoint->unmatched().forged, std::uint64_t(2));
     QVERIFY(aliveAndExact(two));
 }
 
@@ -157,7 +157,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     const Thief thief = call(UINT64_MAX);
     const Bytes answer = tap.ofKind(0x5a).back().bytes;
     QCOMPARE(tap.ofKind(0x5a).size(), 2u);
-    QCOMPARE(pair.air().endpoint->strays().forged, std::uint64_t(0));
+    QCOMPARE(pair.air().endpoint->unmatched().forged, std::uint64_t(0));
     // He is even told where the agent expects his records.
     const auto se = crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(answer));
     const auto truth = thief.withGuess(answer, se->clone());
@@ -258,7 +258,7 @@ void AttackHandshakeTest::replayedFirstMessage()
         pair.run(100ms);
     }
     HOLDS(tap.ofKind(0x5a).size() == 1, "an old first message gets no answer");
-    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(20));
+    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(20));
     QVERIFY(aliveAndExact(pair));
     // Nor from an agent that was restarted, when its station is gone.
     pair.kill(Ground);

@@ -31,7 +31,7 @@ bool offerFrame(Pair &pair, Side to, Bytes bytes)
 /// As an attacker makes it: the checksum of MAVLink needs no key.
 Bytes withRightChecksum(Bytes frame)
 {
-    const engine::DialectFacts facts(mavlink::Dialect::builtin());
+    const engine::DialectTraits facts(mavlink::Dialect::builtin());
     const std::size_t end = frame.size() - kInlineTrailer - 2;
     const std::uint8_t crcExtra = mavlink::Dialect::builtin().find("COMMAND_LONG")->crcExtra;
     const std::uint16_t checksum = facts.checksum(ByteView(frame).subspan(1, end - 1), crcExtra);

@@ -113,7 +113,7 @@ void AttackSessionTest::replayOnAnotherLink()
     HOLDS(pair.ground().all<SessionUp>().size() == 1 && pair.air().all<SessionUp>().size() == 1,
           "no old handshake makes a session");
     QVERIFY(received(pair.ground()).replayed > 200 && received(pair.air()).replayed > 200);
-    QCOMPARE(pair.air().endpoint->strays().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
+    QCOMPARE(pair.air().endpoint->unmatched().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
     QCOMPARE(linkOfRecords(), LinkId{1});
     // What a record is bound to is its carrier. One that never arrived is as good from another link, once, and the session
     // follows it there: so it goes on where a second modem takes over.

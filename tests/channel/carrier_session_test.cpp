@@ -229,10 +229,10 @@ void CarrierSessionTest::singleRecordsAreForLines()
         Pair pair(in(carrier));
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         Bytes single(40, 0x54);
-        const auto before = pair.ground().endpoint->strays().malformed;
+        const auto before = pair.ground().endpoint->unmatched().malformed;
         Path path = pair.pathOf(Air);
         QVERIFY(!pair.ground().endpoint->handleDatagram(pair.now, path, single));
-        QCOMPARE(pair.ground().endpoint->strays().malformed, before + 1);
+        QCOMPARE(pair.ground().endpoint->unmatched().malformed, before + 1);
         QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
     }
 }
@@ -243,12 +243,12 @@ void CarrierSessionTest::noInlineFramesElsewhere()
         PairOptions options = in(carrier);
         options.ground.allowInline = options.ground.preferInline = options.air.allowInline = true;
         options.ground.suites = options.air.suites = {crypto::SuiteId::Aes256Ctr};
-        struct Facts final : FrameFacts
+        struct Facts final : MessageTraits
         {
             std::optional<Message> message(std::uint32_t) const override { return std::nullopt; }
             std::uint16_t checksum(ByteView, std::uint8_t) const override { return 0; }
         };
-        options.frameFacts = std::make_shared<Facts>();
+        options.messageTraits = std::make_shared<Facts>();
         Pair pair(options);
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         pair.run(1s);

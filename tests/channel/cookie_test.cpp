@@ -190,13 +190,13 @@ void CookieTest::strangeCookiesChangeNothing()
     QVERIFY(pair.run(1s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     QCOMPARE(sent, std::uint64_t(1));
-    QCOMPARE(pair.ground().endpoint->strays().forged, given);
+    QCOMPARE(pair.ground().endpoint->unmatched().forged, given);
     QVERIFY(pair.bothUp());
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     CookieMessage toTheAgent = stranger.make(pair.now, pair.pathOf(Air), unseen);
-    const auto malformed = pair.air().endpoint->strays().malformed;
+    const auto malformed = pair.air().endpoint->unmatched().malformed;
     pair.air().endpoint->handleDatagram(pair.now, pair.pathOf(Ground), toTheAgent);
-    QCOMPARE(pair.air().endpoint->strays().malformed, malformed + 1);
+    QCOMPARE(pair.air().endpoint->unmatched().malformed, malformed + 1);
 }
 
 void CookieTest::forgedCookieCostsATurn()

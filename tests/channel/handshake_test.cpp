@@ -188,7 +188,7 @@ void HandshakeTest::replayedFirstKillsNothing()
     }
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.air().all<SessionDown>().size(), 0u);
-    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(50));
+    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(50));
     QCOMPARE(pair.air().all<HandshakeRefused>().at(0).reason, RefusalReason::ReplayedHandshake);
     QCOMPARE(pair.air().all<HandshakeRefused>().at(0).peer, pair.ground().identity->publicKey);
     QVERIFY(pair.air().all<HandshakeRefused>().size() <= 6);
@@ -207,7 +207,7 @@ void HandshakeTest::replayAfterRestartIsRefused()
     pair.start(Air);
     pair.link.inject(pair.now, first);
     pair.run(1s);
-    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(1));
+    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(1));
     QVERIFY(!pair.air().up());
     QCOMPARE(tap.ofKind(0x5a).size(), 1u);
 }
@@ -257,7 +257,7 @@ void HandshakeTest::firstForAnotherAgentIsRefused()
     two.air().endpoint->setPeers(two.now, peers);
     two.link.inject(two.now, tap.ofKind(0x59).at(0));
     two.run(1s);
-    QCOMPARE(two.air().endpoint->strays().forged, std::uint64_t(1));
+    QCOMPARE(two.air().endpoint->unmatched().forged, std::uint64_t(1));
     QCOMPARE(two.air().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
     QCOMPARE(two.air().endpoint->sessions().size(), 1u);
 }
@@ -297,7 +297,7 @@ void HandshakeTest::otherVersionIsTold()
     }
     QCOMPARE(pair.air().all<HandshakeRefused>().size(), 3u);
     QCOMPARE(pair.air().all<HandshakeRefused>()[0].reason, RefusalReason::Version);
-    QCOMPARE(pair.air().endpoint->strays().malformed, std::uint64_t(3));
+    QCOMPARE(pair.air().endpoint->unmatched().malformed, std::uint64_t(3));
 }
 
 void HandshakeTest::refusalsDoNotFlood()
@@ -317,7 +317,7 @@ void HandshakeTest::refusalsDoNotFlood()
         if (i % 200 == 0)
             pair.run(10ms);
     }
-    QCOMPARE(pair.air().endpoint->strays().forged, count);
+    QCOMPARE(pair.air().endpoint->unmatched().forged, count);
     const auto told = pair.air().all<HandshakeRefused>().size();
     QVERIFY2(told <= 24, qPrintable(QString::number(told)));
     QVERIFY(pair.bothUp());

@@ -3,7 +3,7 @@
 #include "core/base/hex.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/dialect_facts.h"
+#include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 
@@ -23,7 +23,7 @@ using mavlink::Dialect;
 namespace {
 
 constexpr SuiteId kSuites[] = {SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4};
-const engine::DialectFacts kFacts(Dialect::builtin());
+const engine::DialectTraits kFacts(Dialect::builtin());
 
 std::unique_ptr<crypto::InlineCipher> cipherOf(SuiteId suite, std::uint8_t seed = 1)
 {
@@ -56,7 +56,7 @@ Bytes seal(const Bytes &frame, const InlinePlace &place, crypto::InlineCipher &c
     return sealable->seal(place, cipher, out) ? out : Bytes();
 }
 
-std::optional<Bytes> open(Bytes frame, const InlinePlace &place, crypto::InlineCipher &cipher, const FrameFacts &facts = kFacts)
+std::optional<Bytes> open(Bytes frame, const InlinePlace &place, crypto::InlineCipher &cipher, const MessageTraits &facts = kFacts)
 {
     const auto read = InlineFrame::read(frame, facts);
     if (!read || read->epochByte() != place.epochByte || read->counter() != place.counter)
@@ -134,7 +134,7 @@ void InlineFrameTest::clearBytesStandAnywhere()
 {
     // Also where no message of today has them: the component in front, only one of them, beyond the end.
     QVERIFY(rc::check([] {
-        FrameFacts::Message message;
+        MessageTraits::Message message;
         message.targetSystemOffset = static_cast<std::int16_t>(*rc::gen::inRange(-1, 256));
         do
             message.targetComponentOffset = static_cast<std::int16_t>(*rc::gen::inRange(-1, 256));
@@ -318,7 +318,7 @@ void InlineFrameTest::nothingElseOpensIt()
 void InlineFrameTest::targetsElsewhereAreRefused()
 {
     // An older dialect has no targets in COMMAND_ACK, where they are extensions, and yet the same CRC_EXTRA.
-    class Older final : public FrameFacts
+    class Older final : public MessageTraits
     {
     public:
         std::optional<Message> message(std::uint32_t id) const override

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/crypto/inline_cipher.h"
-#include "core/engine/dialect_facts.h"
+#include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_writer.h"
 #include "pair.h"
 
@@ -33,7 +33,7 @@ inline PairOptions inlineOptions(std::uint64_t seed = 7)
 {
     PairOptions options;
     options.seed = seed;
-    options.frameFacts = std::make_shared<engine::DialectFacts>(mavlink::Dialect::builtin());
+    options.messageTraits = std::make_shared<engine::DialectTraits>(mavlink::Dialect::builtin());
     options.makeFrame = numberedFrame;
     options.ground.allowInline = options.ground.preferInline = true;
     options.air.allowInline = true;

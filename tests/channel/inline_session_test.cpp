@@ -78,7 +78,7 @@ void InlineSessionTest::takesConsentOfBoth()
     }
 
     // Without facts about frames nothing is agreed to, whatever the policy says.
-    options.frameFacts = nullptr;
+    options.messageTraits = nullptr;
     const auto blind = inlinePair(SuiteId::ChaCha20, options);
     QVERIFY(blind->bothUp() && framingOf(blind->ground()) == Framing::Sealed);
 }
@@ -158,7 +158,7 @@ void InlineSessionTest::recordsUntilThePeerWasHeard()
     QCOMPARE(framingOf(pair.ground()), Framing::Inline);
     QCOMPARE(framingOf(pair.air()), Framing::Inline);
     QCOMPARE(pair.accountFrom(Ground), std::string());
-    QCOMPARE(received(pair.air()).malformed + pair.air().endpoint->strays().malformed, std::uint64_t(0));
+    QCOMPARE(received(pair.air()).malformed + pair.air().endpoint->unmatched().malformed, std::uint64_t(0));
 }
 
 void InlineSessionTest::neverMovesTheAddress()
@@ -170,7 +170,7 @@ void InlineSessionTest::neverMovesTheAddress()
     elsewhere.remote.port = 41000;
     const Bytes frame = sealOne(pair, Air);
     QVERIFY(!offer(pair, Ground, frame, elsewhere)); // authentic, and yet of no session that lives there
-    QCOMPARE(pair.ground().endpoint->strays().malformed, std::uint64_t(1));
+    QCOMPARE(pair.ground().endpoint->unmatched().malformed, std::uint64_t(1));
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
     QVERIFY(offer(pair, Ground, frame));
 

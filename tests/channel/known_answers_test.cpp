@@ -10,7 +10,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
 #include "core/crypto/record_cipher.h"
-#include "core/engine/dialect_facts.h"
+#include "core/engine/common/dialect_traits.h"
 #include "core/keys/public_key_text.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
@@ -104,7 +104,7 @@ private:
 
     KnownAnswers m_answers = KnownAnswers::read(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md");
     X25519KeyPair m_station, m_agent;
-    const engine::DialectFacts m_facts{mavlink::Dialect::builtin()};
+    const engine::DialectTraits m_facts{mavlink::Dialect::builtin()};
     const SuiteOffer m_stationsOffer{{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc,
                                       SuiteId::ChaCha20, SuiteId::Rc4},
                                      true};

@@ -84,7 +84,7 @@ void LateMessagesTest::recordOfAPeerRemovedMeanwhile()
     give(pair, Air, *proof);
     QVERIFY(!pair.air().up());
     QVERIFY(pair.air().all<SessionUp>().empty());
-    QCOMPARE(pair.air().endpoint->strays().malformed, std::uint64_t(1));
+    QCOMPARE(pair.air().endpoint->unmatched().malformed, std::uint64_t(1));
     pair.air().endpoint->setPeers(pair.now, peers);
     give(pair, Air, *proof); // Its keys are gone for good.
     QVERIFY(!pair.air().up());
@@ -121,7 +121,7 @@ void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
         give(pair, Ground, forged);
         QVERIFY(!pair.ground().up());
     }
-    QCOMPARE(pair.ground().endpoint->strays().forged, std::uint64_t(4));
+    QCOMPARE(pair.ground().endpoint->unmatched().forged, std::uint64_t(4));
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).peer, pair.air().identity->publicKey);
     give(pair, Ground, answer);

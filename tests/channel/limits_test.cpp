@@ -1,7 +1,7 @@
 // Where an endpoint comes to the end of its room, and what it makes of owners, peers and keys that ask for what cannot be:
 // each refusal leaves everything as it was.
 #include "core/channel/handshake.h"
-#include "core/channel/outbox.h"
+#include "core/channel/datagram_queue.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tap.h"
@@ -188,16 +188,16 @@ void LimitsTest::agentThatChoosesAnUnknownSuite()
 
 void LimitsTest::fullOutboxKeepsTheOldest()
 {
-    Outbox outbox;
+    DatagramQueue outbox;
     QVERIFY(!outbox.take());
-    outbox.send({}, Bytes(Outbox::kMaxLength + 1));
+    outbox.send({}, Bytes(DatagramQueue::kMaxLength + 1));
     QVERIFY(outbox.empty());
     for (int round = 0; round < 3; ++round) {
-        for (std::size_t i = 0; i < Outbox::kSlots + 50; ++i)
+        for (std::size_t i = 0; i < DatagramQueue::kSlots + 50; ++i)
             outbox.send({}, Bytes{static_cast<std::uint8_t>(i)});
-        QCOMPARE(outbox.size(), Outbox::kSlots);
-        for (std::size_t i = 0; i < Outbox::kSlots; ++i) {
-            const Outbox::Item *item = outbox.take();
+        QCOMPARE(outbox.size(), DatagramQueue::kSlots);
+        for (std::size_t i = 0; i < DatagramQueue::kSlots; ++i) {
+            const DatagramQueue::Item *item = outbox.take();
             QVERIFY(item);
             QCOMPARE(item->length, std::size_t(1));
             QCOMPARE(item->bytes[0], static_cast<std::uint8_t>(i));

@@ -42,7 +42,7 @@ Config Pair::configOf(Side side) const
                             m_options.presharedKey});
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
-    config.frameFacts = m_options.frameFacts;
+    config.messageTraits = m_options.messageTraits;
     if (side == Air)
         config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}, m_options.carrier});
     return config;

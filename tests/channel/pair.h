@@ -69,7 +69,7 @@ struct PairOptions
     Policy air{defaultSuites(), true, false};
     /// For frames sealed in place: what they look like, and a real one whose payload begins with a number. Without these,
     /// frames are anything that begins like one.
-    std::shared_ptr<const FrameFacts> frameFacts;
+    std::shared_ptr<const MessageTraits> messageTraits;
     std::function<Bytes(std::uint64_t number, std::size_t size)> makeFrame;
 };
 

@@ -315,7 +315,7 @@ void ReconnectTest::numberIsForItsStationAlone()
         Bytes copy = number;
         pair.ground().endpoint->handleDatagram(pair.now, pair.pathOf(Air), copy);
     }
-    QCOMPARE(pair.ground().endpoint->strays().forged, std::uint64_t(numbers.size()));
+    QCOMPARE(pair.ground().endpoint->unmatched().forged, std::uint64_t(numbers.size()));
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     QVERIFY(pair.ground().counters.next() <= own + 3);
 }
@@ -446,7 +446,7 @@ void ReconnectTest::unconfirmedAnswersAreBounded()
         pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
         pair.run(25ms);
     }
-    QCOMPARE(pair.air().endpoint->strays().replayed, std::uint64_t(0)); // each was answered
+    QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(0)); // each was answered
     pair.start(Ground);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
 }

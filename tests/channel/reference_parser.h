@@ -3,7 +3,7 @@
 // behind it, in the middle of the frame. https://mavlink.io/en/guide/serialization.html#incompat_flags
 #pragma once
 
-#include "core/channel/frame_facts.h"
+#include "core/channel/message_traits.h"
 
 #include <functional>
 
@@ -12,7 +12,7 @@ namespace skyseal::test {
 class ReferenceParser
 {
 public:
-    ReferenceParser(const channel::FrameFacts &facts, std::function<void(ByteView)> deliver)
+    ReferenceParser(const channel::MessageTraits &facts, std::function<void(ByteView)> deliver)
         : m_facts(&facts), m_deliver(std::move(deliver))
     {
     }
@@ -53,7 +53,7 @@ private:
             == (m_frame[end] | m_frame[end + 1] << 8);
     }
 
-    const channel::FrameFacts *m_facts;
+    const channel::MessageTraits *m_facts;
     std::function<void(ByteView)> m_deliver;
     Bytes m_frame;
 };

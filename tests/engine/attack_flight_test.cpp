@@ -206,8 +206,8 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
     for (const UdpAttacker::Seen &seen : attacker.seen)
         QCOMPARE(framesIn(seen.bytes), std::size_t(0));
     // A person may take what is held back, but not what the list says is sealed.
-    QCOMPARE(ground.ears->snapshot->heldBack.empty(), bound);
-    ground.station->allowClear(1);
+    QCOMPARE(ground.ears->snapshot->pendingApproval.empty(), bound);
+    ground.station->allowPlaintext(1);
     if (bound)
         QVERIFY(!QTest::qWaitFor(shown, 2500));
     else

@@ -1,6 +1,6 @@
 // An observer's station that is in an attacker's hands, before an agent whose line to the autopilot loses bytes.
 #include "core/crypto/init_crypto.h"
-#include "core/engine/agent_core.h"
+#include "core/engine/agent/agent_core.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"

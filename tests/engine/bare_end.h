@@ -4,7 +4,7 @@
 
 #include "core/channel/endpoint.h"
 #include "core/crypto/system_random.h"
-#include "core/engine/secret_files.h"
+#include "core/engine/common/secret_files.h"
 #include "tests/support/bare_socket.h"
 
 #include <map>

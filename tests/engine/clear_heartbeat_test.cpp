@@ -123,10 +123,10 @@ void ClearHeartbeatTest::vehicleThatIsTakenGetsThem()
     CallingStation ground(rig.stationConfig(engine::SecureMode::Preferred), middle);
     QTRY_VERIFY_WITH_TIMEOUT(middle.greetings >= 1, 10000);
     VehicleOnUdp vehicle(middle.address());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
     QVERIFY(!beatsWithin(middle));
     const int before = middle.heartbeats;
-    ground.station->allowClear(1);
+    ground.station->allowPlaintext(1);
     QTRY_VERIFY_WITH_TIMEOUT(middle.heartbeats > before, 10000);
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
 }

@@ -1,6 +1,6 @@
 // The agent joins the clear frames of one wake-up, as it joins sealed ones, so that a comparison with plain MAVLink is one of
 // suites. Real sockets on both sides of it.
-#include "core/engine/agent_core.h"
+#include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/addresses.h"

@@ -174,7 +174,7 @@ StationRig::StationRig(crypto::SuiteId suite, std::vector<std::uint8_t> bound)
     std::string address;
     engine::StationSinks sinks;
     sinks.snapshot = [this](std::shared_ptr<const engine::Snapshot> snapshot) { m_snapshot = std::move(snapshot); };
-    sinks.happening = [](engine::Happening) {};
+    sinks.event = [](engine::Event) {};
     auto secrets = m_keys.secrets(channel::Role::Station);
     secrets->peers[0].systemIds = std::move(bound);
     m_station = std::make_unique<engine::StationCore>(std::move(config), std::move(secrets), std::move(sinks));

@@ -2,8 +2,8 @@
 // that is timed: what fills its sockets and drains them again happens between two readings of the clock.
 #pragma once
 
-#include "core/engine/agent_core.h"
-#include "core/engine/station_core.h"
+#include "core/engine/agent/agent_core.h"
+#include "core/engine/station/station_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 

@@ -4,7 +4,7 @@
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/agent_core.h"
+#include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
 

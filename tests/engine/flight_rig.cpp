@@ -122,8 +122,8 @@ StationEars::StationEars(engine::Station &station)
 {
     QObject::connect(&station, &engine::Station::snapshotReady, &m_context,
                      [this](const std::shared_ptr<const engine::Snapshot> &taken) { snapshot = taken; });
-    QObject::connect(&station, &engine::Station::happened, &m_context,
-                     [this](const engine::Happening &happening) { happenings.push_back(happening); });
+    QObject::connect(&station, &engine::Station::eventOccurred, &m_context,
+                     [this](const engine::Event &event) { events.push_back(event); });
 }
 
 std::string StationEars::listening() const

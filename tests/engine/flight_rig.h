@@ -2,8 +2,8 @@
 // that know each other. All live on the caller's thread and its event loop; ports are chosen by the system.
 #pragma once
 
-#include "core/engine/agent_core.h"
-#include "core/engine/station.h"
+#include "core/engine/agent/agent_core.h"
+#include "core/engine/station/station.h"
 #include "core/sim/simulated_vehicle.h"
 #include "tests/support/addresses.h"
 
@@ -74,8 +74,8 @@ public:
     template<typename E> std::vector<E> all() const
     {
         std::vector<E> out;
-        for (const engine::Happening &happening : happenings) {
-            if (const E *e = std::get_if<E>(&happening))
+        for (const engine::Event &event : events) {
+            if (const E *e = std::get_if<E>(&event))
                 out.push_back(*e);
         }
         return out;
@@ -83,7 +83,7 @@ public:
     /// Address on which the station listens; empty before.
     std::string listening() const;
 
-    std::vector<engine::Happening> happenings;
+    std::vector<engine::Event> events;
     std::shared_ptr<const engine::Snapshot> snapshot = std::make_shared<engine::Snapshot>();
 
 private:

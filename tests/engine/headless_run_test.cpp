@@ -1,5 +1,5 @@
 // A station's run without a window ends in good order: a switch that is under way has the time that a switch has.
-#include "core/engine/headless_run.h"
+#include "core/engine/headless/headless_run.h"
 #include "tests/engine/ground.h"
 
 using namespace skyseal;
@@ -14,11 +14,11 @@ class KillingListener final : public engine::RunListener
 public:
     explicit KillingListener(FlightRig &rig) : m_rig(rig) {}
 
-    void happened(const engine::Happening &happening) override
+    void eventOccurred(const engine::Event &event) override
     {
-        if (std::holds_alternative<channel::SwitchPending>(happening))
+        if (std::holds_alternative<channel::SwitchPending>(event))
             m_rig.killAgent();
-        if (const auto *done = std::get_if<channel::SwitchDone>(&happening))
+        if (const auto *done = std::get_if<channel::SwitchDone>(&event))
             switches.push_back(*done);
     }
     void stepEnded(const vehicle::StepReport &) override {}

@@ -1,7 +1,7 @@
 // The last record of a session comes after its goodbye: it is taken as what it is, and the end is told after it.
 #include "core/crypto/init_crypto.h"
-#include "core/engine/agent_core.h"
-#include "core/engine/station_core.h"
+#include "core/engine/agent/agent_core.h"
+#include "core/engine/station/station_core.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
@@ -85,14 +85,14 @@ void LateRecordTest::stationTakesIt()
 {
     Introduced keys;
     std::shared_ptr<const engine::Snapshot> snapshot;
-    std::vector<engine::Happening> told;
+    std::vector<engine::Event> told;
     engine::StationConfig config;
     config.secure = engine::SecureMode::Required;
     config.record = false;
     config.policy = kPolicy;
     engine::StationCore station(config, keys.secrets(channel::Role::Station),
                                 {[&](auto next) { snapshot = std::move(next); },
-                                 [&](engine::Happening happening) { told.push_back(std::move(happening)); }});
+                                 [&](engine::Event event) { told.push_back(std::move(event)); }});
     station.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
     QVERIFY(QTest::qWaitFor([&] { return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty(); },
                             10000));
@@ -107,8 +107,8 @@ void LateRecordTest::stationTakesIt()
     QVERIFY(snapshot->vehicles[0].ended);
     // First that it was found, then that its session ended.
     const auto indexOf = [&](const auto &is) { return std::find_if(told.begin(), told.end(), is) - told.begin(); };
-    const auto found = indexOf([](const auto &happening) { return std::holds_alternative<engine::VehicleFound>(happening); });
-    const auto down = indexOf([](const auto &happening) { return std::holds_alternative<channel::SessionDown>(happening); });
+    const auto found = indexOf([](const auto &event) { return std::holds_alternative<engine::VehicleFound>(event); });
+    const auto down = indexOf([](const auto &event) { return std::holds_alternative<channel::SessionDown>(event); });
     QVERIFY(found < down);
 }
 

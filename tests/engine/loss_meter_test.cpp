@@ -1,4 +1,4 @@
-#include "core/engine/loss_meter.h"
+#include "core/engine/common/loss_meter.h"
 
 #include <QtTest/QTest>
 

@@ -2,7 +2,7 @@
 // that the code has built in.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/mavsec_stream.h"
+#include "core/engine/station/mavsec_stream.h"
 
 #include <QtTest/QTest>
 

@@ -1,7 +1,7 @@
 // The diagnostics' readings: that each figure of a sample is what the counters grew by, and that the cost of a record tells
 // the first of a wake-up from those behind it.
-#include "core/engine/metrics_sampler.h"
-#include "core/engine/suite_meter.h"
+#include "core/engine/station/metrics_sampler.h"
+#include "core/engine/common/suite_meter.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>

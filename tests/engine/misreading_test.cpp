@@ -1,7 +1,7 @@
 // What an observer says is nothing else when bytes of it are lost: nothing that begins a frame stands in its middle, whatever
 // is missing at its front; one lost byte anywhere makes no other message; and no question becomes a command.
-#include "core/engine/misreading.h"
-#include "core/engine/observer_rules.h"
+#include "core/engine/agent/misreading.h"
+#include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"

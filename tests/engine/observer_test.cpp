@@ -1,7 +1,7 @@
 // What an observer may say to the vehicle: of all messages and commands only harmless questions, on the list and on the
 // wire, where a simulated vehicle and a bare socket show what really arrived.
-#include "core/engine/agent_core.h"
-#include "core/engine/observer_rules.h"
+#include "core/engine/agent/agent_core.h"
+#include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_scanner.h"

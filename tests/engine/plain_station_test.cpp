@@ -1,5 +1,5 @@
 // A station without keys: it shows plain vehicles, says which port is taken, and stops its heartbeat when its reader hangs.
-#include "core/engine/station_core.h"
+#include "core/engine/station/station_core.h"
 #include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
@@ -23,8 +23,8 @@ private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
     void plainVehicleWaitsForAPerson();
     void recordingReleasesNobody();
-    void whoIsHeldBackIsNoAttacker();
-    void nobodyIsHeldBackForNobody();
+    void pendingVehicleIsNoAttacker();
+    void noVehicleNeedsApprovalWithoutPeers();
     void takenPortIsNamed();
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
@@ -60,8 +60,8 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
     QTRY_VERIFY_WITH_TIMEOUT(!ears.listening().empty(), 10000);
     VehicleOnUdp vehicle(ears.listening());
-    QTRY_COMPARE_WITH_TIMEOUT(ears.snapshot->heldBack.size(), std::size_t(1), 10000);
-    const engine::HeldBackVehicle held = ears.snapshot->heldBack[0];
+    QTRY_COMPARE_WITH_TIMEOUT(ears.snapshot->pendingApproval.size(), std::size_t(1), 10000);
+    const engine::PendingVehicle held = ears.snapshot->pendingApproval[0];
     QCOMPARE(int(held.systemId), 1);
     QCOMPARE(held.mayBe, std::string("air-1"));
     QCOMPARE(int(ears.snapshot->security), int(engine::Security::Plain));
@@ -71,11 +71,11 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QCOMPARE(txDatagrams(), std::uint64_t(0));
     QCOMPARE(ears.all<engine::PlaintextRefused>().size(), std::size_t(1)); // told once
     QCOMPARE(ears.all<engine::PlaintextRefused>()[0].mayBe, std::string("air-1"));
-    (*station)->allowClear(2);
+    (*station)->allowPlaintext(2);
     QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 1500));
-    (*station)->allowClear(1);
+    (*station)->allowPlaintext(1);
     QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
-    QVERIFY(ears.snapshot->heldBack.empty());
+    QVERIFY(ears.snapshot->pendingApproval.empty());
     QVERIFY(!ears.snapshot->vehicles[0].session);
 }
 
@@ -86,7 +86,7 @@ void PlainStationTest::recordingReleasesNobody()
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     QUdpSocket vehicle;
     vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
     QTemporaryDir folder;
     QFile log(folder.filePath(QStringLiteral("flight.tlog")));
     QVERIFY(log.open(QIODevice::WriteOnly));
@@ -94,10 +94,10 @@ void PlainStationTest::recordingReleasesNobody()
     log.close();
     ground.station->addLink(urlOf("tlog:" + log.fileName().toStdString()));
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
-    QCOMPARE(ground.ears->snapshot->heldBack.size(), std::size_t(1));
+    QCOMPARE(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
 }
 
-void PlainStationTest::whoIsHeldBackIsNoAttacker()
+void PlainStationTest::pendingVehicleIsNoAttacker()
 {
     FlightRig rig;
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
@@ -115,22 +115,22 @@ void PlainStationTest::whoIsHeldBackIsNoAttacker()
     QCOMPARE(ground.ears->snapshot->channel.rx.plaintextDropped, std::uint64_t(0));
 }
 
-void PlainStationTest::nobodyIsHeldBackForNobody()
+void PlainStationTest::noVehicleNeedsApprovalWithoutPeers()
 {
     FlightRig rig;
     const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
     Ground ground(config);
     QUdpSocket vehicle;
     vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->heldBack.size(), std::size_t(1), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
     QVERIFY(keys::PeersFile().save(config.keys.peers));
     QVERIFY(ground.station->reloadPeers());
     const auto stillNamed = [&] {
-        const auto &heldBack = ground.ears->snapshot->heldBack;
-        return std::ranges::any_of(heldBack, [](const engine::HeldBackVehicle &one) { return !one.mayBe.empty(); });
+        const auto &pendingApproval = ground.ears->snapshot->pendingApproval;
+        return std::ranges::any_of(pendingApproval, [](const engine::PendingVehicle &one) { return !one.mayBe.empty(); });
     };
     QTRY_VERIFY_WITH_TIMEOUT(!stillNamed(), 10000);
-    QVERIFY(ground.ears->snapshot->heldBack.empty()); // nor shown as an impostor of ""
+    QVERIFY(ground.ears->snapshot->pendingApproval.empty()); // nor shown as an impostor of ""
 }
 
 void PlainStationTest::takenPortIsNamed()
@@ -197,8 +197,8 @@ struct ListeningCore
     std::shared_ptr<const engine::Snapshot> newest;
     engine::StationCore core{offConfig(), nullptr,
                              {[this](const auto &snapshot) { newest = snapshot; },
-                              [this](const engine::Happening &happening) {
-                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&happening))
+                              [this](const engine::Event &event) {
+                                  if (const auto *changed = std::get_if<engine::LinkChanged>(&event))
                                       link = changed->link;
                               }}};
 };

@@ -1,5 +1,5 @@
 // The recorder: what it writes reads back, a crash costs the last second at the most, and a bad disk stops nothing.
-#include "core/engine/recorder.h"
+#include "core/engine/station/recorder.h"
 #include "core/base/hex.h"
 #include "core/log/log_summary.h"
 

@@ -1,5 +1,5 @@
 // The file of systems that were heard sealed.
-#include "core/engine/sealed_systems.h"
+#include "core/engine/common/sealed_systems.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>

@@ -1,5 +1,5 @@
 // When the lock says "under attack": for every forged record, and for more copies than a network can make of what there was.
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtTest/QTest>
 

@@ -1,5 +1,5 @@
 // Whose frames are believed.
-#include "core/engine/sender_policy.h"
+#include "core/engine/common/sender_policy.h"
 
 #include <QtTest/QTest>
 
@@ -145,8 +145,8 @@ void SenderPolicyTest::systemHeardSealedIsNeverClearAgain()
     const channel::Peer any = peerWith(1, {}), pinned = peerWith(2, {7});
     policy.setPeers({any, pinned});
     QVERIFY(!policy.acceptClear(kElsewhere, 7)); // pinned by the list
-    policy.allowClear(1);
-    policy.allowClear(7);
+    policy.allowPlaintext(1);
+    policy.allowPlaintext(7);
     QVERIFY(policy.acceptClear(kElsewhere, 1));
     QVERIFY(!policy.acceptClear(kElsewhere, 7));
     policy.sessionUp(kFirst, any.key, kPathA);
@@ -166,15 +166,15 @@ void SenderPolicyTest::clearWaitsWhileAnAgentIsStillToBeHeard()
     policy.setPeers({a, b, bound});
     for (const std::uint8_t systemId : {1, 2, 200}) {
         QVERIFY(!policy.acceptClear(kElsewhere, systemId));
-        QVERIFY(policy.isHeldBack(kElsewhere, systemId));
+        QVERIFY(policy.needsApproval(kElsewhere, systemId));
     }
-    QVERIFY(!policy.isHeldBack(kElsewhere, 7)); // refused, whatever a person says
+    QVERIFY(!policy.needsApproval(kElsewhere, 7)); // refused, whatever a person says
     QCOMPARE(policy.neverHeard(), a.name + ", " + b.name);
     policy.sessionUp(kFirst, a.key, kPathA);
     QVERIFY(policy.acceptSealed(kFirst, 1));
     QVERIFY(!policy.acceptClear(kElsewhere, 2)); // the other one is still to be heard
     QCOMPARE(policy.neverHeard(), b.name);
-    policy.allowClear(2);
+    policy.allowPlaintext(2);
     QVERIFY(policy.acceptClear(kElsewhere, 2));
     QVERIFY(!policy.acceptClear(kElsewhere, 3)); // that system and no other
     QVERIFY(!policy.acceptClear(kPathA, 2));
@@ -186,9 +186,9 @@ void SenderPolicyTest::clearWaitsWhileAnAgentIsStillToBeHeard()
     channel::Peer changed = a;
     changed.key[1] ^= 1;
     policy.setPeers({changed, b, bound});
-    QVERIFY(policy.isHeldBack(kElsewhere, 1));
+    QVERIFY(policy.needsApproval(kElsewhere, 1));
     policy.setMode(SecureMode::Required);
-    QVERIFY(!policy.isHeldBack(kElsewhere, 1) && !policy.acceptClear(kElsewhere, 1));
+    QVERIFY(!policy.needsApproval(kElsewhere, 1) && !policy.acceptClear(kElsewhere, 1));
     policy.setMode(SecureMode::Off);
     QVERIFY(policy.acceptClear(kElsewhere, 1));
 }

@@ -1,5 +1,5 @@
 // The walk through a list of suites.
-#include "core/engine/switch_plan.h"
+#include "core/engine/headless/switch_plan.h"
 
 #include <QtTest/QTest>
 

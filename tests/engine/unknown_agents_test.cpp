@@ -1,5 +1,5 @@
 // Agents of unknown keys, by a clock that is made up: named while they speak, told once a minute, however many there are.
-#include "core/engine/unknown_agents.h"
+#include "core/engine/station/unknown_agents.h"
 
 #include <QtTest/QTest>
 

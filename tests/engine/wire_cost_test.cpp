@@ -1,8 +1,8 @@
 // What sealing costs on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames wait
 // for company there. The clock is simulated, the device is a pseudo-terminal, the far end reads what arrives and opens it.
 #include "core/crypto/init_crypto.h"
-#include "core/engine/carrier_reader.h"
-#include "core/engine/channel_driver.h"
+#include "core/engine/common/carrier_reader.h"
+#include "core/engine/common/channel_driver.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/stream_parser.h"
 #include "tests/engine/bare_end.h"
@@ -284,8 +284,8 @@ private Q_SLOTS:
     void sealedCostsNoMoreThanSigned_data();
     void sealedCostsNoMoreThanSigned();
     void eachFrameAlone();
-    void framesWaitForCompany_data() { sealedCostsNoMoreThanSigned_data(); }
-    void framesWaitForCompany();
+    void framesAreCoalesced_data() { sealedCostsNoMoreThanSigned_data(); }
+    void framesAreCoalesced();
     void urgentFramesDoNot();
 };
 
@@ -330,7 +330,7 @@ void WireCostTest::eachFrameAlone()
     QVERIFY2(alone.sealedPercent > 55 && alone.sealedPercent < 75, qPrintable(QString::number(alone.sealedPercent)));
 }
 
-void WireCostTest::framesWaitForCompany()
+void WireCostTest::framesAreCoalesced()
 {
     QFETCH(int, carrier);
     QFETCH(int, suite);
@@ -341,7 +341,7 @@ void WireCostTest::framesWaitForCompany()
     const TimePoint begun = link.now;
     link.driver().queue(link.now, link.session(), frames[0].bytes);
     link.turn();
-    QCOMPARE(link.driver().flushDue(), begun + ChannelDriver::kCompany);
+    QCOMPARE(link.driver().flushDue(), begun + ChannelDriver::kCoalesceDelay);
     link.now = begun + 39ms;
     link.driver().queue(link.now, link.session(), frames[1].bytes);
     link.turn();

@@ -210,7 +210,7 @@ void ExpectationTest::eachFramingIsJudged()
     for (const Run &run : schedule(both.plan)) {
         Sample sample;
         sample.run = run;
-        const Arm &arm = both.plan.arms[run.arm];
+        const SweepArm &arm = both.plan.arms[run.arm];
         sample.values[Metric::Cpu] = arm.suite == SuiteId::None ? 1 : arm.framing == channel::Framing::Inline ? 7 : 4;
         both.samples.push_back(sample);
     }

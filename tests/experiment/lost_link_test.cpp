@@ -61,8 +61,8 @@ struct Sweep
             problem = said;
         });
         QObject::connect(ground.station.get(), &engine::Station::snapshotReady, &*runner, [this] { watch(); });
-        QObject::connect(ground.station.get(), &engine::Station::happened, &*runner,
-                         [this](const engine::Happening &happening) { hear(happening); });
+        QObject::connect(ground.station.get(), &engine::Station::eventOccurred, &*runner,
+                         [this](const engine::Event &event) { hear(event); });
     }
 
     const experiment::Results &results() const { return runner->results(); }
@@ -95,10 +95,10 @@ struct Sweep
     }
 
     /// Of the orders of the wanted suite, lets so many be taken back at once by another, which is refused.
-    void hear(const engine::Happening &happening)
+    void hear(const engine::Event &event)
     {
-        const auto *pending = std::get_if<channel::SwitchPending>(&happening);
-        const auto *done = std::get_if<channel::SwitchDone>(&happening);
+        const auto *pending = std::get_if<channel::SwitchPending>(&event);
+        const auto *done = std::get_if<channel::SwitchDone>(&event);
         if (done && done->to == wanted && done->failure == channel::SwitchFailure::None) {
             confirmedAfter = sinceOrder.isValid() ? static_cast<double>(sinceOrder.nsecsElapsed()) / 1e6 : 0;
             lastTook = 1000 * seconds(done->took);

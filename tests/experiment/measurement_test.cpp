@@ -60,9 +60,9 @@ void MeasurementTest::numbersThatCannotTellAreNotAsked()
     const Values told = valuesBetween(begin, end, false, true);
     QCOMPARE(told[Metric::Packets], 900.0);
     QCOMPARE(told[Metric::Loss], 200.0 / 1100);
-    const Values untold = valuesBetween(begin, end, false, false);
-    QCOMPARE(untold[Metric::Packets], 1000.0);
-    QVERIFY(std::isnan(untold[Metric::Loss]));
+    const Values pending = valuesBetween(begin, end, false, false);
+    QCOMPARE(pending[Metric::Packets], 1000.0);
+    QVERIFY(std::isnan(pending[Metric::Loss]));
 }
 
 void MeasurementTest::whereNumbersTell()

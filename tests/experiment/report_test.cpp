@@ -326,10 +326,10 @@ void ReportTest::runsAreCounted()
 {
     Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
     QVERIFY(endedEarly(results).empty() && failedRuns(results).empty());
-    QCOMPARE(runsWords(results), std::string("5 runs"));
+    QCOMPARE(runsText(results), std::string("5 runs"));
     results.samples.front().problem = "no vehicle was heard";
     results.samples.front().values = {};
-    QCOMPARE(runsWords(results), std::string("4 to 5 runs"));
+    QCOMPARE(runsText(results), std::string("4 to 5 runs"));
     const std::string failed = failedRuns(results);
     QVERIFY2(failed.starts_with("1 of 40 runs failed: ") && failed.ends_with(" (saturated load): no vehicle was heard"), failed.c_str());
     const std::string page = htmlReport({results, {}, {}, {}});
@@ -344,7 +344,7 @@ void ReportTest::runsAreCounted()
     QCOMPARE(endedEarly(results), std::string("was given up or cancelled after its last run"));
     results.samples.resize(2);
     QCOMPARE(endedEarly(results), std::string("ended after 2 of 40 runs"));
-    QCOMPARE(runsWords(results), std::string("1 run"));
+    QCOMPARE(runsText(results), std::string("1 run"));
     QVERIFY(htmlReport({results, {}, {}, {}}).find("ended after 2 of 40 runs") != std::string::npos);
     const std::string legend = chartOf(results, 0, 0, Metric::Packets).legend;
     QVERIFY2(legend.starts_with("1 run of 5 s") && legend.find("interval") == std::string::npos, legend.c_str());

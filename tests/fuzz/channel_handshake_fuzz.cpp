@@ -42,10 +42,10 @@ struct Keys
     std::shared_ptr<const Key32> preshared = std::make_shared<Key32>(counted(0x80));
 };
 
-class Scene
+class ViewState
 {
 public:
-    Scene(const Keys &keys, Role role, Carrier carrier)
+    ViewState(const Keys &keys, Role role, Carrier carrier)
         : m_keys(keys), m_agentIsHere(role == Role::Agent), m_own(m_agentIsHere ? *keys.agent : *keys.station),
           m_peer{(m_agentIsHere ? keys.station : keys.agent)->publicKey, "peer", PeerRole::Pilot, {}, keys.preshared},
           m_endpoint(config(role), m_random, m_counters, m_now), m_maker(keys.agent->publicKey, m_random)
@@ -223,10 +223,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     static const Keys keys;
     ByteReader in(ByteView(data, size));
     const std::uint8_t how = in.u8();
-    Scene scene(keys, how & 1 ? Role::Agent : Role::Station, static_cast<Carrier>(1 + (how >> 1) % 3));
+    ViewState view(keys, how & 1 ? Role::Agent : Role::Station, static_cast<Carrier>(1 + (how >> 1) % 3));
     for (int count = 0; count < 24 && !in.atEnd() && in.ok(); ++count) {
         const std::uint8_t operation = in.u8();
-        scene.act(operation, in.bytes(std::min<std::size_t>(in.u8(), in.remaining())));
+        view.act(operation, in.bytes(std::min<std::size_t>(in.u8(), in.remaining())));
     }
     return 0;
 }

@@ -2,7 +2,7 @@
 // can do, and as plain frames. Nothing opens that was not sealed, and whatever can be sealed opens as the very same bytes.
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/dialect_facts.h"
+#include "core/engine/common/dialect_traits.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -15,14 +15,14 @@ namespace {
 constexpr crypto::SuiteId kSuites[] = {crypto::SuiteId::Aes256Ctr, crypto::SuiteId::Aes256Cbc, crypto::SuiteId::ChaCha20,
                                        crypto::SuiteId::Rc4};
 
-void refuse(Bytes frame, const FrameFacts &facts, crypto::InlineCipher &cipher)
+void refuse(Bytes frame, const MessageTraits &facts, crypto::InlineCipher &cipher)
 {
     const auto read = InlineFrame::read(frame, facts);
     if (read && read->open(Direction::FromResponder, Carrier::Datagram, cipher))
         std::abort();
 }
 
-void makeChecksumGood(Bytes &frame, std::uint8_t flags, std::size_t trailer, const FrameFacts &facts)
+void makeChecksumGood(Bytes &frame, std::uint8_t flags, std::size_t trailer, const MessageTraits &facts)
 {
     if (frame.size() < 12 + trailer || frame.size() > 267 + trailer)
         return;
@@ -45,7 +45,7 @@ void makeChecksumGood(Bytes &frame, std::uint8_t flags, std::size_t trailer, con
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)
 {
     static const bool ready = crypto::initCrypto();
-    static const engine::DialectFacts facts(mavlink::Dialect::builtin());
+    static const engine::DialectTraits facts(mavlink::Dialect::builtin());
     if (!ready || size < 2)
         return 0;
     static const std::array<std::unique_ptr<crypto::InlineCipher>, 4> ciphers{

@@ -138,7 +138,7 @@ void ImpairmentTest::everyDatagramIsAccountedFor()
             expected.lost += verdict.fate == Verdict::Fate::Lost;
             expected.queueFull += verdict.fate == Verdict::Fate::QueueFull;
             expected.duplicated += verdict.duplicated;
-            expected.heldBack += verdict.heldBack;
+            expected.pendingApproval += verdict.pendingApproval;
             expected.corrupted += verdict.corrupted;
             RC_ASSERT(copies[verdict.sequence] == (verdict.dropped() ? 0u : verdict.duplicated ? 2u : 1u));
         }
@@ -209,9 +209,9 @@ void ImpairmentTest::reorderingHoldsBackAndLosesNothing()
     settings.reorder = 0.1;
     const Run run = drive(settings, 5000, milliseconds(10));
     QCOMPARE(run.counters.delivered, std::uint64_t(5000));
-    QVERIFY(run.counters.heldBack > 400);
+    QVERIFY(run.counters.pendingApproval > 400);
     // Nearly all that are held back come out late; one whose followers are held back as well may not.
-    QVERIFY(run.counters.outOfOrder > run.counters.heldBack * 8 / 10);
+    QVERIFY(run.counters.outOfOrder > run.counters.pendingApproval * 8 / 10);
     for (const Arrival &arrival : run.arrivals)
         QVERIFY(arrival.time - TimePoint(milliseconds(10) * arrival.sequence) <= milliseconds(30));
 }

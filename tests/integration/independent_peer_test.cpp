@@ -41,7 +41,7 @@ QJsonObject statusWhere(Program &peer, const Program::Predicate &predicate, int 
     const QDeadlineTimer deadline(milliseconds);
     while (!deadline.hasExpired()) {
         peer.skipWhatCame();
-        peer.tell(QStringLiteral("status"));
+        peer.notify(QStringLiteral("status"));
         const QJsonObject status = peer.waitFor(QStringLiteral("status"), 5000);
         if (!status.isEmpty() && predicate(status))
             return status;
@@ -142,13 +142,13 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
     QCOMPARE(air.waitFor(QStringLiteral("session"), 5000)[QLatin1String("peer")].toString(), QStringLiteral("python"));
 
     for (int suite = kSuites; suite >= 1; --suite) {
-        station.tell(QStringLiteral("propose %1").arg(suite));
+        station.notify(QStringLiteral("propose %1").arg(suite));
         const QJsonObject settled = station.waitFor(QStringLiteral("settled"), 10000);
         QCOMPARE(settled[QLatin1String("epoch")].toInt(), kSuites + 1 - suite);
         const auto seen = [suite](const QJsonObject &status) { return framesUnder(status, suite) >= kFramesUnderEach; };
         QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
     }
-    station.tell(QStringLiteral("beat 5"));
+    station.notify(QStringLiteral("beat 5"));
     const auto fiveOpened = [](const QJsonObject &status) {
         return number(within(status, "peer"), "opened_bytes") == 5 * 21;
     };
@@ -189,7 +189,7 @@ void IndependentPeerTest::stationSwitchesOverABadLink()
     QVERIFY2(!station.waitFor(QStringLiteral("session"), 20000).isEmpty(), station.errors().constData());
 
     for (int suite = kSuites; suite >= 1; --suite) {
-        station.tell(QStringLiteral("propose %1").arg(suite));
+        station.notify(QStringLiteral("propose %1").arg(suite));
         QVERIFY2(!station.waitFor(QStringLiteral("settled"), 20000).isEmpty(), qPrintable(QString::number(suite)));
         const auto seen = [suite](const QJsonObject &status) { return framesUnder(status, suite) >= kFramesUnderEach; };
         QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
@@ -200,7 +200,7 @@ void IndependentPeerTest::stationSwitchesOverABadLink()
     impair.skipWhatCame();
     QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000, drained).isEmpty());
     station.skipWhatCame();
-    station.tell(QStringLiteral("status"));
+    station.notify(QStringLiteral("status"));
     const QJsonObject status = station.waitFor(QStringLiteral("status"), 5000);
     QVERIFY2(!status.isEmpty(), station.errors().constData());
     QCOMPARE(impair.terminate(), 0);
@@ -232,18 +232,18 @@ void IndependentPeerTest::stationRoamsClosesAndComesBack()
     };
     const qint64 before = framesUnder(statusWhere(station, enough(kFramesUnderEach)), 4);
     QVERIFY(before > 0);
-    station.tell(QStringLiteral("roam"));
+    station.notify(QStringLiteral("roam"));
     QVERIFY(!air.waitFor(QStringLiteral("moved"), 5000).isEmpty());
     const QJsonObject after = statusWhere(station, enough(before + 100));
     QVERIFY2(!after.isEmpty(), station.errors().constData());
     QCOMPARE(number(after, "gaps"), 0);
     QCOMPARE(number(within(after, "counts"), "lost"), 0);
 
-    station.tell(QStringLiteral("propose 2")); // not in the agent's offer
+    station.notify(QStringLiteral("propose 2")); // not in the agent's offer
     QCOMPARE(station.waitFor(QStringLiteral("switch-failed"), 10000)[QLatin1String("why")].toString(),
              QStringLiteral("refused"));
 
-    station.tell(QStringLiteral("close"));
+    station.notify(QStringLiteral("close"));
     const auto down = has("state", "down");
     QCOMPARE(air.waitFor(QStringLiteral("session"), 5000, down)[QLatin1String("reason")].toString(),
              QStringLiteral("peer-closed"));
@@ -268,13 +268,13 @@ void IndependentPeerTest::agentServesTheMonitor()
 
     // The station proposes each suite, the agent answers.
     for (int i = 0; i < kSuites; ++i) {
-        agent.tell(QStringLiteral("beat 10"));
+        agent.notify(QStringLiteral("beat 10"));
         const QJsonObject switched = monitor.waitFor(QStringLiteral("switch"), 10000);
         QCOMPARE(switched[QLatin1String("to")].toString(), allSuites().split(QLatin1Char(','))[i]);
         QCOMPARE(switched[QLatin1String("result")].toString(), QStringLiteral("committed"));
     }
     // And the agent proposes one itself.
-    agent.tell(QStringLiteral("propose 5"));
+    agent.notify(QStringLiteral("propose 5"));
     const auto own = has("proposal", "own");
     QCOMPARE(agent.waitFor(QStringLiteral("switched"), 10000, own)[QLatin1String("suite")].toInt(), 5);
     const auto byPeer = [](const QJsonObject &event) { return event[QLatin1String("by_peer")].toBool(); };
@@ -291,12 +291,12 @@ void IndependentPeerTest::agentServesTheMonitor()
         QVERIFY2(number(within(status, "peer"), counter) == 0, counter);
     }
     agent.skipWhatCame();
-    agent.tell(QStringLiteral("close"));
+    agent.notify(QStringLiteral("close"));
     const auto ended = has("why", "closed here");
     QVERIFY(!agent.waitFor(QStringLiteral("ended"), 5000, ended).isEmpty());
     const QJsonObject down = monitor.waitFor(QStringLiteral("session"), 10000, has("state", "down"));
     QCOMPARE(down[QLatin1String("reason")].toString(), QStringLiteral("peer-closed"));
-    agent.tell(QStringLiteral("quit"));
+    agent.notify(QStringLiteral("quit"));
     QCOMPARE(agent.waitForExit(5000), 0);
     QCOMPARE(monitor.terminate(), 0);
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
@@ -315,9 +315,9 @@ void IndependentPeerTest::stationThatLostItsCounterGoesOn()
         Program station(m_python, stationArguments);
         QVERIFY2(!station.waitFor(QStringLiteral("session"), 20000).isEmpty(), station.errors().constData());
         QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "up")).isEmpty());
-        station.tell(QStringLiteral("close"));
+        station.notify(QStringLiteral("close"));
         QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "down")).isEmpty());
-        station.tell(QStringLiteral("quit"));
+        station.notify(QStringLiteral("quit"));
         QCOMPARE(station.waitForExit(5000), 0);
     }
     QVERIFY(QFile::remove(flight.path(QStringLiteral("python.key.counter"))));

@@ -37,7 +37,7 @@ QJsonObject recordsIn(const QJsonValue &channel)
 {
     QJsonObject out = channel[QLatin1String("rx")].toObject();
     for (const char *counter : {"replayed", "forged", "malformed"})
-        out[QLatin1String(counter)] = number(out, counter) - number(channel[QLatin1String("strays")], counter);
+        out[QLatin1String(counter)] = number(out, counter) - number(channel[QLatin1String("unmatched")], counter);
     return out;
 }
 

@@ -5,7 +5,7 @@
 // Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
-#include "core/engine/dialect_facts.h"
+#include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_writer.h"
 
 #include <QtCore/QDir>
@@ -60,7 +60,7 @@ void NodeInlineTest::findsEveryPlainFrame()
 {
     QFETCH(int, suite);
     constexpr int kEach = 1000;
-    const engine::DialectFacts facts(mavlink::Dialect::builtin());
+    const engine::DialectTraits facts(mavlink::Dialect::builtin());
     const auto cipher = crypto::makeInlineCipher(static_cast<crypto::SuiteId>(suite), Key32());
     const char *names[] = {"ATTITUDE", "COMMAND_LONG", "GPS_RAW_INT", "STATUSTEXT", "HEARTBEAT", "SYS_STATUS"};
     std::mt19937 random(31);

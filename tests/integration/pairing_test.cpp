@@ -127,11 +127,11 @@ void PairingTest::bothConfirmAndASessionFollows()
     QCOMPARE(text(ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), m_air);
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
 
-    ground->tell(QStringLiteral("maybe")); // no answer
-    ground->tell(QStringLiteral("yes"));
+    ground->notify(QStringLiteral("maybe")); // no answer
+    ground->notify(QStringLiteral("yes"));
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("confirmed")).isEmpty());
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty()); // one yes is none
-    desk->tell(QStringLiteral("yes"));
+    desk->notify(QStringLiteral("yes"));
     QCOMPARE(desk->waitForExit(10000), 0);
     QCOMPARE(ground->waitForExit(10000), 0);
     QVERIFY2(ground->errors().contains("asked to be pilot there"), ground->errors().constData());
@@ -166,8 +166,8 @@ void PairingTest::oneNoIsEnough()
     const auto desk = window("air.key");
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
     QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
-    ground->tell(QStringLiteral("yes"));
-    desk->tell(QStringLiteral("no"));
+    ground->notify(QStringLiteral("yes"));
+    desk->notify(QStringLiteral("no"));
     QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
     QVERIFY(desk->running() && ground->running()); // the window stays open for the right one
     QCOMPARE(desk->terminate(), 1);
@@ -217,8 +217,8 @@ void PairingTest::changedKeyIsReplacedKnowingly()
     QCOMPARE(text(seen, "fingerprint"), changed);
     QCOMPARE(text(seen, "known_fingerprint"), m_air);
     const QByteArray before = read("ground.peers");
-    ground->tell(QStringLiteral("yes")); // is not enough
-    ground->tell(QStringLiteral("replace"));
+    ground->notify(QStringLiteral("yes")); // is not enough
+    ground->notify(QStringLiteral("replace"));
     QCOMPARE(ground->waitForExit(15000), 0);
     QVERIFY(read("ground.peers").startsWith("heron ") && read("ground.peers") != before);
     QCOMPARE(read("ground.peers").count('\n'), 1);
@@ -259,7 +259,7 @@ void PairingTest::observerIsKeptAsOne()
     const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
     const auto desk = window("air.key", {QStringLiteral("--as"), QStringLiteral("tablet")});
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")).isEmpty());
-    desk->tell(QStringLiteral("observer"));
+    desk->notify(QStringLiteral("observer"));
     QCOMPARE(desk->waitForExit(10000), 0);
     QVERIFY2(read("air.peers").startsWith("tablet observer any "), read("air.peers").constData());
 }
@@ -372,11 +372,11 @@ void PairingTest::passphraseOfBothEnds()
     const auto ground = station("ground.key", "ground.peers", m_port,
                                 {QStringLiteral("--pair-passphrase-file"), passphraseFile("words", "blue heron at noon")});
     const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), QStringLiteral("-")});
-    desk->tell(QStringLiteral("blue heron at noon"));
+    desk->notify(QStringLiteral("blue heron at noon"));
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 15000, stateIs("seen")).isEmpty());
     QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("seen")).isEmpty());
-    desk->tell(QStringLiteral("yes"));
-    ground->tell(QStringLiteral("yes"));
+    desk->notify(QStringLiteral("yes"));
+    ground->notify(QStringLiteral("yes"));
     QCOMPARE(desk->waitForExit(15000), 0);
     QCOMPARE(ground->waitForExit(15000), 0);
     QVERIFY(read("air.peers").contains("skyseal:") && read("ground.peers").contains("skyseal:"));

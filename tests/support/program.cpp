@@ -97,7 +97,7 @@ int Program::waitForExit(int milliseconds)
     return ended ? m_process.exitCode() : -1;
 }
 
-void Program::tell(const QString &line)
+void Program::notify(const QString &line)
 {
     m_process.write(line.toUtf8() + '\n');
 }

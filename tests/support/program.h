@@ -31,7 +31,7 @@ public:
     /// Waits for the end: the exit status, or -1 when it did not end in time or crashed.
     int waitForExit(int milliseconds);
     /// Writes a line to its standard input.
-    void tell(const QString &line);
+    void notify(const QString &line);
     /// Asks it to end (SIGTERM) and waits.
     int terminate(int milliseconds = 10000);
     /// kill -9, as the kernel's out-of-memory killer would.

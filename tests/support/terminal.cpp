@@ -46,7 +46,7 @@ bool Terminal::readSome(int milliseconds)
     return count > 0;
 }
 
-bool Terminal::waitForWords(const QByteArray &words)
+bool Terminal::waitForText(const QByteArray &words)
 {
     QElapsedTimer clock;
     clock.start();

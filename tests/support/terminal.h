@@ -18,7 +18,7 @@ public:
     Terminal &operator=(const Terminal &) = delete;
 
     /// Waits until the terminal shows these words; false after 10 s.
-    bool waitForWords(const QByteArray &words);
+    bool waitForText(const QByteArray &words);
     void type(const QByteArray &keys);
     /// The exit status; -1 when it did not end within 20 s.
     int waitForExit();

@@ -65,7 +65,7 @@ private Q_SLOTS:
                                  20'000);
         QTRY_VERIFY_WITH_TIMEOUT(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")), 30'000);
         // GUIDED needs the vehicle's own estimate of its position, which it has a while after the fix; home comes with it.
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle->state.home.known(), 60'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle->state.home.known(), 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("modeBox")->count() > 5, 10'000);
     }
 
@@ -80,7 +80,7 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("ARMED"), 10'000);
         hold("takeOffButton");
         QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("commandResult")->text().endsWith(QStringLiteral("accepted")), 10'000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle->state.altitudeRelative > 2, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle->state.altitudeRelative > 2, 20'000);
     }
 
     void switchesInFlight()
@@ -91,10 +91,10 @@ private Q_SLOTS:
                 = m_window->findChild<SuiteRow *>(QStringLiteral("row_") + m_window->suites().action(suite)->objectName());
             QTest::mouseClick(row, Qt::LeftButton, {}, QPoint(12, row->height() / 2));
             QTRY_VERIFY_WITH_TIMEOUT(row->isChecked(), 6'000);
-            QTRY_VERIFY(m_window->scene().session->info.suite == suite);
+            QTRY_VERIFY(m_window->view().session->info.suite == suite);
         }
-        QCOMPARE(m_window->scene().session->stats.rx.lost, std::uint64_t(0));
-        QCOMPARE(m_window->scene().session->stats.rx.forged, std::uint64_t(0));
+        QCOMPARE(m_window->view().session->stats.rx.lost, std::uint64_t(0));
+        QCOMPARE(m_window->view().session->stats.rx.forged, std::uint64_t(0));
         picture("flight");
     }
 

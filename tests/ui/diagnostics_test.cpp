@@ -4,7 +4,7 @@
 #include "scripted_snapshots.h"
 #include "ui/charts/chart_cursor.h"
 #include "ui/charts/chart_view.h"
-#include "ui/charts/chart_words.h"
+#include "ui/charts/chart_text.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/quantities.h"
 #include "ui/charts/suite_legend.h"
@@ -29,11 +29,11 @@ using engine::MetricsSample;
 
 namespace {
 
-Scene sceneWith(std::vector<MetricsSample> samples)
+ViewState viewWith(std::vector<MetricsSample> samples)
 {
     auto snapshot = std::make_shared<engine::Snapshot>();
     snapshot->samples = std::move(samples);
-    return Scene{snapshot};
+    return ViewState{snapshot};
 }
 
 std::vector<MetricsSample> twoSuites()
@@ -80,8 +80,8 @@ private Q_SLOTS:
     void plotsWhatWasMeasured()
     {
         const auto all = twoSuites();
-        m_panel->showScene(sceneWith({all.begin(), all.begin() + 80}));
-        m_panel->showScene(sceneWith(all)); // repeated samples count once
+        m_panel->showViewState(viewWith({all.begin(), all.begin() + 80}));
+        m_panel->showViewState(viewWith(all)); // repeated samples count once
         m_panel->refresh();
 
         const ChartContent rate = m_panel->chart(0)->plotted();
@@ -116,7 +116,7 @@ private Q_SLOTS:
     void everyQuantityPlotsItsSample()
     {
         const auto all = samplesOf(0, 0, 10, SuiteId::Aes256Gcm, 0);
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         choose("chartGroup", QStringLiteral("All"));
         const std::vector<Quantity> quantities = allQuantities();
         QCOMPARE(m_panel->chartCount(), static_cast<int>(quantities.size()));
@@ -150,7 +150,7 @@ private Q_SLOTS:
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         QSKIP("a sanitizer's heap tells nothing");
 #endif
-        m_panel->showScene(sceneWith(twoSuites()));
+        m_panel->showViewState(viewWith(twoSuites()));
         choose("chartGroup", QStringLiteral("Cost"));
         const ChartContent memory = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_sessionMemory"))->plotted();
         QCOMPARE(memory.bars.size(), std::size_t(2));
@@ -182,7 +182,7 @@ private Q_SLOTS:
     void barsAreTheMeansOfTheSuites()
     {
         const auto all = twoSuites();
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         m_panel->refresh();
         const ChartContent rate = m_panel->chart(0)->plotted();
         QCOMPARE(rate.bars.size(), std::size_t(2));
@@ -203,7 +203,7 @@ private Q_SLOTS:
         auto all = twoSuites();
         const auto again = samplesOf(all.size(), 40, 50, SuiteId::ChaCha20Poly1305, 2);
         all.insert(all.end(), again.begin(), again.end());
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         choose("chartView", QStringLiteral("Suite over suite"));
         const ChartContent rate = m_panel->chart(0)->plotted();
         QVERIFY(rate.time == ChartTime::InUse);
@@ -221,7 +221,7 @@ private Q_SLOTS:
     void tableSaysTheSameInNumbers()
     {
         const auto all = twoSuites();
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         choose("chartView", QStringLiteral("Table"));
         const auto *table = m_panel->findChild<QTableView *>(QStringLiteral("suiteTable"));
         QVERIFY(table->isVisible());
@@ -244,7 +244,7 @@ private Q_SLOTS:
             all[i].linkUp = false;
         for (std::size_t i = 60; i < all.size(); ++i)
             all[i].epoch = 1;
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         m_panel->refresh();
         const auto marks = m_panel->chart(0)->plotted().marks;
         QCOMPARE(marks.size(), std::size_t(4));
@@ -261,26 +261,26 @@ private Q_SLOTS:
     void hoverTellsTheValues()
     {
         const auto all = twoSuites();
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         m_panel->refresh();
         Q_EMIT m_panel->chart(0)->hovered(-10);
         const MetricsSample &there = all[all.size() - 41];
         QCOMPARE(there.time - all.back().time, -10.0);
         for (int i = 0; i < 3; ++i)
-            QVERIFY(!m_panel->chart(i)->cursorWords().isEmpty()); // one cursor for all
-        const QStringList loss = m_panel->chart(1)->cursorWords();
+            QVERIFY(!m_panel->chart(i)->cursorText().isEmpty()); // one cursor for all
+        const QStringList loss = m_panel->chart(1)->cursorText();
         QVERIFY2(loss[0].contains(QStringLiteral("RC4 (insecure)")), qPrintable(loss.join(QLatin1Char('|'))));
         QVERIFY(loss.contains(QStringLiteral("to us ") + QString::number(there.lossPercent, 'f', 3)));
         QVERIFY(loss.contains(QStringLiteral("to it ") + QString::number(there.peerLossPercent, 'f', 3)));
         Q_EMIT m_panel->chart(0)->hoverEnded();
-        QVERIFY(m_panel->chart(0)->cursorWords().isEmpty());
+        QVERIFY(m_panel->chart(0)->cursorText().isEmpty());
         Q_EMIT m_panel->chart(0)->hovered(20 - all.back().time);
-        QVERIFY(m_panel->chart(0)->cursorWords().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
+        QVERIFY(m_panel->chart(0)->cursorText().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
     }
 
     void hoverCoversNoPointAskedFor()
     {
-        m_panel->showScene(sceneWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
+        m_panel->showViewState(viewWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
         m_panel->refresh();
         for (int i = 0; i < 3; ++i) {
             TimeSeriesChart *chart = m_panel->chart(i);
@@ -323,7 +323,7 @@ private Q_SLOTS:
         content.runs = {{Qt::red, Stroke::Solid, QStringLiteral("p50"), suite, {{4, 1}, {4.5, 2}, {5.2, 4}}},
                         {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{4, 1}, {4.5, 2}}},
                         {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{5.2, 3}}}};
-        const QStringList words = chartWordsAt(content, 4.9, 0.1, 1);
+        const QStringList words = chartTextAt(content, 4.9, 0.1, 1);
         const QStringList expected{QStringLiteral("4.9 s"), suite + QStringLiteral(": p50 4.0"), suite + QStringLiteral(": next p50 3.0")};
         QCOMPARE(words, expected);
     }
@@ -331,12 +331,12 @@ private Q_SLOTS:
     void freezeStopsThePictureOnly()
     {
         auto all = samplesOf(0, 0, 20, SuiteId::Aes256Gcm, 0);
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         m_panel->refresh();
         const ChartContent before = m_panel->chart(0)->plotted();
         m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->click();
         const auto more = samplesOf(all.size(), 20, 30, SuiteId::Rc4, 1);
-        m_panel->showScene(sceneWith(more));
+        m_panel->showViewState(viewWith(more));
         m_panel->refresh();
         const ChartContent frozen = m_panel->chart(0)->plotted();
         QCOMPARE(frozen.runs, before.runs);
@@ -348,7 +348,7 @@ private Q_SLOTS:
 
     void zoomByWheelKeysAndDrag()
     {
-        m_panel->showScene(sceneWith(samplesOf(0, 0, 100, SuiteId::Aes256Gcm, 0)));
+        m_panel->showViewState(viewWith(samplesOf(0, 0, 100, SuiteId::Aes256Gcm, 0)));
         m_panel->refresh();
         Q_EMIT m_panel->chart(0)->zoomWanted(1);
         QCOMPARE(m_panel->chart(2)->plotted().from, -60.0); // all charts show the same time
@@ -377,7 +377,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         auto all = twoSuites();
         all[3].latency = vehicle::kUnknown;
-        m_panel->showScene(sceneWith(all));
+        m_panel->showViewState(viewWith(all));
         m_panel->refresh();
         const QString file = folder.filePath(QStringLiteral("samples.csv"));
         QCOMPARE(m_panel->saveCsv(file), QString());
@@ -412,7 +412,7 @@ private Q_SLOTS:
     void picturesAreWritten()
     {
         QTemporaryDir folder;
-        m_panel->showScene(sceneWith(twoSuites()));
+        m_panel->showViewState(viewWith(twoSuites()));
         m_panel->refresh();
         const QString png = folder.filePath(QStringLiteral("p.png")), svg = folder.filePath(QStringLiteral("p.svg"));
         QCOMPARE(m_panel->savePicture(png), QString());
@@ -506,7 +506,7 @@ private Q_SLOTS:
     void hiddenChartsAreNotDrawn()
     {
         m_panel->hide();
-        m_panel->showScene(sceneWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
+        m_panel->showViewState(viewWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
         QVERIFY(!m_panel->findChild<QTimer *>()->isActive());
         QVERIFY(m_panel->chart(0)->plotted().runs.empty());
         m_panel->show();

@@ -163,30 +163,30 @@ private Q_SLOTS:
         SuiteActions suites(*m_station);
         SecureLinkPanel panel(suites);
         const auto text = [&panel](const char *name) { return panel.findChild<QLabel *>(QLatin1String(name))->text(); };
-        Scene scene = sceneOf(std::make_shared<const engine::Snapshot>(plainSnapshot(1)), 0);
-        panel.showScene(scene);
+        ViewState view = viewOf(std::make_shared<const engine::Snapshot>(plainSnapshot(1)), 0);
+        panel.showViewState(view);
         QVERIFY(text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
-        QVERIFY(lockFaceOf(scene).toolTip.contains(QStringLiteral("Start skyseal-air")));
-        scene.inSweep = true; // of sealed suites
-        panel.showScene(scene);
+        QVERIFY(lockFaceOf(view).toolTip.contains(QStringLiteral("Start skyseal-air")));
+        view.inSweep = true; // of sealed suites
+        panel.showViewState(view);
         QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed"));
-        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Not sealed · plain MAVLink"));
-        scene.plainRun = true;
-        panel.showScene(scene);
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · plain MAVLink"));
+        view.plainRun = true;
+        panel.showViewState(view);
         QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, in a sweep"));
         QVERIFY(!text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
         QVERIFY(text("secureAdvice").contains(QStringLiteral("measured now")));
         QVERIFY(panel.findChild<QPushButton *>(QStringLiteral("secureHelp"))->isHidden());
-        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Not sealed · in a sweep"));
-        QVERIFY(!lockFaceOf(scene).toolTip.contains(QStringLiteral("Start skyseal-air")));
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · in a sweep"));
+        QVERIFY(!lockFaceOf(view).toolTip.contains(QStringLiteral("Start skyseal-air")));
 
         // Between plain MAVLink and a suite the session is ended by the sweep; one that is lost is told as lost.
-        scene = sceneOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::Closed)), 0);
-        scene.inSweep = true;
-        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Beginning anew · air-1"));
-        scene = sceneOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::TimedOut)), 0);
-        scene.inSweep = true;
-        QCOMPARE(lockFaceOf(scene).variants.front(), QStringLiteral("Session lost · air-1"));
+        view = viewOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::Closed)), 0);
+        view.inSweep = true;
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Beginning anew · air-1"));
+        view = viewOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::TimedOut)), 0);
+        view.inSweep = true;
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Session lost · air-1"));
     }
 
     void consentIsForTheRunInClearAlone()

@@ -1,7 +1,7 @@
 // Keys without files: remembers what the windows changed and shows them what a test (or the gallery) wants.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <algorithm>
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace skyseal::ui {
 
-class FakeKeyring : public KeyringPort
+class FakeKeyring : public KeyringInterface
 {
     Q_OBJECT
 
 public:
-    using KeyringPort::KeyringPort;
+    using KeyringInterface::KeyringInterface;
 
     OwnKey ownKey() const override { return own; }
     PeerList peerList() const override { return list; }
@@ -53,7 +53,7 @@ public:
         Q_EMIT passphraseDone(problem);
     }
 
-    void tell() { Q_EMIT changed(); }
+    void notify() { Q_EMIT changed(); }
 
     OwnKey own;
     PeerList list;

@@ -1,14 +1,14 @@
 // A pairing without an engine: remembers what the dialog asked and says what a test (or the gallery) wants.
 #pragma once
 
-#include "ui/keys/pairing_port.h"
+#include "ui/keys/pairing_interface.h"
 
 #include <string>
 #include <vector>
 
 namespace skyseal::ui {
 
-class FakePairing : public PairingPort
+class FakePairing : public PairingInterface
 {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
         bool replace = false;
     };
 
-    using PairingPort::PairingPort;
+    using PairingInterface::PairingInterface;
 
     void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override
     {

@@ -1,18 +1,18 @@
 // A station without sockets: remembers what the windows asked of it and shows them what a test (or the gallery) wants.
 #pragma once
 
-#include "ui/station_port.h"
+#include "ui/station_interface.h"
 
 #include <utility>
 
 namespace skyseal::ui {
 
-class FakeStation : public StationPort
+class FakeStation : public StationInterface
 {
     Q_OBJECT
 
 public:
-    using StationPort::StationPort;
+    using StationInterface::StationInterface;
 
     Result<LinkId, InputError> addLink(const std::string &url) override
     {
@@ -30,7 +30,7 @@ public:
     void switchSuite(channel::SessionId session, crypto::SuiteId suite) override { switches.emplace_back(session, suite); }
     void setAllowResearch(bool allow) override { allowResearch = allow; }
     void setWeakestSuite(crypto::SuiteId suite) override { weakest = suite; }
-    void allowClear(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
+    void allowPlaintext(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
     vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override
     {
         commands.emplace_back(systemId, std::move(command));
@@ -51,7 +51,7 @@ public:
     std::optional<channel::PublicKey> publicKey() const override { return key; }
 
     void show(const engine::Snapshot &snapshot) { Q_EMIT snapshotReady(std::make_shared<const engine::Snapshot>(snapshot)); }
-    void tell(const engine::Happening &happening) { Q_EMIT happened(happening); }
+    void notify(const engine::Event &event) { Q_EMIT eventOccurred(event); }
 
     std::vector<std::pair<std::string, engine::MavsecSettings>> mavsecLinks;
     std::vector<std::string> addedLinks;

@@ -1,16 +1,16 @@
 // Sweeps without a link: remembers what was ordered and tells what a test wants.
 #pragma once
 
-#include "ui/sweep/sweep_port.h"
+#include "ui/sweep/sweep_interface.h"
 
 namespace skyseal::ui {
 
-class FakeSweep : public SweepPort
+class FakeSweep : public SweepInterface
 {
     Q_OBJECT
 
 public:
-    using SweepPort::SweepPort;
+    using SweepInterface::SweepInterface;
 
     QString whyNoOwnVehicle() const override { return {}; }
     void start(const SweepOrder &order) override { orders.push_back(order); }

@@ -28,15 +28,15 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
         return;
     }
     if (state == QLatin1String("held")) {
-        station.show(heldBackSnapshot());
+        station.show(pendingApprovalSnapshot());
         return;
     }
     if (state == QLatin1String("heldbeside")) {
         engine::Snapshot snapshot = sealedSnapshot(1);
         snapshot.vehicles.front().state.systemId = 2;
-        snapshot.heldBack = heldBackSnapshot().heldBack;
+        snapshot.pendingApproval = pendingApprovalSnapshot().pendingApproval;
         station.show(snapshot);
-        station.tell(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-2"});
+        station.notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-2"});
         return;
     }
     if (auto *raised = window.findChild<QDockWidget *>(dock)) {
@@ -74,13 +74,13 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
             station.show(snapshot);
         }
     }
-    station.tell(channel::SwitchDone{channel::SessionId{7}, suites[2], suites[3], channel::Epoch{3}, false, false,
+    station.notify(channel::SwitchDone{channel::SessionId{7}, suites[2], suites[3], channel::Epoch{3}, false, false,
                                      state == QLatin1String("attack") ? channel::SwitchFailure::NotConfirmed
                                                                       : channel::SwitchFailure::None,
                                      std::chrono::milliseconds(84)});
-    station.tell(engine::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
-    station.tell(engine::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
-    station.tell(engine::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
+    station.notify(engine::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
+    station.notify(engine::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
+    station.notify(engine::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
 }
 
 } // namespace

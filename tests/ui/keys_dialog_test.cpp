@@ -147,7 +147,7 @@ void KeysDialogTest::ownKeyIsShownAndCopied()
 void KeysDialogTest::noKeySaysWhy()
 {
     m_keyring->own = {std::nullopt, false, {}, QStringLiteral("the passphrase was not given")};
-    m_keyring->tell();
+    m_keyring->notify();
     QVERIFY(find<QLabel>("ownIntro")->text().contains(QStringLiteral("the passphrase was not given")));
     QVERIFY(!find("ownCopy")->isVisible() && !find<QLabel>("ownCode")->isVisible());
 }
@@ -161,14 +161,14 @@ void KeysDialogTest::peersAreListed()
     QCOMPARE(cell(1, PeerModel::Systems).data().toString(), QStringLiteral("1,2"));
     QCOMPARE(cell(1, PeerModel::Fingerprint).data().toString(), fingerprintLines(key(3)));
     m_keyring->list.peers[0].connected = true;
-    m_keyring->tell();
+    m_keyring->notify();
     QCOMPARE(cell(0, PeerModel::LastSeen).data().toString(), QStringLiteral("connected"));
 }
 
 void KeysDialogTest::emptyListSaysWhatToDo()
 {
     m_keyring->list.peers.clear();
-    m_keyring->tell();
+    m_keyring->notify();
     QVERIFY(find<QLabel>("noPeers")->isVisible());
     QVERIFY(find<QLabel>("noPeers")->text().contains(QStringLiteral("skyseal-cli keys show")));
     QVERIFY(find("peerAdd")->isEnabled() && !find("peerEdit")->isEnabled() && !find("peerRevoke")->isEnabled());
@@ -182,7 +182,7 @@ void KeysDialogTest::emptyListSaysWhatToDo()
 void KeysDialogTest::unreadableListSaysWhy()
 {
     m_keyring->list = {{}, QStringLiteral("/home/ann/peers"), QStringLiteral("/home/ann/peers:3: \"captain\" is not a role")};
-    m_keyring->tell();
+    m_keyring->notify();
     QVERIFY(find<QLabel>("keysProblem")->isVisible());
     QVERIFY(find<QLabel>("keysProblem")->text().contains(QStringLiteral("captain")));
     QVERIFY(!find("peerAdd")->isEnabled() && !find<QLabel>("noPeers")->isVisible());
@@ -358,17 +358,17 @@ void KeysDialogTest::chosenPeerStaysChosen()
 {
     choose(1);
     m_keyring->list.peers.insert(m_keyring->list.peers.begin(), peer("a-first-one", 7));
-    m_keyring->tell();
+    m_keyring->notify();
     QCOMPARE(find<QTreeView>("peerView")->currentIndex().row(), 2);
     m_keyring->list.peers.erase(m_keyring->list.peers.begin() + 2);
-    m_keyring->tell();
+    m_keyring->notify();
     QVERIFY(m_keyring->list.peers.size() == 2);
 }
 
 void KeysDialogTest::namesAreNoMarkup()
 {
     m_keyring->list.peers[0].name = QStringLiteral("<b>x</b>");
-    m_keyring->tell();
+    m_keyring->notify();
     choose(0);
     QTest::mouseClick(find("peerRevoke"), Qt::LeftButton);
     auto *box = m_dialog->findChild<QMessageBox *>(QStringLiteral("confirmRevoke"));
@@ -415,7 +415,7 @@ void KeysDialogTest::passphraseIsHiddenAndTaken()
 void KeysDialogTest::passphraseIsSet()
 {
     m_keyring->own.sealed = false;
-    m_keyring->tell();
+    m_keyring->notify();
     QVERIFY(find("ownPassphrase")->text().startsWith(QStringLiteral("Set")));
     ChangePassphraseDialog *dialog = openPassphrase();
     QVERIFY(dialog && !dialog->findChild<QLineEdit *>(QStringLiteral("presentPassphrase"))->isVisible());

@@ -3,7 +3,7 @@
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/link_model.h"
-#include "ui/messages/happening_words.h"
+#include "ui/messages/event_text.h"
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
 #include "ui/mission/mission_file.h"
@@ -60,7 +60,7 @@ private Q_SLOTS:
     void whoSpeaksAsAnothersVehicleIsNamed()
     {
         const auto words = [](const char *owner) {
-            return happeningLine(engine::SystemRefused{1, "air-2", owner, 3})->text;
+            return eventLine(engine::SystemRefused{1, "air-2", owner, 3})->text;
         };
         QCOMPARE(words(""), QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle and may not"));
         QCOMPARE(words("air-1"),

@@ -124,7 +124,7 @@ private:
         return inside->findChild<QLabel *>(QLatin1String(label))->text();
     }
     QString lock() const { return find<StripItem>("stripLock")->text(); }
-    bool isSealed() const { return m_window->scene().session && lock().contains(QStringLiteral("heron ✓")); }
+    bool isSealed() const { return m_window->view().session && lock().contains(QStringLiteral("heron ✓")); }
     void confirmBoth(PairingDialog *dialog, Program &desk);
     void picture(const char *name, QWidget *of);
 
@@ -246,12 +246,12 @@ void PairedWindowTest::picture(const char *name, QWidget *of)
 
 void PairedWindowTest::confirmBoth(PairingDialog *dialog, Program &desk)
 {
-    desk.tell(QStringLiteral("yes"));
-    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("said yes")), kPatience);
+    desk.notify(QStringLiteral("yes"));
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingText").contains(QStringLiteral("said yes")), kPatience);
     const bool replaces = dialog->findChild<ChangedKeyWarning *>()->isVisible();
     QVERIFY(!read(ownFile("peers")).contains("heron ") || replaces); // one yes is none
     click(dialog, "pairingAgree");
-    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingWords").contains(QStringLiteral("Paired with heron")), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingText").contains(QStringLiteral("Paired with heron")), kPatience);
     QCOMPARE(desk.waitForExit(kPatience), 0);
 }
 
@@ -300,8 +300,8 @@ void PairedWindowTest::pairedByTheWindow()
     auto *view = keys->findChild<QAbstractItemView *>(QStringLiteral("peerView"));
     const auto lastSeen = [view] { return view->model()->index(0, PeerModel::LastSeen).data().toString(); };
     QTRY_COMPARE_WITH_TIMEOUT(lastSeen(), QStringLiteral("connected"), kPatience);
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle, kPatience);
-    QVERIFY(m_window->scene().vehicle->session);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle, kPatience);
+    QVERIFY(m_window->view().vehicle->session);
     picture("keys-connected", keys);
     picture("window-sealed", m_window);
 }
@@ -321,7 +321,7 @@ void PairedWindowTest::revokedInTheDialog()
     QElapsedTimer clock;
     clock.start();
     QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->view().session, kPatience);
     qInfo("revoked in the window: no session after %lld ms", static_cast<long long>(clock.elapsed()));
     QVERIFY2(clock.elapsed() < 5000, "at once");
     QVERIFY(!m_agent->waitFor(QStringLiteral("session"), kPatience, stateIs("down")).isEmpty());
@@ -359,7 +359,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     const QString changed = newKey("new-air.key");
     const QByteArray before = read(ownFile("peers"));
     QCOMPARE(m_agent->terminate(), 0);
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->view().session, kPatience);
     auto *messages = find<QWidget>("dockMessages")->findChild<QAbstractItemView *>();
     const auto refusals = [&] {
         int count = 0;
@@ -374,7 +374,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     const int refusedBefore = refusals();
     startAgent("new-air.key"); // it knows us, and we do not know its new key
     QTRY_VERIFY_WITH_TIMEOUT(refusals() > refusedBefore, kPatience);
-    QVERIFY(!m_window->scene().session);
+    QVERIFY(!m_window->view().session);
     QCOMPARE(read(ownFile("peers")), before);
     QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Session ended · heron"));
 
@@ -392,7 +392,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     QCOMPARE(inOneLine(textOf(dialog, "offeredFingerprint")), changed);
     picture("pairing-changed-key", dialog);
     click(dialog, "pairingAgree"); // is disabled
-    QVERIFY(!textOf(dialog, "pairingWords").contains(QStringLiteral("Confirmed here")));
+    QVERIFY(!textOf(dialog, "pairingText").contains(QStringLiteral("Confirmed here")));
     auto *tick = dialog->findChild<QCheckBox *>(QStringLiteral("replaceKey"));
     tick->setFocus();
     QTest::keyClick(tick, Qt::Key_Space);
@@ -407,7 +407,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
 
 void PairedWindowTest::agentThatGoesAwayIsWaitedFor()
 {
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().vehicle && m_window->scene().session, kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle && m_window->view().session, kPatience);
     QCOMPARE(m_agent->terminate(), 0); // says goodbye
     QTRY_COMPARE_WITH_TIMEOUT(lock(), QStringLiteral("Session ended · heron"), kPatience);
     const QString advice = find<QLabel>("secureAdvice")->text();

@@ -60,7 +60,7 @@ private Q_SLOTS:
 
 private:
     template<typename W> W *find(const char *name) const { return m_dialog->findChild<W *>(QLatin1String(name)); }
-    QString words() const { return find<QLabel>("pairingWords")->text(); }
+    QString words() const { return find<QLabel>("pairingText")->text(); }
     void see(std::uint8_t first, const char *name) { Q_EMIT m_pairing->seen({key(first), QLatin1String(name)}); }
 
     std::unique_ptr<FakeKeyring> m_keyring;

@@ -122,11 +122,11 @@ engine::Snapshot waitingSnapshot()
     return snapshot;
 }
 
-engine::Snapshot heldBackSnapshot()
+engine::Snapshot pendingApprovalSnapshot()
 {
     engine::Snapshot snapshot = waitingSnapshot();
     snapshot.security = engine::Security::Plain;
-    snapshot.heldBack.push_back({1, "192.0.2.66:40000", "air-1"});
+    snapshot.pendingApproval.push_back({1, "192.0.2.66:40000", "air-1"});
     return snapshot;
 }
 

@@ -1,7 +1,7 @@
 // Snapshots as the engine would make them, for tests and pictures: a copter on a circle above home, sealed or not.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 namespace skyseal::ui {
 
@@ -10,7 +10,7 @@ std::vector<crypto::SuiteId> usualSuites();
 
 engine::Snapshot waitingSnapshot();
 /// Plain vehicle 1 is held back, since the agent air-1 was never heard.
-engine::Snapshot heldBackSnapshot();
+engine::Snapshot pendingApprovalSnapshot();
 /// `time` in seconds since the start moves the vehicle along its circle.
 engine::Snapshot plainSnapshot(double time);
 engine::Snapshot sealedSnapshot(double time, crypto::SuiteId suite = crypto::SuiteId::ChaCha20Poly1305,

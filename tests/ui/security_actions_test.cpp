@@ -1,6 +1,6 @@
 // The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
 #include "scripted_snapshots.h"
-#include "ui/messages/happening_words.h"
+#include "ui/messages/event_text.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
@@ -80,7 +80,7 @@ private Q_SLOTS:
         channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
                                  channel::Epoch{4}, false, true, channel::SwitchFailure::None,
                                  std::chrono::milliseconds(42)};
-        m_station->tell(done);
+        m_station->notify(done);
         QVERIFY(change->isEnabled());
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isChecked());
         QVERIFY2(note()->text().contains(QStringLiteral("Fresh keys, epoch 4, after 42 ms")), qPrintable(note()->text()));
@@ -88,7 +88,7 @@ private Q_SLOTS:
         QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_station->switches.size(), std::size_t(2));
         done.failure = channel::SwitchFailure::NotConfirmed;
-        m_station->tell(done);
+        m_station->notify(done);
         QVERIFY(change->isEnabled());
         QVERIFY(note()->text().contains(QStringLiteral("did not confirm")));
 
@@ -122,7 +122,7 @@ private Q_SLOTS:
         channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
                                  channel::Epoch{4}, false, true, channel::SwitchFailure::None,
                                  std::chrono::milliseconds(42)};
-        m_station->tell(done);
+        m_station->notify(done);
         QVERIFY(action(SuiteId::Aes256Gcm)->isEnabled());
     }
 
@@ -147,7 +147,7 @@ private Q_SLOTS:
         QVERIFY(strip()->text().contains(QStringLiteral("switching")));
         QVERIFY(strip()->text().contains(QStringLiteral("ChaCha20-Poly1305")));
 
-        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm,
+        m_station->notify(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm,
                                             channel::Epoch{4}, false, false, channel::SwitchFailure::None,
                                             std::chrono::milliseconds(42)});
         QVERIFY(gcm->isChecked());
@@ -169,8 +169,8 @@ private Q_SLOTS:
                 m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"))->trigger();
             const channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, to, channel::Epoch{4}, false,
                                            rekey, channel::SwitchFailure::None, took};
-            m_station->tell(done);
-            return note()->text() + QLatin1Char('\n') + happeningLine(done)->text;
+            m_station->notify(done);
+            return note()->text() + QLatin1Char('\n') + eventLine(done)->text;
         };
         using std::chrono::microseconds;
         const QString fresh = noteOf(SuiteId::ChaCha20Poly1305, microseconds(430));
@@ -188,7 +188,7 @@ private Q_SLOTS:
     {
         m_station->show(sealedSnapshot(1));
         QTest::mouseClick(row(SuiteId::ChaCha20), Qt::LeftButton, {}, QPoint(12, 8));
-        m_station->tell(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20,
+        m_station->notify(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20,
                                             channel::Epoch{4}, false, false, channel::SwitchFailure::NotConfirmed,
                                             std::chrono::seconds(5)});
         QVERIFY(row(SuiteId::ChaCha20Poly1305)->isChecked());

@@ -56,7 +56,7 @@ private Q_SLOTS:
         // Another one is shown when there is no choice; it then has the place.
         m_station->show(vehicles(2, {7}));
         m_station->show(vehicles(3, {2, 5, 7}));
-        QCOMPARE(m_window->scene().vehicle->state.systemId, std::uint8_t(7));
+        QCOMPARE(m_window->view().vehicle->state.systemId, std::uint8_t(7));
     }
 
     void questionIsAboutTheVehicleThatItNames()
@@ -201,7 +201,7 @@ private Q_SLOTS:
             if (shownThen == 0) {
                 then.sessions.clear();
                 then.vehicles.front().session.reset();
-                then.heldBack.push_back({5, "192.0.2.66:40000", "air-1"});
+                then.pendingApproval.push_back({5, "192.0.2.66:40000", "air-1"});
             }
             m_station->show(then);
             dialog->findChild<QLineEdit *>(QStringLiteral("fileNameEdit"))->setText(file);

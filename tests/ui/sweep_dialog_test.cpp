@@ -6,7 +6,7 @@
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "ui/sweep/sweep_page.h"
-#include "ui/sweep/sweep_words.h"
+#include "ui/sweep/sweep_labels.h"
 
 #include <QtTest/QTest>
 #include <QtWidgets/QAbstractButton>
@@ -91,8 +91,8 @@ private Q_SLOTS:
 
     void connectedLinkIsMeasuredAsItIs()
     {
-        const Scene scene = sceneOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
-        SweepDialog &dialog = open(scene);
+        const ViewState view = viewOf(std::make_shared<const engine::Snapshot>(sealedSnapshot(1)), 0);
+        SweepDialog &dialog = open(view);
         QVERIFY(!dialog.order().ownVehicle);
         auto &links = *dialog.findChild<LinkConditions *>();
         QVERIFY(!links.isEnabled());
@@ -134,11 +134,11 @@ private Q_SLOTS:
     }
 
 private:
-    SweepDialog &open(const Scene &scene)
+    SweepDialog &open(const ViewState &view)
     {
-        m_scene = scene;
-        m_suites.showScene(m_scene);
-        m_dialog = std::make_unique<SweepDialog>(SweepSurroundings{m_scene, m_suites, false, {}});
+        m_view = view;
+        m_suites.showViewState(m_view);
+        m_dialog = std::make_unique<SweepDialog>(SweepSurroundings{m_view, m_suites, false, {}});
         m_dialog->show();
         return *m_dialog;
     }
@@ -170,7 +170,7 @@ private:
 
     FakeStation m_station;
     SuiteActions m_suites{m_station};
-    Scene m_scene;
+    ViewState m_view;
     std::unique_ptr<SweepDialog> m_dialog;
 };
 

@@ -2,7 +2,7 @@
 // what is saved, and the link goes back to the suite that it had, whatever ended the sweep. Pictures are kept in the
 // folder that SKYSEAL_PICTURES names.
 #include "app/skyseal/station_adapter.h"
-#include "app/skyseal/sweep_desk.h"
+#include "app/skyseal/sweep_controller.h"
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/metric.h"
@@ -12,7 +12,7 @@
 #include "ui/settings.h"
 #include "ui/status/strip_item.h"
 #include "ui/sweep/sweep_bars.h"
-#include "ui/sweep/sweep_control.h"
+#include "ui/sweep/sweep_presenter.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "ui/sweep/sweep_page.h"
 #include "ui/sweep/sweep_table_model.h"
@@ -97,14 +97,14 @@ private:
     }
     SweepPage &page() { return *m_window->findChild<SweepPage *>(); }
     QString status() { return find<QLabel>("sweepStatus")->text(); }
-    SuiteId suite() { return m_window->scene().session ? m_window->scene().session->info.suite : SuiteId::None; }
+    SuiteId suite() { return m_window->view().session ? m_window->view().session->info.suite : SuiteId::None; }
 
     Flight m_flight;
     QTemporaryDir m_folder;
     std::unique_ptr<Program> m_sim, m_air;
     std::unique_ptr<QSettings> m_store;
     std::unique_ptr<app::StationAdapter> m_station;
-    std::unique_ptr<app::SweepDesk> m_desk;
+    std::unique_ptr<app::SweepController> m_server;
     std::unique_ptr<MainWindow> m_window;
 };
 
@@ -121,14 +121,14 @@ void SweepWindowTest::initTestCase()
     auto station = engine::Station::create(config);
     QVERIFY2(station, station ? "" : station.error().text().c_str());
     m_station = std::make_unique<app::StationAdapter>(std::move(*station));
-    m_desk = std::make_unique<app::SweepDesk>(*m_station, nullptr);
+    m_server = std::make_unique<app::SweepController>(*m_station, nullptr);
     m_store = std::make_unique<QSettings>(m_folder.filePath(q("s.ini")), QSettings::IniFormat);
     Settings settings;
     settings.allowResearch = true;
     settings.theme = qEnvironmentVariable("SKYSEAL_THEME") == q("dark") ? Theme::Dark : Theme::Light;
     storeSettings(*m_store, settings);
     m_window = std::make_unique<MainWindow>(*m_station, *m_store, ProgramFacts{});
-    m_window->setSweep(*m_desk);
+    m_window->setSweep(*m_server);
     m_window->resize(1280, 900);
     m_window->show();
 }
@@ -177,8 +177,8 @@ void SweepWindowTest::nothingConnected()
 void SweepWindowTest::connectSealed()
 {
     m_air = std::make_unique<Program>(q("skyseal-air"), m_flight.airArguments(0, {q("--allow-plain"), q("--allow-inline")}));
-    const Scene &scene = m_window->scene();
-    QTRY_VERIFY_WITH_TIMEOUT(scene.session && scene.vehicle && !scene.vehicle->state.lost, 20'000);
+    const ViewState &view = m_window->view();
+    QTRY_VERIFY_WITH_TIMEOUT(view.session && view.vehicle && !view.vehicle->state.lost, 20'000);
 }
 
 /// The suite that the link is to have again in the end; not the default one, which it would have after any new session.
@@ -196,7 +196,7 @@ void SweepWindowTest::saysWhyNot()
     m_window->addLink(q("udpin:127.0.0.1:%1").arg(m_flight.groundPort));
     { // an agent that was not told to allow plain MAVLink
         Program air(q("skyseal-air"), m_flight.airArguments());
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->scene().session && m_window->scene().vehicle, 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().session && m_window->view().vehicle, 20'000);
         SweepDialog *dialog = openDialog();
         QVERIFY(!dialog->order().ownVehicle);
         auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
@@ -211,7 +211,7 @@ void SweepWindowTest::saysWhyNot()
         delete dialog;
         air.terminate();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->scene().session, 10'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_window->view().session, 10'000);
     connectSealed();
     SweepDialog *dialog = openDialog();
     auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
@@ -238,7 +238,7 @@ void SweepWindowTest::compareWithFiles(const QString &folder)
     QCOMPARE(report[q("plan")][q("arms")].toArray().size(), model->rowCount());
     qsizetype compared = 0;
     for (int row = 0; row < model->rowCount(); ++row) {
-        const experiment::Arm &arm = plan.arms[static_cast<std::size_t>(row)];
+        const experiment::SweepArm &arm = plan.arms[static_cast<std::size_t>(row)];
         for (int column = SweepTableModel::FixedColumns; column < model->columnCount(); ++column) {
             const auto place = static_cast<std::size_t>(column - SweepTableModel::FixedColumns);
             const experiment::MetricInfo &metric = experiment::info(model->metrics()[place]);
@@ -293,7 +293,7 @@ void SweepWindowTest::showsWhatItSaves()
     QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
     QTRY_VERIFY(m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled());
 
-    QSignalSpy saved(m_desk.get(), &SweepPort::saved);
+    QSignalSpy saved(m_server.get(), &SweepInterface::saved);
     m_window->sweep()->saveIn(m_folder.path());
     QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
     QVERIFY2(saved[0][1].toBool(), qPrintable(saved[0][2].toString()));
@@ -322,7 +322,7 @@ void SweepWindowTest::cancelGoesBack()
     choose(*dialog, {q("none")}, 1, 50, false);
     run(*dialog);
     QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
-    QVERIFY(!m_window->scene().session);
+    QVERIFY(!m_window->view().session);
     const QString advice = find<QLabel>("secureAdvice")->text();
     QVERIFY2(advice.contains(q("measured now")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
     QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("measures plain MAVLink")),
@@ -357,7 +357,7 @@ void SweepWindowTest::overARadio()
     auto *place = find<QComboBox>("sweepPlace");
     QVERIFY(place->isVisible() && place->currentText().contains(q("57,600 baud")));
 
-    QSignalSpy saved(m_desk.get(), &SweepPort::saved);
+    QSignalSpy saved(m_server.get(), &SweepInterface::saved);
     m_window->sweep()->saveIn(m_folder.path());
     QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
     QFile report(saved[0][0].toString() + q("/report.html"));
@@ -414,7 +414,7 @@ void SweepWindowTest::closingGoesBack()
 void SweepWindowTest::cleanupTestCase()
 {
     m_window.reset();
-    m_desk.reset();
+    m_server.reset();
     m_station.reset();
 }
 

@@ -41,7 +41,7 @@ private Q_SLOTS:
             const auto *over = std::get_if<channel::PairingOver>(&event);
             cancelled |= over && over->reason == channel::PairingEnd::Cancelled;
         });
-        QSignalSpy failed(&pairing, &ui::PairingPort::failed), seen(&pairing, &ui::PairingPort::seen);
+        QSignalSpy failed(&pairing, &ui::PairingInterface::failed), seen(&pairing, &ui::PairingInterface::seen);
         pairing.open(channel::PeerRole::Pilot, std::nullopt);
         const QByteArray typed("blue heron");
         const auto passphrase = crypto::Passphrase::fromBytes(
@@ -68,7 +68,7 @@ private Q_SLOTS:
         broken.keys.identity = m_folder.filePath(QStringLiteral("missing.key")).toStdString();
         adapter.exchange(broken);
         QVERIFY(!adapter.isRunning());
-        QSignalSpy failed(&pairing, &ui::PairingPort::failed);
+        QSignalSpy failed(&pairing, &ui::PairingInterface::failed);
         pairing.open(channel::PeerRole::Pilot, std::nullopt);
         QCOMPARE(failed.size(), 1);
         QVERIFY(failed[0][0].toString().contains(QStringLiteral("not running")));

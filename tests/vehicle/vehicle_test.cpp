@@ -388,7 +388,7 @@ void VehicleTest::gcsHeartbeatIsDueOnceASecond()
 
 void VehicleTest::outboxIsBounded()
 {
-    Outbox outbox(3);
+    MessageQueue outbox(3);
     for (std::uint32_t i = 0; i < 5; ++i) {
         OutMessage message;
         message.id = i;

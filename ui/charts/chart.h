@@ -77,7 +77,7 @@ public:
     /// A vertical line with the values at that time; none without a time.
     virtual void showCursor(std::optional<double> x) = 0;
     /// The words beside the cursor, line by line.
-    virtual QStringList cursorWords() const = 0;
+    virtual QStringList cursorText() const = 0;
 
 Q_SIGNALS:
     void hovered(double x);

@@ -2,7 +2,7 @@
 #include "ui/charts/chart_view.h"
 
 #include "ui/charts/axis_scale.h"
-#include "ui/charts/chart_words.h"
+#include "ui/charts/chart_text.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
@@ -99,7 +99,7 @@ void ChartView::drawTimeLabels(QPainter &painter, const QRectF &area) const
     qreal free = area.left() - 1; // labels that would touch are left away
     for (int i = 0; i <= parts; ++i) {
         const double time = m_frame.from + step * i;
-        const QString text = chartTimeWords(time, m_frame.time, decimals);
+        const QString text = chartTimeText(time, m_frame.time, decimals);
         const qreal wide = figuresWidth(metrics, text);
         const qreal middle = area.left() + area.width() * i / parts;
         const qreal last = area.right() - wide;

@@ -96,7 +96,7 @@ QRectF ChartView::barAt(std::size_t index, const QRectF &area) const
     return {area.right() + kGrid + static_cast<qreal>(index) * kBarStep, area.bottom() - high, kBarWidth, high};
 }
 
-QString ChartView::barWords(qreal x) const
+QString ChartView::barText(qreal x) const
 {
     const QRectF area = plot();
     for (std::size_t i = 0; i < m_frame.bars.size(); ++i) {
@@ -122,7 +122,7 @@ void ChartView::mouseMoveEvent(QMouseEvent *event)
         m_dragged = x;
         viewport()->update();
     }
-    const QString bar = m_pressed < 0 ? barWords(x) : QString();
+    const QString bar = m_pressed < 0 ? barText(x) : QString();
     if (!bar.isEmpty()) {
         Q_EMIT hoverEnded();
         QToolTip::showText(event->globalPosition().toPoint(), bar, this);

@@ -57,7 +57,7 @@ private:
     void drawMarks(QPainter &painter, const QRectF &area) const;
     void drawBars(QPainter &painter, const QRectF &area) const;
     QRectF barAt(std::size_t index, const QRectF &area) const;
-    QString barWords(qreal x) const;
+    QString barText(qreal x) const;
 
     ChartContent m_frame; ///< without runs
     QString m_unit;

@@ -161,14 +161,14 @@ TimeSeriesChart *DiagnosticsPanel::chart(int index) const
     return m_plots[m_shown[static_cast<std::size_t>(index)]].widget;
 }
 
-void DiagnosticsPanel::showScene(const Scene &scene)
+void DiagnosticsPanel::showViewState(const ViewState &view)
 {
-    if (!scene.snapshot || scene.snapshot->samples.empty())
+    if (!view.snapshot || view.snapshot->samples.empty())
         return;
     // Snapshots come more often than samples.
-    if (!m_history.empty() && m_history.samples().back().number == scene.snapshot->samples.back().number)
+    if (!m_history.empty() && m_history.samples().back().number == view.snapshot->samples.back().number)
         return;
-    std::vector<engine::MetricsSample> samples = scene.snapshot->samples;
+    std::vector<engine::MetricsSample> samples = view.snapshot->samples;
     for (engine::MetricsSample &sample : samples)
         sample.sessionBytes = m_sessionMemory.of(sample.suite);
     if (m_history.take(samples))

@@ -8,7 +8,7 @@
 #include "ui/charts/chart_builder.h"
 #include "ui/charts/session_memory.h"
 #include "ui/dock_panel.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QTimer>
 
@@ -38,7 +38,7 @@ public:
     void setSessionMeasure(const SessionMemory::Measure &measure) { m_sessionMemory = SessionMemory(measure); }
     ~DiagnosticsPanel() override;
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     /// Draws what is known now, also where the next refresh is not due.
     void refresh();
     SweepPage *sweep() const { return m_sweep; }

@@ -16,7 +16,7 @@ namespace skyseal::ui {
 
 namespace {
 
-QString spanWords(double seconds)
+QString spanText(double seconds)
 {
     return seconds < 120 ? DiagnosticsTools::tr("%1 s").arg(number(seconds, 0))
                          : DiagnosticsTools::tr("%1 min").arg(number(seconds / 60, 0));
@@ -36,7 +36,7 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
         m_group->addItem(group.title);
     m_span = addChoice("chartSpan", tr("Time shown"));
     for (const double seconds : ChartRange::kSpans)
-        m_span->addItem(spanWords(seconds), seconds);
+        m_span->addItem(spanText(seconds), seconds);
     m_freeze = new QCheckBox(tr("Freeze"), this);
     m_freeze->setObjectName(QStringLiteral("chartFreeze"));
     m_freeze->setAccessibleName(tr("Freeze the charts"));
@@ -99,7 +99,7 @@ void DiagnosticsTools::showRange(const ChartRange &range)
     const QSignalBlocker quietSpan(m_span), quietFreeze(m_freeze);
     m_span->setCurrentIndex(m_span->findData(range.span()));
     if (m_span->currentIndex() < 0)
-        m_span->setPlaceholderText(spanWords(range.span()));
+        m_span->setPlaceholderText(spanText(range.span()));
     m_freeze->setChecked(range.frozen());
 }
 

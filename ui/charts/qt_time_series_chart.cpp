@@ -2,7 +2,7 @@
 
 #include "ui/charts/chart_cursor.h"
 #include "ui/charts/chart_view.h"
-#include "ui/charts/chart_words.h"
+#include "ui/charts/chart_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -154,10 +154,10 @@ void QtTimeSeriesChart::showCursor(std::optional<double> x)
             curves.emplace_back(m_view->placeOf(point.x()), plot.bottom() - point.y() / content.top * plot.height());
     }
     m_view->cursorLayer()->showAt(m_view->placeOf(*x), plot,
-                                  chartWordsAt(content, *x, kMarkReach * m_view->secondsPerPixel(), decimals), curves);
+                                  chartTextAt(content, *x, kMarkReach * m_view->secondsPerPixel(), decimals), curves);
 }
 
-QStringList QtTimeSeriesChart::cursorWords() const
+QStringList QtTimeSeriesChart::cursorText() const
 {
     return m_view->cursorLayer()->words();
 }

@@ -24,7 +24,7 @@ public:
     void showContent(const ChartContent &content) override;
     ChartContent plotted() const override;
     void showCursor(std::optional<double> x) override;
-    QStringList cursorWords() const override;
+    QStringList cursorText() const override;
 
     QSize minimumSizeHint() const override { return {176, 112}; }
 

@@ -2,7 +2,7 @@
 // charts, bars, the comparison table and the CSV.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "core/metrics/energy_meter.h"
 #include "ui/charts/chart.h"
 

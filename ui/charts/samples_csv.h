@@ -2,7 +2,7 @@
 // for the eye; empty where nothing was known.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtCore/QByteArray>
 

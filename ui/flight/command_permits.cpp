@@ -16,15 +16,15 @@ struct Words
 
 } // namespace
 
-QString whyNoCommands(const Scene &scene)
+QString whyNoCommands(const ViewState &view)
 {
-    if (scene.heldBack && !scene.session)
+    if (view.pendingApproval && !view.session)
         return Words::tr("it is not sealed, and plain MAVLink is not allowed");
-    if (!scene.vehicle)
+    if (!view.vehicle)
         return Words::tr("no vehicle");
-    if (const auto oneWay = oneWayOf(scene))
+    if (const auto oneWay = oneWayOf(view))
         return oneWay->whyNot;
-    const auto ended = linkEndedOf(scene);
+    const auto ended = linkEndedOf(view);
     return ended ? ended->title : QString();
 }
 

@@ -35,11 +35,11 @@ FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
     column->addStretch(0);
 }
 
-void FlightPanel::showAttitude(const Scene &scene)
+void FlightPanel::showAttitude(const ViewState &view)
 {
     Attitude attitude;
-    if (scene.vehicle) {
-        const auto &state = scene.vehicle->state;
+    if (view.vehicle) {
+        const auto &state = view.vehicle->state;
         const bool metric = m_units == UnitSystem::Metric;
         attitude.roll = degrees(state.roll);
         attitude.pitch = degrees(state.pitch);
@@ -47,15 +47,15 @@ void FlightPanel::showAttitude(const Scene &scene)
         attitude.speed = state.groundSpeed * (metric ? 1 : kMilesPerHourPerMetreASecond);
         attitude.altitude = state.altitudeRelative * (metric ? 1 : kFeetPerMetre);
         attitude.climb = state.climb;
-        attitude.stale = scene.stale();
+        attitude.stale = view.stale();
     }
     m_horizon->setAttitude(attitude);
 }
 
-void FlightPanel::showScene(const Scene &scene)
+void FlightPanel::showViewState(const ViewState &view)
 {
-    m_values->showScene(scene);
-    m_actions->showScene(scene);
+    m_values->showViewState(view);
+    m_actions->showViewState(view);
 }
 
 void FlightPanel::setUnits(UnitSystem units)

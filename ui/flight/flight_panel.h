@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/flight/vehicle_actions.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QWidget>
@@ -20,9 +20,9 @@ public:
     explicit FlightPanel(VehicleCommands &commands, QWidget *parent = nullptr);
 
     /// The horizon: as often as there is something new.
-    void showAttitude(const Scene &scene);
+    void showAttitude(const ViewState &view);
     /// Numbers and buttons.
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     void setUnits(UnitSystem units);
 
 private:

@@ -12,7 +12,7 @@ namespace skyseal::ui {
 
 namespace {
 
-QString compassWord(int degrees)
+QString compassText(int degrees)
 {
     switch (degrees) {
     case 0: return QStringLiteral("N");
@@ -108,7 +108,7 @@ void paintCompassTape(QPainter &painter, const QRectF &area, double heading, con
             painter.drawLine(QPointF(x, area.top()), QPointF(x, area.top() + (major ? 6 : 3)));
             if (!major)
                 continue;
-            const QString text = compassWord(degrees);
+            const QString text = compassText(degrees);
             const qreal half = metrics.horizontalAdvance(text) / 2;
             if (x - half < area.left() || x + half > area.right())
                 continue;

@@ -36,7 +36,7 @@ ValuesPanel::ValuesPanel(QWidget *parent) : QWidget(parent)
     m_age->setSizePolicy(keepsRoom);
     m_age->setForegroundRole(QPalette::PlaceholderText);
     grid->addWidget(m_age, 5, 0, 1, 5);
-    showScene({});
+    showViewState({});
 }
 
 FigureLabel *ValuesPanel::addRow(QGridLayout *grid, int row, int column, const QString &name, const QString &objectName,
@@ -54,10 +54,10 @@ FigureLabel *ValuesPanel::addRow(QGridLayout *grid, int row, int column, const Q
     return value;
 }
 
-void ValuesPanel::showScene(const Scene &scene)
+void ValuesPanel::showViewState(const ViewState &view)
 {
     static const vehicle::VehicleState kNothing;
-    const auto &state = scene.vehicle ? scene.vehicle->state : kNothing;
+    const auto &state = view.vehicle ? view.vehicle->state : kNothing;
     const auto put = [](FigureLabel *label, const Figure &figure) { label->setFigure(figure.value, figure.unit); };
     put(m_altitude, altitudeFigure(state.altitudeRelative, m_units));
     put(m_speed, speedFigure(state.groundSpeed, m_units));
@@ -65,12 +65,12 @@ void ValuesPanel::showScene(const Scene &scene)
     put(m_current, {number(state.batteryCurrent, 1), QStringLiteral("A")});
     put(m_heading, headingFigure(state.heading));
     put(m_home, distanceFigure(state.distanceHome, m_units));
-    put(m_time, {scene.vehicle ? durationText(state.flightTime) : dash(), {}});
+    put(m_time, {view.vehicle ? durationText(state.flightTime) : dash(), {}});
     put(m_hdop, {number(state.hdop, 1), {}});
     put(m_throttle, {number(state.throttle, 0), QStringLiteral("%")});
     put(m_ekf, {!state.ekfOk ? dash() : *state.ekfOk ? tr("good") : tr("bad"), {}});
     m_ekf->setColor(state.ekfOk && !*state.ekfOk ? stateColors(palette()).alarm : QColor());
-    const bool stale = scene.stale();
+    const bool stale = view.stale();
     for (FigureLabel *label :
          {m_altitude, m_speed, m_climb, m_current, m_ekf, m_heading, m_home, m_time, m_hdop, m_throttle})
         label->setStale(stale);

@@ -1,7 +1,7 @@
 // The vehicle's numbers: two columns of name, value and dimmed unit. Values that are too old turn grey and say their age.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 
@@ -20,7 +20,7 @@ class ValuesPanel : public QWidget
 public:
     explicit ValuesPanel(QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     void setUnits(UnitSystem units) { m_units = units; }
 
 private:

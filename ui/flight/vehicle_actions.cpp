@@ -2,7 +2,7 @@
 
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/command_permits.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -70,17 +70,17 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
         connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
     connect(&commands, &VehicleCommands::said, this, &VehicleActions::say);
-    showScene({});
+    showViewState({});
 }
 
-void VehicleActions::showScene(const Scene &scene)
+void VehicleActions::showViewState(const ViewState &view)
 {
-    const bool present = scene.vehicle != nullptr;
-    const std::uint8_t systemId = present ? scene.vehicle->state.systemId : 0;
+    const bool present = view.vehicle != nullptr;
+    const std::uint8_t systemId = present ? view.vehicle->state.systemId : 0;
     if (systemId != m_systemId)
         endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is shown now"));
     m_systemId = systemId;
-    m_armed = present && scene.vehicle->state.armed;
+    m_armed = present && view.vehicle->state.armed;
     const QString word = m_armed ? tr("Disarm") : tr("Arm");
     if (m_arm->text() != word) {
         endHolds({m_arm}, m_armed ? tr("the vehicle was armed meanwhile") : tr("the vehicle was disarmed meanwhile"));
@@ -88,10 +88,10 @@ void VehicleActions::showScene(const Scene &scene)
         m_arm->setAccessibleName(word);
     }
     if (present)
-        showModes(scene.vehicle->state.modes, scene.vehicle->state.mode);
+        showModes(view.vehicle->state.modes, view.vehicle->state.mode);
     else
         showModes({}, {});
-    showPermit(scene);
+    showPermit(view);
 }
 
 void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QString &why)
@@ -104,9 +104,9 @@ void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QS
     }
 }
 
-void VehicleActions::showPermit(const Scene &scene)
+void VehicleActions::showPermit(const ViewState &view)
 {
-    const QString reason = whyNoCommands(scene);
+    const QString reason = whyNoCommands(view);
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return})
         button->setWhyNot(nothingCanBeSent(reason));
     const bool noModes = reason.isEmpty() && m_knownModes.empty();
@@ -114,7 +114,7 @@ void VehicleActions::showPermit(const Scene &scene)
     m_altitude->setEnabled(reason.isEmpty());
     m_modes->setEnabled(m_setMode->isEnabled());
     // Without a vehicle there is nothing to explain.
-    const QString line = scene.vehicle ? nothingCanBeSent(reason) : QString();
+    const QString line = view.vehicle ? nothingCanBeSent(reason) : QString();
     if (line == m_whyNot)
         return;
     if (!line.isEmpty())

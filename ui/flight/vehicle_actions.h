@@ -3,7 +3,7 @@
 
 #include "ui/flight/hold_button.h"
 #include "ui/flight/vehicle_commands.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QWidget>
@@ -22,14 +22,14 @@ class VehicleActions : public QWidget
 public:
     explicit VehicleActions(VehicleCommands &commands, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     void setUnits(UnitSystem units);
     void say(const QString &line, bool ok);
 
 private:
     /// What is held just now would not do what it was pressed for.
     void endHolds(const std::vector<HoldButton *> &buttons, const QString &why);
-    void showPermit(const Scene &scene);
+    void showPermit(const ViewState &view);
     void showModes(const std::vector<std::string> &modes, const std::string &current);
 
     VehicleCommands &m_commands;

@@ -1,22 +1,22 @@
 #include "ui/flight/vehicle_commands.h"
 
 #include "ui/flight/command_permits.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 
 #include <algorithm>
 
 namespace skyseal::ui {
 
-VehicleCommands::VehicleCommands(StationPort &station, QObject *parent) : QObject(parent), m_station(station)
+VehicleCommands::VehicleCommands(StationInterface &station, QObject *parent) : QObject(parent), m_station(station)
 {
-    connect(&station, &StationPort::happened, this, &VehicleCommands::take);
+    connect(&station, &StationInterface::eventOccurred, this, &VehicleCommands::take);
 }
 
-void VehicleCommands::showScene(const Scene &scene)
+void VehicleCommands::showViewState(const ViewState &view)
 {
-    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
-    m_severalVehicles = scene.snapshot && scene.snapshot->vehicles.size() > 1;
-    const QString reason = whyNoCommands(scene);
+    m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    m_severalVehicles = view.snapshot && view.snapshot->vehicles.size() > 1;
+    const QString reason = whyNoCommands(view);
     if (reason == m_whyNot)
         return;
     m_whyNot = reason;
@@ -27,7 +27,7 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
 {
     if (systemId == 0)
         return;
-    const QString words = commandWords(command);
+    const QString words = commandText(command);
     if (m_systemId != 0 && systemId != m_systemId) {
         Q_EMIT said(tr("%1: not sent: vehicle %2 is not the one that is shown now").arg(words).arg(systemId), false);
         return;
@@ -50,15 +50,15 @@ void VehicleCommands::setTakeOffAltitude(double metres)
     Q_EMIT takeOffAltitudeChanged(metres);
 }
 
-void VehicleCommands::take(const engine::Happening &happening)
+void VehicleCommands::take(const engine::Event &event)
 {
-    const auto *result = std::get_if<vehicle::CommandResult>(&happening);
+    const auto *result = std::get_if<vehicle::CommandResult>(&event);
     if (!result)
         return;
     const auto asked = m_asked.constFind(static_cast<quint32>(result->id));
     if (asked == m_asked.constEnd())
         return;
-    const QString line = tr("%1: %2").arg(asked.value(), commandOutcomeWords(*result));
+    const QString line = tr("%1: %2").arg(asked.value(), commandOutcomeText(*result));
     m_asked.erase(asked);
     Q_EMIT said(line, result->outcome == vehicle::CommandOutcome::Accepted);
 }

@@ -2,7 +2,7 @@
 // questions, so that each answer can be told in words: "Arm: refused: …". Shared by the buttons and the Vehicle menu.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QHash>
 #include <QtCore/QObject>
@@ -18,9 +18,9 @@ class VehicleCommands : public QObject
     Q_OBJECT
 
 public:
-    explicit VehicleCommands(StationPort &station, QObject *parent = nullptr);
+    explicit VehicleCommands(StationInterface &station, QObject *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     /// Empty when a command can go to the vehicle.
     const QString &whyNot() const { return m_whyNot; }
     /// The vehicle that the operator looks at; 0 without one.
@@ -30,7 +30,7 @@ public:
     /// Says no where there is a reason: one that was asked for before it was there, too. And where another vehicle than
     /// `systemId` is shown now: nobody sees any more what would become of it.
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
-    void take(const engine::Happening &happening);
+    void take(const engine::Event &event);
 
     /// How high the next take-off goes, in metres: one number for the panel and the menu.
     double takeOffAltitude() const { return m_takeOffAltitude; }
@@ -43,7 +43,7 @@ Q_SIGNALS:
     void said(const QString &line, bool ok);
 
 private:
-    StationPort &m_station;
+    StationInterface &m_station;
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;
     QString m_whyNot;

@@ -2,7 +2,7 @@
 
 #include "core/base/hex.h"
 #include "ui/inspector/field_text.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/text/plain_tip.h"
 
 namespace skyseal::ui {

@@ -1,7 +1,7 @@
 // The fields of one message with their values, units and enum names, decoded by the dialect.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
 
 #include <QtCore/QAbstractTableModel>

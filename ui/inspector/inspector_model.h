@@ -2,7 +2,7 @@
 // numbers change in place, nothing jumps.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtCore/QAbstractTableModel>
 

@@ -31,7 +31,7 @@ QTreeView *makeView(QAbstractItemModel *model, const QString &accessible, QWidge
 
 } // namespace
 
-InspectorPanel::InspectorPanel(StationPort &station, QWidget *parent)
+InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     : DockPanel(parent), m_station(station), m_fields(mavlink::Dialect::builtin()), m_filter(new QSortFilterProxyModel(this))
 {
     m_filter->setSourceModel(&m_messages);
@@ -72,14 +72,14 @@ InspectorPanel::InspectorPanel(StationPort &station, QWidget *parent)
     connect(m_list->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &InspectorPanel::showFields);
 }
 
-void InspectorPanel::showScene(const Scene &scene)
+void InspectorPanel::showViewState(const ViewState &view)
 {
-    if (!isSeen() || !scene.snapshot || scene.snapshot->inspector.empty())
+    if (!isSeen() || !view.snapshot || view.snapshot->inspector.empty())
         return;
-    if (std::abs(scene.snapshot->time - m_shownAt) < kRefreshSeconds)
+    if (std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
         return;
-    m_shownAt = scene.snapshot->time;
-    m_messages.setRows(scene.snapshot->inspector);
+    m_shownAt = view.snapshot->time;
+    m_messages.setRows(view.snapshot->inspector);
     showFields();
 }
 

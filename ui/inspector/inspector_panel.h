@@ -5,7 +5,7 @@
 #include "ui/dock_panel.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 class QTreeView;
 class QSortFilterProxyModel;
@@ -17,9 +17,9 @@ class InspectorPanel : public DockPanel
     Q_OBJECT
 
 public:
-    explicit InspectorPanel(StationPort &station, QWidget *parent = nullptr);
+    explicit InspectorPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
 
 protected:
     void seenChanged(bool seen) override;
@@ -27,7 +27,7 @@ protected:
 private:
     void showFields();
 
-    StationPort &m_station;
+    StationInterface &m_station;
     InspectorModel m_messages;
     FieldModel m_fields;
     QSortFilterProxyModel *m_filter;

@@ -12,7 +12,7 @@
 
 namespace skyseal::ui {
 
-ChangePassphraseDialog::ChangePassphraseDialog(KeyringPort &keyring, QWidget *parent) : QDialog(parent), m_keyring(keyring)
+ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(parent), m_keyring(keyring)
 {
     const OwnKey own = keyring.ownKey();
     setObjectName(QStringLiteral("changePassphraseDialog"));
@@ -65,13 +65,13 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringPort &keyring, QWidget *pa
     connect(m_none, &QCheckBox::toggled, this, &ChangePassphraseDialog::check);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &ChangePassphraseDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ChangePassphraseDialog::reject);
-    connect(&keyring, &KeyringPort::passphraseDone, this, &ChangePassphraseDialog::finish);
+    connect(&keyring, &KeyringInterface::passphraseDone, this, &ChangePassphraseDialog::finish);
     setMinimumWidth(60 * kGrid);
     (own.sealed ? m_present : m_next)->setFocus();
     check();
 }
 
-void ChangePassphraseDialog::tell(const QString &words, bool isProblem)
+void ChangePassphraseDialog::notify(const QString &words, bool isProblem)
 {
     QPalette colors = palette();
     if (isProblem)
@@ -95,7 +95,7 @@ void ChangePassphraseDialog::check()
     const bool same = m_next->text() == m_again->text();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(opened && (none || (same && !m_next->text().isEmpty())));
     const bool differs = !none && !same && !m_again->text().isEmpty() && !m_next->text().startsWith(m_again->text());
-    tell(differs ? tr("The two new ones differ.") : QString(), true);
+    notify(differs ? tr("The two new ones differ.") : QString(), true);
 }
 
 void ChangePassphraseDialog::accept()
@@ -106,7 +106,7 @@ void ChangePassphraseDialog::accept()
     const bool remember = m_remember->isEnabled() && m_remember->isChecked();
     m_working = true;
     check();
-    tell(tr("Working …"), false);
+    notify(tr("Working …"), false);
     m_keyring.changePassphrase(m_present->isHidden() ? std::nullopt : m_present->passphrase(), std::move(next), remember);
 }
 
@@ -127,7 +127,7 @@ void ChangePassphraseDialog::finish(const QString &problem)
     }
     m_present->clear();
     check();
-    tell(problem, true);
+    notify(problem, true);
     m_present->setFocus();
 }
 

@@ -1,7 +1,7 @@
 // Gives this station's private key a passphrase, another one, or none.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <QtWidgets/QDialog>
 
@@ -18,7 +18,7 @@ class ChangePassphraseDialog : public QDialog
     Q_OBJECT
 
 public:
-    explicit ChangePassphraseDialog(KeyringPort &keyring, QWidget *parent = nullptr);
+    explicit ChangePassphraseDialog(KeyringInterface &keyring, QWidget *parent = nullptr);
 
     void accept() override;
     /// Not while the key is being sealed.
@@ -27,9 +27,9 @@ public:
 private:
     void check();
     void finish(const QString &problem);
-    void tell(const QString &words, bool isProblem);
+    void notify(const QString &words, bool isProblem);
 
-    KeyringPort &m_keyring;
+    KeyringInterface &m_keyring;
     PassphraseField *m_present, *m_next, *m_again;
     QCheckBox *m_none, *m_remember;
     QLabel *m_problem;

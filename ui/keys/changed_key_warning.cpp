@@ -21,7 +21,7 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     m_icon = new QLabel(this);
     m_icon->setPixmap(iconPixmap(QStringLiteral("warning"), 3 * kGrid, stateColors(palette()).alarm, devicePixelRatioF()));
     m_words = new QLabel(this);
-    m_words->setObjectName(QStringLiteral("changedKeyWords"));
+    m_words->setObjectName(QStringLiteral("changedKeyText"));
     m_words->setTextFormat(Qt::PlainText);
     m_words->setWordWrap(true);
     m_known = fixedWidthLabel({}, "knownFingerprint", tr("Fingerprint known until now"), this);

@@ -3,7 +3,7 @@
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/own_key_box.h"
 #include "ui/keys/peer_dialog.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -43,7 +43,7 @@ QTreeView *makeView(PeerModel &model, QWidget *parent)
 
 } // namespace
 
-KeysDialog::KeysDialog(KeyringPort &keyring, QWidget *parent) : QDialog(parent), m_keyring(keyring)
+KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(parent), m_keyring(keyring)
 {
     setObjectName(QStringLiteral("keysDialog"));
     setWindowTitle(tr("Keys and peers"));
@@ -112,7 +112,7 @@ KeysDialog::KeysDialog(KeyringPort &keyring, QWidget *parent) : QDialog(parent),
     connect(remove, &QAction::triggered, this, &KeysDialog::revokePeer);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &KeysDialog::refresh);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(&keyring, &KeyringPort::changed, this, &KeysDialog::refresh);
+    connect(&keyring, &KeyringInterface::changed, this, &KeysDialog::refresh);
     resize(104 * kGrid, 72 * kGrid);
     refresh();
 }
@@ -142,7 +142,7 @@ void KeysDialog::refresh()
         m_view->setCurrentIndex(m_model.index(0, 0)); // the first one, or what is left
     m_pages->setCurrentWidget(m_model.rowCount() > 0 || !list.problem.isEmpty() ? static_cast<QWidget *>(m_view) : m_empty);
     m_file->setText(list.file);
-    tell(list.problem);
+    notify(list.problem);
     const bool usable = list.problem.isEmpty() && !list.file.isEmpty();
     m_add->setEnabled(usable);
     m_pair->setEnabled(usable && m_keyring.ownKey().publicKey.has_value());
@@ -150,7 +150,7 @@ void KeysDialog::refresh()
         tool->setEnabled(usable && chosen());
 }
 
-void KeysDialog::tell(const QString &problem)
+void KeysDialog::notify(const QString &problem)
 {
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
@@ -196,7 +196,7 @@ void KeysDialog::revokePeer()
         if (result != QMessageBox::Yes)
             return;
         if (const auto removed = m_keyring.removePeer(name); !removed)
-            tell(fromStd(removed.error().text()));
+            notify(fromStd(removed.error().text()));
     });
     box->open();
 }

@@ -1,7 +1,7 @@
 // Keys and peers: this station's own key, and whom it talks to. All that skyseal-cli keys does with them, by mouse or keys.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 #include "ui/keys/peer_model.h"
 
 #include <QtWidgets/QDialog>
@@ -20,7 +20,7 @@ class KeysDialog : public QDialog
     Q_OBJECT
 
 public:
-    explicit KeysDialog(KeyringPort &keyring, QWidget *parent = nullptr);
+    explicit KeysDialog(KeyringInterface &keyring, QWidget *parent = nullptr);
 
     /// Shows the button that pairs; without it the dialog does not speak of pairing.
     void offerPairing();
@@ -33,10 +33,10 @@ private:
     void addPeer();
     void changePeer();
     void revokePeer();
-    void tell(const QString &problem);
+    void notify(const QString &problem);
     const KnownPeer *chosen() const;
 
-    KeyringPort &m_keyring;
+    KeyringInterface &m_keyring;
     OwnKeyBox *m_own;
     PeerModel m_model;
     QTreeView *m_view;

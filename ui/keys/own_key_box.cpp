@@ -4,7 +4,7 @@
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/qr_image.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QClipboard>
@@ -16,7 +16,7 @@
 
 namespace skyseal::ui {
 
-OwnKeyBox::OwnKeyBox(KeyringPort &keyring, QWidget *parent) : QGroupBox(tr("This station"), parent), m_keyring(keyring)
+OwnKeyBox::OwnKeyBox(KeyringInterface &keyring, QWidget *parent) : QGroupBox(tr("This station"), parent), m_keyring(keyring)
 {
     const auto label = [this](const char *name) {
         auto *out = new QLabel(this);
@@ -70,7 +70,7 @@ OwnKeyBox::OwnKeyBox(KeyringPort &keyring, QWidget *parent) : QGroupBox(tr("This
     });
     connect(m_export, &QPushButton::clicked, this, &OwnKeyBox::exportKey);
     connect(m_passphrase, &QPushButton::clicked, this, &OwnKeyBox::changePassphrase);
-    connect(&keyring, &KeyringPort::passphraseDone, this, [this](const QString &problem) {
+    connect(&keyring, &KeyringInterface::passphraseDone, this, [this](const QString &problem) {
         if (problem.isEmpty())
             m_result->setText(m_keyring.ownKey().sealed ? tr("sealed") : tr("not sealed any more"));
     });

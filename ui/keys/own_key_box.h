@@ -1,7 +1,7 @@
 // This station's own public key: fingerprint, text and QR code, to be copied, exported and compared.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <QtWidgets/QGroupBox>
 
@@ -15,7 +15,7 @@ class OwnKeyBox : public QGroupBox
     Q_OBJECT
 
 public:
-    explicit OwnKeyBox(KeyringPort &keyring, QWidget *parent = nullptr);
+    explicit OwnKeyBox(KeyringInterface &keyring, QWidget *parent = nullptr);
 
     void refresh();
 
@@ -23,7 +23,7 @@ private:
     void exportKey();
     void changePassphrase();
 
-    KeyringPort &m_keyring;
+    KeyringInterface &m_keyring;
     QString m_text;
     QLabel *m_intro, *m_fingerprint, *m_key, *m_file, *m_result, *m_code;
     QPushButton *m_copy, *m_export, *m_passphrase;

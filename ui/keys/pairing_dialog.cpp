@@ -5,7 +5,7 @@
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/passphrase_field.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -25,7 +25,7 @@ constexpr auto kWindowSeconds = std::chrono::duration_cast<std::chrono::seconds>
 
 } // namespace
 
-PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, QWidget *parent)
+PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &keyring, QWidget *parent)
     : QDialog(parent), m_pairing(pairing), m_keyring(keyring)
 {
     setObjectName(QStringLiteral("pairingDialog"));
@@ -37,7 +37,7 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
         out->setWordWrap(true);
         return out;
     };
-    m_words = label("pairingWords");
+    m_words = label("pairingText");
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_time = label("pairingTime");
     m_time->setForegroundRole(QPalette::PlaceholderText);
@@ -96,24 +96,24 @@ PairingDialog::PairingDialog(PairingPort &pairing, const KeyringPort &keyring, Q
     column->addWidget(m_time);
     column->addWidget(buttons);
 
-    connect(&pairing, &PairingPort::seen, this, &PairingDialog::showQuestion);
-    connect(&pairing, &PairingPort::confirmedThere, this, [this] {
+    connect(&pairing, &PairingInterface::seen, this, &PairingDialog::showQuestion);
+    connect(&pairing, &PairingInterface::confirmedThere, this, [this] {
         if (m_step == Step::Comparing)
             m_words->setText(tr("The agent's side said yes. Compare both fingerprints with those that it shows."));
     });
-    connect(&pairing, &PairingPort::gone, this, [this](const QString &reason) {
+    connect(&pairing, &PairingInterface::gone, this, [this](const QString &reason) {
         m_question.reset();
         showStep(Step::Waiting, tr("It is not there any more: %1. Waiting for the agent …").arg(reason));
     });
-    connect(&pairing, &PairingPort::otherTried, this, [this](const QString &fingerprint) {
+    connect(&pairing, &PairingInterface::otherTried, this, [this](const QString &fingerprint) {
         m_problem->setText(tr("Somebody else tried to be paired meanwhile, fingerprint %1").arg(fingerprint));
     });
-    connect(&pairing, &PairingPort::paired, this, [this](const QString &name) {
+    connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
         showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both find each other.").arg(name));
     });
-    connect(&pairing, &PairingPort::failed, this,
+    connect(&pairing, &PairingInterface::failed, this,
             [this](const QString &reason) { showStep(Step::Failed, tr("Not paired: %1.").arg(reason)); });
-    connect(&pairing, &PairingPort::passphraseDiffers, this, [this] {
+    connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting)
             m_problem->setText(tr("An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there."));
     });

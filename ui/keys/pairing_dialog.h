@@ -2,8 +2,8 @@
 // said that they are the same.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
-#include "ui/keys/pairing_port.h"
+#include "ui/keys/keyring_interface.h"
+#include "ui/keys/pairing_interface.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTimer>
@@ -24,7 +24,7 @@ class PairingDialog : public QDialog
     Q_OBJECT
 
 public:
-    PairingDialog(PairingPort &pairing, const KeyringPort &keyring, QWidget *parent = nullptr);
+    PairingDialog(PairingInterface &pairing, const KeyringInterface &keyring, QWidget *parent = nullptr);
     ~PairingDialog() override;
 
 private:
@@ -38,8 +38,8 @@ private:
     void check();
     void agree();
 
-    PairingPort &m_pairing;
-    const KeyringPort &m_keyring;
+    PairingInterface &m_pairing;
+    const KeyringInterface &m_keyring;
     Step m_step = Step::Waiting;
     std::optional<PairingQuestion> m_question;
     QElapsedTimer m_clock;

@@ -5,7 +5,7 @@
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/peer_model.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -30,11 +30,11 @@ QString systemsOf(const KnownPeer &peer)
 
 } // namespace
 
-PeerDialog::PeerDialog(KeyringPort &keyring, QWidget *parent) : PeerDialog(keyring, nullptr, parent) {}
+PeerDialog::PeerDialog(KeyringInterface &keyring, QWidget *parent) : PeerDialog(keyring, nullptr, parent) {}
 
-PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent) {}
+PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent) {}
 
-PeerDialog::PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *parent)
+PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget *parent)
     : QDialog(parent), m_keyring(keyring), m_peers(keyring.peerList().peers)
 {
     if (peer)

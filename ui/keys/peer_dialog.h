@@ -2,7 +2,7 @@
 // the changed key of ssh, replaced only knowingly.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <QtWidgets/QDialog>
 
@@ -21,14 +21,14 @@ class PeerDialog : public QDialog
 
 public:
     /// Adds a peer.
-    explicit PeerDialog(KeyringPort &keyring, QWidget *parent = nullptr);
+    explicit PeerDialog(KeyringInterface &keyring, QWidget *parent = nullptr);
     /// Changes one.
-    PeerDialog(KeyringPort &keyring, const KnownPeer &peer, QWidget *parent = nullptr);
+    PeerDialog(KeyringInterface &keyring, const KnownPeer &peer, QWidget *parent = nullptr);
 
     void accept() override;
 
 private:
-    PeerDialog(KeyringPort &keyring, const KnownPeer *peer, QWidget *parent);
+    PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget *parent);
     void readKeyFile();
     void check();
     /// A peer whose key is replaced stays what it was, unless the person said otherwise.
@@ -37,7 +37,7 @@ private:
     QString problem(KnownPeer &out) const;
     const KnownPeer *knownByName(const QString &name) const;
 
-    KeyringPort &m_keyring;
+    KeyringInterface &m_keyring;
     std::vector<KnownPeer> m_peers;
     std::optional<KnownPeer> m_changing;
     bool m_roleChosen = false, m_systemsTyped = false; ///< by the person

@@ -3,7 +3,7 @@
 #include "core/keys/peers_file.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -18,7 +18,7 @@
 
 namespace skyseal::ui {
 
-QString roleWord(channel::PeerRole role)
+QString roleText(channel::PeerRole role)
 {
     return role == channel::PeerRole::Pilot ? QCoreApplication::translate("PeerModel", "pilot")
                                             : QCoreApplication::translate("PeerModel", "observer");
@@ -63,7 +63,7 @@ QString PeerModel::text(const KnownPeer &peer, int column) const
 {
     switch (column) {
     case Name: return peer.hasPresharedKey ? tr("%1\nwith a pre-shared key").arg(peer.name) : peer.name;
-    case Role: return roleWord(peer.role);
+    case Role: return roleText(peer.role);
     case Systems: return peer.systems.empty() ? tr("any") : fromStd(keys::systemIdsText(peer.systems));
     case LastSeen:
         if (peer.connected)

@@ -1,13 +1,13 @@
 // The known peers as a table.
 #pragma once
 
-#include "ui/keys/keyring_port.h"
+#include "ui/keys/keyring_interface.h"
 
 #include <QtCore/QAbstractTableModel>
 
 namespace skyseal::ui {
 
-QString roleWord(channel::PeerRole role);
+QString roleText(channel::PeerRole role);
 
 class PeerModel : public QAbstractTableModel
 {

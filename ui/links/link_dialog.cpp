@@ -2,7 +2,7 @@
 
 #include "core/base/hex.h"
 #include "core/link/link_url.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -1,7 +1,7 @@
 // Asks for a link: its kind, host and port (or device, or file), and shows the URL that comes of it, checked while typing.
 #pragma once
 
-#include "core/engine/mavsec_settings.h"
+#include "core/engine/station/mavsec_settings.h"
 
 #include <QtCore/QString>
 #include <QtWidgets/QDialog>

@@ -1,7 +1,7 @@
 // The links of the station with their state, always with the address they listen on.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtCore/QAbstractTableModel>
 

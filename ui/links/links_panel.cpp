@@ -11,7 +11,7 @@
 
 namespace skyseal::ui {
 
-LinksPanel::LinksPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
 {
     auto *add = new QPushButton(tr("Add …"), this);
     add->setObjectName(QStringLiteral("linkAdd"));
@@ -56,16 +56,16 @@ LinksPanel::LinksPanel(StationPort &station, QWidget *parent) : QWidget(parent),
     allow();
 }
 
-void LinksPanel::showScene(const Scene &scene)
+void LinksPanel::showViewState(const ViewState &view)
 {
     constexpr double kRefreshSeconds = 0.5;
-    if (!scene.snapshot)
+    if (!view.snapshot)
         return;
-    const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == scene.snapshot->links.size();
-    if (sameCount && std::abs(scene.snapshot->time - m_shownAt) < kRefreshSeconds)
+    const bool sameCount = static_cast<std::size_t>(m_model.rowCount()) == view.snapshot->links.size();
+    if (sameCount && std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
         return;
-    m_shownAt = scene.snapshot->time;
-    m_model.setLinks(scene.snapshot->links);
+    m_shownAt = view.snapshot->time;
+    m_model.setLinks(view.snapshot->links);
 }
 
 } // namespace skyseal::ui

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/links/link_model.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -16,15 +16,15 @@ class LinksPanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit LinksPanel(StationPort &station, QWidget *parent = nullptr);
+    explicit LinksPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
 
 Q_SIGNALS:
     void addWanted();
 
 private:
-    StationPort &m_station;
+    StationInterface &m_station;
     LinkModel m_model;
     QTreeView *m_view;
     QPushButton *m_remove;

@@ -43,7 +43,7 @@ ProblemBanner::ProblemBanner(QWidget *parent) : QFrame(parent)
     hide();
 }
 
-void ProblemBanner::tell(const QString &problem, const QString &remedy, std::function<void()> act)
+void ProblemBanner::notify(const QString &problem, const QString &remedy, std::function<void()> act)
 {
     m_icon->setPixmap(iconPixmap(QStringLiteral("warning"), 16, stateColors(palette()).warning, devicePixelRatioF()));
     m_text->setText(problem);

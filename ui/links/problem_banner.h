@@ -19,7 +19,7 @@ public:
     explicit ProblemBanner(QWidget *parent = nullptr);
 
     /// `remedy` is the button's text, empty for none. The newest problem replaces an older one.
-    void tell(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
+    void notify(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
     QString problem() const;
 
 private:

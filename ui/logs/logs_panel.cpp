@@ -2,7 +2,7 @@
 
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -16,7 +16,7 @@
 
 namespace skyseal::ui {
 
-LogsPanel::LogsPanel(StationPort &station, const QString &folder, QWidget *parent)
+LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *parent)
     : QWidget(parent), m_station(station), m_folder(folder)
 {
     m_record = new QCheckBox(tr("Record what is received and sent"), this);
@@ -77,13 +77,13 @@ LogsPanel::LogsPanel(StationPort &station, const QString &folder, QWidget *paren
         if (!file.isEmpty())
             Q_EMIT replayWanted(file);
     });
-    showScene({});
+    showViewState({});
 }
 
-void LogsPanel::showScene(const Scene &scene)
+void LogsPanel::showViewState(const ViewState &view)
 {
     static const engine::RecordingSnapshot kNone;
-    const auto &recording = scene.snapshot ? scene.snapshot->recording : kNone;
+    const auto &recording = view.snapshot ? view.snapshot->recording : kNone;
     if (!m_record->isDown())
         m_record->setChecked(recording.active);
     const QString file = recording.file.empty() ? (m_folder.isEmpty() ? dash() : m_folder) : fromStd(recording.file);

@@ -1,7 +1,7 @@
 // What is being recorded and where, and the way to replay what was.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -19,15 +19,15 @@ class LogsPanel : public QWidget
 
 public:
     /// `folder` is where recordings go.
-    LogsPanel(StationPort &station, const QString &folder, QWidget *parent = nullptr);
+    LogsPanel(StationInterface &station, const QString &folder, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
 
 Q_SIGNALS:
     void replayWanted(const QString &file);
 
 private:
-    StationPort &m_station;
+    StationInterface &m_station;
     QString m_folder;
     QCheckBox *m_record;
     QLabel *m_file, *m_problem;

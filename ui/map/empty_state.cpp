@@ -2,7 +2,7 @@
 
 #include "ui/security/allow_plain.h"
 #include "ui/status/link_ended.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QFontDatabase>
@@ -71,7 +71,7 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     connect(m_keys, &QPushButton::clicked, this, &EmptyState::keysWanted);
     connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
     connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
-    showScene({});
+    showViewState({});
 }
 
 QSize EmptyState::sizeHint() const
@@ -85,15 +85,15 @@ void EmptyState::setDemoAvailable(bool available)
     m_demo->setVisible(available);
 }
 
-void EmptyState::showScene(const Scene &scene)
+void EmptyState::showViewState(const ViewState &view)
 {
-    setVisible(!scene.vehicle);
-    if (scene.vehicle)
+    setVisible(!view.vehicle);
+    if (view.vehicle)
         return;
     QString listening;
     bool replaying = false;
-    if (scene.snapshot) {
-        for (const auto &link : scene.snapshot->links) {
+    if (view.snapshot) {
+        for (const auto &link : view.snapshot->links) {
             if (link.phase == engine::LinkPhase::Failed)
                 continue;
             replaying |= link.url.starts_with("tlog");
@@ -102,19 +102,19 @@ void EmptyState::showScene(const Scene &scene)
         }
     }
     QString title, text, command;
-    const engine::UnknownAgent *unknown = unknownAgentOf(scene);
-    if (scene.session) {
-        title = tr("Waiting for the autopilot behind %1").arg(fromStd(scene.session->info.peerName));
+    const engine::UnknownAgent *unknown = unknownAgentOf(view);
+    if (view.session) {
+        title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
         text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
-    } else if (scene.heldBack) {
-        m_held = *scene.heldBack;
+    } else if (view.pendingApproval) {
+        m_held = *view.pendingApproval;
         title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);
         text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. "
                   "Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
                   "If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.")
                    .arg(fromStd(m_held.remoteAddress), anyOfNames(m_held.mayBe));
-    } else if (scene.snapshot && !scene.snapshot->unanswering.empty()) {
-        const engine::UnansweringAgent &agent = scene.snapshot->unanswering.front();
+    } else if (view.snapshot && !view.snapshot->unanswering.empty()) {
+        const engine::UnansweringAgent &agent = view.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));
         text = tr("It is there, at %1, but it answers no handshake. Does it know this station's key?\n\n"
                   "Its list of peers needs the key with the fingerprint\n%2\n\n"
@@ -143,7 +143,7 @@ void EmptyState::showScene(const Scene &scene)
                                  "  --identity air.key --peers air.peers")
                       .arg(listening.section(QLatin1Char(':'), -1));
     }
-    const bool held = scene.heldBack && !scene.session;
+    const bool held = view.pendingApproval && !view.session;
     m_plain->setVisible(held);
     if (held && m_plain->text() != allowPlainText(m_held)) {
         m_plain->setText(allowPlainText(m_held));

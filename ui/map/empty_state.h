@@ -1,7 +1,7 @@
 // What stands over the map while there is no vehicle: what is waited for, where, and what to do about it.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QFrame>
 
@@ -18,7 +18,7 @@ public:
     explicit EmptyState(QWidget *parent = nullptr);
 
     /// Hides itself once there is a vehicle.
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     void setDemoAvailable(bool available);
 
     QSize sizeHint() const override;
@@ -29,12 +29,12 @@ Q_SIGNALS:
     void connectWanted();
     void keysWanted();
     /// The operator wants to take this vehicle in clear.
-    void plainWanted(const skyseal::engine::HeldBackVehicle &held);
+    void plainWanted(const skyseal::engine::PendingVehicle &held);
 
 private:
     QLabel *m_title, *m_text, *m_command, *m_otherwise;
     QPushButton *m_demo, *m_connect, *m_plain, *m_keys;
-    engine::HeldBackVehicle m_held;
+    engine::PendingVehicle m_held;
 };
 
 } // namespace skyseal::ui

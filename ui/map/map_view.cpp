@@ -32,11 +32,11 @@ QPointF MapView::toPixels(const QPointF &metres) const
     return {width() / 2.0 + from.x(), height() / 2.0 - from.y()};
 }
 
-void MapView::showScene(const Scene &scene)
+void MapView::showViewState(const ViewState &view)
 {
-    if (!scene.vehicle)
+    if (!view.vehicle)
         return;
-    const auto &state = scene.vehicle->state;
+    const auto &state = view.vehicle->state;
     if (state.systemId != m_systemId) {
         m_systemId = state.systemId;
         m_track.clear();
@@ -51,17 +51,17 @@ void MapView::showScene(const Scene &scene)
     if (!m_frame)
         return;
 
-    bool seen = scene.stale() != m_stale || state.armed != m_armed;
-    m_stale = scene.stale();
+    bool seen = view.stale() != m_stale || state.armed != m_armed;
+    m_stale = view.stale();
     m_armed = state.armed;
-    m_suite = scene.session ? scene.session->info.suite : crypto::SuiteId::None;
+    m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
     if (state.home.known()) {
         const QPointF home = m_frame->toMetres(state.home.latitude, state.home.longitude);
         m_groundDirty |= m_home != home;
         m_home = home;
     }
-    if (m_mission != scene.vehicle->mission || m_missionCurrent != state.missionCurrent) {
-        m_mission = scene.vehicle->mission;
+    if (m_mission != view.vehicle->mission || m_missionCurrent != state.missionCurrent) {
+        m_mission = view.vehicle->mission;
         m_missionCurrent = state.missionCurrent;
         m_groundDirty = true;
     }

@@ -4,7 +4,7 @@
 
 #include "ui/map/local_frame.h"
 #include "ui/map/track.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtGui/QPixmap>
 #include <QtWidgets/QWidget>
@@ -20,7 +20,7 @@ class MapView : public QWidget
 public:
     explicit MapView(QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     void clearTrack();
     void followVehicle();
     void zoomBy(double factor);

@@ -1,6 +1,6 @@
 #include "ui/messages/message_model.h"
 
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/palettes.h"
 #include "ui/text/plain_tip.h"
 
@@ -53,7 +53,7 @@ QVariant MessageModel::data(const QModelIndex &index, int role) const
         switch (index.column()) {
         case Time: return message.time.toString(QStringLiteral("HH:mm:ss.zzz"));
         case Vehicle: return message.systemId == 0 ? tr("station") : QString::number(message.systemId);
-        case Severity: return severityWord(message.severity);
+        case Severity: return severityText(message.severity);
         case Text: return message.text;
         default: return {};
         }

@@ -1,7 +1,7 @@
 #include "ui/messages/messages_panel.h"
 
-#include "ui/messages/happening_words.h"
-#include "ui/text/words.h"
+#include "ui/messages/event_text.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtGui/QAction>
@@ -33,7 +33,7 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
     const QFontMetrics metrics(font());
     header->resizeSection(MessageModel::Time, metrics.horizontalAdvance(QStringLiteral("88:88:88.888")) + 3 * kGrid);
     header->resizeSection(MessageModel::Vehicle, metrics.horizontalAdvance(tr("station")) + 3 * kGrid);
-    header->resizeSection(MessageModel::Severity, metrics.horizontalAdvance(severityWord(0)) + 3 * kGrid);
+    header->resizeSection(MessageModel::Severity, metrics.horizontalAdvance(severityText(0)) + 3 * kGrid);
     header->setStretchLastSection(true);
 
     auto *copy = new QAction(tr("Copy"), m_view);
@@ -78,9 +78,9 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
     column->addWidget(m_view, 1);
 }
 
-void MessagesPanel::take(const engine::Happening &happening)
+void MessagesPanel::take(const engine::Event &event)
 {
-    if (const auto line = happeningLine(happening))
+    if (const auto line = eventLine(event))
         append({QDateTime::currentDateTime(), line->systemId, line->severity, line->text});
 }
 

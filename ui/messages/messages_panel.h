@@ -3,7 +3,7 @@
 
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -18,7 +18,7 @@ class MessagesPanel : public QWidget
 public:
     explicit MessagesPanel(QWidget *parent = nullptr);
 
-    void take(const engine::Happening &happening);
+    void take(const engine::Event &event);
     /// A line of the station's own.
     void say(const QString &text, std::uint8_t severity);
     MessageModel &model() { return m_model; }

@@ -2,7 +2,7 @@
 
 #include "ui/flight/command_permits.h"
 #include "ui/mission/mission_file.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QFile>
@@ -16,7 +16,7 @@
 
 namespace skyseal::ui {
 
-MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
 {
     const auto button = [this](const QString &text, const char *name) {
         auto *made = new QPushButton(text, this);
@@ -58,8 +58,8 @@ MissionPanel::MissionPanel(StationPort &station, QWidget *parent) : QWidget(pare
     });
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
-    connect(&station, &StationPort::happened, this, &MissionPanel::take);
-    showScene({});
+    connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::take);
+    showViewState({});
 }
 
 void MissionPanel::say(const QString &line)
@@ -121,22 +121,22 @@ void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mi
     say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
 }
 
-void MissionPanel::showScene(const Scene &scene)
+void MissionPanel::showViewState(const ViewState &view)
 {
-    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
-    m_mission = scene.vehicle ? scene.vehicle->mission : nullptr;
-    m_whyNot = whyNoCommands(scene);
+    m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    m_mission = view.vehicle ? view.vehicle->mission : nullptr;
+    m_whyNot = whyNoCommands(view);
     for (QPushButton *button : {m_read, m_send}) {
         button->setEnabled(m_whyNot.isEmpty());
         button->setToolTip(m_whyNot);
     }
     m_save->setEnabled(m_mission && !m_mission->empty());
-    m_model.setMission(m_mission, scene.vehicle ? scene.vehicle->state.missionCurrent : -1);
+    m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);
 }
 
-void MissionPanel::take(const engine::Happening &happening)
+void MissionPanel::take(const engine::Event &event)
 {
-    const auto *done = std::get_if<engine::MissionTransferDone>(&happening);
+    const auto *done = std::get_if<engine::MissionTransferDone>(&event);
     if (!done || done->systemId != m_systemId)
         return;
     const QString reason = fromStd(done->reason);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/mission/mission_model.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -16,10 +16,10 @@ class MissionPanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit MissionPanel(StationPort &station, QWidget *parent = nullptr);
+    explicit MissionPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
-    void take(const engine::Happening &happening);
+    void showViewState(const ViewState &view);
+    void take(const engine::Event &event);
     /// Sends the mission of a file to the vehicle that it was chosen for; says so when it is none, or when that vehicle is
     /// not shown any more or cannot be sent anything.
     void sendFile(const QString &file, std::uint8_t systemId);
@@ -31,7 +31,7 @@ private:
     void askAndSend();
     void askAndSave();
 
-    StationPort &m_station;
+    StationInterface &m_station;
     MissionModel m_model;
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;

@@ -1,6 +1,6 @@
 #include "ui/parameters/parameter_model.h"
 
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 
 namespace skyseal::ui {
 

@@ -1,7 +1,7 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "ui/flight/command_permits.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QSortFilterProxyModel>
@@ -15,7 +15,7 @@
 
 namespace skyseal::ui {
 
-ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidget(parent), m_station(station)
+ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
 {
     auto *filter = new QSortFilterProxyModel(this);
     filter->setSourceModel(&m_model);
@@ -70,19 +70,19 @@ ParametersPanel::ParametersPanel(StationPort &station, QWidget *parent) : QWidge
         else
             m_model.written({name.toStdString(), value}, false, m_whyNot);
     });
-    connect(&station, &StationPort::happened, this, &ParametersPanel::take);
-    showScene({});
+    connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::take);
+    showViewState({});
 }
 
-void ParametersPanel::showScene(const Scene &scene)
+void ParametersPanel::showViewState(const ViewState &view)
 {
-    m_systemId = scene.vehicle ? scene.vehicle->state.systemId : 0;
-    m_whyNot = whyNoCommands(scene);
+    m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
+    m_whyNot = whyNoCommands(view);
     m_fetch->setEnabled(m_whyNot.isEmpty());
     m_fetch->setToolTip(m_whyNot);
-    m_model.setParameters(scene.vehicle ? scene.vehicle->parameters : nullptr);
+    m_model.setParameters(view.vehicle ? view.vehicle->parameters : nullptr);
     const int have = m_model.rowCount();
-    const int all = scene.vehicle ? static_cast<int>(scene.vehicle->parametersExpected) : 0;
+    const int all = view.vehicle ? static_cast<int>(view.vehicle->parametersExpected) : 0;
     const QString count = all > 0 ? tr("%1 of %2").arg(have).arg(all) : tr("not fetched");
     if (m_count->text() != count)
         m_count->setText(count);
@@ -91,9 +91,9 @@ void ParametersPanel::showScene(const Scene &scene)
     m_progress->setValue(have);
 }
 
-void ParametersPanel::take(const engine::Happening &happening)
+void ParametersPanel::take(const engine::Event &event)
 {
-    const auto *written = std::get_if<engine::ParameterWritten>(&happening);
+    const auto *written = std::get_if<engine::ParameterWritten>(&event);
     if (written && written->systemId == m_systemId)
         m_model.written(written->parameter, written->ok, fromStd(written->reason));
 }

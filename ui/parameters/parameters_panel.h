@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/parameters/parameter_model.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -18,13 +18,13 @@ class ParametersPanel : public QWidget
     Q_OBJECT
 
 public:
-    explicit ParametersPanel(StationPort &station, QWidget *parent = nullptr);
+    explicit ParametersPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
-    void take(const engine::Happening &happening);
+    void showViewState(const ViewState &view);
+    void take(const engine::Event &event);
 
 private:
-    StationPort &m_station;
+    StationInterface &m_station;
     ParameterModel m_model;
     QPushButton *m_fetch;
     QProgressBar *m_progress;

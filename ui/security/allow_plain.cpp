@@ -1,7 +1,7 @@
 #include "ui/security/allow_plain.h"
 
-#include "ui/station_port.h"
-#include "ui/text/words.h"
+#include "ui/station_interface.h"
+#include "ui/text/state_text.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtWidgets/QMessageBox>
@@ -18,12 +18,12 @@ struct Words
 
 } // namespace
 
-QString allowPlainText(const engine::HeldBackVehicle &held)
+QString allowPlainText(const engine::PendingVehicle &held)
 {
     return Words::tr("Allow plain MAVLink for vehicle %1 …").arg(held.systemId);
 }
 
-void askAllowPlain(StationPort &station, const engine::HeldBackVehicle &held, QWidget *parent)
+void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent)
 {
     const QString question = Words::tr("Take vehicle %1 without a seal?").arg(held.systemId);
     auto *box = new QMessageBox(QMessageBox::Warning, Words::tr("Plain MAVLink"), question,
@@ -43,7 +43,7 @@ void askAllowPlain(StationPort &station, const engine::HeldBackVehicle &held, QW
     box->button(QMessageBox::Yes)->setText(Words::tr("Allow plain MAVLink"));
     QObject::connect(box, &QMessageBox::finished, &station, [&station, systemId = held.systemId](int result) {
         if (result == QMessageBox::Yes)
-            station.allowClear(systemId);
+            station.allowPlaintext(systemId);
     });
     box->open();
 }

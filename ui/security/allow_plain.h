@@ -2,7 +2,7 @@
 // what it means, whose answer is no unless yes is chosen.
 #pragma once
 
-#include "core/engine/snapshot.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtCore/QString>
 
@@ -10,10 +10,10 @@ class QWidget;
 
 namespace skyseal::ui {
 
-class StationPort;
+class StationInterface;
 
 /// "Allow plain MAVLink for vehicle 1 …", of buttons and the menu.
-QString allowPlainText(const engine::HeldBackVehicle &held);
-void askAllowPlain(StationPort &station, const engine::HeldBackVehicle &held, QWidget *parent);
+QString allowPlainText(const engine::PendingVehicle &held);
+void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent);
 
 } // namespace skyseal::ui

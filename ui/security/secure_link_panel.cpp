@@ -7,7 +7,7 @@
 #include "ui/status/lock_face.h"
 #include "ui/status/one_way.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/icons.h"
 #include "ui/theme/palettes.h"
@@ -113,16 +113,16 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     column->addStretch(1);
 
     connect(&suites, &SuiteActions::noteChanged, this, &SecureLinkPanel::showNote);
-    showScene({});
+    showViewState({});
     applyFit(0);
 }
 
-void SecureLinkPanel::showScene(const Scene &scene)
+void SecureLinkPanel::showViewState(const ViewState &view)
 {
-    m_sealed = scene.session != nullptr;
-    showHead(scene);
-    showSessions(scene);
-    m_counters->showStats(scene.session ? &scene.session->stats : nullptr);
+    m_sealed = view.session != nullptr;
+    showHead(view);
+    showSessions(view);
+    m_counters->showStats(view.session ? &view.session->stats : nullptr);
     arrange();
 }
 
@@ -164,12 +164,12 @@ void SecureLinkPanel::arrange()
         applyFit(level);
 }
 
-void SecureLinkPanel::showHead(const Scene &scene)
+void SecureLinkPanel::showHead(const ViewState &view)
 {
     const StateColors &colors = stateColors(palette());
-    const LockFace face = lockFaceOf(scene);
-    const auto oneWay = oneWayOf(scene);
-    const engine::UnknownAgent *unknown = unknownAgentOf(scene);
+    const LockFace face = lockFaceOf(view);
+    const auto oneWay = oneWayOf(view);
+    const engine::UnknownAgent *unknown = unknownAgentOf(view);
     QString title, advice;
     QColor color = colors.dim;
     switch (face.security) {
@@ -179,14 +179,14 @@ void SecureLinkPanel::showHead(const Scene &scene)
         if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
-        } else if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
+        } else if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             title = tr("%1 does not answer").arg(fromStd(agent->peerName));
             advice = tr("It is there, at %1, and silent: does it know this station's key? Look there for the fingerprint %2")
                          .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
         } else if (unknown) {
             advice = tr("An agent at %1 announces itself with a key that is not known here. If it is yours, pair the two.")
                          .arg(fromStd(unknown->remoteAddress));
-        } else if (const auto ended = linkEndedOf(scene)) {
+        } else if (const auto ended = linkEndedOf(view)) {
             title = ended->title;
             advice = ended->advice;
         }
@@ -197,16 +197,16 @@ void SecureLinkPanel::showHead(const Scene &scene)
         title = tr("Not sealed");
         advice = tr(
             "This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
-        if (scene.heldBack) {
+        if (view.pendingApproval) {
             title = tr("Not sealed, held back");
             advice = tr("Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: "
                         "Security → Allow plain MAVLink.")
-                         .arg(scene.heldBack->systemId)
-                         .arg(anyOfNames(scene.heldBack->mayBe));
+                         .arg(view.pendingApproval->systemId)
+                         .arg(anyOfNames(view.pendingApproval->mayBe));
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
-        } else if (scene.plainRun) {
+        } else if (view.plainRun) {
             title = tr("Not sealed, in a sweep");
             advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The "
                         "sweep seals the link again by itself.");
@@ -216,29 +216,29 @@ void SecureLinkPanel::showHead(const Scene &scene)
     case Security::Sealed:
         title = tr("Sealed");
         color = colors.good;
-        if (scene.session && scene.session->info.silent) {
+        if (view.session && view.session->info.silent) {
             title = tr("Sealed, but nothing is heard");
             advice = tr("It goes on by itself as soon as the agent is heard again.");
             color = colors.warning;
         }
         break;
     case Security::Switching:
-        title = scene.session && scene.session->info.pending == scene.session->info.suite ? tr("Sealed, changing keys…")
+        title = view.session && view.session->info.pending == view.session->info.suite ? tr("Sealed, changing keys…")
                                                                                          : tr("Sealed, switching…");
         color = colors.good;
         break;
     case Security::UnderAttack:
         title = tr("Under attack, all refused");
-        if (scene.session)
+        if (view.session)
             advice = tr("%1 forged, %2 replayed in a minute")
-                         .arg(grouped(scene.session->forgedLastMinute), grouped(scene.session->replayedLastMinute));
+                         .arg(grouped(view.session->forgedLastMinute), grouped(view.session->replayedLastMinute));
         color = colors.alarm;
         break;
     }
     put(m_title, title);
     put(m_advice, advice);
-    m_help->setVisible(!scene.session && !face.lost && !scene.plainRun && !oneWay);
-    m_keys->setVisible((face.lost || unknown) && !scene.inSweep);
+    m_help->setVisible(!view.session && !face.lost && !view.plainRun && !oneWay);
+    m_keys->setVisible((face.lost || unknown) && !view.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);
@@ -248,38 +248,38 @@ void SecureLinkPanel::showHead(const Scene &scene)
     if (m_title->palette().color(QPalette::WindowText) != titleColors.color(QPalette::WindowText))
         m_title->setPalette(titleColors);
 
-    if (!scene.session) {
+    if (!view.session) {
         put(m_peer, {});
         return;
     }
-    const auto &info = scene.session->info;
+    const auto &info = view.session->info;
     const QString name = info.peerName.empty() ? tr("unnamed peer") : fromStd(info.peerName);
-    put(m_peer, tr("%1 ✓ · %2").arg(name, fromStd(scene.session->remoteAddress)));
-    m_since->setText(tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(scene.session->age)));
-    const QString fingerprint = tr("Fingerprint of %1\n%2").arg(name, fromStd(scene.session->fingerprint));
+    put(m_peer, tr("%1 ✓ · %2").arg(name, fromStd(view.session->remoteAddress)));
+    m_since->setText(tr("epoch %1 · for %2").arg(static_cast<quint32>(info.epoch)).arg(durationText(view.session->age)));
+    const QString fingerprint = tr("Fingerprint of %1\n%2").arg(name, fromStd(view.session->fingerprint));
     if (m_fingerprint->text() != fingerprint)
         m_fingerprint->setText(fingerprint);
     m_peer->setToolTip(m_since->text() + QLatin1Char('\n') + fingerprint);
 }
 
-void SecureLinkPanel::showSessions(const Scene &scene)
+void SecureLinkPanel::showSessions(const ViewState &view)
 {
-    const std::size_t count = scene.snapshot ? scene.snapshot->sessions.size() : 0;
+    const std::size_t count = view.snapshot ? view.snapshot->sessions.size() : 0;
     m_sessions->setVisible(count > 1);
     if (count <= 1)
         return;
     if (static_cast<std::size_t>(m_sessions->count()) != count) {
         m_sessions->clear();
-        for (const auto &session : scene.snapshot->sessions)
+        for (const auto &session : view.snapshot->sessions)
             m_sessions->addItem({}, static_cast<quint32>(session.info.session));
     }
     for (int i = 0; i < m_sessions->count(); ++i) {
-        const auto &session = scene.snapshot->sessions[static_cast<std::size_t>(i)];
+        const auto &session = view.snapshot->sessions[static_cast<std::size_t>(i)];
         const QString text = tr("%1 · %2").arg(fromStd(session.info.peerName), suiteName(session.info.suite));
         if (m_sessions->itemText(i) != text)
             m_sessions->setItemText(i, text);
         m_sessions->setItemData(i, static_cast<quint32>(session.info.session));
-        if (scene.session == &session && m_sessions->currentIndex() != i && !m_sessions->view())
+        if (view.session == &session && m_sessions->currentIndex() != i && !m_sessions->view())
             m_sessions->setCurrentIndex(i);
     }
 }

@@ -2,7 +2,7 @@
 // vehicle it says that nothing is sealed and what to do about it.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QWidget>
 
@@ -23,7 +23,7 @@ class SecureLinkPanel : public QWidget
 public:
     explicit SecureLinkPanel(SuiteActions &suites, QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
     /// So much height is there: what matters least gives way, first the fingerprint (it stays in the tool tip), then the
     /// kinds of what was refused, then the second line of the note and since when it is sealed.
     void fitHeight(int height);
@@ -35,8 +35,8 @@ Q_SIGNALS:
     void keysWanted();
 
 private:
-    void showHead(const Scene &scene);
-    void showSessions(const Scene &scene);
+    void showHead(const ViewState &view);
+    void showSessions(const ViewState &view);
     void showNote();
     void arrange();
     void applyFit(int level);

@@ -2,7 +2,7 @@
 
 #include "core/channel/suite_strength.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 
 #include <QtGui/QAction>
 #include <QtGui/QActionGroup>
@@ -13,7 +13,7 @@ namespace skyseal::ui {
 
 using crypto::SuiteId;
 
-SuiteActions::SuiteActions(StationPort &station, QObject *parent)
+SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
     : QObject(parent), m_station(station), m_group(new QActionGroup(this)),
       m_changeKeys(new QAction(this))
 {
@@ -31,7 +31,7 @@ SuiteActions::SuiteActions(StationPort &station, QObject *parent)
     m_changeKeys->setObjectName(QStringLiteral("actionChangeKeys"));
     m_changeKeys->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_K);
     connect(m_changeKeys, &QAction::triggered, this, &SuiteActions::changeKeys);
-    connect(&station, &StationPort::happened, this, &SuiteActions::take);
+    connect(&station, &StationInterface::eventOccurred, this, &SuiteActions::take);
     refresh();
 }
 
@@ -92,26 +92,26 @@ void SuiteActions::changeKeys()
     refresh();
 }
 
-void SuiteActions::showScene(const Scene &scene)
+void SuiteActions::showViewState(const ViewState &view)
 {
-    m_plain = scene.vehicle && !scene.session;
-    if (!scene.session) {
+    m_plain = view.vehicle && !view.session;
+    if (!view.session) {
         m_info.reset();
         m_asked.reset();
         m_keysAsked = false;
     } else {
-        if (m_info && m_info->session != scene.session->info.session) {
+        if (m_info && m_info->session != view.session->info.session) {
             m_asked.reset();
             m_keysAsked = false;
         }
-        m_info = scene.session->info;
+        m_info = view.session->info;
     }
     refresh();
 }
 
-void SuiteActions::take(const engine::Happening &happening)
+void SuiteActions::take(const engine::Event &event)
 {
-    if (const auto *done = std::get_if<channel::SwitchDone>(&happening)) {
+    if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         if (!m_info || done->session != m_info->session)
             return;
         const bool committed = done->failure == channel::SwitchFailure::None;
@@ -128,21 +128,21 @@ void SuiteActions::take(const engine::Happening &happening)
                         .arg(switchTimeText(done->took)),
                     false);
         } else if (done->rekey) {
-            setNote(tr("Stays with its keys: %1").arg(switchFailureWords(done->failure)), true);
+            setNote(tr("Stays with its keys: %1").arg(switchFailureText(done->failure)), true);
         } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
             setNote(tr("Now %1, after %2").arg(suiteName(done->to), switchTimeText(done->took)), false);
         } else {
-            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureWords(done->failure)), true);
+            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureText(done->failure)), true);
         }
         refresh();
-    } else if (const auto *down = std::get_if<channel::SessionDown>(&happening)) {
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         const bool wanted = m_held && down->reason == channel::DownReason::Closed; // by the sweep
         if (wanted)
             setNote({}, false);
         else if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
-            setNote(tr("Session ended: %1").arg(downReasonWords(down->reason)), true);
+            setNote(tr("Session ended: %1").arg(downReasonText(down->reason)), true);
     }
 }
 

@@ -3,7 +3,7 @@
 // a roll-back leaves the old suite and one line why. Beside them fresh keys for the suite in use, in the menu alone.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QObject>
@@ -22,15 +22,15 @@ class SuiteActions : public QObject
     Q_OBJECT
 
 public:
-    explicit SuiteActions(StationPort &station, QObject *parent = nullptr);
+    explicit SuiteActions(StationInterface &station, QObject *parent = nullptr);
 
     QAction *action(crypto::SuiteId suite) const;
     const std::array<QAction *, kChoosableSuites.size()> &actions() const { return m_actions; }
 
     QAction *changeKeysAction() const { return m_changeKeys; }
 
-    void showScene(const Scene &scene);
-    void take(const engine::Happening &happening);
+    void showViewState(const ViewState &view);
+    void take(const engine::Event &event);
     void setResearchAllowed(bool allowed);
     /// Suites weaker than this one stay grey; see channel::strengthOf.
     void setWeakest(crypto::SuiteId suite);
@@ -58,7 +58,7 @@ private:
     void refreshChangeKeys();
     void setNote(const QString &note, bool problem);
 
-    StationPort &m_station;
+    StationInterface &m_station;
     QActionGroup *m_group;
     std::array<QAction *, kChoosableSuites.size()> m_actions{};
     QAction *m_changeKeys;

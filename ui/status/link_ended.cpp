@@ -1,7 +1,7 @@
 #include "ui/status/link_ended.h"
 
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -20,17 +20,17 @@ struct Words
 
 } // namespace
 
-std::optional<LinkEnded> linkEndedOf(const Scene &scene)
+std::optional<LinkEnded> linkEndedOf(const ViewState &view)
 {
-    if (scene.session || !scene.vehicle || !scene.vehicle->session)
+    if (view.session || !view.vehicle || !view.vehicle->session)
         return std::nullopt;
-    const engine::EndedSession ended = scene.vehicle->ended.value_or(engine::EndedSession{});
+    const engine::EndedSession ended = view.vehicle->ended.value_or(engine::EndedSession{});
     const QString name = ended.peerName.empty() ? Words::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
         + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
                     "last, and clear MAVLink in its name stays refused.");
-    if (scene.inSweep && ended.reason == DownReason::Closed)
+    if (view.inSweep && ended.reason == DownReason::Closed)
         return LinkEnded{Words::tr("Beginning anew · %1").arg(name),
                          Words::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
     switch (ended.reason) {
@@ -50,28 +50,28 @@ std::optional<LinkEnded> linkEndedOf(const Scene &scene)
         break;
     }
     return LinkEnded{Words::tr("Session ended · %1").arg(name),
-                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonWords(ended.reason))
+                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason))
                          + waiting};
 }
 
-const engine::UnansweringAgent *unansweringOf(const Scene &scene)
+const engine::UnansweringAgent *unansweringOf(const ViewState &view)
 {
-    if (scene.session || !scene.snapshot)
+    if (view.session || !view.snapshot)
         return nullptr;
-    const auto &agents = scene.snapshot->unanswering;
-    if (!scene.vehicle)
-        return agents.empty() || !scene.snapshot->sessions.empty() ? nullptr : &agents.front();
-    if (!scene.vehicle->ended)
+    const auto &agents = view.snapshot->unanswering;
+    if (!view.vehicle)
+        return agents.empty() || !view.snapshot->sessions.empty() ? nullptr : &agents.front();
+    if (!view.vehicle->ended)
         return nullptr;
-    const auto found = std::ranges::find(agents, scene.vehicle->ended->peerName, &engine::UnansweringAgent::peerName);
+    const auto found = std::ranges::find(agents, view.vehicle->ended->peerName, &engine::UnansweringAgent::peerName);
     return found == agents.end() ? nullptr : &*found;
 }
 
-const engine::UnknownAgent *unknownAgentOf(const Scene &scene)
+const engine::UnknownAgent *unknownAgentOf(const ViewState &view)
 {
-    if (scene.session || scene.vehicle || scene.heldBack || !scene.snapshot || unansweringOf(scene))
+    if (view.session || view.vehicle || view.pendingApproval || !view.snapshot || unansweringOf(view))
         return nullptr;
-    const auto &agents = scene.snapshot->unknownAgents;
+    const auto &agents = view.snapshot->unknownAgents;
     return agents.empty() ? nullptr : &agents.front();
 }
 

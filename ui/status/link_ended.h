@@ -2,7 +2,7 @@
 // panel.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QString>
 
@@ -15,13 +15,13 @@ struct LinkEnded
     bool revoked = false;
 };
 
-/// Nothing while the session of the scene's vehicle is up, for a vehicle in clear and without a vehicle.
-std::optional<LinkEnded> linkEndedOf(const Scene &scene);
+/// Nothing while the session of the view's vehicle is up, for a vehicle in clear and without a vehicle.
+std::optional<LinkEnded> linkEndedOf(const ViewState &view);
 
-/// The agent of the scene's vehicle (or any, where there is none) that is there and does not answer; null when none is so.
-const engine::UnansweringAgent *unansweringOf(const Scene &scene);
+/// The agent of the view's vehicle (or any, where there is none) that is there and does not answer; null when none is so.
+const engine::UnansweringAgent *unansweringOf(const ViewState &view);
 
 /// An agent whose key is not known here, where that is all there is; null otherwise.
-const engine::UnknownAgent *unknownAgentOf(const Scene &scene);
+const engine::UnknownAgent *unknownAgentOf(const ViewState &view);
 
 } // namespace skyseal::ui

@@ -3,7 +3,7 @@
 #include "ui/status/link_ended.h"
 #include "ui/status/one_way.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/suite_style.h"
 
 #include <QtCore/QCoreApplication>
@@ -43,7 +43,7 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
     return face;
 }
 
-LockFace heldBackFace(const engine::HeldBackVehicle &held)
+LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
     return unsealedFace({Words::tr("Not sealed · vehicle %1 held back").arg(held.systemId),
                          Words::tr("Not sealed · held back"), Words::tr("Not sealed")},
@@ -53,9 +53,9 @@ LockFace heldBackFace(const engine::HeldBackVehicle &held)
                             .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
 }
 
-LockFace plainFace(const Scene &scene)
+LockFace plainFace(const ViewState &view)
 {
-    if (const auto oneWay = oneWayOf(scene)) {
+    if (const auto oneWay = oneWayOf(view)) {
         LockFace face = unsealedFace({oneWay->title, oneWay->recorded ? Words::tr("Recording") : Words::tr("Not sealed")},
                                      oneWay->advice);
         if (oneWay->recorded) {
@@ -64,7 +64,7 @@ LockFace plainFace(const Scene &scene)
         }
         return face;
     }
-    if (scene.plainRun)
+    if (view.plainRun)
         return unsealedFace({Words::tr("Not sealed · in a sweep"), Words::tr("Not sealed")},
                             Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can "
                                       "read and change what is sent. It seals the link again by itself."));
@@ -75,25 +75,25 @@ LockFace plainFace(const Scene &scene)
 
 } // namespace
 
-Security securityOf(const Scene &scene)
+Security securityOf(const ViewState &view)
 {
-    if (!scene.session)
-        return scene.vehicle    ? scene.vehicle->session ? Security::Nothing : Security::Plain
-               : scene.snapshot ? scene.snapshot->security
+    if (!view.session)
+        return view.vehicle    ? view.vehicle->session ? Security::Nothing : Security::Plain
+               : view.snapshot ? view.snapshot->security
                                 : Security::Nothing;
-    if (engine::isAttacked(*scene.session))
-        return scene.snapshot->sessions.size() == 1 ? scene.snapshot->security : Security::UnderAttack;
-    return scene.session->info.pending ? Security::Switching : Security::Sealed;
+    if (engine::isAttacked(*view.session))
+        return view.snapshot->sessions.size() == 1 ? view.snapshot->security : Security::UnderAttack;
+    return view.session->info.pending ? Security::Switching : Security::Sealed;
 }
 
-LockFace lockFaceOf(const Scene &scene)
+LockFace lockFaceOf(const ViewState &view)
 {
     LockFace face;
-    face.security = securityOf(scene);
-    if (!scene.session) {
-        if (scene.heldBack)
-            return heldBackFace(*scene.heldBack);
-        if (const engine::UnansweringAgent *agent = unansweringOf(scene)) {
+    face.security = securityOf(view);
+    if (!view.session) {
+        if (view.pendingApproval)
+            return pendingApprovalFace(*view.pendingApproval);
+        if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
             face.variants = {Words::tr("%1 does not answer").arg(fromStd(agent->peerName)), Words::tr("No answer")};
@@ -102,7 +102,7 @@ LockFace lockFaceOf(const Scene &scene)
                                .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
             return face;
         }
-        if (const auto ended = linkEndedOf(scene)) {
+        if (const auto ended = linkEndedOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
             face.variants = {ended->title, ended->revoked ? Words::tr("Revoked") : Words::tr("No session")};
@@ -115,9 +115,9 @@ LockFace lockFaceOf(const Scene &scene)
             face.toolTip = Words::tr("No vehicle and no session yet");
             return face;
         }
-        return plainFace(scene);
+        return plainFace(view);
     }
-    const auto &session = *scene.session;
+    const auto &session = *view.session;
     const QString suite = suiteName(session.info.suite);
     const QString peer = peerName(session) + QStringLiteral(" ✓");
     const QString dot = QStringLiteral(" · ");

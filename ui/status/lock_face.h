@@ -1,8 +1,8 @@
-// What the lock shows: one of its faces and the words beside it, from one scene. Kept apart from the painting, so that
+// What the lock shows: one of its faces and the words beside it, from one view. Kept apart from the painting, so that
 // strip, panel and tests agree about it.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QString>
 #include <QtCore/QStringList>
@@ -20,8 +20,8 @@ struct LockFace
     bool operator==(const LockFace &) const = default;
 };
 
-/// The state of the scene's own session (or of the whole station where it has none).
-engine::Security securityOf(const Scene &scene);
-LockFace lockFaceOf(const Scene &scene);
+/// The state of the view's own session (or of the whole station where it has none).
+engine::Security securityOf(const ViewState &view);
+LockFace lockFaceOf(const ViewState &view);
 
 } // namespace skyseal::ui

@@ -13,15 +13,15 @@ struct Words
 
 } // namespace
 
-std::optional<OneWay> oneWayOf(const Scene &scene)
+std::optional<OneWay> oneWayOf(const ViewState &view)
 {
-    if (!scene.link || scene.vehicle->session)
+    if (!view.link || view.vehicle->session)
         return std::nullopt;
-    if (scene.link->url.starts_with("tlog:"))
+    if (view.link->url.starts_with("tlog:"))
         return OneWay{Words::tr("A recording"),
                       Words::tr("What is shown was recorded earlier. Nothing of it is live, and nothing can be sent."),
                       Words::tr("it is a recording"), true};
-    if (scene.link->listenOnly)
+    if (view.link->listenOnly)
         return OneWay{Words::tr("Not sealed, only listened to"),
                       Words::tr("This stream is protected as MAVSec's published code does it, which is insecure: who is "
                                 "on the way can change it. Nothing is sent to it."),

@@ -2,7 +2,7 @@
 // the panel and all that would send something.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QString>
 
@@ -17,6 +17,6 @@ struct OneWay
 };
 
 /// Nothing for a vehicle that something can be sent to, as far as its link is concerned, and without a vehicle.
-std::optional<OneWay> oneWayOf(const Scene &scene);
+std::optional<OneWay> oneWayOf(const ViewState &view);
 
 } // namespace skyseal::ui

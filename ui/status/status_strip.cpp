@@ -2,7 +2,7 @@
 
 #include "ui/status/lock_face.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
@@ -50,20 +50,20 @@ StatusStrip::StatusStrip(QWidget *parent)
     connect(m_link, &QAbstractButton::clicked, this, &StatusStrip::linkClicked);
     for (StripItem *item : {m_vehicle, m_armed, m_mode, m_gps, m_battery, m_lock, m_link})
         connect(item, &StripItem::widthChanged, this, &StatusStrip::arrange);
-    showScene({});
+    showViewState({});
 }
 
-void StatusStrip::showScene(const Scene &scene)
+void StatusStrip::showViewState(const ViewState &view)
 {
-    showVehicle(scene);
-    showLock(scene);
-    showLink(scene);
+    showVehicle(view);
+    showLock(view);
+    showLink(view);
 }
 
-void StatusStrip::showVehicle(const Scene &scene)
+void StatusStrip::showVehicle(const ViewState &view)
 {
     const StateColors &colors = stateColors(palette());
-    const bool present = scene.vehicle != nullptr;
+    const bool present = view.vehicle != nullptr;
     for (StripItem *item : {m_armed, m_mode, m_gps, m_battery})
         item->setVisible(present);
     if (!present) {
@@ -72,23 +72,23 @@ void StatusStrip::showVehicle(const Scene &scene)
         arrange();
         return;
     }
-    const auto &state = scene.vehicle->state;
-    const QColor aged = scene.stale() ? colors.dim : QColor();
+    const auto &state = view.vehicle->state;
+    const QColor aged = view.stale() ? colors.dim : QColor();
     m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)},
                           QStringLiteral("vehicle"));
-    m_vehicle->setToolTip(vehicleTypeWord(state.type)
+    m_vehicle->setToolTip(vehicleTypeText(state.type)
                           + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
     m_vehicle->setTextColor(aged);
     m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")},
                         state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));
-    m_armed->setTextColor(scene.stale() ? colors.dim : state.armed ? colors.alarm : QColor());
+    m_armed->setTextColor(view.stale() ? colors.dim : state.armed ? colors.alarm : QColor());
     m_mode->setContent({state.mode.empty() ? dash() : fromStd(state.mode)});
     m_mode->setTextColor(aged);
 
-    const QString fix = fixWord(state.gpsFix);
+    const QString fix = fixText(state.gpsFix);
     const QString satellites = state.satellites < 0 ? QString() : tr("%1 sat").arg(state.satellites);
     m_gps->setContent({satellites.isEmpty() ? fix : fix + kDot + satellites, fix, fix}, QStringLiteral("satellite"));
-    m_gps->setTextColor(scene.stale() ? colors.dim : state.gpsFix >= 0 && state.gpsFix < 3 ? colors.warning : QColor());
+    m_gps->setTextColor(view.stale() ? colors.dim : state.gpsFix >= 0 && state.gpsFix < 3 ? colors.warning : QColor());
     m_gps->setToolTip(tr("HDOP %1").arg(number(state.hdop, 1)));
 
     const QString volts = number(state.batteryVoltage, 1) + QStringLiteral(" V");
@@ -96,14 +96,14 @@ void StatusStrip::showVehicle(const Scene &scene)
     const bool low = state.batteryPercent <= kLowBatteryPercent;
     m_battery->setContent({low ? volts + kDot + percent + kDot + tr("low") : volts + kDot + percent, percent},
                           QStringLiteral("battery"));
-    m_battery->setTextColor(scene.stale() ? colors.dim : low ? colors.alarm : QColor());
+    m_battery->setTextColor(view.stale() ? colors.dim : low ? colors.alarm : QColor());
     arrange();
 }
 
-void StatusStrip::showLock(const Scene &scene)
+void StatusStrip::showLock(const ViewState &view)
 {
     const StateColors &colors = stateColors(palette());
-    const LockFace face = lockFaceOf(scene);
+    const LockFace face = lockFaceOf(view);
     m_lock->setContent(face.variants, face.icon);
     m_lock->setToolTip(face.toolTip);
     m_lock->setStrong(face.security == Security::UnderAttack || face.security == Security::Plain);
@@ -128,10 +128,10 @@ void StatusStrip::showLock(const Scene &scene)
     }
 }
 
-void StatusStrip::showLink(const Scene &scene)
+void StatusStrip::showLink(const ViewState &view)
 {
     const StateColors &colors = stateColors(palette());
-    if (!scene.vehicle) {
+    if (!view.vehicle) {
         m_link->setSamples({});
         m_link->setContent({tr("No link"), tr("No link"), dash()}, QStringLiteral("link"));
         m_link->setTextColor(colors.dim);
@@ -140,17 +140,17 @@ void StatusStrip::showLink(const Scene &scene)
     const QString widest = tr("Link OK %1").arg(QStringLiteral("100.0 %"));
     m_link->setSamples(
         {widest + QStringLiteral(" · 888 ms · 8.8 s"), widest + QStringLiteral(" · 888 ms"), QStringLiteral("100.0 %")});
-    const auto &state = scene.vehicle->state;
+    const auto &state = view.vehicle->state;
     const QString age = tr("%1 s").arg(number(state.messageAge, 1));
-    if (state.lost || scene.stale() || (!scene.session && scene.vehicle->session)) {
+    if (state.lost || view.stale() || (!view.session && view.vehicle->session)) {
         m_link->setContent({tr("Link lost") + kDot + age, tr("Lost") + kDot + age, age}, QStringLiteral("link"));
         m_link->setTextColor(colors.alarm);
         return;
     }
-    const double arrived = 100.0 - (scene.session ? scene.session->lossPercent : scene.vehicle->lossPercent);
+    const double arrived = 100.0 - (view.session ? view.session->lossPercent : view.vehicle->lossPercent);
     const double latency = std::isfinite(state.latency) ? state.latency
-                           : scene.session && scene.session->stats.roundTrip.count() > 0
-                               ? seconds(scene.session->stats.roundTrip)
+                           : view.session && view.session->stats.roundTrip.count() > 0
+                               ? seconds(view.session->stats.roundTrip)
                                : vehicle::kUnknown;
     const bool poor = arrived < 90;
     const QString percent = number(arrived, 1) + QStringLiteral(" %");
@@ -161,7 +161,7 @@ void StatusStrip::showLink(const Scene &scene)
     m_link->setTextColor(poor ? colors.warning : QColor());
     m_link->setToolTip(
         tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
-            .arg(number(scene.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
+            .arg(number(view.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
 }
 
 void StatusStrip::arrange()

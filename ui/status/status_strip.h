@@ -2,7 +2,7 @@
 // parts shorten, the least important first, and the name of the cipher suite last.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 #include "ui/status/strip_item.h"
 
 #include <QtWidgets/QWidget>
@@ -16,7 +16,7 @@ class StatusStrip : public QWidget
 public:
     explicit StatusStrip(QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -32,9 +32,9 @@ protected:
     void paintEvent(QPaintEvent *) override;
 
 private:
-    void showVehicle(const Scene &scene);
-    void showLink(const Scene &scene);
-    void showLock(const Scene &scene);
+    void showVehicle(const ViewState &view);
+    void showLink(const ViewState &view);
+    void showLock(const ViewState &view);
     void arrange();
 
     StripItem *m_vehicle, *m_armed, *m_mode, *m_gps, *m_battery, *m_lock, *m_link;

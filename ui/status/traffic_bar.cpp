@@ -2,7 +2,7 @@
 
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
-#include "ui/text/words.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -34,23 +34,23 @@ TrafficBar::TrafficBar(QWidget *parent) : QStatusBar(parent)
     addPermanentWidget(m_tx);
     addPermanentWidget(m_recording);
     setContentsMargins(0, 0, kGrid, 0);
-    showScene({});
+    showViewState({});
 }
 
-void TrafficBar::showScene(const Scene &scene)
+void TrafficBar::showViewState(const ViewState &view)
 {
     const StateColors &colors = stateColors(palette());
     QStringList parts;
     double rx = 0, tx = 0;
     bool problem = false;
-    if (scene.snapshot) {
-        for (const auto &link : scene.snapshot->links) {
+    if (view.snapshot) {
+        for (const auto &link : view.snapshot->links) {
             rx += link.rxBytesPerSecond;
             tx += link.txBytesPerSecond;
             problem |= !link.problem.empty();
             const QString where = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
-            parts << (link.problem.empty() ? tr("%1 %2").arg(linkPhaseWord(link.phase), where)
-                                           : tr("%1 %2 (%3)").arg(linkPhaseWord(link.phase), where, fromStd(link.problem)));
+            parts << (link.problem.empty() ? tr("%1 %2").arg(linkPhaseText(link.phase), where)
+                                           : tr("%1 %2 (%3)").arg(linkPhaseText(link.phase), where, fromStd(link.problem)));
         }
     }
     const QString links = parts.isEmpty() ? tr("no link") : parts.join(QStringLiteral(" · "));
@@ -66,7 +66,7 @@ void TrafficBar::showScene(const Scene &scene)
     m_rx->setFigure(QStringLiteral("rx ") + rateText(rx));
     m_tx->setFigure(QStringLiteral("tx ") + rateText(tx));
     const engine::RecordingSnapshot none;
-    const auto &recording = scene.snapshot ? scene.snapshot->recording : none;
+    const auto &recording = view.snapshot ? view.snapshot->recording : none;
     if (!recording.problem.empty()) {
         m_recording->setFigure(tr("not recording"));
         m_recording->setColor(colors.alarm);

@@ -2,7 +2,7 @@
 // nobody has to ask on which port the station is.
 #pragma once
 
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtWidgets/QStatusBar>
 
@@ -19,7 +19,7 @@ class TrafficBar : public QStatusBar
 public:
     explicit TrafficBar(QWidget *parent = nullptr);
 
-    void showScene(const Scene &scene);
+    void showViewState(const ViewState &view);
 
 private:
     QLabel *m_links;

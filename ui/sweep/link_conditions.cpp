@@ -1,8 +1,8 @@
 #include "ui/sweep/link_conditions.h"
 
 #include "ui/dialogs/form_pieces.h"
-#include "ui/sweep/sweep_words.h"
-#include "ui/text/words.h"
+#include "ui/sweep/sweep_labels.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
 #include <QtWidgets/QCheckBox>
@@ -33,7 +33,7 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     const auto add = [&](const char *objectName, const QString &title, const char *text) {
         const QString condition = QLatin1String(text);
         auto *box = named(new QCheckBox(title, this), objectName, QString(title).remove(QLatin1Char('&')));
-        box->setToolTip(linkWords(conditionOf(condition)));
+        box->setToolTip(linkText(conditionOf(condition)));
         upper->addWidget(box);
         m_presets.push_back({condition, box});
     };

@@ -2,8 +2,8 @@
 
 #include "ui/dialogs/form_pieces.h"
 #include "ui/sweep/link_conditions.h"
-#include "ui/sweep/sweep_words.h"
-#include "ui/text/words.h"
+#include "ui/sweep/sweep_labels.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
 
@@ -65,7 +65,7 @@ QWidget *SweepDialog::makeWhere()
     m_own = named(new QRadioButton(tr("A simulated &vehicle of its own, on this machine"), box), "sweepOwn",
                   tr("A simulated vehicle of its own"));
     const QString notConnected = whyNoConnectedLink(m_around);
-    const QString peer = m_around.scene.session ? fromStd(m_around.scene.session->info.peerName) : QString();
+    const QString peer = m_around.view.session ? fromStd(m_around.view.session->info.peerName) : QString();
     m_connected->setText(notConnected.isEmpty() ? tr("The &connected link, to %1").arg(peer)
                                                 : tr("The &connected link · %1").arg(notConnected));
     m_connected->setEnabled(notConnected.isEmpty());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/sweep/sweep_permits.h"
-#include "ui/sweep/sweep_port.h"
+#include "ui/sweep/sweep_interface.h"
 
 #include <QtWidgets/QDialog>
 

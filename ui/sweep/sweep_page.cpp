@@ -4,8 +4,8 @@
 #include "ui/dialogs/form_pieces.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_table_model.h"
-#include "ui/sweep/sweep_words.h"
-#include "ui/text/words.h"
+#include "ui/sweep/sweep_labels.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
@@ -118,13 +118,13 @@ void SweepPage::fillChoices()
     m_place->clear();
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
-            m_place->addItem(placeWords(plan, condition, load), QPoint(static_cast<int>(condition), static_cast<int>(load)));
+            m_place->addItem(placeText(plan, condition, load), QPoint(static_cast<int>(condition), static_cast<int>(load)));
         }
     }
     const QVariant before = m_metric->currentData();
     m_metric->clear();
     for (const experiment::MetricInfo &info : experiment::metrics())
-        m_metric->addItem(metricWords(info.metric), static_cast<int>(info.metric));
+        m_metric->addItem(metricText(info.metric), static_cast<int>(info.metric));
     m_metric->setCurrentIndex(std::max(0, m_metric->findData(before)));
     for (QComboBox *choice : {m_place, m_metric})
         choice->view()->setMinimumWidth(choice->view()->sizeHintForColumn(0) + 3 * kGrid);
@@ -203,8 +203,8 @@ void SweepPage::showResults()
     m_model->show(m_results, condition, load);
     spanRows();
     QStringList labels;
-    for (const experiment::Arm &arm : m_results->plan.arms)
-        labels << armWords(arm);
+    for (const experiment::SweepArm &arm : m_results->plan.arms)
+        labels << armText(arm);
     const auto metric = static_cast<experiment::Metric>(m_metric->currentData().toInt());
     experiment::BarChart chart = experiment::chartOf(*m_results, condition, load, metric);
     for (std::size_t arm = 0; arm < chart.bars.size(); ++arm)
@@ -247,8 +247,8 @@ void SweepPage::showStatus()
     setStatus(tr("Run %1 of %2, %3 left: %4, %5")
                   .arg(std::min(m_progress.done + 1, m_progress.runs))
                   .arg(m_progress.runs)
-                  .arg(aboutTime(m_progress.remaining), armWords(plan.arms[m_run->arm]),
-                       placeWords(plan, m_run->condition, m_run->load)));
+                  .arg(aboutTime(m_progress.remaining), armText(plan.arms[m_run->arm]),
+                       placeText(plan, m_run->condition, m_run->load)));
 }
 
 void SweepPage::setStatus(const QString &text, bool problem)

@@ -1,7 +1,7 @@
 // The diagnostics' page of a sweep: how far it is while it runs, and what it brought, in numbers and bars, as it comes in.
 #pragma once
 
-#include "ui/sweep/sweep_port.h"
+#include "ui/sweep/sweep_interface.h"
 
 #include <QtWidgets/QWidget>
 

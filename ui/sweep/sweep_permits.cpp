@@ -17,24 +17,24 @@ struct Words
     Q_DECLARE_TR_FUNCTIONS(Sweep)
 };
 
-bool isArmed(const Scene &scene)
+bool isArmed(const ViewState &view)
 {
-    return std::ranges::any_of(scene.snapshot->vehicles, [](const auto &vehicle) { return vehicle.state.armed; });
+    return std::ranges::any_of(view.snapshot->vehicles, [](const auto &vehicle) { return vehicle.state.armed; });
 }
 
 } // namespace
 
 QString whyNoConnectedLink(const SweepSurroundings &around)
 {
-    const Scene &scene = around.scene;
-    if (!scene.snapshot || (!scene.vehicle && !scene.session))
+    const ViewState &view = around.view;
+    if (!view.snapshot || (!view.vehicle && !view.session))
         return Words::tr("nothing is connected");
-    if (!scene.session)
+    if (!view.session)
         return Words::tr("the link is not sealed");
-    if (scene.session->info.silent)
+    if (view.session->info.silent)
         return Words::tr("the link is silent");
     const auto clear = [](const engine::VehicleSnapshot &vehicle) { return !vehicle.session && !vehicle.state.lost; };
-    if (scene.snapshot->sessions.size() > 1 || std::ranges::any_of(scene.snapshot->vehicles, clear))
+    if (view.snapshot->sessions.size() > 1 || std::ranges::any_of(view.snapshot->vehicles, clear))
         return Words::tr("other links would be measured with it: leave one sealed link open");
     return {};
 }
@@ -49,12 +49,12 @@ QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId su
         return around.suites.whyNot(suite);
     if (around.requireSealed)
         return Words::tr("the settings require sealing");
-    if (!around.scene.session)
+    if (!around.view.session)
         return Words::tr("no sealed link yet");
-    const auto &offered = around.scene.session->info.peerOffered;
+    const auto &offered = around.view.session->info.peerOffered;
     if (std::ranges::find(offered, SuiteId::None) == offered.end())
         return Words::tr("the agent does not allow it (skyseal-air --allow-plain)");
-    if (isArmed(around.scene))
+    if (isArmed(around.view))
         return Words::tr("not while the vehicle is armed");
     return {};
 }
@@ -62,7 +62,7 @@ QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId su
 QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
 {
     // The session begins anew for it, and for a moment nothing can be commanded.
-    if (!ownVehicle && around.scene.snapshot && isArmed(around.scene))
+    if (!ownVehicle && around.view.snapshot && isArmed(around.view))
         return Words::tr("not while the vehicle is armed");
     return {};
 }

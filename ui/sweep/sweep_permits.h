@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/crypto/suite.h"
-#include "ui/scene.h"
+#include "ui/view_state.h"
 
 #include <QtCore/QString>
 
@@ -12,7 +12,7 @@ class SuiteActions;
 
 struct SweepSurroundings
 {
-    const Scene &scene;
+    const ViewState &view;
     const SuiteActions &suites;
     bool requireSealed = false;  ///< by the settings
     QString noOwnVehicle;        ///< why there can be no simulated vehicle for the sweep alone; empty when there can

@@ -2,8 +2,8 @@
 
 #include "core/experiment/analysis.h"
 #include "core/experiment/sweep_text.h"
-#include "ui/sweep/sweep_words.h"
-#include "ui/text/words.h"
+#include "ui/sweep/sweep_labels.h"
+#include "ui/text/state_text.h"
 #include "ui/theme/suite_style.h"
 
 namespace skyseal::ui {
@@ -41,14 +41,14 @@ QVariant SweepTableModel::data(const QModelIndex &index, int role) const
     if (!index.isValid() || !m_results)
         return {};
     const auto row = static_cast<std::size_t>(index.row());
-    const experiment::Arm &arm = m_results->plan.arms[row];
+    const experiment::SweepArm &arm = m_results->plan.arms[row];
     if (index.column() == SuiteColumn) {
         if (role == Qt::DisplayRole)
             return arm.again ? tr("%1 (A/A)").arg(suiteName(arm.suite)) : suiteName(arm.suite);
         return role == Qt::DecorationRole ? QVariant(suiteDot(arm.suite)) : QVariant();
     }
     if (index.column() == FramingColumn)
-        return role == Qt::DisplayRole ? QVariant(framingWords(arm)) : QVariant();
+        return role == Qt::DisplayRole ? QVariant(framingText(arm)) : QVariant();
     const Metric metric = m_metrics[static_cast<std::size_t>(index.column() - FixedColumns)];
     const experiment::Cell cell{m_condition, m_load, row};
     if (role == Qt::DisplayRole)
@@ -75,7 +75,7 @@ QVariant SweepTableModel::headerData(int section, Qt::Orientation orientation, i
         return role == Qt::DisplayRole ? QVariant(section == SuiteColumn ? tr("Suite") : tr("Framing")) : QVariant();
     const experiment::MetricInfo &info = experiment::info(m_metrics[static_cast<std::size_t>(section - FixedColumns)]);
     if (role == Qt::DisplayRole)
-        return metricWords(info.metric);
+        return metricText(info.metric);
     return role == Qt::ToolTipRole ? QVariant(fromStd(info.what)) : QVariant();
 }
 

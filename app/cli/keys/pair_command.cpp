@@ -3,9 +3,9 @@
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/pairing_passphrase_input.h"
-#include "app/common/pairing_talk.h"
+#include "app/common/pairing_prompt.h"
 #include "app/common/process.h"
-#include "core/engine/station.h"
+#include "core/engine/station/station.h"
 #include "core/keys/file_io.h"
 #include "core/keys/paired_peer.h"
 
@@ -18,7 +18,7 @@ namespace skyseal::app {
 namespace {
 
 /// As long as a pairing repeats its last word for an end that may have missed it.
-constexpr std::chrono::milliseconds kLastWords{3000};
+constexpr std::chrono::milliseconds kLastText{3000};
 
 /// What the person decided, until the other end said yes as well.
 struct Decision
@@ -27,19 +27,19 @@ struct Decision
     bool replace = false;
 };
 
-PairingNews keep(const std::string &peersFile, channel::Peer peer, const Decision &decision)
+PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decision &decision)
 {
     // For this end it is an agent: what may command is the station.
     peer.name = keys::fitPeerName(decision.name.empty() ? peer.name : decision.name, peer.key);
     peer.role = channel::PeerRole::Pilot;
     const auto kept =
         keys::keepPairedPeer(peersFile, peer, decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
-    PairingNews news;
-    news.state = kept ? PairingNews::State::Paired : PairingNews::State::Refused;
-    news.name = kept ? peer.name : std::string();
-    news.key = peer.key;
-    news.reason = kept ? std::string() : kept.error().text();
-    return news;
+    PairingStatus status;
+    status.state = kept ? PairingStatus::State::Paired : PairingStatus::State::Refused;
+    status.name = kept ? peer.name : std::string();
+    status.key = peer.key;
+    status.reason = kept ? std::string() : kept.error().text();
+    return status;
 }
 
 } // namespace
@@ -54,7 +54,7 @@ int pairWithAgent(const QStringList &arguments)
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "File of known peers that the agent is added to; made when it is missing.");
     options.addValue("role", "pilot|observer", "What this station asks to be there: to command, or only to look.", "pilot");
-    PairingTalk::declare(options);
+    PairingPrompt::declare(options);
     PairingPassphraseInput::declare(options);
     if (const auto status = options.parse(arguments))
         return *status;
@@ -68,7 +68,7 @@ int pairWithAgent(const QStringList &arguments)
     const auto role = keys::peerRoleFromText(options.text("role"));
     if (!role)
         options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
-    PairingTalk::Settings settings = PairingTalk::read(options);
+    PairingPrompt::Settings settings = PairingPrompt::read(options);
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     if (const auto status = options.finish())
         return *status;
@@ -93,7 +93,7 @@ int pairWithAgent(const QStringList &arguments)
     engine::Station &engine = **station;
     settings.asks = role;
     const std::string callIt = settings.callIt;
-    PairingTalk talk(std::move(settings));
+    PairingPrompt talk(std::move(settings));
     Decision decision;
     QObject::connect(&engine, &engine::Station::pairing, &talk, [&](const channel::PairingEvent &event) {
         if (const auto *paired = std::get_if<channel::Paired>(&event)) {
@@ -101,33 +101,33 @@ int pairWithAgent(const QStringList &arguments)
             return;
         }
         const auto known = keys::PeersFile::loadOrEmpty(peersFile);
-        if (auto news = newsOf(event, known ? *known : keys::PeersFile(), callIt))
-            talk.take(std::move(*news));
+        if (auto status = statusOf(event, known ? *known : keys::PeersFile(), callIt))
+            talk.take(std::move(*status));
     });
-    QObject::connect(&engine, &engine::Station::happened, &talk, [&](const engine::Happening &happening) {
-        const auto *changed = std::get_if<engine::LinkChanged>(&happening);
+    QObject::connect(&engine, &engine::Station::eventOccurred, &talk, [&](const engine::Event &event) {
+        const auto *changed = std::get_if<engine::LinkChanged>(&event);
         if (changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.addressInUse)) {
             complain(name, changed->link.url + ": " + changed->link.problem);
             QCoreApplication::exit(kCannotOpen);
         }
     });
-    QObject::connect(&talk, &PairingTalk::confirmed, &engine, [&](const PairingTalk::Answer &answer) {
+    QObject::connect(&talk, &PairingPrompt::confirmed, &engine, [&](const PairingPrompt::Answer &answer) {
         decision = {answer.name, answer.replace};
         engine.confirmPairing(answer.key);
     });
-    QObject::connect(&talk, &PairingTalk::refused, &engine, [&] { engine.refusePairing(); });
-    QObject::connect(&talk, &PairingTalk::cancelled, &engine, [&] { engine.cancelPairing(); });
+    QObject::connect(&talk, &PairingPrompt::refused, &engine, [&] { engine.refusePairing(); });
+    QObject::connect(&talk, &PairingPrompt::cancelled, &engine, [&] { engine.cancelPairing(); });
     // The last words go out to the agent before this ends.
-    QObject::connect(&talk, &PairingTalk::finished, &engine, [&](int status) {
+    QObject::connect(&talk, &PairingPrompt::finished, &engine, [&](int status) {
         QObject::connect(&engine, &engine::Station::stopped, &engine, [status] { QCoreApplication::exit(status); });
-        QTimer::singleShot(status == kDone ? kLastWords : std::chrono::milliseconds(0), &engine, [&] { engine.stop(); });
+        QTimer::singleShot(status == kDone ? kLastText : std::chrono::milliseconds(0), &engine, [&] { engine.stop(); });
     });
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &engine, [&] { engine.cancelPairing(); });
     engine.addLink(*url);
     engine.openPairing(QSysInfo::machineHostName().toStdString(), *role, *passphraseKey);
-    PairingNews open;
-    open.state = PairingNews::State::Open;
+    PairingStatus open;
+    open.state = PairingStatus::State::Open;
     open.key = *engine.publicKey();
     open.seconds = static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count());
     talk.take(open);

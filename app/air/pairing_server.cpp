@@ -1,0 +1,190 @@
+#include "app/air/pairing_server.h"
+
+#include "core/keys/paired_peer.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QSysInfo>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr qint64 kLongestOrder = 4096;
+constexpr qint64 kKeySize = Key32::size();
+constexpr int kPatienceMs = 200;
+
+PairingStatus refusal(std::string reason)
+{
+    PairingStatus status;
+    status.state = PairingStatus::State::Refused;
+    status.reason = std::move(reason);
+    return status;
+}
+
+void write(QLocalSocket &socket, const PairingStatus &status)
+{
+    socket.write(QByteArray::fromStdString(status.toJson()) + '\n');
+}
+
+} // namespace
+
+QString controlSocket(const std::string &identityFile)
+{
+    return QString::fromStdString(identityFile) + QStringLiteral(".control");
+}
+
+PairingServer::PairingServer(engine::AgentCore &agent, engine::KeyPaths paths, Say say)
+    : m_agent(agent), m_paths(std::move(paths)), m_say(std::move(say))
+{
+    const QString name = controlSocket(m_paths.identity);
+    m_server.setSocketOptions(QLocalServer::UserAccessOption);
+    connect(&m_server, &QLocalServer::newConnection, this, &PairingServer::admit);
+    if (m_server.listen(name))
+        return;
+    // Left behind by an agent that was killed, or in use by one that runs.
+    QLocalSocket probe;
+    probe.connectToServer(name);
+    if (probe.waitForConnected(kPatienceMs)) {
+        m_problem = tr("%1 is in use by another agent with the same key").arg(name);
+        return;
+    }
+    QLocalServer::removeServer(name);
+    if (!m_server.listen(name))
+        m_problem = tr("%1: %2").arg(name, m_server.errorString());
+}
+
+PairingServer::~PairingServer()
+{
+    disconnect(&m_server, nullptr, this, nullptr);
+    if (m_visitor)
+        disconnect(m_visitor, nullptr, this, nullptr);
+}
+
+void PairingServer::admit()
+{
+    while (QLocalSocket *next = m_server.nextPendingConnection()) {
+        if (m_visitor) {
+            // Answered once it has asked: who is still writing when we hang up does not read why.
+            connect(next, &QLocalSocket::readyRead, next, [next] {
+                write(*next, refusal("somebody else is pairing this agent"));
+                next->disconnectFromServer();
+            });
+            connect(next, &QLocalSocket::disconnected, next, &QObject::deleteLater);
+            continue;
+        }
+        m_visitor = next;
+        connect(next, &QLocalSocket::readyRead, this, &PairingServer::hear);
+        connect(next, &QLocalSocket::disconnected, this, &PairingServer::leave);
+    }
+}
+
+void PairingServer::leave()
+{
+    m_visitor->deleteLater();
+    m_visitor = nullptr;
+    m_keyFollows = false;
+    m_agent.cancelPairing();
+}
+
+void PairingServer::hear()
+{
+    while (m_visitor && (m_keyFollows ? m_visitor->bytesAvailable() >= kKeySize : m_visitor->canReadLine())) {
+        if (m_keyFollows)
+            takeKey();
+        else
+            obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
+    }
+    if (m_visitor && m_visitor->bytesAvailable() > kLongestOrder)
+        m_visitor->abort();
+}
+
+void PairingServer::obey(const QJsonObject &order)
+{
+    const QString what = order[QLatin1String("do")].toString();
+    if (what == QLatin1String("open")) {
+        m_callIt = order[QLatin1String("as")].toString().toStdString();
+        m_keyFollows = order[QLatin1String("passphrase")].toBool();
+        if (!m_keyFollows)
+            open(nullptr);
+    } else if (what == QLatin1String("confirm")) {
+        confirm(order);
+    } else if (what == QLatin1String("refuse")) {
+        m_agent.refusePairing();
+    }
+}
+
+void PairingServer::takeKey()
+{
+    m_keyFollows = false;
+    auto key = std::make_shared<Key32>();
+    const MutableByteView room = key->mutableView();
+    if (m_visitor->read(reinterpret_cast<char *>(room.data()), kKeySize) == kKeySize)
+        open(std::move(key));
+}
+
+void PairingServer::open(std::shared_ptr<const Key32> passphraseKey)
+{
+    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphraseKey));
+    if (!opened) {
+        notify(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed" : "it is open already"));
+        return;
+    }
+    PairingStatus status;
+    status.state = PairingStatus::State::Open;
+    status.key = m_agent.publicKey();
+    status.seconds = static_cast<int>(std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count());
+    notify(status);
+}
+
+void PairingServer::confirm(const QJsonObject &order)
+{
+    const auto key = keys::publicKeyFromText(order[QLatin1String("public")].toString().toStdString());
+    const auto role = keys::peerRoleFromText(order[QLatin1String("role")].toString().toStdString());
+    if (!key || !role)
+        return;
+    m_name = order[QLatin1String("name")].toString().toStdString();
+    m_role = *role;
+    m_replace = order[QLatin1String("replace")].toBool();
+    m_agent.confirmPairing(*key);
+}
+
+keys::PeersFile PairingServer::known() const
+{
+    return keys::PeersFile::loadOrEmpty(m_paths.peers).value_or(keys::PeersFile());
+}
+
+void PairingServer::take(const channel::PairingEvent &event)
+{
+    if (const auto *paired = std::get_if<channel::Paired>(&event))
+        keep(paired->peer);
+    else if (const auto status = statusOf(event, known(), m_callIt))
+        notify(*status);
+}
+
+void PairingServer::keep(channel::Peer peer)
+{
+    peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
+    peer.role = m_role;
+    const auto kept = keys::keepPairedPeer(m_paths.peers, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    if (!kept) {
+        notify(refusal(kept.error().text()));
+        return;
+    }
+    PairingStatus status;
+    status.state = PairingStatus::State::Paired;
+    status.name = peer.name;
+    status.role = peer.role;
+    status.key = peer.key;
+    notify(status);
+}
+
+void PairingServer::notify(const PairingStatus &status)
+{
+    m_say(status);
+    if (m_visitor)
+        write(*m_visitor, status);
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,213 @@
+#include "app/common/pairing_prompt.h"
+
+#include "app/common/exit_status.h"
+#include "app/common/output.h"
+#include "core/keys/peer_line.h"
+#include "core/keys/public_key_text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <utility>
+#include <unistd.h>
+
+namespace skyseal::app {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 256;
+
+std::string withoutBlanks(std::string text)
+{
+    std::erase_if(text, [](char c) { return c == ' ' || c == ':' || c == '\t'; });
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+} // namespace
+
+void PairingPrompt::declare(Options &options)
+{
+    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addValue("expect", "FINGERPRINT", "Confirm the peer of this fingerprint without a question, and refuse any other.");
+    options.addFlag("replace", "With --expect: also when another key is known by that name, which it then replaces.");
+    options.addValue("as", "NAME", "How the other end is to be called here, instead of as it calls itself.");
+}
+
+PairingPrompt::Settings PairingPrompt::read(Options &options)
+{
+    Settings out;
+    out.json = options.has("json");
+    if (options.has("expect")) {
+        out.expected = withoutBlanks(options.required("expect"));
+        constexpr std::size_t kDigits = 64; // all of them: a part that agrees can be searched for
+        if (out.expected.size() != kDigits || out.expected.find_first_not_of("0123456789abcdef") != std::string::npos)
+            options.fail("--expect: a whole fingerprint is expected, 64 hex digits");
+    }
+    out.replaces = options.has("replace");
+    if (out.replaces && out.expected.empty())
+        options.fail("--replace: goes with --expect; without it you are asked");
+    if (options.has("as")) {
+        keys::PeerEntry entry;
+        entry.peer.name = out.callIt = options.required("as");
+        if (const auto fits = keys::checkPeerEntry(entry); !fits)
+            options.fail("--as: " + fits.error().message);
+    }
+    return out;
+}
+
+PairingPrompt::PairingPrompt(Settings settings, QObject *parent) : QObject(parent), m_settings(std::move(settings))
+{
+    if (!m_settings.expected.empty())
+        return;
+    m_input = std::make_unique<QSocketNotifier>(STDIN_FILENO, QSocketNotifier::Read);
+    connect(m_input.get(), &QSocketNotifier::activated, this, &PairingPrompt::hear);
+}
+
+void PairingPrompt::say(const std::string &words) const
+{
+    remark(words);
+}
+
+void PairingPrompt::take(PairingStatus status)
+{
+    using State = PairingStatus::State;
+    if (m_settings.json)
+        printLine(status.toJson());
+    switch (status.state) {
+    case State::Open:
+        say("Open for pairing for " + std::to_string(status.seconds) + " s. The fingerprint of this device:");
+        say("    " + keys::fingerprint(status.key));
+        if (m_settings.asks)
+            say("Open the window at the agent, while the vehicle is disarmed: skyseal-air --pair --identity FILE");
+        say("Waiting for the other end …");
+        return;
+    case State::Seen:
+        m_asked = std::move(status);
+        ask();
+        return;
+    case State::Confirmed: say("The other end said yes."); return;
+    case State::Gone:
+        m_asked.reset();
+        say("Not any more: " + status.reason + ". Waiting for the other end …");
+        return;
+    case State::Other:
+        say("WARNING: somebody else tried to be paired meanwhile, fingerprint " + keys::fingerprint(status.key));
+        return;
+    case State::Differs:
+        if (!std::exchange(m_differs, true)) // it is told each second
+            say("The passphrases of the two ends differ, or only one end has one. Begin again with the same at both.");
+        return;
+    case State::Paired:
+        m_paired = true;
+        say("Paired with " + status.name + ".");
+        if (m_settings.asks)
+            say("This station asked to be " + std::string(keys::peerRoleText(*m_settings.asks))
+                + " there. What it is, pilot (may command) or observer (may only look), is what was confirmed beside the agent; "
+                  "it stands in the agent's list alone.");
+        return;
+    case State::Refused:
+        m_failed = true;
+        say("Not paired: " + status.reason);
+        Q_EMIT finished(kNotReached);
+        return;
+    case State::Over:
+        if (!m_paired && !m_failed)
+            say("Not paired: " + status.reason);
+        Q_EMIT finished(m_paired ? kDone : kNotReached);
+        return;
+    }
+}
+
+void PairingPrompt::ask()
+{
+    const std::string print = keys::fingerprint(m_asked->key);
+    const std::string asked = m_settings.decidesRole ? ", as " + std::string(keys::peerRoleText(m_asked->role)) : "";
+    say("\"" + m_asked->name + "\" wants to be paired" + asked + ". Its fingerprint:");
+    say("    " + print);
+    if (m_asked->knownKey) {
+        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. Known until now:");
+        say("    " + keys::fingerprint(*m_asked->knownKey));
+        say("Either it was made anew there, or somebody pretends to be it.");
+    }
+    if (m_settings.decidesRole && role() != m_asked->role)
+        say("Here it is to be " + std::string(keys::peerRoleText(role())) + ".");
+    if (!m_settings.expected.empty()) {
+        if (withoutBlanks(print) != m_settings.expected)
+            refuse("It is not the expected one: refused.");
+        else if (m_asked->knownKey && !m_settings.replaces)
+            refuse("It is the expected one, but a known key is replaced only with --replace: refused.");
+        else
+            confirm(role());
+        return;
+    }
+    const std::string yes = m_asked->knownKey ? "replace" : "yes";
+    say("Compare both fingerprints with those that the other end shows. Are both the same? Type " + yes
+        + (mayBeObserver() ? ", observer (it may only look)" : "") + " or no:");
+}
+
+void PairingPrompt::hear()
+{
+    char bytes[kLongestLine];
+    const ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
+    if (count < 0 && (errno == EINTR || errno == EAGAIN))
+        return;
+    if (count <= 0) { // nobody can answer any more
+        m_input->setEnabled(false);
+        m_failed = true;
+        say("Not paired: standard input has ended, so that nobody can answer; --expect FINGERPRINT confirms without a question");
+        Q_EMIT cancelled();
+        return;
+    }
+    m_typed.append(bytes, static_cast<std::size_t>(count));
+    for (std::size_t end = m_typed.find('\n'); end != std::string::npos; end = m_typed.find('\n')) {
+        const std::string line = m_typed.substr(0, end);
+        m_typed.erase(0, end + 1);
+        answer(line);
+    }
+    if (m_typed.size() > kLongestLine)
+        m_typed.clear();
+}
+
+void PairingPrompt::answer(const std::string &line)
+{
+    if (!m_asked)
+        return; // what is typed before the question is no answer to it
+    const std::string word = withoutBlanks(line);
+    if (word == "no") {
+        refuse("Refused. Waiting for the other end …");
+    } else if (word == (m_asked->knownKey ? "replace" : "yes")) {
+        confirm(role());
+    } else if (word == "observer" && mayBeObserver()) {
+        confirm(channel::PeerRole::Observer);
+    } else {
+        ask();
+    }
+}
+
+/// A role that is known here is not the other end's to change.
+channel::PeerRole PairingPrompt::role() const
+{
+    return m_settings.role ? *m_settings.role : m_asked->knownRole.value_or(m_asked->role);
+}
+
+bool PairingPrompt::mayBeObserver() const
+{
+    return m_settings.decidesRole && !m_asked->knownKey && role() == channel::PeerRole::Pilot;
+}
+
+void PairingPrompt::refuse(const std::string &words)
+{
+    m_asked.reset();
+    Q_EMIT refused();
+    say(words);
+}
+
+void PairingPrompt::confirm(channel::PeerRole role)
+{
+    const Answer out{m_asked->key, m_asked->name, role, m_asked->knownKey.has_value()};
+    m_asked.reset();
+    say("Confirmed here; the other end must say yes as well.");
+    Q_EMIT confirmed(out);
+}
+
+} // namespace skyseal::app

@@ -1,0 +1,150 @@
+#include "app/common/pairing_status.h"
+
+#include "app/common/overloaded.h"
+#include "core/base/json_writer.h"
+#include "core/keys/paired_peer.h"
+#include "core/keys/public_key_text.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+
+#include <array>
+
+namespace skyseal::app {
+
+namespace {
+
+using State = PairingStatus::State;
+
+struct StateWord
+{
+    State state;
+    std::string_view word;
+};
+constexpr std::array kWords{
+    StateWord{State::Open, "open"},       StateWord{State::Seen, "seen"},       StateWord{State::Confirmed, "confirmed"},
+    StateWord{State::Gone, "gone"},       StateWord{State::Other, "other"},     StateWord{State::Differs, "passphrase-differs"},
+    StateWord{State::Paired, "paired"},   StateWord{State::Over, "over"},       StateWord{State::Refused, "refused"},
+};
+
+const char *words(channel::PairingGone reason)
+{
+    switch (reason) {
+    case channel::PairingGone::Silent: return "it fell silent";
+    case channel::PairingGone::Refused: return "the other end said no";
+    case channel::PairingGone::Replaced: return "it began again";
+    }
+    return "";
+}
+
+const char *words(channel::PairingEnd reason)
+{
+    switch (reason) {
+    case channel::PairingEnd::Paired: return "";
+    case channel::PairingEnd::TimedOut: return "the time is over";
+    case channel::PairingEnd::Cancelled: return "cancelled";
+    case channel::PairingEnd::Armed: return "the vehicle was armed";
+    }
+    return "";
+}
+
+PairingStatus about(State state, const channel::PairingPeer &peer)
+{
+    PairingStatus status;
+    status.state = state;
+    status.name = keys::fitPeerName(peer.name, peer.key);
+    status.role = peer.roleAsked;
+    status.key = peer.key;
+    return status;
+}
+
+PairingStatus seen(const channel::PairingPeer &peer, const keys::PeersFile &known, const std::string &callIt)
+{
+    PairingStatus status = about(State::Seen, peer);
+    if (!callIt.empty())
+        status.name = callIt;
+    if (const keys::PeerEntry *same = known.findKey(peer.key)) {
+        status.name = same->peer.name;
+        status.knownRole = same->peer.role;
+    } else if (const keys::PeerEntry *other = known.find(status.name)) {
+        status.knownKey = other->peer.key;
+        status.knownRole = other->peer.role;
+    }
+    return status;
+}
+
+std::optional<channel::PublicKey> keyIn(const QJsonObject &object, const char *field)
+{
+    const auto key = keys::publicKeyFromText(object[QLatin1String(field)].toString().toStdString());
+    return key ? std::optional(*key) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const keys::PeersFile &known, const std::string &callIt)
+{
+    using Out = std::optional<PairingStatus>;
+    const auto plain = [](State state, const char *reason) {
+        PairingStatus status;
+        status.state = state;
+        status.reason = reason;
+        return Out(status);
+    };
+    return std::visit(Overloaded{
+                          [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
+                          [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed, ""); },
+                          [&](const channel::PairingPeerGone &e) { return plain(State::Gone, words(e.reason)); },
+                          [&](const channel::PairingOtherTried &e) { return Out(about(State::Other, e.peer)); },
+                          [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs, ""); },
+                          [&](const channel::Paired &) { return Out(); },
+                          [&](const channel::PairingOver &e) { return plain(State::Over, words(e.reason)); },
+                      },
+                      event);
+}
+
+std::string PairingStatus::toJson() const
+{
+    JsonWriter json;
+    json.beginObject().field("event", "pairing");
+    for (const StateWord &word : kWords) {
+        if (word.state == state)
+            json.field("state", word.word);
+    }
+    if (!name.empty())
+        json.field("name", name).field("role", keys::peerRoleText(role));
+    if (key != channel::PublicKey{})
+        json.field("public", keys::publicKeyText(key)).field("fingerprint", keys::fingerprint(key));
+    if (knownKey)
+        json.field("known_public", keys::publicKeyText(*knownKey)).field("known_fingerprint", keys::fingerprint(*knownKey));
+    if (knownRole)
+        json.field("known_role", keys::peerRoleText(*knownRole));
+    if (!reason.empty())
+        json.field("reason", reason);
+    if (seconds > 0)
+        json.field("seconds", std::int32_t{seconds});
+    json.endObject();
+    return json.text();
+}
+
+std::optional<PairingStatus> PairingStatus::fromJson(const QByteArray &line)
+{
+    const QJsonObject object = QJsonDocument::fromJson(line).object();
+    const std::string word = object[QLatin1String("state")].toString().toStdString();
+    for (const StateWord &candidate : kWords) {
+        if (candidate.word != word)
+            continue;
+        PairingStatus status;
+        status.state = candidate.state;
+        status.name = object[QLatin1String("name")].toString().toStdString();
+        status.role = keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString()).value_or(channel::PeerRole::Pilot);
+        status.key = keyIn(object, "public").value_or(channel::PublicKey{});
+        status.knownKey = keyIn(object, "known_public");
+        status.knownRole = keys::peerRoleFromText(object[QLatin1String("known_role")].toString().toStdString());
+        status.reason = object[QLatin1String("reason")].toString().toStdString();
+        status.seconds = object[QLatin1String("seconds")].toInt();
+        return status;
+    }
+    return std::nullopt;
+}
+
+} // namespace skyseal::app

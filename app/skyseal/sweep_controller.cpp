@@ -1,0 +1,95 @@
+#include "app/skyseal/sweep_controller.h"
+
+#include "app/common/sweep_files.h"
+#include "app/skyseal/demo.h"
+
+namespace skyseal::app {
+
+SweepController::SweepController(StationAdapter &station, std::shared_ptr<experiment::HeapFigures> heap)
+    : m_station(station), m_heap(std::move(heap))
+{
+}
+
+SweepController::~SweepController()
+{
+    if (m_thread) {
+        m_thread->quit(); // and the bench goes with it
+        m_thread->wait();
+    } else {
+        delete m_bench;
+    }
+    if (m_writer)
+        m_writer->wait();
+}
+
+QString SweepController::whyNoOwnVehicle() const
+{
+    const bool all = Demo::isAvailable() && !programPath(QStringLiteral("skyseal-cli")).isEmpty();
+    return all ? QString() : tr("skyseal-sim, skyseal-air or skyseal-cli is not installed");
+}
+
+void SweepController::start(const ui::SweepOrder &order)
+{
+    if (m_bench)
+        return;
+    if (!order.ownVehicle && !m_station.isRunning()) {
+        auto nothing = std::make_shared<experiment::Results>();
+        nothing->plan = order.plan;
+        Q_EMIT finished(std::move(nothing), tr("the station is not running"));
+        return;
+    }
+    m_bench = new SweepWorker(order.plan, order.ownVehicle ? nullptr : &m_station.station(), m_heap.get());
+    follow();
+    if (order.ownVehicle) {
+        m_thread = std::make_unique<QThread>();
+        m_thread->setObjectName(QStringLiteral("skyseal-sweep"));
+        m_bench->moveToThread(m_thread.get());
+        connect(m_thread.get(), &QThread::finished, m_bench, &QObject::deleteLater);
+        m_thread->start();
+    }
+    QMetaObject::invokeMethod(m_bench, &SweepWorker::begin, Qt::QueuedConnection);
+}
+
+void SweepController::follow()
+{
+    connect(m_bench, &SweepWorker::runBegan, this, &SweepController::runBegan);
+    connect(m_bench, &SweepWorker::sampleTaken, this, &SweepController::sampleTaken);
+    connect(
+        m_bench, &SweepWorker::finished, this,
+        [this](const std::shared_ptr<const experiment::Results> &results, const QString &problem) {
+            if (m_thread) {
+                m_thread->quit(); // it has nothing more to do
+                m_thread->wait();
+                m_thread.reset();
+            } else {
+                m_bench->deleteLater();
+            }
+            m_bench = nullptr;
+            Q_EMIT finished(results, problem);
+        },
+        Qt::QueuedConnection);
+}
+
+void SweepController::cancel()
+{
+    if (m_bench)
+        QMetaObject::invokeMethod(m_bench, &SweepWorker::cancel, Qt::QueuedConnection);
+}
+
+void SweepController::save(const experiment::Results &results, const QString &folder)
+{
+    if (m_writer)
+        return;
+    // Drawing the pictures takes seconds.
+    m_writer.reset(QThread::create([this, results, folder, contexts = m_heap ? contextSizes(*m_heap) : ContextSizes()] {
+        const SweepFiles files = writeSweepFiles(folder, results, {}, contexts);
+        QMetaObject::invokeMethod(this, [this, folder, files] {
+            m_writer->wait();
+            m_writer.reset();
+            Q_EMIT saved(folder, files.written, QString::fromStdString(files.problem));
+        });
+    }));
+    m_writer->start();
+}
+
+} // namespace skyseal::app

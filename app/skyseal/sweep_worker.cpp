@@ -1,0 +1,120 @@
+#include "app/skyseal/sweep_worker.h"
+
+#include "app/common/sweep_files.h"
+#include "app/common/sweep_setting.h"
+#include "core/channel/policy.h"
+#include "core/crypto/system_random.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::app {
+
+namespace {
+
+/// The command line that makes the same sweep on a vehicle of its own; on a connected link, what stands for it.
+QString commandOf(const experiment::Plan &plan, bool connected)
+{
+    QStringList suites, framings, loads;
+    bool noise = false;
+    for (const experiment::SweepArm &arm : plan.arms) {
+        const QString name = QString::fromUtf8(crypto::suiteInfo(arm.suite).name.data());
+        noise = noise || arm.again;
+        if (!suites.contains(name))
+            suites << name;
+    }
+    for (const channel::Framing framing : experiment::framingsOf(plan))
+        framings << QString::fromUtf8(experiment::name(framing).data());
+    for (const experiment::Load load : plan.loads)
+        loads << QString::fromUtf8(experiment::name(load).data());
+    QString links;
+    for (const experiment::Condition &condition : plan.conditions) {
+        if (plan.conditions.size() > 1 || !condition.clean())
+            links += QStringLiteral(" --impair ") + QString::fromStdString(condition.name);
+    }
+    return QStringLiteral("%1 --suites %2 --framing %3 --load %4 --seconds %5 --repeats %6 --seed %7%8%9")
+        .arg(connected ? QStringLiteral("skyseal, on the connected link; as skyseal-cli sweep --link URL …")
+                       : QStringLiteral("skyseal; as skyseal-cli sweep"),
+             suites.join(QLatin1Char(',')),
+             framings.size() > 1 ? QStringLiteral("both") : framings.value(0, QStringLiteral("sealed")),
+             loads.join(QLatin1Char(',')))
+        .arg(seconds(plan.measure))
+        .arg(plan.repeats)
+        .arg(plan.seed)
+        .arg(links, noise ? QString() : QStringLiteral(" --no-noise"));
+}
+
+} // namespace
+
+SweepWorker::SweepWorker(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap)
+    : m_plan(std::move(plan)), m_station(station), m_heap(heap)
+{
+}
+
+SweepWorker::~SweepWorker()
+{
+    m_runner.reset(); // before the programs that it measures
+}
+
+ui::SweepProgress SweepWorker::progress() const
+{
+    return {m_runner->results().samples.size(), m_runner->runs(), m_runner->remaining()};
+}
+
+void SweepWorker::begin()
+{
+    m_setting = describeSetting(QCoreApplication::applicationVersion().toUtf8().constData(),
+                                commandOf(m_plan, m_station != nullptr));
+    m_setting.emplace_back("measured_in", "the window's process; its drawing is in cpu_process and memory, not in cpu");
+    experiment::SweepConfig config;
+    config.plan = m_plan;
+    config.borrowed = m_station;
+    config.heap = m_heap;
+    if (!m_station) {
+        crypto::SystemRandom random;
+        auto lab = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
+                                            programPath(QStringLiteral("skyseal-air")),
+                                            programPath(QStringLiteral("skyseal-cli"))},
+                                           random);
+        if (!lab)
+            return end(QString::fromStdString(lab.error().text()));
+        m_lab = std::move(*lab);
+        config.lab = m_lab.get();
+        config.link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(m_lab->groundPort()));
+        config.station.keys = m_lab->stationKeys();
+        config.station.policy.suites = channel::defaultSuites();
+        config.station.policy.allowResearch = config.station.policy.allowPlain = true;
+    }
+    m_runner = std::make_unique<experiment::SweepRunner>(std::move(config));
+    connect(m_runner.get(), &experiment::SweepRunner::runBegan, this,
+            [this](const experiment::Run &run) { Q_EMIT runBegan(run, progress()); });
+    connect(m_runner.get(), &experiment::SweepRunner::sampleTaken, this,
+            [this](const experiment::Sample &sample) { Q_EMIT sampleTaken(sample, progress()); });
+    // Not from inside the runner, which goes then.
+    connect(
+        m_runner.get(), &experiment::SweepRunner::finished, this,
+        [this](bool, const std::string &problem) { end(QString::fromStdString(problem)); }, Qt::QueuedConnection);
+    if (m_cancelled)
+        return end(QStringLiteral("cancelled"));
+    m_runner->start();
+}
+
+void SweepWorker::cancel()
+{
+    m_cancelled = true;
+    if (m_runner)
+        m_runner->cancel();
+}
+
+void SweepWorker::end(const QString &problem)
+{
+    auto results = std::make_shared<experiment::Results>();
+    results->plan = m_plan;
+    if (m_runner)
+        *results = m_runner->results();
+    results->setting = std::move(m_setting);
+    m_runner.reset();
+    m_lab.reset();
+    Q_EMIT finished(std::move(results), problem);
+}
+
+} // namespace skyseal::app

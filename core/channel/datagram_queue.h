@@ -1,0 +1,68 @@
+// Datagrams of the endpoint's own (handshake, announcements, control records) that wait to be sent. They are few and
+// short, and each is repeated by its sender, so the box has a fixed size and drops the newest when it is full.
+#pragma once
+
+#include "core/base/bytes.h"
+#include "core/base/path.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace skyseal::channel {
+
+class DatagramQueue
+{
+public:
+    static constexpr std::size_t kSlots = 128;
+    static constexpr std::size_t kMaxLength = 256;
+
+    struct Item
+    {
+        Path to;
+        std::size_t length = 0;
+        std::array<std::uint8_t, kMaxLength> bytes{};
+        ByteView view() const { return ByteView(bytes).first(length); }
+    };
+
+    bool empty() const { return m_count == 0; }
+    std::size_t size() const { return m_count; }
+
+    /// The slot that `commit` will send, to be filled in place; its content is undefined.
+    Item &draft() { return m_items[(m_first + m_count) % (kSlots + 1)]; }
+    void commit(const Path &to, std::size_t length)
+    {
+        if (m_count == kSlots || length == 0)
+            return;
+        Item &item = draft();
+        item.to = to;
+        item.length = length;
+        ++m_count;
+    }
+    void send(const Path &to, ByteView bytes)
+    {
+        if (bytes.size() > kMaxLength)
+            return;
+        std::copy(bytes.begin(), bytes.end(), draft().bytes.begin());
+        commit(to, bytes.size());
+    }
+
+    /// The oldest; lives until the next call that adds. nullptr when there is none.
+    const Item *take()
+    {
+        if (m_count == 0)
+            return nullptr;
+        const Item *item = &m_items[m_first];
+        m_first = (m_first + 1) % (kSlots + 1);
+        --m_count;
+        return item;
+    }
+
+private:
+    // One more than the box holds: the slot given out last stays intact while the next one is drafted.
+    std::array<Item, kSlots + 1> m_items{};
+    std::size_t m_first = 0;
+    std::size_t m_count = 0;
+};
+
+} // namespace skyseal::channel

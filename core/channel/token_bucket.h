@@ -1,0 +1,30 @@
+// A right that grows back with time: so many at once, so many a second after that.
+#pragma once
+
+#include "core/base/clock.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+struct TokenBucket
+{
+    double credit = 0;
+    TimePoint at = TimePoint::min(); ///< as long as it was never filled; it is full then
+
+    void fill(TimePoint now, double perSecond, double atOnce)
+    {
+        credit = at == TimePoint::min() ? atOnce : std::min(atOnce, credit + seconds(now - at) * perSecond);
+        at = now;
+    }
+    bool take(TimePoint now, double perSecond, double atOnce)
+    {
+        fill(now, perSecond, atOnce);
+        if (credit < 1)
+            return false;
+        credit -= 1;
+        return true;
+    }
+};
+
+} // namespace skyseal::channel

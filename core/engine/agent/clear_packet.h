@@ -1,0 +1,44 @@
+// Joins the clear frames of one wake-up into datagrams, as large as those of a session: where a sealed link is compared with
+// plain MAVLink, the two shall differ by the sealing and not by how many datagrams they make. I/O thread; nothing is allocated.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "core/engine/common/link_pool.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace skyseal::engine {
+
+class ClearPacket
+{
+public:
+    static constexpr std::size_t kRoom = channel::kMaxRecordPayload;
+
+    ClearPacket(LinkPool &links, const Path &to) : m_links(links), m_to(to) {}
+
+    /// A whole frame, of kRoom bytes at the most.
+    void add(ByteView frame)
+    {
+        if (frame.size() > kRoom - m_size)
+            flush();
+        std::copy(frame.begin(), frame.end(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_size));
+        m_size += frame.size();
+    }
+
+    /// At the end of each wake-up.
+    void flush()
+    {
+        if (m_size > 0)
+            m_links.send(m_to, ByteView(m_bytes).first(std::exchange(m_size, 0)));
+    }
+
+private:
+    LinkPool &m_links;
+    const Path m_to;
+    std::size_t m_size = 0;
+    std::array<std::uint8_t, kRoom> m_bytes;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,77 @@
+#include "core/engine/agent/misreading.h"
+
+#include "core/engine/agent/observer_rules.h"
+#include "core/mavlink/messages.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+namespace {
+
+constexpr std::size_t kHead = 10;
+/// Of the command's number, in COMMAND_LONG and COMMAND_INT.
+constexpr std::size_t kCommandOffset = 28;
+
+bool isMagic(std::uint8_t byte)
+{
+    return byte == mavlink::kMagic1 || byte == mavlink::kMagic2;
+}
+
+/// Printable, then zeros.
+bool isText(ByteView name)
+{
+    const auto end = std::find(name.begin(), name.end(), 0);
+    return std::all_of(name.begin(), end, [](std::uint8_t c) { return c >= 0x20 && c < 0x7f; })
+        && std::all_of(end, name.end(), [](std::uint8_t c) { return c == 0; });
+}
+
+bool namesAreText(const mavlink::Frame &frame)
+{
+    const ByteView payload = frame.payload();
+    return std::all_of(frame.info().fields.begin(), frame.info().fields.end(), [&](const mavlink::FieldInfo &field) {
+        if (field.type != mavlink::FieldType::Char || field.offset >= payload.size())
+            return true;
+        return isText(payload.subspan(field.offset, std::min(field.size(), payload.size() - field.offset)));
+    });
+}
+
+bool actsOnAVehicle(std::uint16_t command)
+{
+    static const mavlink::EnumInfo *const kCommands = mavlink::Dialect::builtin().enumeration("MAV_CMD");
+    return kCommands && !kCommands->nameOf(command).empty() && !isQuestion(command);
+}
+
+/// What can stand at the place of the command's number when bytes are lost, there or before it: any two from there on, in
+/// their order.
+bool hasCommandBehindItsCommand(const mavlink::Frame &frame)
+{
+    constexpr std::size_t kCommand = kHead + kCommandOffset;
+    const ByteView bytes = frame.bytes();
+    for (std::size_t low = kCommand; low < bytes.size(); ++low) {
+        for (std::size_t high = low == kCommand ? low + 2 : low + 1; high < bytes.size(); ++high) {
+            if (actsOnAVehicle(static_cast<std::uint16_t>(bytes[low] | bytes[high] << 8)))
+                return true;
+        }
+    }
+    return false;
+}
+
+} // namespace
+
+bool isPlainlySaid(const mavlink::Frame &frame)
+{
+    return frame.version() == 2 && frame.bytes()[3] == 0 && frame.payload().size() <= frame.info().maxLength
+        && namesAreText(frame);
+}
+
+bool mayBeMisread(const mavlink::Frame &frame)
+{
+    const ByteView rest = frame.bytes().subspan(1);
+    if (std::any_of(rest.begin(), rest.end(), isMagic))
+        return true;
+    const bool isCommand = frame.messageId() == mavlink::CommandLong::kId || frame.messageId() == mavlink::CommandInt::kId;
+    return isCommand && hasCommandBehindItsCommand(frame);
+}
+
+} // namespace skyseal::engine

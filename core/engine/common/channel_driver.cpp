@@ -1,0 +1,280 @@
+#include "core/engine/common/channel_driver.h"
+
+#include "core/channel/record.h"
+#include "core/engine/common/urgency.h"
+#include "core/metrics/process_usage.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace skyseal::engine {
+
+namespace {
+
+/// Frames that are put together in one record. On a line, as many as one code byte of COBS is enough for: 45 ms of a
+/// 57,600-baud radio, so that an urgent frame never waits long behind them, and a spoilt byte does not cost more.
+constexpr std::size_t kSerialRoom = 254 - channel::kSingleHeaderLength - channel::kMacLength;
+/// In a TUNNEL, as many as its payload holds; CBC fills its last block up.
+constexpr std::size_t kTunnelRoom = channel::kTunnelPayload - channel::kRecordHeaderLength - channel::kMacLength;
+constexpr std::size_t kTunnelRoomOfCbc = kTunnelRoom / 16 * 16 - 1;
+
+} // namespace
+
+ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links)
+{
+}
+
+void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
+{
+    if (size == 0)
+        since = now;
+    std::copy(bytes.begin(), bytes.end(), frames.begin() + static_cast<std::ptrdiff_t>(size));
+    size += bytes.size();
+}
+
+std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
+{
+    const std::uint64_t begin = m_clock.begin();
+    return taken(begin, datagram.size(), m_endpoint.handleDatagram(now, from, datagram));
+}
+
+std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
+{
+    const std::uint64_t begin = m_clock.begin();
+    return taken(begin, frame.size(), m_endpoint.handleInlineFrame(now, from, frame));
+}
+
+std::optional<channel::Delivery> ChannelDriver::taken(std::uint64_t begin, std::size_t bytes,
+                                                      std::optional<channel::Delivery> delivery)
+{
+    const std::uint64_t end = metrics::CycleClock::now();
+    m_wire.received += bytes;
+    if (delivery) {
+        const std::uint64_t taken = m_clock.between(begin, end);
+        m_wire.receivedFrames += delivery->frames.size();
+        m_meters[delivery->session].opened(delivery->suite, taken, delivery->frames.size(), m_slept);
+        if (m_measuring)
+            m_opening.record(taken);
+    }
+    m_slept = false;
+    return delivery;
+}
+
+bool ChannelDriver::queue(TimePoint now, channel::SessionId session, ByteView frame)
+{
+    if (frame.size() > channel::kMaxRecordPayload)
+        return false;
+    Batch &batch = m_batches[session];
+    if (m_endpoint.framing(session) == channel::Framing::Inline && queueInline(now, session, frame, batch))
+        return true;
+    if (batch.sealedInPlace || !batch.holds(frame.size(), roomOf(m_endpoint.recordPath(session), session)))
+        sealBatch(now, session, batch);
+    batch.urgent = batch.urgent || isUrgent(frame);
+    batch.add(now, frame);
+    return true;
+}
+
+std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
+{
+    switch (path.carrier) {
+    case Carrier::Datagram: break;
+    case Carrier::Tunnel:
+        return m_sendSuites[session] == crypto::SuiteId::Aes256Cbc ? kTunnelRoomOfCbc : kTunnelRoom;
+    case Carrier::Serial: return kSerialRoom;
+    }
+    return channel::kMaxRecordPayload;
+}
+
+bool ChannelDriver::mayWait(TimePoint now, const Path &path, const Batch &batch) const
+{
+    return !batch.urgent && !batch.sealedInPlace && now < batch.since + kCoalesceDelay && m_links.isSlow(path);
+}
+
+/// False when this frame has to travel in a record.
+bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch)
+{
+    if (frame[0] != 0xfd || frame.size() < 3 || frame[2] != 0)
+        return false;
+    if (!batch.sealedInPlace) // what came before goes first, counters rise
+        sealBatch(now, session, batch);
+    const std::uint64_t begin = m_clock.begin();
+    const auto size = m_endpoint.sealInline(now, session, frame, m_record);
+    const std::uint64_t end = metrics::CycleClock::now();
+    if (!size)
+        return false;
+    const std::uint64_t taken = m_clock.between(begin, end);
+    m_meters[session].sealed(m_sendSuites[session], taken);
+    if (m_measuring)
+        m_sealing.record(taken);
+    m_wire.sentFrames += frame.size();
+    if (!batch.holds(*size, batch.frames.size()))
+        sealBatch(now, session, batch);
+    batch.sealedInPlace = true;
+    batch.add(now, ByteView(m_record).first(*size));
+    return true;
+}
+
+void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &batch)
+{
+    if (batch.size == 0)
+        return;
+    const ByteView frames(batch.frames.data(), batch.size);
+    batch.size = 0;
+    batch.urgent = false;
+    if (std::exchange(batch.sealedInPlace, false)) {
+        m_wire.sent += frames.size();
+        m_links.send(m_endpoint.recordPath(session), frames);
+        return;
+    }
+    const std::uint64_t begin = m_clock.begin();
+    const auto size = m_endpoint.seal(now, session, frames, m_record);
+    if (!size)
+        return;
+    const std::uint64_t end = metrics::CycleClock::now();
+    const std::uint64_t taken = m_clock.between(begin, end);
+    m_meters[session].sealed(m_sendSuites[session], taken);
+    if (m_measuring)
+        m_sealing.record(taken);
+    m_wire.sent += *size;
+    m_wire.sentFrames += frames.size();
+    m_links.send(m_endpoint.recordPath(session), ByteView(m_record).first(*size));
+}
+
+void ChannelDriver::transmit()
+{
+    while (const auto out = m_endpoint.pollTransmit()) {
+        m_wire.sent += out->bytes.size();
+        m_links.send(out->to, out->bytes);
+    }
+}
+
+void ChannelDriver::flush(TimePoint now)
+{
+    m_flushDue = kNever;
+    for (auto &[session, batch] : m_batches) {
+        if (batch.size > 0 && mayWait(now, m_endpoint.recordPath(session), batch))
+            m_flushDue = std::min(m_flushDue, batch.since + kCoalesceDelay);
+        else
+            sealBatch(now, session, batch);
+    }
+    transmit();
+    m_slept = true; // the thread goes to sleep after this
+}
+
+void ChannelDriver::flushAll(TimePoint now)
+{
+    m_flushDue = kNever;
+    for (auto &[session, batch] : m_batches)
+        sealBatch(now, session, batch);
+    transmit();
+    m_slept = true; // the thread goes to sleep after this
+}
+
+std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
+{
+    flushAll(now);
+    for (const channel::SessionId session : m_endpoint.sessions())
+        m_endpoint.close(now, session);
+    std::vector<Goodbye> out;
+    while (const auto goodbye = m_endpoint.pollTransmit()) {
+        out.push_back({goodbye->to, Bytes(goodbye->bytes.begin(), goodbye->bytes.end())});
+        m_wire.sent += goodbye->bytes.size();
+        m_links.send(goodbye->to, goodbye->bytes);
+    }
+    return out;
+}
+
+std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::SessionId> speaking)
+{
+    std::optional<channel::Event> event = m_left ? std::exchange(m_left, std::nullopt) : m_endpoint.pollEvent();
+    if (!event)
+        return event;
+    if (const auto *down = std::get_if<channel::SessionDown>(&*event); down && down->session == speaking) {
+        m_left = std::move(event);
+        return std::nullopt;
+    }
+    if (const auto *up = std::get_if<channel::SessionUp>(&*event))
+        m_sendSuites[up->session] = up->suite;
+    if (const auto *done = std::get_if<channel::SwitchDone>(&*event); done && done->failure == channel::SwitchFailure::None)
+        m_sendSuites[done->session] = done->to;
+    if (const auto *down = std::get_if<channel::SessionDown>(&*event)) {
+        m_endedRx += down->stats.rx;
+        m_endedTx += down->stats.tx;
+        m_endedPeerRx += down->stats.peerRx;
+        m_endedPeerFrames += down->stats.peerFrames;
+        m_batches.erase(down->session);
+        m_meters.erase(down->session);
+        m_sendSuites.erase(down->session);
+    }
+    return event;
+}
+
+void ChannelDriver::roll(TimePoint now)
+{
+    for (auto &[session, meter] : m_meters)
+        meter.roll(now);
+    // Also where a session carries nothing but its own reports.
+    for (const channel::SessionId session : m_endpoint.sessions()) {
+        const auto info = m_endpoint.sessionInfo(session);
+        if (info && now < info->lastReceived + std::chrono::seconds(2))
+            m_links.noteUse(info->path);
+    }
+}
+
+SuiteCost ChannelDriver::cost(channel::SessionId session) const
+{
+    const auto found = m_meters.find(session);
+    return found == m_meters.end() ? SuiteCost{} : found->second.cost();
+}
+
+channel::EndCosts ChannelDriver::endCosts(channel::SessionId session) const
+{
+    const auto found = m_meters.find(session);
+    channel::EndCosts out = found == m_meters.end() ? channel::EndCosts{} : found->second.sums();
+    using Microseconds = std::chrono::duration<std::uint64_t, std::micro>;
+    out.cpuMicroseconds = std::chrono::duration_cast<Microseconds>(metrics::processCpuTime()).count();
+    out.residentBytes = metrics::residentBytes().value_or(0);
+    return out;
+}
+
+void ChannelDriver::setMeasuring(bool measuring)
+{
+    m_measuring = measuring;
+    m_endpoint.askCosts(measuring);
+}
+
+ChannelTotals ChannelDriver::totals() const
+{
+    ChannelTotals out;
+    out.rx = m_endedRx;
+    out.tx = m_endedTx;
+    out.peerRx = m_endedPeerRx;
+    out.peerFrames = m_endedPeerFrames;
+    out.unmatched = m_endpoint.unmatched();
+    out.rx += out.unmatched;
+    out.wire = m_wire;
+    TimePoint heard = TimePoint::min();
+    for (const channel::SessionId session : m_endpoint.sessions()) {
+        if (const auto stats = m_endpoint.stats(session)) {
+            out.rx += stats->rx;
+            out.tx += stats->tx;
+            out.peerRx += stats->peerRx;
+            out.peerFrames += stats->peerFrames;
+            ++out.sessions;
+        }
+        const auto info = m_endpoint.sessionInfo(session);
+        if (info && info->lastReceived >= heard) {
+            heard = info->lastReceived;
+            out.up = true;
+            out.suite = info->suite;
+            out.epoch = static_cast<std::uint32_t>(info->epoch);
+            out.framing = info->framing;
+            out.cost = cost(session);
+            if (const auto stats = m_endpoint.stats(session))
+                out.roundTrip = stats->roundTrip;
+        }
+    }
+    return out;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,89 @@
+// All links of one engine: made from URLs, found by number, flushed together at the end of a wake-up, and described for
+// people. I/O thread.
+#pragma once
+
+#include "core/engine/common/carrier_writer.h"
+#include "core/engine/common/link_snapshot.h"
+#include "core/link/make_link.h"
+#include "core/metrics/rate_meter.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace skyseal::engine {
+
+/// What a link is for.
+enum class LinkUse : std::uint8_t {
+    Both,
+    ListenOnly ///< nothing is ever sent on it, whoever asks
+};
+
+class LinkPool
+{
+public:
+    using StateChanged = std::function<void(link::Link &)>;
+
+    /// `listener` receives what arrives; `stateChanged` is called after a link's state changed, also from within open().
+    LinkPool(link::LinkListener &listener, StateChanged stateChanged, link::LinkOptions options = {});
+    ~LinkPool();
+
+    link::Link &open(LinkId id, const link::LinkUrl &url, LinkUse use = LinkUse::Both);
+    /// Closes it; the object dies when the event loop comes round, since it may be the caller.
+    void remove(LinkId id);
+    link::Link *find(LinkId id) const;
+
+    /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds
+    /// nothing); dropped when the link is gone or only listens.
+    void send(const Path &to, ByteView block);
+    /// What goes in Carrier::Tunnel is said under these ids.
+    CarrierWriter &carriers() { return m_carriers; }
+    const CarrierWriter &carriers() const { return m_carriers; }
+    /// Whether bytes are dear there: a serial line of a radio's speed, or what goes through MAVLink routers to one.
+    bool isSlow(const Path &path) const;
+    /// Sends what was queued since the last flush.
+    void flush();
+
+    template<typename F> void forEach(F &&each)
+    {
+        for (Entry &entry : m_entries)
+            each(*entry.link);
+    }
+
+    /// `remoteHeard`, `badCrc`: what the engine knows besides.
+    void noteRemote(LinkId id, const Address &remote);
+    /// What came from there was of use; see link::Link.
+    void noteUse(const Path &from);
+    void countBadFrame(LinkId id, std::uint64_t count = 1);
+    std::uint64_t badFrames() const;
+    std::vector<LinkSnapshot> snapshots(TimePoint now);
+    LinkSnapshot snapshot(const link::Link &link) const;
+
+private:
+    struct Later
+    {
+        void operator()(link::Link *link) const { link->deleteLater(); }
+    };
+    struct Entry
+    {
+        std::unique_ptr<link::Link, Later> link;
+        LinkUse use = LinkUse::Both;
+        bool dirty = false;
+        Address remote{};
+        std::uint64_t badCrc = 0;
+        std::uint64_t rxBytesSeen = 0, txBytesSeen = 0;
+        metrics::RateMeter rxRate, txRate;
+    };
+
+    Entry *entry(LinkId id);
+    LinkSnapshot describe(const Entry &entry) const;
+
+    link::LinkListener &m_listener;
+    StateChanged m_stateChanged;
+    link::LinkOptions m_options;
+    std::vector<Entry> m_entries;
+    CarrierWriter m_carriers;
+    std::uint64_t m_badFramesOfRemoved = 0;
+};
+
+} // namespace skyseal::engine

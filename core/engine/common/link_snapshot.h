@@ -1,0 +1,29 @@
+// The state of one link for windows and reports, as a value.
+#pragma once
+
+#include "core/base/path.h"
+
+#include <cstdint>
+#include <string>
+
+namespace skyseal::engine {
+
+enum class LinkPhase : std::uint8_t { Closed, Opening, Listening, Connected, Waiting, Finished, Failed };
+
+struct LinkSnapshot
+{
+    LinkId id{};
+    std::string url;
+    LinkPhase phase{};
+    std::string localAddress;  ///< "0.0.0.0:14550"; always shown
+    std::string remoteAddress; ///< the last one heard of
+    std::string problem;       ///< the operating system's or the link's words; empty when all is well
+    bool addressInUse = false; ///< the problem is a port that somebody else has
+    bool hostUnknown = false;  ///< the problem is a name that nobody knows
+    bool listenOnly = false;   ///< a stream of MAVSec's published code: insecure, and never sent to
+    double rxBytesPerSecond = 0, txBytesPerSecond = 0;
+    std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0, txDatagrams = 0, dropped = 0;
+    std::uint64_t badCrc = 0; ///< frames that failed their checksum
+};
+
+} // namespace skyseal::engine

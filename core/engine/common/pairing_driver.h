@@ -1,0 +1,44 @@
+// Joins a pairing, which knows no sockets, with the links. The station and the agent drive theirs by the same class. I/O
+// thread.
+#pragma once
+
+#include "core/channel/pairing.h"
+#include "core/engine/common/link_pool.h"
+
+#include <functional>
+#include <optional>
+
+namespace skyseal::engine {
+
+class PairingDriver
+{
+public:
+    using Tell = std::function<void(const channel::PairingEvent &)>;
+
+    /// `random` must outlive it.
+    PairingDriver(LinkPool &links, RandomSource &random, Tell tell) : m_links(links), m_random(random), m_notify(std::move(tell)) {}
+
+    /// Opens a window; one that is open is cancelled without a further event.
+    void open(TimePoint now, channel::PairingConfig config);
+    bool isOpen() const { return m_pairing && !m_over; }
+
+    /// False when the datagram is none of a pairing that is under way.
+    bool take(TimePoint now, const Path &from, ByteView datagram);
+    void handleDeadline(TimePoint now);
+    void confirm(TimePoint now, const channel::PublicKey &key);
+    void refuse(TimePoint now);
+    void cancel(TimePoint now, channel::PairingEnd reason);
+
+    /// Sends and tells what there is. At the end of each wake-up.
+    void flush();
+    TimePoint nextDeadline() const { return m_pairing ? m_pairing->nextDeadline() : kNever; }
+
+private:
+    LinkPool &m_links;
+    RandomSource &m_random;
+    Tell m_notify;
+    std::optional<channel::Pairing> m_pairing;
+    bool m_over = false;
+};
+
+} // namespace skyseal::engine

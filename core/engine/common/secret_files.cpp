@@ -1,0 +1,69 @@
+#include "core/engine/common/secret_files.h"
+
+#include "core/keys/counter_file.h"
+#include "core/keys/peers_file.h"
+#include "core/keys/secret_file.h"
+
+namespace skyseal::engine {
+
+Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths)
+{
+    auto identity = keys::loadIdentity(paths.identity, paths.askPassphrase);
+    if (!identity)
+        return tl::unexpected(identity.error());
+    auto peers = readPeers(paths);
+    if (!peers)
+        return tl::unexpected(peers.error());
+    if (!peers->unusable.empty())
+        return tl::unexpected(peers->unusable.front());
+    // Beside the key that they belong to: a copied key without its counters would repeat numbers.
+    auto counters = keys::FileCounterStore::open(paths.identity + ".counters");
+    if (!counters)
+        return tl::unexpected(counters.error());
+
+    auto sealed = readSealedSystems(sealedSystemsFile(paths));
+    if (!sealed)
+        return tl::unexpected(sealed.error());
+
+    auto out = std::make_unique<SecretFiles>();
+    out->sealedSystems = std::move(*sealed);
+    out->paths = paths;
+    out->identity = std::make_shared<const crypto::X25519KeyPair>(std::move(*identity));
+    out->peers = std::move(peers->peers);
+    out->counters = std::move(*counters);
+    return out;
+}
+
+keys::PeersInForce PeerList::inForce() const
+{
+    keys::PeersInForce out{peers.size(), {}};
+    for (const InputError &error : unusable)
+        out.leftOut += (out.leftOut.empty() ? "" : "; ") + error.text();
+    return out;
+}
+
+Result<PeerList, InputError> readPeers(const KeyPaths &paths)
+{
+    if (paths.peers.empty())
+        return PeerList{};
+    const auto file = keys::PeersFile::load(paths.peers);
+    if (!file)
+        return tl::unexpected(file.error());
+    PeerList out;
+    for (const keys::PeerEntry &entry : file->entries()) {
+        channel::Peer peer = entry.peer;
+        if (!entry.presharedKeyFile.empty()) {
+            auto key = keys::loadPresharedKey(keys::presharedKeyPath(paths.peers, entry));
+            if (!key) {
+                out.unusable.push_back(std::move(key.error()));
+                out.unusable.back().message += " (pre-shared key of \"" + peer.name + "\")";
+                continue;
+            }
+            peer.presharedKey = std::make_shared<const Key32>(std::move(*key));
+        }
+        out.peers.push_back(std::move(peer));
+    }
+    return out;
+}
+
+} // namespace skyseal::engine

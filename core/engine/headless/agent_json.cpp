@@ -1,0 +1,37 @@
+#include "core/engine/headless/agent_json.h"
+
+#include "core/engine/headless/event_json.h"
+
+namespace skyseal::engine {
+
+std::string framesRefusedEvent(const FramesRefused &refused)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "frames_refused");
+    json.field("reason", refused.reason == FramesRefused::Reason::Observer ? "observer" : "system");
+    json.field("peer", refused.peer).field("frames", refused.frames);
+    json.field("message_id", refused.messageId).field("message", refused.messageName);
+    if (refused.command != 0)
+        json.field("command", std::uint32_t(refused.command));
+    json.endObject();
+    return json.text();
+}
+
+std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time)
+{
+    JsonWriter json;
+    json.beginObject().field("event", event).field("t", time);
+    writeMavlink(json, snapshot.mavlink);
+    writeChannel(json, snapshot.channel);
+    json.key("forwarded").beginObject();
+    json.field("to_ground", snapshot.counters.toGround).field("to_vehicle", snapshot.counters.toVehicle);
+    json.field("observer_refused", snapshot.counters.observerRefused);
+    json.field("observer_unclear", snapshot.counters.observerUnclear).field("spoof_refused", snapshot.counters.spoofRefused);
+    json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
+    json.endObject();
+    writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
+    json.endObject();
+    return json.text();
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,77 @@
+#include "core/engine/headless/event_names.h"
+
+namespace skyseal::engine {
+
+std::string_view word(LinkPhase phase)
+{
+    switch (phase) {
+    case LinkPhase::Closed: return "closed";
+    case LinkPhase::Opening: return "opening";
+    case LinkPhase::Listening: return "listening";
+    case LinkPhase::Connected: return "connected";
+    case LinkPhase::Waiting: return "waiting";
+    case LinkPhase::Finished: return "finished";
+    case LinkPhase::Failed: return "failed";
+    }
+    return "unknown";
+}
+
+std::string_view word(Security security)
+{
+    switch (security) {
+    case Security::Nothing: return "nothing";
+    case Security::Plain: return "plain";
+    case Security::Sealed: return "sealed";
+    case Security::Switching: return "switching";
+    case Security::UnderAttack: return "under-attack";
+    }
+    return "unknown";
+}
+
+std::string_view word(channel::DownReason reason)
+{
+    switch (reason) {
+    case channel::DownReason::PeerRestarted: return "peer-restarted";
+    case channel::DownReason::PeerClosed: return "peer-closed";
+    case channel::DownReason::TimedOut: return "timed-out";
+    case channel::DownReason::Exhausted: return "exhausted";
+    case channel::DownReason::Revoked: return "revoked";
+    case channel::DownReason::Closed: return "closed";
+    }
+    return "unknown";
+}
+
+std::string_view word(channel::SwitchFailure failure)
+{
+    switch (failure) {
+    case channel::SwitchFailure::None: return "";
+    case channel::SwitchFailure::NotAllowedHere: return "not-allowed-here";
+    case channel::SwitchFailure::NotAllowedByPeer: return "not-allowed-by-peer";
+    case channel::SwitchFailure::NotConfirmed: return "not-confirmed";
+    case channel::SwitchFailure::Superseded: return "superseded";
+    case channel::SwitchFailure::SessionEnded: return "session-ended";
+    }
+    return "unknown";
+}
+
+std::string_view word(channel::RefusalReason reason)
+{
+    switch (reason) {
+    case channel::RefusalReason::UnknownPeer: return "unknown-peer";
+    case channel::RefusalReason::WrongKey: return "wrong-key";
+    case channel::RefusalReason::ReplayedHandshake: return "replayed-handshake";
+    case channel::RefusalReason::NoCommonSuite: return "no-common-suite";
+    case channel::RefusalReason::OfferTampered: return "offer-tampered";
+    case channel::RefusalReason::Version: return "version";
+    case channel::RefusalReason::CounterBehind: return "counter-behind";
+    case channel::RefusalReason::Flood: return "flood";
+    }
+    return "unknown";
+}
+
+std::string_view word(channel::PeerRole role)
+{
+    return role == channel::PeerRole::Pilot ? "pilot" : "observer";
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,180 @@
+#include "core/engine/headless/headless_run.h"
+
+#include "core/channel/endpoint.h"
+#include "core/link/steady_now.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+namespace {
+
+constexpr std::chrono::milliseconds kTick{50};
+
+std::string listOf(const std::vector<crypto::SuiteId> &suites)
+{
+    std::string out;
+    for (const crypto::SuiteId suite : suites)
+        out.append(out.empty() ? "" : ", ").append(crypto::suiteInfo(suite).name);
+    return out;
+}
+
+} // namespace
+
+HeadlessRun::HeadlessRun(Station &station, RunListener &listener, RunPlan plan, std::vector<link::LinkUrl> links)
+    : m_station(station), m_listener(listener), m_plan(std::move(plan)), m_urls(std::move(links)), m_script(m_plan.script),
+      m_switching(m_plan.switchTo, m_plan.switchEvery)
+{
+    connect(&m_station, &Station::snapshotReady, this,
+            [this](const std::shared_ptr<const Snapshot> &snapshot) { take(snapshot); });
+    connect(&m_station, &Station::eventOccurred, this, [this](const Event &event) { hear(event); });
+    connect(&m_station, &Station::stopped, this, [this](const std::shared_ptr<const Snapshot> &last) { settle(*last); });
+    m_tick.setTimerType(Qt::PreciseTimer);
+    connect(&m_tick, &QTimer::timeout, this, [this] { tick(); });
+}
+
+void HeadlessRun::start()
+{
+    m_clock.start();
+    for (const link::LinkUrl &url : m_urls) {
+        const LinkId id = addLink(url);
+        m_links[id] = false;
+        if (url.scheme() == link::LinkScheme::Tlog)
+            m_played[id] = false;
+    }
+    m_tick.start(kTick);
+}
+
+LinkId HeadlessRun::addLink(const link::LinkUrl &url)
+{
+    return m_plan.mavsec ? m_station.addMavsecLink(url, m_plan.mavsec->clone()) : m_station.addLink(url);
+}
+
+void HeadlessRun::stop()
+{
+    if (m_stopping)
+        return;
+    m_stopping = true;
+    m_tick.stop();
+    m_station.stop();
+}
+
+void HeadlessRun::take(const std::shared_ptr<const Snapshot> &snapshot)
+{
+    m_snapshot = snapshot;
+}
+
+void HeadlessRun::hear(const Event &event)
+{
+    const TimePoint now = steadyNow();
+    if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
+        m_sessionSeen = true;
+        m_inlineSeen = m_inlineSeen || up->framing == channel::Framing::Inline;
+        m_switching.sessionUp(now, up->session);
+    } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
+        m_switching.sessionDown(down->session);
+    } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
+        m_switching.switchDone(*done);
+    } else if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
+        m_script.handleResult(*result);
+    } else if (const auto *written = std::get_if<ParameterWritten>(&event)) {
+        m_script.handleParameterResult(written->systemId, {written->parameter, written->ok, written->reason});
+    }
+    m_listener.eventOccurred(event);
+    if (const auto *changed = std::get_if<LinkChanged>(&event))
+        watchLinks(changed->link);
+    drainScript();
+}
+
+void HeadlessRun::watchLinks(const LinkSnapshot &link)
+{
+    const auto known = m_links.find(link.id);
+    if (known == m_links.end())
+        return;
+    if (link.phase == LinkPhase::Listening || link.phase == LinkPhase::Connected)
+        known->second = true;
+    if (link.phase == LinkPhase::Finished && m_played.contains(link.id))
+        m_played[link.id] = true;
+    if (!known->second && !link.problem.empty())
+        m_linkProblem = link.url + ": " + link.problem;
+    const bool hopeless = link.phase == LinkPhase::Failed || (link.phase == LinkPhase::Waiting && link.hostUnknown);
+    if (!known->second && hopeless && m_brokenLink.empty()) {
+        m_brokenLink = link.url + ": " + link.problem;
+        stop();
+    }
+}
+
+void HeadlessRun::tick()
+{
+    const TimePoint now = steadyNow();
+    if (!m_plan.duration || elapsed() < seconds(*m_plan.duration)) {
+        for (const SwitchPlan::Order &order : m_switching.poll(now))
+            m_station.switchSuite(order.session, order.suite);
+    }
+    fly(now);
+    if (const int second = static_cast<int>(m_clock.elapsed() / 1000); second > m_seconds && m_snapshot) {
+        m_seconds = second;
+        m_listener.secondPassed(*m_snapshot, elapsed());
+    }
+    endIfDue();
+}
+
+void HeadlessRun::fly(TimePoint now)
+{
+    if (m_script.finished() || !m_snapshot)
+        return;
+    std::vector<const vehicle::VehicleState *> states;
+    for (const VehicleSnapshot &vehicle : m_snapshot->vehicles)
+        states.push_back(&vehicle.state);
+    m_script.advance(now, states);
+    drainScript();
+}
+
+void HeadlessRun::drainScript()
+{
+    while (const auto order = m_script.pollOrder()) {
+        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&order->request))
+            m_script.orderSent(m_station.command(order->systemId, *command));
+        else if (const auto *write = std::get_if<vehicle::WriteParameter>(&order->request))
+            m_station.writeParameter(order->systemId, write->name, write->value);
+    }
+    while (const auto report = m_script.pollReport())
+        m_listener.stepEnded(*report);
+}
+
+void HeadlessRun::endIfDue()
+{
+    // A switch that is under way is let finish: cut off, it would be told as rolled back though nothing is wrong with it.
+    const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
+    const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
+    const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
+    const bool played = !m_played.empty() && m_played.size() == m_links.size() && !m_plan.duration
+        && std::all_of(m_played.begin(), m_played.end(), [](const auto &log) { return log.second; });
+    if (timeUp || flown || played)
+        stop();
+}
+
+void HeadlessRun::settle(const Snapshot &last)
+{
+    m_listener.ended(last, elapsed());
+    const auto end = [this](RunOutcome outcome, std::string problem = {}) { Q_EMIT finished(outcome, std::move(problem)); };
+    if (!m_brokenLink.empty())
+        return end(RunOutcome::CannotOpen, m_brokenLink);
+    // Each went on trying, as it should, but the run is over and there never was anything to hear.
+    const bool anyWorked = std::any_of(m_links.begin(), m_links.end(), [](const auto &link) { return link.second; });
+    if (!anyWorked && !m_linkProblem.empty())
+        return end(RunOutcome::CannotOpen, m_linkProblem);
+    if (m_script.failed())
+        return end(RunOutcome::ScriptFailed, "a step of the flight script failed");
+    if (!m_script.finished())
+        return end(RunOutcome::ScriptUnfinished, "the run ended before the flight script did");
+    if (m_plan.sessionRequired && !m_sessionSeen)
+        return end(RunOutcome::NoSession, "no sealed session came up");
+    if (m_plan.inlineRequired && !m_inlineSeen)
+        return end(RunOutcome::InlineNotReached, "the other end does not allow inline framing (skyseal-air --allow-inline)");
+    if (const auto missed = m_switching.notReached(); !missed.empty())
+        return end(RunOutcome::SuiteNotReached, "never came into use: " + listOf(missed));
+    end(RunOutcome::Reached);
+}
+
+} // namespace skyseal::engine

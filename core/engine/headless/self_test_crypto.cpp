@@ -1,0 +1,204 @@
+// Known answers of the ciphers and the handshake. The primitives' are from their standards; the records' were computed by
+// another implementation (Python's cryptography) from the description in core/crypto/record_cipher.h.
+#include "core/engine/headless/self_test.h"
+
+#include "core/base/hex.h"
+#include "core/crypto/hash.h"
+#include "core/crypto/hmac_sha256.h"
+#include "core/crypto/kdf.h"
+#include "core/crypto/record_cipher.h"
+#include "core/crypto/x25519.h"
+#include "core/noise/handshake_state.h"
+
+#include <algorithm>
+#include <array>
+
+namespace skyseal::engine {
+
+namespace {
+
+Bytes hex(std::string_view text)
+{
+    return fromHex(text).value_or(Bytes());
+}
+
+bool same(ByteView a, ByteView b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+Key32 keyOf(std::string_view text)
+{
+    const Bytes bytes = hex(text);
+    return Key32(std::span<const std::uint8_t, 32>(bytes.data(), 32));
+}
+
+std::optional<std::string> expect(bool right, const char *what)
+{
+    return right ? std::nullopt : std::optional<std::string>(what);
+}
+
+struct KnownRecord
+{
+    crypto::SuiteId suite;
+    std::string_view sealed;
+};
+
+/// Secret bytes 5i + 1, counter 0x010203, associated data "skyseal self-test", 45 bytes 3i of plaintext.
+constexpr KnownRecord kRecords[] = {
+    {crypto::SuiteId::ChaCha20Poly1305,
+     "7316368b9fcb84ee098dcc5df7011f4f9f75ff506e30781b09f88786b5868efce8f5abaa948e9d89490ac6ffd56cfcca7a40168c3458ba0693"
+     "bae85193"},
+    {crypto::SuiteId::Aes256Gcm,
+     "a5c5a0e25339018f1c9fdde8cc41f02097826f3b9ad4dc451e4a426bacdee91f5e85ce4a885679800ceb13e73202f3dcc8d0b94ad851022093a6c0"
+     "ecd5"},
+    {crypto::SuiteId::Aes256Ctr,
+     "37429b31379a0198cfecd693b06ade651050d5691926ace2a8d967af6231d5220277f01f7a57092ecb74c99d240115bb24f51d42f8d95f55d59785"
+     "c126"},
+    {crypto::SuiteId::Aes256Cbc,
+     "e20a0cbc3fb123feb7f84b171eb4ee4633143d0295823ed8915e5b66a6636b56a86b9f3147431c578564a4bbad3b7546b51005ce51714ceceaa280"
+     "7cc551900a"},
+    {crypto::SuiteId::ChaCha20,
+     "b2be041111a07541f14b6e7db908bb127463771363eae62e0e228943d85a5ae1d9df99ebf0d3e6d61b41aa805d129bcfe8096037f74d7193f9790c"
+     "128a"},
+    {crypto::SuiteId::Rc4,
+     "2d4c1aa5815b474f9df787f703cad8c67099147f2bf8ec94147cc49401e73a0a44bece883f2f73f1d2437140c2accc88a32ef7844cd3f6b2efcb76"
+     "e9cd"},
+};
+constexpr std::uint64_t kCounter = 0x010203;
+
+std::unique_ptr<crypto::RecordCipher> knownCipher(crypto::SuiteId suite)
+{
+    crypto::DirectionSecret secret;
+    for (std::size_t i = 0; i < secret.size(); ++i)
+        secret.mutableView()[i] = static_cast<std::uint8_t>(5 * i + 1);
+    return crypto::makeRecordCipher(suite, std::move(secret));
+}
+
+std::optional<std::string> checkRecord(const KnownRecord &known)
+{
+    const auto cipher = knownCipher(known.suite);
+    if (!cipher)
+        return "not available on this machine";
+    const ByteView about = asBytes("skyseal self-test");
+    std::array<std::uint8_t, 45> plain;
+    for (std::size_t i = 0; i < plain.size(); ++i)
+        plain[i] = static_cast<std::uint8_t>(3 * i);
+    Bytes record(cipher->sealedSize(plain.size()));
+    record.resize(cipher->seal(kCounter, about, plain, record));
+    if (!same(record, hex(known.sealed)))
+        return "seals to something else";
+    Bytes damaged = record;
+    damaged.back() ^= 1;
+    if (knownCipher(known.suite)->open(kCounter, about, damaged))
+        return "takes a damaged record";
+    const auto opened = knownCipher(known.suite)->open(kCounter, about, record);
+    return expect(opened && same(*opened, plain), "does not open what it sealed");
+}
+
+/// Chosen ephemeral keys, as the published vector has them.
+class ChosenRandom final : public RandomSource
+{
+public:
+    explicit ChosenRandom(Bytes bytes) : m_bytes(std::move(bytes)) {}
+    void fill(MutableByteView out) override
+    {
+        std::copy_n(m_bytes.begin(), std::min(out.size(), m_bytes.size()), out.begin());
+    }
+
+private:
+    Bytes m_bytes;
+};
+
+noise::HandshakeState startHandshake(noise::Role role, std::string_view own)
+{
+    noise::HandshakeConfig config;
+    config.role = role;
+    config.prologue = asBytes("John Galt");
+    config.localStatic = crypto::X25519KeyPair::fromSecret(keyOf(own));
+    if (role == noise::Role::Initiator) {
+        const Bytes remote = hex("31e0303fd6418d2f8c0e78b91f22e8caed0fbe48656dcf4767e4834f701b8f62");
+        config.remoteStatic.emplace();
+        std::copy(remote.begin(), remote.end(), config.remoteStatic->begin());
+    }
+    config.psks.push_back(keyOf("54686973206973206d7920417573747269616e20706572737065637469766521"));
+    return std::move(*noise::HandshakeState::initialize(std::move(config)));
+}
+
+/// The vector of the cacophony project for Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b.
+std::optional<std::string> checkHandshake()
+{
+    auto initiator =
+        startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
+    auto responder =
+        startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
+    ChosenRandom first(hex("893e28b9dc6ca8d611ab664754b8ceb7bac5117349a4439a6b0569da977c464a"));
+    ChosenRandom second(hex("bbdb4cdbd309f1a1f2e1456967fe288cadd6f712d65dc7b7793d5e63da6b375b"));
+    std::array<std::uint8_t, 256> message, payload;
+    const auto sent = initiator.writeMessage(asBytes("Ludwig von Mises"), message, first);
+    const Bytes expected =
+        hex("ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c7944b6fe0240b839afac809de1630eaf99d8f9b941394f0512c"
+            "0554633bbb021d1"
+            "5176135c0a20e7fdb9a9ed066f22f054b47625b1d5061cb27d6a17f053273db7c25216a5addc506ee321bc0618feb5849d");
+    if (!sent || !same(ByteView(message).first(*sent), expected))
+        return "the first message is another one";
+    if (!responder.readMessage(ByteView(message).first(*sent), payload))
+        return "the first message is refused";
+    const auto answer = responder.writeMessage(asBytes("Murray Rothbard"), message, second);
+    if (!answer || !initiator.readMessage(ByteView(message).first(*answer), payload))
+        return "the answer is refused";
+    const Bytes hash = hex(
+        "ed837c9084f2f0333a7ec60b9bcacd9921394858de8ced118b5966d1147ba390084dab42326c565a309c29317a6079be30aa1d790d25a517"
+        "b43287426cb1d36a");
+    return expect(same(initiator.handshakeHash(), hash) && same(responder.handshakeHash(), hash), "the hash is another one");
+}
+
+} // namespace
+
+std::vector<SelfTest> primitiveSelfTests()
+{
+    const auto hmac = [] { // RFC 4231, case 2
+        std::array<std::uint8_t, 32> out;
+        crypto::hmacSha256(out, asBytes("Jefe"), {asBytes("what do ya want for nothing?")});
+        return expect(same(out, hex("5bdcc146bf60754e6a042426089575c75a003f089d2739839dec58b964ec3843")), "wrong answer");
+    };
+    const auto hkdf = [] { // RFC 5869, case 1
+        std::array<std::uint8_t, 42> out;
+        const bool done = crypto::hkdfExpandSha256(
+            out, hex("077709362c2e32df0ddc3f0dc47bba6390b6c73bb50f9c3122ec844ad7c2b3e5"), hex("f0f1f2f3f4f5f6f7f8f9"));
+        return expect(
+            done && same(out, hex("3cb25f25faacd57a90434f64d0362f2a2d2d0a90cf1a5a4c5db02d56ecc4c5bf34007208d5b887185865")),
+            "wrong answer");
+    };
+    const auto blake = [] { // RFC 7693, appendix A
+        return expect(same(crypto::blake2b({asBytes("abc")}), hex("ba80a53f981c4d0d6a2797b69f12f6e94c212f14685ac4b74b12bb6fd"
+                                                                  "bffa2d17d87c5392aab792dc252d5de4533cc9518d38aa8dbf192"
+                                                                  "5ab92386edd4009923")),
+                      "wrong answer");
+    };
+    const auto x25519 = [] { // RFC 7748, 5.2
+        const Bytes point = hex("e6db6867583030db3594c1a424b15f7c726624ec26b3353b10a903a6d0ab1c4c");
+        crypto::PublicKey other{};
+        std::copy(point.begin(), point.end(), other.begin());
+        const auto shared = crypto::x25519(keyOf("a546e36bf0527c9d3b16154b82465edd62144c0ac1fc5a18506a2244ba449ac4"), other);
+        return expect(shared && shared->equals(keyOf("c3da55379de9c6908e94ea4df28d084f32eccf03491c71f754b4075577a28552")),
+                      "wrong answer");
+    };
+    return {{"HMAC-SHA-256", hmac}, {"HKDF-SHA-256", hkdf}, {"BLAKE2b", blake}, {"X25519", x25519}};
+}
+
+std::vector<SelfTest> suiteSelfTests()
+{
+    std::vector<SelfTest> out;
+    for (const KnownRecord &known : kRecords)
+        out.push_back(
+            {"suite " + std::string(crypto::suiteInfo(known.suite).name), [&known] { return checkRecord(known); }});
+    return out;
+}
+
+std::vector<SelfTest> handshakeSelfTests()
+{
+    return {{"Noise IKpsk2 handshake", checkHandshake}};
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,90 @@
+#include "core/engine/headless/telemetry_csv.h"
+
+#include "core/log/log_reader.h"
+#include "core/vehicle/state_fields.h"
+#include "core/vehicle/vehicle_set.h"
+
+#include <charconv>
+#include <cmath>
+#include <map>
+
+namespace skyseal::engine {
+
+namespace {
+
+std::string numberText(double value)
+{
+    char digits[40];
+    return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+/// RFC 4180: in quotes where it holds a comma, a quote or a line end.
+std::string quoted(const std::string &text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    std::string out = "\"";
+    for (const char c : text)
+        out.append(c == '"' ? 2 : 1, c);
+    return out + "\"";
+}
+
+std::string headLine()
+{
+    std::string out = "time";
+    for (const vehicle::StateField &field : vehicle::stateFields())
+        out.append(",").append(field.name);
+    return out;
+}
+
+std::string rowOf(WallTime time, const vehicle::VehicleState &state)
+{
+    std::string out = numberText(static_cast<double>(time.time_since_epoch().count()) / 1e6);
+    for (const vehicle::StateField &field : vehicle::stateFields()) {
+        out += ',';
+        if (field.kind == vehicle::StateField::Kind::Text)
+            out += quoted(field.text(state));
+        else if (const double value = field.number(state); !std::isnan(value))
+            out += numberText(value);
+    }
+    return out;
+}
+
+} // namespace
+
+std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &dialect, Duration every,
+                              const std::function<bool(const std::string &line)> &sink)
+{
+    vehicle::VehicleConfig config;
+    config.streams = vehicle::StreamProfile::Quiet;
+    vehicle::VehicleSet vehicles(config);
+    std::map<std::uint8_t, WallTime> due;
+    std::uint64_t rows = 0;
+    const auto pace = std::chrono::duration_cast<std::chrono::microseconds>(every);
+
+    tlog::LogReader reader(input, dialect);
+    if (!sink(headLine()))
+        return rows;
+    while (const auto item = reader.next()) {
+        if (!item->frame || !item->time)
+            continue;
+        // The recording's own clock is the clock here.
+        const TimePoint now(std::chrono::duration_cast<Duration>(item->time->time_since_epoch()));
+        vehicles.handleFrame(now, *item->time, *item->frame);
+        vehicle::Vehicle *vehicle = vehicles.find(item->frame->systemId());
+        if (!vehicle)
+            continue;
+        while (vehicle->pollOutgoing()) {
+        }
+        WallTime &next = due[vehicle->systemId()];
+        if (*item->time < next)
+            continue;
+        next = *item->time + pace;
+        if (!sink(rowOf(*item->time, vehicle->state(now))))
+            return rows;
+        ++rows;
+    }
+    return rows;
+}
+
+} // namespace skyseal::engine

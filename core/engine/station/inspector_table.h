@@ -1,0 +1,36 @@
+// Every kind of message of every sender, with its newest content and its rate: what an inspector shows. Kept only while one
+// is watching. I/O thread.
+#pragma once
+
+#include "core/engine/station/snapshot.h"
+#include "core/mavlink/frame.h"
+#include "core/metrics/rate_meter.h"
+
+#include <map>
+#include <tuple>
+
+namespace skyseal::engine {
+
+class InspectorTable
+{
+public:
+    void setWatching(bool watching);
+    void note(TimePoint now, const mavlink::Frame &frame);
+    std::vector<InspectorRow> rows(TimePoint now) const;
+
+    /// Rows at the most; senders can be forged on a plain link.
+    static constexpr std::size_t kMost = 2048;
+
+private:
+    struct Entry
+    {
+        InspectorRow row;
+        TimePoint newest{};
+        metrics::RateMeter rate{std::chrono::seconds(2)};
+    };
+
+    bool m_watching = false;
+    std::map<std::tuple<std::uint8_t, std::uint8_t, std::uint32_t>, Entry> m_entries;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,24 @@
+#include "core/engine/station/mavsec_stream.h"
+
+#include "core/mavlink/crc.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+mavlink::Frame MavsecStream::open(const mavlink::Frame &encrypted)
+{
+    const ByteView bytes = encrypted.bytes();
+    const MutableByteView frame = MutableByteView(m_frame).first(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), frame.begin());
+    const std::size_t header = encrypted.version() == 2 ? 10 : 6;
+    const std::size_t end = header + encrypted.payload().size();
+    m_cipher.apply(frame.subspan(header, encrypted.payload().size()));
+    std::uint16_t crc = mavlink::crcAccumulate(mavlink::kCrcStart, ByteView(frame).subspan(1, end - 1));
+    crc = mavlink::crcAccumulate(crc, {&encrypted.info().crcExtra, 1});
+    frame[end] = static_cast<std::uint8_t>(crc);
+    frame[end + 1] = static_cast<std::uint8_t>(crc >> 8);
+    return *mavlink::readFrame(frame, *m_dialect); // the same message, length and flags: it cannot fail
+}
+
+} // namespace skyseal::engine

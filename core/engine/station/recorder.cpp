@@ -1,0 +1,188 @@
+#include "core/engine/station/recorder.h"
+
+#include "core/base/byte_writer.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace skyseal::engine {
+
+namespace {
+
+constexpr auto kWriteEvery = std::chrono::milliseconds(200);
+constexpr auto kSyncEvery = std::chrono::seconds(1);
+constexpr auto kRetryAfter = std::chrono::seconds(10);
+constexpr std::size_t kTimeLength = 8;
+
+std::string nameByTime()
+{
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    char out[32];
+    std::strftime(out, sizeof out, "%Y-%m-%dT%H-%M-%SZ", &utc);
+    return out;
+}
+
+} // namespace
+
+/// The writer thread's own.
+struct Recorder::File
+{
+    using Clock = std::chrono::steady_clock;
+
+    int fd = -1;
+    std::string name;
+    Clock::time_point synced{};
+    Clock::time_point retry{};
+
+    ~File()
+    {
+        if (fd >= 0) {
+            fdatasync(fd);
+            close(fd);
+        }
+    }
+
+    bool openIn(const std::string &folder)
+    {
+        std::error_code ignored; // open() says it better
+        std::filesystem::create_directories(folder, ignored);
+        const std::string stem = folder + "/" + nameByTime();
+        for (int copy = 1; copy < 100; ++copy) {
+            name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
+            // For the owner alone: here stands in clear what the link kept secret, the vehicle's whereabouts first of all.
+            fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+            if (fd >= 0 || errno != EEXIST)
+                break;
+        }
+        return fd >= 0;
+    }
+
+    bool writeAll(ByteView bytes)
+    {
+        while (!bytes.empty()) {
+            const ssize_t done = ::write(fd, bytes.data(), bytes.size());
+            if (done < 0 && errno == EINTR)
+                continue;
+            if (done <= 0)
+                return false;
+            bytes = bytes.subspan(static_cast<std::size_t>(done));
+        }
+        return true;
+    }
+};
+
+Recorder::Recorder(std::string folder, std::size_t bufferBytes) : m_folder(std::move(folder))
+{
+    m_filling.reserve(bufferBytes);
+    m_status.active = true;
+    m_status.file = m_folder;
+    m_writer = std::thread([this] { run(); });
+}
+
+Recorder::~Recorder()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stop = true;
+    }
+    m_wake.notify_one();
+    m_writer.join();
+}
+
+void Recorder::record(WallTime time, ByteView frame)
+{
+    std::array<std::uint8_t, kTimeLength> stamp;
+    ByteWriter(stamp).bigEndian(static_cast<std::uint64_t>(time.time_since_epoch().count()));
+    const std::lock_guard lock(m_mutex);
+    if (m_filling.capacity() - m_filling.size() < stamp.size() + frame.size()) {
+        ++m_status.dropped;
+        return;
+    }
+    m_filling.insert(m_filling.end(), stamp.begin(), stamp.end());
+    m_filling.insert(m_filling.end(), frame.begin(), frame.end());
+    ++m_fillingFrames;
+}
+
+RecordingSnapshot Recorder::snapshot() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_status;
+}
+
+std::optional<RecordingSnapshot> Recorder::takeProblem()
+{
+    const std::lock_guard lock(m_mutex);
+    if (!m_problemPending)
+        return std::nullopt;
+    m_problemPending = false;
+    return m_status;
+}
+
+void Recorder::run()
+{
+    File file;
+    Bytes writing;
+    writing.reserve(m_filling.capacity());
+    std::unique_lock lock(m_mutex);
+    for (bool last = false; !last;) {
+        m_wake.wait_for(lock, kWriteEvery, [this] { return m_stop; });
+        last = m_stop;
+        writing.clear();
+        std::swap(writing, m_filling);
+        const std::uint64_t frames = std::exchange(m_fillingFrames, 0);
+        lock.unlock();
+        if (!writing.empty())
+            write(file, writing, frames);
+        lock.lock();
+    }
+}
+
+void Recorder::write(File &file, ByteView bytes, std::uint64_t frames)
+{
+    const auto now = File::Clock::now();
+    bool written = false;
+    if (file.fd < 0 && now >= file.retry && !file.openIn(m_folder)) {
+        fail(file, "cannot be created");
+    } else if (file.fd >= 0) {
+        written = file.writeAll(bytes);
+        if (!written) {
+            fail(file, "cannot be written");
+        } else if (now - file.synced >= kSyncEvery) {
+            file.synced = now;
+            fdatasync(file.fd);
+        }
+    }
+    const std::lock_guard lock(m_mutex);
+    if (!written) {
+        m_status.dropped += frames;
+        return;
+    }
+    m_status.file = file.name;
+    m_status.problem.clear();
+    m_status.bytes += bytes.size();
+    m_status.frames += frames;
+}
+
+void Recorder::fail(File &file, const char *what)
+{
+    const std::string problem = std::string(what) + ": " + std::strerror(errno);
+    if (file.fd >= 0)
+        close(file.fd);
+    file.fd = -1;
+    file.retry = File::Clock::now() + kRetryAfter;
+    const std::lock_guard lock(m_mutex);
+    // Told once, not every ten seconds.
+    m_problemPending = m_problemPending || m_status.problem != problem;
+    m_status.file = file.name;
+    m_status.problem = problem;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,343 @@
+#include "core/engine/station/station.h"
+
+#include "core/crypto/thread_end.h"
+#include "core/engine/station/mailbox.h"
+#include "core/engine/station/station_core.h"
+
+#include <QtCore/QThread>
+#include <QtCore/QTimer>
+
+#include <functional>
+#include <variant>
+
+namespace skyseal::engine {
+
+namespace {
+
+/// How long the reader may stand still before nobody pretends any more that an operator is there.
+constexpr auto kReaderPatience = std::chrono::seconds(3);
+constexpr auto kAskReaderEvery = std::chrono::milliseconds(500);
+
+} // namespace
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// The last snapshot of a station that was stopped.
+struct Stopped
+{
+    SnapshotPtr last;
+};
+
+/// Lives on the I/O thread; owns the core there.
+class StationWorker : public QObject
+{
+    Q_OBJECT
+
+public:
+    using Order = std::function<void(StationWorker &)>;
+    using News = std::variant<SnapshotPtr, Event, channel::PairingEvent, Stopped>;
+
+    StationWorker(StationConfig config, std::unique_ptr<SecretFiles> secrets)
+        : m_config(std::move(config)), m_secrets(std::move(secrets))
+    {
+    }
+
+    void begin()
+    {
+        m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets),
+                                               StationSinks{[this](SnapshotPtr snapshot) { notify(std::move(snapshot)); },
+                                                            [this](Event event) { notify(std::move(event)); },
+                                                            [this](channel::PairingEvent event) { notify(std::move(event)); }});
+        m_answered = steadyNow();
+        m_ask = std::make_unique<QTimer>();
+        connect(m_ask.get(), &QTimer::timeout, this, [this] {
+            m_core->setReaderAlive(steadyNow() - m_answered < kReaderPatience);
+            Q_EMIT readerAsked();
+        });
+        m_ask->start(kAskReaderEvery);
+        takeOrders();
+    }
+
+    void readerAnswered() { m_answered = steadyNow(); }
+
+    void takeOrders()
+    {
+        if (!m_core)
+            return; // kept until begin()
+        for (const Order &order : orders.takeAll())
+            order(*this);
+    }
+
+    void stop()
+    {
+        m_ask.reset();
+        notify(Stopped{m_core->stop()});
+    }
+
+    void end()
+    {
+        m_ask.reset();
+        m_core.reset();
+        crypto::endThread();
+        news.put(Stopped{}); // the last word: whoever takes it may delete this object
+        QThread::currentThread()->quit();
+    }
+
+    StationCore &core() { return *m_core; }
+
+    Mailbox<Order> orders;
+    Mailbox<News> news;
+
+Q_SIGNALS:
+    void newsCame();
+    void readerAsked();
+
+private:
+    void notify(News item)
+    {
+        if (news.put(std::move(item)))
+            Q_EMIT newsCame();
+    }
+
+    StationConfig m_config;
+    std::unique_ptr<SecretFiles> m_secrets;
+    std::unique_ptr<StationCore> m_core;
+    std::unique_ptr<QTimer> m_ask;
+    TimePoint m_answered{};
+};
+
+/// Tells the worker, across the threads, that something was put into its box.
+class Bell : public QObject
+{
+    Q_OBJECT
+
+Q_SIGNALS:
+    void ordersCame();
+    void readerAnswered();
+};
+
+struct Station::Private
+{
+    QThread thread;
+    std::unique_ptr<StationWorker> worker; ///< used on its own thread until that has ended
+    Bell bell;
+    KeyPaths paths;
+    std::optional<channel::PublicKey> publicKey;
+    std::uint32_t nextLink = 1;
+    std::uint32_t nextCommand = 1;
+
+    /// Runs on the I/O thread, in the order of the calls.
+    void order(StationWorker::Order act)
+    {
+        if (worker->orders.put(std::move(act)))
+            Q_EMIT bell.ordersCame();
+    }
+    template<typename F> void post(F act)
+    {
+        order([act = std::move(act)](StationWorker &target) mutable { act(target.core()); });
+    }
+};
+
+Result<std::unique_ptr<Station>, InputError> Station::create(StationConfig config)
+{
+    std::unique_ptr<SecretFiles> secrets;
+    if (config.secure != SecureMode::Off && !config.keys.identity.empty()) {
+        auto read = readSecretFiles(config.keys);
+        if (!read)
+            return tl::unexpected(read.error());
+        secrets = std::move(*read);
+    }
+    auto parts = std::make_unique<Private>();
+    parts->paths = config.keys;
+    if (secrets)
+        parts->publicKey = secrets->identity->publicKey;
+    parts->worker = std::make_unique<StationWorker>(std::move(config), std::move(secrets));
+    return std::unique_ptr<Station>(new Station(std::move(parts)));
+}
+
+Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
+{
+    qRegisterMetaType<std::shared_ptr<const Snapshot>>();
+    qRegisterMetaType<Event>();
+    StationWorker *worker = d->worker.get();
+    worker->moveToThread(&d->thread);
+    connect(worker, &StationWorker::newsCame, this, [this, worker] {
+        for (const StationWorker::News &item : worker->news.takeAll()) {
+            if (const auto *snapshot = std::get_if<SnapshotPtr>(&item))
+                Q_EMIT snapshotReady(*snapshot);
+            else if (const auto *event = std::get_if<Event>(&item))
+                Q_EMIT eventOccurred(*event);
+            else if (const auto *pairingEvent = std::get_if<channel::PairingEvent>(&item))
+                Q_EMIT pairing(*pairingEvent);
+            else
+                Q_EMIT stopped(std::get<Stopped>(item).last);
+        }
+    });
+    connect(&d->bell, &Bell::ordersCame, worker, &StationWorker::takeOrders);
+    // Goes through this thread's event loop and back: no answer comes while it hangs.
+    connect(worker, &StationWorker::readerAsked, &d->bell, &Bell::readerAnswered);
+    connect(&d->bell, &Bell::readerAnswered, worker, &StationWorker::readerAnswered);
+    connect(&d->thread, &QThread::started, worker, &StationWorker::begin);
+    d->thread.setObjectName(QStringLiteral("skyseal-io"));
+    d->thread.start();
+}
+
+Station::~Station()
+{
+    d->order([](StationWorker &worker) { worker.end(); });
+    d->thread.wait();
+    d->worker->news.takeAll();
+}
+
+LinkId Station::addLink(const link::LinkUrl &url)
+{
+    const LinkId id{d->nextLink++};
+    d->post([id, url](StationCore &core) { core.addLink(id, url); });
+    return id;
+}
+
+LinkId Station::addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher)
+{
+    const LinkId id{d->nextLink++};
+    // The order is copied on its way; the cipher holds key material and is not.
+    const auto held = std::make_shared<crypto::MavsecCipher>(std::move(cipher));
+    d->post([id, url, held](StationCore &core) { core.addMavsecLink(id, url, std::move(*held)); });
+    return id;
+}
+
+void Station::removeLink(LinkId id)
+{
+    d->post([id](StationCore &core) { core.removeLink(id); });
+}
+
+void Station::switchSuite(channel::SessionId session, crypto::SuiteId suite)
+{
+    d->post([=](StationCore &core) { core.switchSuite(session, suite); });
+}
+
+void Station::holdSuite(std::optional<crypto::SuiteId> suite)
+{
+    d->post([suite](StationCore &core) { core.holdSuite(suite); });
+}
+
+void Station::resumeSuite(crypto::SuiteId suite)
+{
+    d->post([suite](StationCore &core) { core.resumeSuite(suite); });
+}
+
+void Station::setWeakestSuite(crypto::SuiteId weakest)
+{
+    d->post([weakest](StationCore &core) { core.setWeakestSuite(weakest); });
+}
+
+void Station::setAllowResearch(bool allow)
+{
+    d->post([allow](StationCore &core) { core.setAllowResearch(allow); });
+}
+
+Result<keys::PeersInForce, InputError> Station::reloadPeers()
+{
+    auto peers = readPeers(d->paths);
+    if (!peers)
+        return tl::unexpected(peers.error());
+    auto inForce = peers->inForce();
+    d->post([list = std::move(peers->peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
+    return inForce;
+}
+
+void Station::allowPlaintext(std::uint8_t systemId)
+{
+    d->post([systemId](StationCore &core) { core.allowPlaintext(systemId); });
+}
+
+void Station::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
+{
+    d->post([name = std::move(name), roleAsked, key = std::move(passphraseKey)](StationCore &core) mutable {
+        core.openPairing(std::move(name), roleAsked, std::move(key));
+    });
+}
+
+void Station::confirmPairing(const channel::PublicKey &key)
+{
+    d->post([key](StationCore &core) { core.confirmPairing(key); });
+}
+
+void Station::refusePairing()
+{
+    d->post([](StationCore &core) { core.refusePairing(); });
+}
+
+void Station::cancelPairing()
+{
+    d->post([](StationCore &core) { core.cancelPairing(); });
+}
+
+vehicle::CommandId Station::command(std::uint8_t systemId, vehicle::VehicleCommand command)
+{
+    const vehicle::CommandId id{d->nextCommand++};
+    d->post([=, command = std::move(command)](StationCore &core) { core.command(id, systemId, command); });
+    return id;
+}
+
+void Station::requestParameters(std::uint8_t systemId)
+{
+    d->post([=](StationCore &core) {
+        core.withVehicle(systemId, [](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.requestParameters(now); });
+    });
+}
+
+void Station::writeParameter(std::uint8_t systemId, std::string name, double value)
+{
+    d->post([=, name = std::move(name)](StationCore &core) {
+        core.withVehicle(systemId,
+                         [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
+    });
+}
+
+void Station::readMission(std::uint8_t systemId)
+{
+    d->post([=](StationCore &core) {
+        core.withVehicle(systemId, [](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.readMission(now); });
+    });
+}
+
+void Station::writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items)
+{
+    d->post([=, items = std::move(items)](StationCore &core) {
+        core.withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeMission(now, items); });
+    });
+}
+
+void Station::setInspecting(bool inspecting)
+{
+    d->post([inspecting](StationCore &core) { core.setInspecting(inspecting); });
+}
+
+void Station::setRecording(bool recording)
+{
+    d->post([recording](StationCore &core) { core.setRecording(recording); });
+}
+
+void Station::setMeasuring(bool measuring)
+{
+    d->post([measuring](StationCore &core) { core.setMeasuring(measuring); });
+}
+
+void Station::setProtection(std::optional<Protection> protection)
+{
+    d->post([protection](StationCore &core) { core.setProtection(protection); });
+}
+
+void Station::stop()
+{
+    d->order([](StationWorker &worker) { worker.stop(); });
+}
+
+std::optional<channel::PublicKey> Station::publicKey() const
+{
+    return d->publicKey;
+}
+
+} // namespace skyseal::engine
+
+#include "station.moc"

@@ -1,0 +1,31 @@
+// How a station is to be: one plain value, made by whoever starts it.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/channel/policy.h"
+#include "core/engine/common/key_paths.h"
+#include "core/engine/common/secure_mode.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace skyseal::engine {
+
+struct StationConfig
+{
+    std::uint8_t systemId = 255;
+    std::uint8_t componentId = 190;
+    SecureMode secure = SecureMode::Preferred;
+    KeyPaths keys;
+    channel::Policy policy;
+    std::optional<crypto::SuiteId> preferredSuite; ///< every session begins with it, where both ends permit it
+    bool record = true;
+    std::string recordFolder;
+    bool lowBandwidth = false; ///< ask vehicles for slower streams
+    double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
+    Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
+    int snapshotsPerSecond = 30; ///< at most 30
+};
+
+} // namespace skyseal::engine

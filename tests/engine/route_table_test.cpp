@@ -1,0 +1,85 @@
+// Where frames go out, and for how long.
+#include "core/engine/station/route_table.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+
+namespace {
+
+constexpr TimePoint kNow{std::chrono::seconds(1000)};
+constexpr channel::SessionId kSession{1};
+
+Path pathOf(std::uint16_t port)
+{
+    return {LinkId{1}, {{127}, port}};
+}
+
+} // namespace
+
+class RouteTableTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void sealedWayWins();
+    void clearTargetsExpire();
+    void fixedOnesStay();
+    void boundedAgainstForgedHeartbeats();
+    void goneWithTheirLink();
+};
+
+void RouteTableTest::sealedWayWins()
+{
+    RouteTable routes;
+    routes.ofSession(kSession);
+    routes.heardClear(kNow, 1, pathOf(10));
+    QVERIFY(!routes.leadingTo(1)->session);
+    routes.heardSealed(1, kSession);
+    routes.heardClear(kNow, 1, pathOf(11));
+    QVERIFY(routes.leadingTo(1)->session == kSession);
+    routes.sessionDown(kSession);
+    QVERIFY(!routes.leadingTo(1)); // nothing for it goes out in clear because the session ended
+}
+
+void RouteTableTest::clearTargetsExpire()
+{
+    RouteTable routes;
+    routes.heardClear(kNow, 1, pathOf(10));
+    routes.forgetSilent(kNow + RouteTable::kForgetAfter);
+    QVERIFY(routes.leadingTo(1));
+    routes.forgetSilent(kNow + RouteTable::kForgetAfter + std::chrono::seconds(1));
+    QVERIFY(!routes.leadingTo(1));
+    QVERIFY(routes.all().empty());
+}
+
+void RouteTableTest::fixedOnesStay()
+{
+    RouteTable routes;
+    routes.addFixed(pathOf(10));
+    routes.addFixed(pathOf(10));
+    routes.heardClear(kNow, 1, pathOf(10));
+    routes.forgetSilent(kNow + std::chrono::hours(1));
+    QCOMPARE(routes.all().size(), std::size_t(1));
+    QVERIFY(routes.leadingTo(1));
+}
+
+void RouteTableTest::boundedAgainstForgedHeartbeats()
+{
+    RouteTable routes;
+    for (int port = 1; port < 5000; ++port)
+        routes.heardClear(kNow, static_cast<std::uint8_t>(port), pathOf(static_cast<std::uint16_t>(port)));
+    QVERIFY(routes.all().size() <= RouteTable::kMost);
+}
+
+void RouteTableTest::goneWithTheirLink()
+{
+    RouteTable routes;
+    routes.heardClear(kNow, 1, pathOf(10));
+    routes.removeLink(LinkId{1});
+    QVERIFY(!routes.leadingTo(1));
+}
+
+QTEST_GUILESS_MAIN(RouteTableTest)
+#include "route_table_test.moc"

@@ -1,0 +1,139 @@
+// A vehicle in clear that may be an impostor of a known agent: named wherever the operator looks, offered nothing, and taken
+// only by a person who was told what that means.
+#include "scripted_snapshots.h"
+#include "ui/flight/hold_button.h"
+#include "ui/security/allow_plain.h"
+#include "ui/status/strip_item.h"
+#include "window_rig.h"
+
+#include <QtCore/QDir>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMessageBox>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class PendingApprovalTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void pendingVehicleWaitsForTheOperator()
+    {
+        QVERIFY(!find<QWidget>("allowPlainButton")->isVisible());
+        m_station->show(pendingApprovalSnapshot());
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Vehicle 1 is not sealed")));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("impostor of air-1")));
+        QVERIFY(find<StripItem>("stripLock")->text().contains(QStringLiteral("Not sealed")));
+        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("air-1")));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, held back"));
+        for (const char *name : {"armButton", "takeOffButton", "landButton", "setModeButton"}) {
+            QVERIFY2(!find<HoldButton>(name)->isEnabled(), name);
+            QVERIFY2(find<HoldButton>(name)->toolTip().contains(QStringLiteral("not sealed")), name);
+        }
+
+        // The act is a button or the menu, and then a question whose answer is no unless yes is chosen.
+        const auto *button = find<QPushButton>("allowPlainButton");
+        QVERIFY(button->isVisible() && button->text().contains(QStringLiteral("vehicle 1")));
+        QTest::mouseClick(find<QPushButton>("allowPlainButton"), Qt::LeftButton);
+        auto *box = find<QMessageBox>("confirmPlain");
+        QCOMPARE(static_cast<QWidget *>(box->defaultButton()), static_cast<QWidget *>(box->button(QMessageBox::Cancel)));
+        QTest::keyClick(box, Qt::Key_Escape);
+        QTRY_VERIFY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain")));
+        QVERIFY(m_station->allowedClear.empty());
+        auto *menu = find<QMenu>("menuAllowPlain");
+        Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
+        QVERIFY(menu->isEnabled());
+        Q_EMIT menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 1);
+        menu->actions().front()->trigger();
+        QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
+        QCOMPARE(m_station->allowedClear, std::vector<std::uint8_t>{1});
+
+        engine::Snapshot taken = plainSnapshot(2);
+        m_station->show(taken);
+        QVERIFY(find<HoldButton>("armButton")->isEnabled());
+        QVERIFY(!find<QWidget>("emptyState")->isVisible());
+        Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
+        QVERIFY(!menu->isEnabled());
+
+        // One that was taken before its agent became known is flown no further.
+        taken.time = 3;
+        taken.pendingApproval = pendingApprovalSnapshot().pendingApproval;
+        m_station->show(taken);
+        QVERIFY(!find<HoldButton>("armButton")->isEnabled());
+
+        // Beside another vehicle the banner says it.
+        engine::Snapshot sealed = sealedSnapshot(4);
+        sealed.vehicles.front().state.systemId = 2;
+        sealed.pendingApproval = taken.pendingApproval;
+        m_station->show(sealed);
+        QVERIFY(find<HoldButton>("armButton")->isEnabled());
+        m_station->notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
+        QVERIFY(find<QWidget>("problemBanner")->isVisible());
+        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
+        QTest::mouseClick(find<QPushButton>("problemRemedy"), Qt::LeftButton);
+        QTest::mouseClick(find<QMessageBox>("confirmPlain")->button(QMessageBox::Yes), Qt::LeftButton);
+        QCOMPARE(m_station->allowedClear.size(), std::size_t(2));
+    }
+
+    void sessionWithoutAVehicleHidesNothing()
+    {
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.clear();
+        snapshot.pendingApproval = pendingApprovalSnapshot().pendingApproval;
+        m_station->show(snapshot);
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Waiting for the autopilot behind air-1")));
+        m_station->notify(engine::PlaintextRefused{1, "192.0.2.66:40000", 1, "air-1"});
+        QVERIFY(find<QWidget>("problemBanner")->isVisible());
+        QVERIFY(find<QLabel>("problemText")->text().contains(QStringLiteral("impostor of air-1")));
+    }
+
+    void lockPanelAndMiddleSayTheSame()
+    {
+        engine::Snapshot snapshot = pendingApprovalSnapshot();
+        snapshot.unanswering.push_back({"air-1", "192.0.2.7:40000", "SHA256:own", 4});
+        m_station->show(snapshot);
+        QVERIFY2(find<StripItem>("stripLock")->text().contains(QStringLiteral("held back")),
+                 qPrintable(find<StripItem>("stripLock")->text()));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, held back"));
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Vehicle 1 is not sealed")));
+        QVERIFY(find<QPushButton>("secureHelp")->isVisible());
+        QVERIFY(!find<QPushButton>("secureKeys")->isVisible());
+    }
+
+    void consentIsForTheNumberFromAnywhere()
+    {
+        askAllowPlain(*m_station, {1, "192.0.2.66:40000", "air-1, air-2"}, m_window.get());
+        auto *box = find<QMessageBox>("confirmPlain");
+        const QString words = box->informativeText();
+        QVERIFY2(words.contains(QStringLiteral("says in clear that it is vehicle 1, from any address")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("the vehicle of air-1 or air-2")), qPrintable(words));
+        for (const auto answer : {QMessageBox::Yes, QMessageBox::Cancel})
+            QVERIFY(box->button(answer)->icon().isNull()); // none of them is recommended by a picture
+        if (const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES"); !folder.isEmpty()) {
+            QVERIFY(QTest::qWaitForWindowExposed(box) && QDir().mkpath(folder));
+            QVERIFY(box->grab().save(QDir(folder).filePath(QStringLiteral("confirm-plain.png"))));
+        }
+        box->close();
+    }
+
+    void severalNamesReadAsOneSentence()
+    {
+        engine::Snapshot snapshot = pendingApprovalSnapshot();
+        snapshot.pendingApproval.front().mayBe = "air-1, air-2, air-3";
+        m_station->show(snapshot);
+        const QString names = QStringLiteral("air-1, air-2 or air-3");
+        for (const char *label : {"emptyText", "secureAdvice"})
+            QVERIFY2(find<QLabel>(label)->text().contains(names), qPrintable(find<QLabel>(label)->text()));
+        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(names));
+    }
+};
+
+QTEST_MAIN(PendingApprovalTest)
+#include "held_back_test.moc"

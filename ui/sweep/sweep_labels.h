@@ -1,0 +1,23 @@
+// What a sweep is called in the window.
+#pragma once
+
+#include "core/experiment/results.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::ui {
+
+/// "AES-256-CTR, inline"; "ChaCha20-Poly1305, sealed (A/A)"; "plain, not sealed".
+QString armText(const experiment::SweepArm &arm);
+QString framingText(const experiment::SweepArm &arm);
+QString loadText(experiment::Load load);
+/// "clean link"; "57,600 baud, 5 % loss, 20 ms delay".
+QString linkText(const experiment::Condition &link);
+/// "natural load"; where not all links of the sweep are clean, "57,600 baud, 20 ms delay · natural load".
+QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load);
+/// "about 2 min 20 s", "about 12 s".
+QString aboutTime(double seconds);
+/// "Packets transmitted", "CPU time per frame, station, ns".
+QString metricText(experiment::Metric metric);
+
+} // namespace skyseal::ui
