@@ -1,0 +1,45 @@
+# Headers that nearly every unit of a kind includes, compiled once for each kind: protocol (no Qt), engine (Qt
+# Core), ui (Widgets), tests (QtTest). Every unit still includes what it uses: SKYSEAL_PCH=OFF must build as well.
+option(SKYSEAL_PCH "Precompile the headers of the standard library and Qt" ON)
+
+set(protocol_headers <algorithm> <array> <chrono> <cstdint> <functional> <map> <memory> <optional> <span> <string>
+  <string_view> <utility> <variant> <vector> <tl/expected.hpp>)
+set(engine_headers ${protocol_headers} <deque> <QtCore/QByteArray> <QtCore/QCoreApplication> <QtCore/QJsonObject>
+  <QtCore/QObject> <QtCore/QString> <QtCore/QStringList> <QtCore/QTimer>)
+set(ui_headers ${engine_headers} <QtCore/QAbstractItemModel> <QtCore/QSettings> <QtGui/QAction> <QtGui/QIcon>
+  <QtGui/QPainter> <QtWidgets/QApplication> <QtWidgets/QBoxLayout> <QtWidgets/QComboBox> <QtWidgets/QDialog>
+  <QtWidgets/QFormLayout> <QtWidgets/QHeaderView> <QtWidgets/QLabel> <QtWidgets/QMainWindow> <QtWidgets/QMenu>
+  <QtWidgets/QPushButton> <QtWidgets/QTreeView> <QtWidgets/QWidget>)
+set(tests_headers ${protocol_headers} <QtCore/QCoreApplication> <QtCore/QElapsedTimer> <QtCore/QTemporaryDir> <QtTest/QTest>
+  <QtTest/QSignalSpy>)
+
+function(skyseal_precompiled_kind kind)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${kind}.cpp)
+  file(GENERATE OUTPUT ${source} CONTENT "")
+  add_library(skyseal_precompiled_${kind} OBJECT ${source})
+  target_link_libraries(skyseal_precompiled_${kind} PRIVATE skyseal_options ${ARGN})
+  target_precompile_headers(skyseal_precompiled_${kind} PRIVATE ${${kind}_headers})
+endfunction()
+
+# A compiler cache takes precompiled headers only when told so, and only with this flag of GCC.
+if(SKYSEAL_PCH)
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+  skyseal_precompiled_kind(protocol skyseal_hardening)
+  skyseal_precompiled_kind(engine skyseal_hardening Qt6::Core)
+  if(SKYSEAL_UI)
+    skyseal_precompiled_kind(ui skyseal_hardening Qt6::Widgets)
+  endif()
+  if(SKYSEAL_TESTS)
+    # QtTest tells each folder's tests where they are (for QFINDTESTDATA, which no test uses), so that no two folders could
+    # share a precompiled header.
+    set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
+    skyseal_precompiled_kind(tests Qt6::Test)
+  endif()
+endif()
+
+# skyseal_precompile(TARGET KIND)
+function(skyseal_precompile target kind)
+  if(SKYSEAL_PCH)
+    target_precompile_headers(${target} REUSE_FROM skyseal_precompiled_${kind})
+  endif()
+endfunction()
