@@ -69,8 +69,7 @@ void MainMenus::askAndSend(const QString &question, const vehicle::VehicleComman
     const std::uint8_t systemId = m_window.m_commands->systemId();
     const bool several = m_window.m_commands->isOneOfSeveral();
     const QString words = several ? tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    auto *box
-        = new QMessageBox(QMessageBox::Question, tr("Confirm"), words, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
+    auto *box = new QMessageBox(QMessageBox::Question, tr("Confirm"), words, QMessageBox::Yes | QMessageBox::Cancel, &m_window);
     box->setObjectName(QStringLiteral("confirmCommand"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);

@@ -104,11 +104,9 @@ void MainWindow::connectPanels()
 {
     connect(&m_station, &StationInterface::snapshotReady, this, &MainWindow::showSnapshot);
     connect(&m_station, &StationInterface::eventOccurred, this, &MainWindow::take);
-    connect(m_strip, &StatusStrip::lockClicked, this,
-            [this] { m_docks->reveal("dockSecure"); });
+    connect(m_strip, &StatusStrip::lockClicked, this, [this] { m_docks->reveal("dockSecure"); });
     connect(m_strip, &StatusStrip::vehicleClicked, this, &MainWindow::popUpVehicles);
-    connect(m_strip, &StatusStrip::linkClicked, this,
-            [this] { m_docks->reveal("dockLinks"); });
+    connect(m_strip, &StatusStrip::linkClicked, this, [this] { m_docks->reveal("dockLinks"); });
     connect(m_empty, &EmptyState::demoWanted, this, &MainWindow::demoWanted);
     connect(m_empty, &EmptyState::connectWanted, this, &MainWindow::openLinkDialog);
     connect(m_empty, &EmptyState::keysWanted, this, &MainWindow::openKeys);
@@ -193,9 +191,9 @@ void MainWindow::tellPortInUse(const engine::LinkSnapshot &link)
     if (!problem.isEmpty())
         problem[0] = problem[0].toUpper();
     tellProblem(problem, tr("Listen on %1 instead").arg(port + 1), [this, other, id] {
-                    m_station.removeLink(id);
-                    addLink(other);
-                });
+        m_station.removeLink(id);
+        addLink(other);
+    });
 }
 
 void MainWindow::tellProblem(const QString &problem, const QString &remedy, std::function<void()> act)

@@ -34,7 +34,7 @@ struct ProgramFacts
 {
     QString version;
     QString recordFolder;
-    QString demoCommand;             ///< words of the empty state; unused when empty
+    QString demoCommand; ///< words of the empty state; unused when empty
     bool demoAvailable = false;
     /// Heap of one end's session under a suite; for the diagnostics.
     SessionMemory::Measure sessionBytes = experiment::sessionBytes;
@@ -57,7 +57,10 @@ public:
     /// Of the link dialog, once it was accepted.
     void addLink(const LinkDialog &dialog);
     /// What the dialog of keys and peers works on; without it that dialog does not open. They must outlive the window.
-    void setKeyring(KeyringInterface &keyring, PairingInterface *pairing = nullptr) { m_keyring = &keyring, m_pairing = pairing; }
+    void setKeyring(KeyringInterface &keyring, PairingInterface *pairing = nullptr)
+    {
+        m_keyring = &keyring, m_pairing = pairing;
+    }
     /// What sweeps are made with; without it there are none.
     void setSweep(SweepInterface &sweep);
     SweepPresenter *sweep() const { return m_sweep; }
@@ -101,7 +104,7 @@ private:
     Settings m_settings;
     ViewState m_view;
     std::uint8_t m_chosenVehicle = 0; ///< by hand, or as the first one that there was; 0 before that
-    double m_numbersAt = -1;  ///< when the numbers were last shown, by the snapshots' clock
+    double m_numbersAt = -1;          ///< when the numbers were last shown, by the snapshots' clock
     AlarmState m_shownState;
     bool m_wasShown = false;
 

@@ -22,8 +22,8 @@ struct Settings
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;
     crypto::SuiteId weakestSuite = crypto::SuiteId::Rc4; ///< of those that are offered; RC4 = any sealed one
-    bool requireSealed = false; ///< clear MAVLink is never shown
-    double takeOffAltitude = 10; ///< metres above home, the last one that was chosen
+    bool requireSealed = false;                          ///< clear MAVLink is never shown
+    double takeOffAltitude = 10;                         ///< metres above home, the last one that was chosen
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
 
     bool operator==(const Settings &) const = default;

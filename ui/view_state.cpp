@@ -23,8 +23,8 @@ ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
         view.link = over == links.end() ? nullptr : &*over;
     }
     if (view.vehicle && view.vehicle->session) {
-        const auto own
-            = std::ranges::find_if(sessions, [&](const auto &s) { return s.info.session == *view.vehicle->session; });
+        const auto own = std::ranges::find_if(sessions,
+                                              [&](const auto &s) { return s.info.session == *view.vehicle->session; });
         if (own != sessions.end())
             view.session = &*own;
     } else if (!view.vehicle && !sessions.empty()) {

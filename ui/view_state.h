@@ -16,8 +16,8 @@ struct ViewState
     const engine::LinkSnapshot *link = nullptr; ///< over which the vehicle was heard last; null when that was removed
     const engine::SessionSnapshot *session = nullptr;
     const engine::PendingVehicle *pendingApproval = nullptr; ///< the view's vehicle; without one, the first that is
-    bool inSweep = false; ///< the connected link is being measured: sessions begin anew
-    bool plainRun = false; ///< and just now in clear, which the operator consented to
+    bool inSweep = false;                                    ///< the connected link is being measured: sessions begin anew
+    bool plainRun = false;                                   ///< and just now in clear, which the operator consented to
 
     /// True where the vehicle's values are older than the limit.
     bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }

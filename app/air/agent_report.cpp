@@ -78,8 +78,7 @@ void AgentReport::channelEvent(const channel::Event &event)
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         json = engine::sessionDownEvent(*down, peer(down->session));
     } else if (const auto *moved = std::get_if<channel::PeerMoved>(&event)) {
-        json =
-            engine::peerMovedEvent(peer(moved->session), link::toText(moved->from.remote), link::toText(moved->to.remote));
+        json = engine::peerMovedEvent(peer(moved->session), link::toText(moved->from.remote), link::toText(moved->to.remote));
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         json = engine::switchEvent(*done);
     } else if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event)) {
@@ -88,25 +87,25 @@ void AgentReport::channelEvent(const channel::Event &event)
     } else if (const auto *alarm = std::get_if<channel::ForgeryAlarm>(&event)) {
         json = engine::forgeryEvent(*alarm);
     }
-    const engine::Event event = std::visit([](const auto &value) { return engine::Event(value); }, event);
-    say(json, sentence(event, m_peers));
+    const engine::Event common = std::visit([](const auto &value) { return engine::Event(value); }, event);
+    say(json, sentence(common, m_peers));
     if (const auto *down = std::get_if<channel::SessionDown>(&event))
         m_peers.erase(down->session);
 }
 
-void AgentReport::pairing(const PairingStatus &news)
+void AgentReport::pairing(const PairingStatus &status)
 {
     using State = PairingStatus::State;
     std::string words;
-    if (news.state == State::Open)
+    if (status.state == State::Open)
         words = "the window for pairing is open";
-    else if (news.state == State::Paired)
-        words = "paired with " + news.name + " (" + keys::fingerprint(news.key) + ")";
-    else if (news.state == State::Refused)
-        words = "not paired: " + news.reason;
-    else if (news.state == State::Over)
-        words = "the window for pairing is closed" + (news.reason.empty() ? "" : ": " + news.reason);
-    say(news.toJson(), words);
+    else if (status.state == State::Paired)
+        words = "paired with " + status.name + " (" + keys::fingerprint(status.key) + ")";
+    else if (status.state == State::Refused)
+        words = "not paired: " + status.reason;
+    else if (status.state == State::Over)
+        words = "the window for pairing is closed" + (status.reason.empty() ? "" : ": " + status.reason);
+    say(status.toJson(), words);
 }
 
 void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)

@@ -16,7 +16,7 @@ public:
 
     void notify(const engine::AgentEvent &event);
     /// What is told where the window for pairing was opened.
-    void pairing(const PairingStatus &news);
+    void pairing(const PairingStatus &status);
     void stats(const engine::AgentSnapshot &snapshot, double time);
     void summary(const engine::AgentSnapshot &snapshot, double time);
 

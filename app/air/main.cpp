@@ -137,8 +137,7 @@ int main(int argc, char **argv)
     refusePairingOptions(options);
     const auto vehicle = options.url("vehicle", link::LinkUrl::kLoopback);
     const auto ground = options.url("ground");
-    const engine::KeyPaths paths{options.required("identity"), options.required("peers"),
-                                 PassphraseInput::read(options).ask()};
+    const engine::KeyPaths paths{options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
     channel::Policy policy{options.suites("suites"), options.has("allow-research"), options.has("allow-plain")};
     if (const auto weakest = options.suite("weakest-suite"))
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);

@@ -167,7 +167,8 @@ void PairingServer::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
     peer.role = m_role;
-    const auto kept = keys::keepPairedPeer(m_paths.peers, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    const auto kept = keys::keepPairedPeer(m_paths.peers, peer,
+                                           m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
     if (!kept) {
         notify(refusal(kept.error().text()));
         return;

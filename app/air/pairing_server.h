@@ -58,8 +58,8 @@ private:
     QLocalSocket *m_visitor = nullptr; ///< a child of the server
     QString m_problem;
     bool m_keyFollows = false; ///< the next 32 bytes of the visitor are the key of a passphrase
-    std::string m_callIt; ///< the name that the visitor chose for whoever comes; empty = what it calls itself
-    std::string m_name; ///< what was decided about the other end
+    std::string m_callIt;      ///< the name that the visitor chose for whoever comes; empty = what it calls itself
+    std::string m_name;        ///< what was decided about the other end
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;
 };

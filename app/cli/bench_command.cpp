@@ -97,8 +97,9 @@ bool measure(const BenchPlan &plan, bool asked, const QString &command)
     if (plan.json) {
         printLine(settingEvent(aes, setting));
     } else {
-        printLine(aes ? "With the processor's AES instructions:"
-                      : asked ? "Without AES instructions, which this processor does not have:" : "Without AES instructions:");
+        printLine(aes         ? "With the processor's AES instructions:"
+                      : asked ? "Without AES instructions, which this processor does not have:"
+                              : "Without AES instructions:");
         for (const std::string &line : experiment::benchHeader())
             printLine(line);
     }
@@ -145,8 +146,10 @@ int runBench(const QStringList &arguments)
     Options options(kName, QStringLiteral("Measures sealing and opening for each suite and size."));
     options.addValue("suites", "LIST", "Suites, separated by commas.", "all");
     options.addValue("sizes", "LIST", "Bytes of plaintext in a record, separated by commas.", "9,28,64,255,1000");
-    options.addValue("aes", "with|without|both", "Whether the processor's AES instructions are used; without, a companion "
-                                                 "computer that has none can be judged.", "both");
+    options.addValue("aes", "with|without|both",
+                     "Whether the processor's AES instructions are used; without, a companion "
+                     "computer that has none can be judged.",
+                     "both");
     options.addFlag("json", "One JSON object a line on stdout.");
     if (const auto status = options.parse(arguments))
         return *status;

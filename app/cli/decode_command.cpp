@@ -24,7 +24,8 @@ void declare(Options &options)
     options.addValue("signing-key", "FILE",
                      "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
     options.addValue("framing", "plain|mavsec2019",
-                     "How the frames are protected: not at all, or as the published code of the paper MAVSec does it.", "plain");
+                     "How the frames are protected: not at all, or as the published code of the paper MAVSec does it.",
+                     "plain");
     MavsecOptions::declare(options);
 }
 

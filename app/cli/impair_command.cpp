@@ -31,15 +31,15 @@ void declare(Options &options)
     options.addValue("duration", "S", "End after so many seconds.");
     options.addFlag("json", "One JSON object a line on stdout.");
     options.addFlag("drops", "With --json, a line for every datagram that is dropped.");
-    options.addFlag("datagrams", "With --json, a line for every datagram that comes in, with its fate and what of its "
-                                 "contents is in the clear, and one for every copy that goes out.");
+    options.addFlag("datagrams",
+                    "With --json, a line for every datagram that comes in, with its fate and what of its "
+                    "contents is in the clear, and one for every copy that goes out.");
 }
 
 impair::Settings readSettings(Options &options)
 {
     const auto milliseconds = [&options](const char *name) {
-        return std::chrono::duration_cast<Duration>(
-            std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
+        return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(options.number(name, 0, 3.6e6)));
     };
     impair::Settings out;
     out.loss = options.number("loss", 0, 1);
@@ -70,13 +70,13 @@ using Elapsed = std::function<std::chrono::milliseconds()>;
 void logDatagrams(link::Impairer &impairer, bool all, const Elapsed &elapsed)
 {
     using Direction = link::Impairer::Direction;
-    impairer.setLog([all, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict,
-                                   const link::DatagramContents &contents) {
-        if (all)
-            printLine(link::arrivalJson(direction, elapsed(), verdict, contents));
-        else if (verdict.dropped())
-            printLine(link::dropJson(direction, elapsed(), verdict));
-    });
+    impairer.setLog(
+        [all, elapsed](Direction direction, TimePoint, const impair::Verdict &verdict, const link::DatagramContents &contents) {
+            if (all)
+                printLine(link::arrivalJson(direction, elapsed(), verdict, contents));
+            else if (verdict.dropped())
+                printLine(link::dropJson(direction, elapsed(), verdict));
+        });
     if (all) {
         impairer.setDeliveryLog([elapsed](Direction direction, TimePoint, std::uint64_t sequence) {
             printLine(link::deliveryJson(direction, elapsed(), sequence));

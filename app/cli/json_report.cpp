@@ -35,8 +35,8 @@ void JsonReport::eventOccurred(const engine::Event &event)
                    },
                    [this](const channel::SessionDown &e) { printLine(engine::sessionDownEvent(e, peerName(e.session))); },
                    [this](const channel::PeerMoved &e) {
-                       printLine(engine::peerMovedEvent(peerName(e.session), link::toText(e.from.remote),
-                                                        link::toText(e.to.remote)));
+                       printLine(
+                           engine::peerMovedEvent(peerName(e.session), link::toText(e.from.remote), link::toText(e.to.remote)));
                    },
                    [](const channel::SwitchPending &) {},
                    [](const channel::SwitchDone &e) { printLine(engine::switchEvent(e)); },

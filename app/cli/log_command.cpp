@@ -19,8 +19,8 @@ unsigned long long count(std::uint64_t n)
 
 void printInWords(const tlog::LogSummary &summary)
 {
-    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)",
-                     count(summary.bytes), count(summary.frames), count(summary.signedFrames), count(summary.version1Frames),
+    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.bytes),
+                     count(summary.frames), count(summary.signedFrames), count(summary.version1Frames),
                      count(summary.unknownMessages)));
     if (summary.first && summary.last)
         printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last));
@@ -78,8 +78,7 @@ int exportFile(const QString &name, const QStringList &arguments)
     if (const auto status = options.parse(arguments))
         return *status;
     const QStringList files = options.arguments(1, 1);
-    const auto every =
-        std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
+    const auto every = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(options.number("every", 0, 86400)));
     if (const auto status = options.finish())
         return *status;
     LogInput input;
@@ -93,10 +92,9 @@ int exportFile(const QString &name, const QStringList &arguments)
         complain(name, target + ": " + std::strerror(errno));
         return kCannotOpen;
     }
-    const std::uint64_t rows =
-        engine::exportTelemetry(input.stream(), mavlink::Dialect::builtin(), every, [out](const std::string &line) {
-            return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF;
-        });
+    const std::uint64_t rows = engine::exportTelemetry(
+        input.stream(), mavlink::Dialect::builtin(), every,
+        [out](const std::string &line) { return std::fputs(line.c_str(), out) >= 0 && std::fputc('\n', out) != EOF; });
     const bool written = (out == stdout ? std::fflush(out) : std::fclose(out)) == 0;
     if (!written) {
         complain(name, (target.empty() ? "standard output" : target) + ": " + std::strerror(errno));

@@ -37,7 +37,8 @@ void printHelp(std::FILE *out)
     for (const Command &command : kCommands)
         std::fprintf(out, "  %-10s %s\n", command.name, command.summary);
     std::fputs("\nskyseal-cli COMMAND --help explains a command. Exit status: 0 done, 1 not reached, 2 usage,\n"
-               "3 a link or file could not be opened.\n", out);
+               "3 a link or file could not be opened.\n",
+               out);
 }
 
 } // namespace
@@ -66,7 +67,8 @@ int main(int argc, char **argv)
         }
         return command.run(arguments.mid(1));
     }
-    complain(program, name.isEmpty() ? "a command is missing; skyseal-cli --help lists them"
-                                     : "no command is named '" + name.toStdString() + "'; skyseal-cli --help lists them");
+    complain(program,
+             name.isEmpty() ? "a command is missing; skyseal-cli --help lists them"
+                            : "no command is named '" + name.toStdString() + "'; skyseal-cli --help lists them");
     return kUsage;
 }

@@ -44,8 +44,7 @@ void declare(Options &options)
     MavsecOptions::declare(options);
     options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
     options.addValue("duration", "S", "End after so many seconds.");
-    options.addValue("do", "SCRIPT",
-                     "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
+    options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
     options.addValue("record", "FOLDER", "Folder of the .tlog files.");
     options.addFlag("no-record", "Write no .tlog.");
     options.addFlag("json", "One JSON object a line on stdout.");
@@ -205,12 +204,11 @@ int runMonitor(const QStringList &arguments)
     }
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &run, &engine::HeadlessRun::stop);
-    QObject::connect(&run, &engine::HeadlessRun::finished, qApp,
-                     [&](engine::RunOutcome outcome, const std::string &problem) {
-                         if (outcome != engine::RunOutcome::Reached)
-                             complain(name, problem);
-                         QCoreApplication::exit(exitStatus(outcome));
-                     });
+    QObject::connect(&run, &engine::HeadlessRun::finished, qApp, [&](engine::RunOutcome outcome, const std::string &problem) {
+        if (outcome != engine::RunOutcome::Reached)
+            complain(name, problem);
+        QCoreApplication::exit(exitStatus(outcome));
+    });
     QMetaObject::invokeMethod(&run, &engine::HeadlessRun::start, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }

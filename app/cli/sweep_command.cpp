@@ -73,7 +73,8 @@ int runSweep(const QStringList &arguments)
     engine::StationConfig station = options.station;
     std::optional<link::LinkUrl> link = options.link;
     if (!link) {
-        auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")), programPath(QStringLiteral("skyseal-air")),
+        auto made = experiment::Lab::create({programPath(QStringLiteral("skyseal-sim")),
+                                             programPath(QStringLiteral("skyseal-air")),
                                              QCoreApplication::applicationFilePath()},
                                             random);
         if (!made) {
@@ -85,8 +86,8 @@ int runSweep(const QStringList &arguments)
         link = *link::LinkUrl::parse("udpin:127.0.0.1:" + std::to_string(lab->groundPort()));
     }
 
-    const experiment::Setting setting =
-        describeSetting(SKYSEAL_CLI_VERSION, kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
+    const experiment::Setting setting = describeSetting(SKYSEAL_CLI_VERSION,
+                                                        kName + QLatin1Char(' ') + arguments.join(QLatin1Char(' ')));
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
     experiment::SweepRunner runner({options.plan, *link, station, lab.get(), &heap});

@@ -87,16 +87,15 @@ std::string sentence(const engine::Event &event, const std::map<channel::Session
             },
             [](const engine::VehicleLost &e) { return format("vehicle %u lost", unsigned(e.systemId)); },
             [](const engine::VehicleBack &e) { return format("vehicle %u is back", unsigned(e.systemId)); },
-            [](const engine::TextReceived &e) {
-                return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str());
-            },
+            [](const engine::TextReceived &e) { return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str()); },
             [](const engine::PlaintextRefused &e) {
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
             },
             [](const engine::SystemRefused &e) {
                 const std::string what = format("refused %llu frames of %s: it speaks as system %u",
-                                                static_cast<unsigned long long>(e.frames), e.peer.c_str(), unsigned(e.systemId));
+                                                static_cast<unsigned long long>(e.frames), e.peer.c_str(),
+                                                unsigned(e.systemId));
                 if (e.owner.empty())
                     return what + ", which it may not";
                 return what + ", which is " + e.owner + "'s. Is it a new agent of the same vehicle? Then remove " + e.owner
@@ -115,9 +114,7 @@ std::string sentence(const engine::Event &event, const std::map<channel::Session
             [](const channel::SessionUp &e) {
                 return "sealed with " + e.peerName + " at " + link::toText(e.path.remote) + " by " + suiteText(e.suite);
             },
-            [&](const channel::SessionDown &e) {
-                return "session with " + peer(e.session) + " ended: " + whyDown(e.reason);
-            },
+            [&](const channel::SessionDown &e) { return "session with " + peer(e.session) + " ended: " + whyDown(e.reason); },
             [&](const channel::PeerMoved &e) { return peer(e.session) + " is now at " + link::toText(e.to.remote); },
             [](const channel::SwitchPending &) { return std::string(); },
             [](const channel::SwitchDone &e) {
@@ -126,8 +123,8 @@ std::string sentence(const engine::Event &event, const std::map<channel::Session
                 if (e.rekey)
                     return format("fresh keys, epoch %u", static_cast<unsigned>(e.epoch));
                 const double ms = seconds(e.took) * 1000;
-                return format("switched to %s, epoch %u, in %.*f ms", suiteText(e.to).c_str(),
-                              static_cast<unsigned>(e.epoch), ms < 9.95 ? 1 : 0, ms);
+                return format("switched to %s, epoch %u, in %.*f ms", suiteText(e.to).c_str(), static_cast<unsigned>(e.epoch),
+                              ms < 9.95 ? 1 : 0, ms);
             },
             [](const channel::HandshakeRefused &e) {
                 if (e.reason == channel::RefusalReason::UnknownPeer && e.peer == channel::PublicKey{}) // heard by a station

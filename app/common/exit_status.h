@@ -7,7 +7,7 @@ enum ExitStatus : int {
     kDone = 0,
     kNotReached = 1, ///< ran, but what was asked for did not happen
     kUsage = 2,
-    kCannotOpen = 3  ///< a link or a file
+    kCannotOpen = 3 ///< a link or a file
 };
 
 } // namespace skyseal::app

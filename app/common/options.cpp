@@ -147,8 +147,8 @@ double Options::number(const char *name, double least, double most)
     const std::string given = text(name);
     const std::optional<double> value = parsed<double>(given);
     if (!value || !std::isfinite(*value) || *value < least || *value > most) {
-        fail(std::string("--") + name + " " + quoted(given) + ": a number from " + shortText(least) + " to "
-             + shortText(most) + " is expected");
+        fail(std::string("--") + name + " " + quoted(given) + ": a number from " + shortText(least) + " to " + shortText(most)
+             + " is expected");
         return least;
     }
     return *value;

@@ -29,8 +29,8 @@ public:
     struct Settings
     {
         bool json = false;
-        std::string expected; ///< fingerprint that is confirmed without a question, and no other; empty = ask
-        std::string callIt;   ///< name to be given to the other end (statusOf wants it); empty = what it calls itself
+        std::string expected;     ///< fingerprint that is confirmed without a question, and no other; empty = ask
+        std::string callIt;       ///< name to be given to the other end (statusOf wants it); empty = what it calls itself
         bool replaces = false;    ///< with `expected`: a key known by that name, too
         bool decidesRole = false; ///< the agent's side: whether the other one may command
         /// What is granted there; otherwise who is known keeps the role, and who is new gets what it asks for.

@@ -22,9 +22,9 @@ struct StateWord
     std::string_view word;
 };
 constexpr std::array kWords{
-    StateWord{State::Open, "open"},       StateWord{State::Seen, "seen"},       StateWord{State::Confirmed, "confirmed"},
-    StateWord{State::Gone, "gone"},       StateWord{State::Other, "other"},     StateWord{State::Differs, "passphrase-differs"},
-    StateWord{State::Paired, "paired"},   StateWord{State::Over, "over"},       StateWord{State::Refused, "refused"},
+    StateWord{State::Open, "open"},     StateWord{State::Seen, "seen"},   StateWord{State::Confirmed, "confirmed"},
+    StateWord{State::Gone, "gone"},     StateWord{State::Other, "other"}, StateWord{State::Differs, "passphrase-differs"},
+    StateWord{State::Paired, "paired"}, StateWord{State::Over, "over"},   StateWord{State::Refused, "refused"},
 };
 
 const char *words(channel::PairingGone reason)
@@ -81,7 +81,8 @@ std::optional<channel::PublicKey> keyIn(const QJsonObject &object, const char *f
 
 } // namespace
 
-std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const keys::PeersFile &known, const std::string &callIt)
+std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const keys::PeersFile &known,
+                                      const std::string &callIt)
 {
     using Out = std::optional<PairingStatus>;
     const auto plain = [](State state, const char *reason) {
@@ -136,7 +137,8 @@ std::optional<PairingStatus> PairingStatus::fromJson(const QByteArray &line)
         PairingStatus status;
         status.state = candidate.state;
         status.name = object[QLatin1String("name")].toString().toStdString();
-        status.role = keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString()).value_or(channel::PeerRole::Pilot);
+        status.role =
+            keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString()).value_or(channel::PeerRole::Pilot);
         status.key = keyIn(object, "public").value_or(channel::PublicKey{});
         status.knownKey = keyIn(object, "known_public");
         status.knownRole = keys::peerRoleFromText(object[QLatin1String("known_role")].toString().toStdString());

@@ -32,8 +32,8 @@ struct PairingStatus
     channel::PublicKey key{};
     std::optional<channel::PublicKey> knownKey; ///< by that name another key is known
     std::optional<channel::PeerRole> knownRole; ///< of that key or name, when it is known
-    std::string reason; ///< in words
-    int seconds = 0;    ///< that the window stays open
+    std::string reason;                         ///< in words
+    int seconds = 0;                            ///< that the window stays open
 
     /// One line, {"event":"pairing","state":…}, without its newline.
     std::string toJson() const;
@@ -43,6 +43,6 @@ struct PairingStatus
 /// The status of an event; `known` is the list of this end, `callIt` the name that somebody chose here for the other one, if
 /// any. Nothing for `Paired`: the owner keeps the peer first.
 std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const keys::PeersFile &known,
-                                  const std::string &callIt = {});
+                                      const std::string &callIt = {});
 
 } // namespace skyseal::app

@@ -26,7 +26,8 @@ Result<Passphrase, InputError> passphraseOf(MutableByteView bytes, const std::st
     sodium_memzero(bytes.data(), bytes.size());
     if (passphrase)
         return std::move(*passphrase);
-    return tl::unexpected(InputError{size == 0 ? "has no passphrase in its first line" : "has a passphrase of more than 1024 bytes", source});
+    return tl::unexpected(
+        InputError{size == 0 ? "has no passphrase in its first line" : "has a passphrase of more than 1024 bytes", source});
 }
 
 Result<Passphrase, InputError> fromDescriptor(int descriptor)

@@ -66,7 +66,8 @@ void PeersWatch::look()
 
 PeersWatch::Stamp PeersWatch::stamp() const
 {
-    struct stat status{};
+    struct stat status
+    {};
     if (::stat(m_file.toLocal8Bit().constData(), &status) != 0)
         return {};
     return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), nanoseconds(status.st_mtim),

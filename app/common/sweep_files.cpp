@@ -25,7 +25,8 @@ constexpr int kDrawingMs = 120000;
 std::string write(const QString &path, const std::string &content)
 {
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0 && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(content.data(), static_cast<qint64>(content.size())) >= 0
+        && file.commit())
         return {};
     return path.toStdString() + ": " + file.errorString().toStdString();
 }
@@ -41,10 +42,12 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
         return problem;
     QProcess process;
     process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    process.start(program, QStringList{QStringLiteral("--report"), printable, QStringLiteral("--pdf"),
-                                       folder.filePath(QStringLiteral("report.pdf"))}
-                               + figures);
-    const bool drawn = process.waitForFinished(kDrawingMs) && process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0;
+    process.start(program,
+                  QStringList{QStringLiteral("--report"), printable, QStringLiteral("--pdf"),
+                              folder.filePath(QStringLiteral("report.pdf"))}
+                      + figures);
+    const bool drawn = process.waitForFinished(kDrawingMs) && process.exitStatus() == QProcess::NormalExit
+        && process.exitCode() == 0;
     QFile::remove(printable);
     return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
 }

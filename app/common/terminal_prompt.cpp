@@ -71,8 +71,8 @@ Result<Passphrase, InputError> askAtTerminal(const std::string &question, const 
 {
     const SilentTerminal terminal;
     if (!terminal.isReady())
-        return tl::unexpected(InputError{"there is no terminal to ask for the passphrase; use --" + which + "passphrase-file or --"
-                                             + which + "passphrase-fd",
+        return tl::unexpected(InputError{"there is no terminal to ask for the passphrase; use --" + which
+                                             + "passphrase-file or --" + which + "passphrase-fd",
                                          source});
     terminal.say(question);
     SecretBytes<4096> line; // as long as a terminal's line can be
@@ -90,7 +90,8 @@ Result<Passphrase, InputError> askAtTerminal(const std::string &question, const 
         typed = typed.first(typed.size() - 1);
     auto passphrase = Passphrase::fromBytes(typed);
     if (!passphrase)
-        return tl::unexpected(InputError{typed.empty() ? "no passphrase was typed" : "the passphrase has more than 1024 bytes", source});
+        return tl::unexpected(
+            InputError{typed.empty() ? "no passphrase was typed" : "the passphrase has more than 1024 bytes", source});
     return std::move(*passphrase);
 }
 

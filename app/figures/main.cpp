@@ -29,7 +29,8 @@ constexpr double kGap = 8; ///< around a figure, of two beside each other
 
 bool drawPicture(const QString &file)
 {
-    const QString picture = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName() + QStringLiteral(".png");
+    const QString picture = QFileInfo(file).path() + QLatin1Char('/') + QFileInfo(file).completeBaseName()
+        + QStringLiteral(".png");
     FigurePainter figure;
     if (figure.load(file)) {
         QImage image((figure.size() * kPictureScale).toSize(), QImage::Format_RGB32);
@@ -102,8 +103,9 @@ bool writePages(const QString &report, const QString &pages)
     document.setDefaultFont(font);
     document.setDocumentMargin(0);
     document.setPageSize(page);
-    document.setDefaultStyleSheet(QStringLiteral("table{border-color:#cccccc} th{background-color:#f0f3f7} .bad{color:#c00000} "
-                                                 ".insecure{color:#a33c10} h1{font-size:20px} h2{font-size:14px} h3{font-size:11px}"));
+    document.setDefaultStyleSheet(
+        QStringLiteral("table{border-color:#cccccc} th{background-color:#f0f3f7} .bad{color:#c00000} "
+                       ".insecure{color:#a33c10} h1{font-size:20px} h2{font-size:14px} h3{font-size:11px}"));
     document.setHtml(QString::fromUtf8(file.readAll()));
     QPainter painter(&writer);
     for (int i = 0; i < document.pageCount(); ++i) {

@@ -41,9 +41,8 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
                          QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
-    options.addValue(
-        "link", "URL",
-        "Where to be heard: udpout:HOST:PORT, udpin:…, tcpin:…, tcp:… or serial:/dev/NAME:BAUD; may be repeated.");
+    options.addValue("link", "URL",
+                     "Where to be heard: udpout:HOST:PORT, udpin:…, tcpin:…, tcp:… or serial:/dev/NAME:BAUD; may be repeated.");
     options.addValue("vehicles", "N", "How many vehicles share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Makes wind and noise repeat.", "1");

@@ -31,8 +31,8 @@ void SimHost::start()
     makeVehicles(steadyNow());
     for (const link::LinkUrl &url : m_settings.links) {
         const LinkId id{static_cast<std::uint32_t>(m_links.size() + 1)};
-        m_links.push_back(std::make_unique<SimLink>(
-            url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
+        m_links.push_back(
+            std::make_unique<SimLink>(url, id, [this](TimePoint time, const mavlink::Frame &frame) { received(time, frame); }));
         link::Link &opened = m_links.back()->link();
         connect(&opened, &link::Link::stateChanged, this, [this, &opened] { report(opened); });
         opened.open();
@@ -107,8 +107,8 @@ void SimHost::report(link::Link &link)
     }
     const int last = m_settings.systemId + m_settings.vehicles - 1;
     const std::string who = m_settings.vehicles == 1
-                                ? "vehicle " + std::to_string(last)
-                                : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
+        ? "vehicle " + std::to_string(last)
+        : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
     if ((state == State::Listening || state == State::Connected) && !m_settings.json)
         printLine("skyseal-sim: " + who + " " + verb(link)
                   + (state == State::Listening ? link.localAddress() : link.url().toText()) + " ("

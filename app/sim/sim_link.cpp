@@ -5,12 +5,11 @@ namespace skyseal::app {
 namespace {
 constexpr Duration kForget = std::chrono::seconds(30);
 constexpr std::size_t kMostPeers = 16;
-}
+} // namespace
 
 SimLink::SimLink(const link::LinkUrl &url, LinkId id, Receive receive)
     : m_link(link::makeLink(url, id, *this)), m_receive(std::move(receive))
-{
-}
+{}
 
 void SimLink::send(TimePoint now, ByteView frame)
 {

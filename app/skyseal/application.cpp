@@ -21,8 +21,7 @@ const QString kName = QStringLiteral("skyseal");
 
 Application::Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap)
     : m_options(std::move(options)), m_random(random), m_heap(std::move(heap))
-{
-}
+{}
 
 Application::~Application()
 {

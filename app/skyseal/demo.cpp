@@ -152,8 +152,8 @@ void Demo::tellEnd(const QString &name, QProcess &process)
     const QStringList words =
         QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
-                        : process.exitStatus() == QProcess::CrashExit ? tr("it was killed or crashed")
-                        : words.isEmpty() ? tr("exit status %1").arg(process.exitCode())
+        : process.exitStatus() == QProcess::CrashExit              ? tr("it was killed or crashed")
+        : words.isEmpty()                                          ? tr("exit status %1").arg(process.exitCode())
                                                                    : words.last();
     Q_EMIT ended(tr("%1 of the demo ended: %2").arg(name, how));
 }

@@ -24,9 +24,11 @@ std::string script()
 
 } // namespace
 
-DemoFlight::DemoFlight(ui::StationInterface &station) : m_station(station), m_script(vehicle::parseFlightScript(script()).value())
+DemoFlight::DemoFlight(ui::StationInterface &station)
+    : m_station(station), m_script(vehicle::parseFlightScript(script()).value())
 {
-    connect(&m_station, &ui::StationInterface::snapshotReady, this, [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
+    connect(&m_station, &ui::StationInterface::snapshotReady, this,
+            [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
     connect(&m_station, &ui::StationInterface::eventOccurred, this, [this](const engine::Event &event) {
         if (const auto *result = std::get_if<vehicle::CommandResult>(&event))
             hear(*result);
@@ -64,7 +66,7 @@ void DemoFlight::sendOrders()
             m_script->orderSent(*m_ours);
         }
     }
-    while (m_script->pollReport()) { } // the window shows what became of each command by itself
+    while (m_script->pollReport()) {} // the window shows what became of each command by itself
 }
 
 } // namespace skyseal::app

@@ -36,11 +36,12 @@ void decide(PeerEntry &entry, const ui::KnownPeer &peer)
 Result<void, InputError> reseal(const std::string &file, const std::optional<crypto::Passphrase> &present,
                                 const std::optional<crypto::Passphrase> &next)
 {
-    const auto pair = keys::loadIdentity(file, [&](const std::string &name, int attempt) -> Result<crypto::Passphrase, InputError> {
-        if (attempt > 0 || !present)
-            return tl::unexpected(InputError{"the passphrase does not open it, or the file was changed", name});
-        return present->clone();
-    });
+    const auto pair = keys::loadIdentity(
+        file, [&](const std::string &name, int attempt) -> Result<crypto::Passphrase, InputError> {
+            if (attempt > 0 || !present)
+                return tl::unexpected(InputError{"the passphrase does not open it, or the file was changed", name});
+            return present->clone();
+        });
     if (!pair)
         return tl::unexpected(pair.error());
     crypto::SystemRandom random;

@@ -7,8 +7,7 @@ namespace skyseal::app {
 
 SweepController::SweepController(StationAdapter &station, std::shared_ptr<experiment::HeapFigures> heap)
     : m_station(station), m_heap(std::move(heap))
-{
-}
+{}
 
 SweepController::~SweepController()
 {

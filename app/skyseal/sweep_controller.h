@@ -33,7 +33,7 @@ private:
     StationAdapter &m_station;
     const std::shared_ptr<experiment::HeapFigures> m_heap;
     std::unique_ptr<QThread> m_thread; ///< of a sweep with a vehicle of its own
-    SweepWorker *m_bench = nullptr;     ///< lives on that thread, or on ours
+    SweepWorker *m_bench = nullptr;    ///< lives on that thread, or on ours
     std::unique_ptr<QThread> m_writer;
 };
 

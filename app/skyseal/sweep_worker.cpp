@@ -47,8 +47,7 @@ QString commandOf(const experiment::Plan &plan, bool connected)
 
 SweepWorker::SweepWorker(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap)
     : m_plan(std::move(plan)), m_station(station), m_heap(heap)
-{
-}
+{}
 
 SweepWorker::~SweepWorker()
 {

@@ -17,8 +17,8 @@ struct WindowOptions
 {
     std::vector<link::LinkUrl> links; ///< empty = the one of the settings
     bool demo = false;
-    QString screenshot;         ///< file to save a picture of the window to; empty = none
-    double screenshotAfter = 3; ///< seconds
+    QString screenshot;                  ///< file to save a picture of the window to; empty = none
+    double screenshotAfter = 3;          ///< seconds
     std::string identityFile, peersFile; ///< empty = the user's own
     PassphraseInput passphrase;          ///< none given = a dialog asks
 };

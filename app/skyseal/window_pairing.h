@@ -22,8 +22,7 @@ public:
 
     explicit WindowPairing(DeriveKey derive = channel::pairingPassphraseKey, QObject *parent = nullptr)
         : PairingInterface(parent), m_derive(std::move(derive))
-    {
-    }
+    {}
     /// Waits for a key that is being derived.
     ~WindowPairing() override;
 

@@ -26,6 +26,9 @@ using WallTime = std::chrono::time_point<std::chrono::system_clock, std::chrono:
 
 inline constexpr TimePoint kNever = TimePoint::max();
 
-inline double seconds(Duration d) { return std::chrono::duration<double>(d).count(); }
+inline double seconds(Duration d)
+{
+    return std::chrono::duration<double>(d).count();
+}
 
 } // namespace skyseal

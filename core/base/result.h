@@ -22,8 +22,10 @@ struct InputError
     std::string text() const
     {
         std::string out = source;
-        if (line) out += ":" + std::to_string(line);
-        if (line && column) out += ":" + std::to_string(column);
+        if (line)
+            out += ":" + std::to_string(line);
+        if (line && column)
+            out += ":" + std::to_string(column);
         return out.empty() ? message : out + ": " + message;
     }
 };

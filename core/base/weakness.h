@@ -26,7 +26,7 @@ enum class Weakness : std::uint8_t {
     KeepOldKeys,        ///< the previous epoch never dies by itself, and no session does
     NoWipe,             ///< secrets stay in memory when they die
     // switch
-    CommitEarly,        ///< the answerer sends under the next epoch as soon as it has accepted
+    CommitEarly, ///< the answerer sends under the next epoch as soon as it has accepted
     // handshake
     NoMac1,             ///< every handshake message seems to be meant for us
     NoHandshakeTag,     ///< Noise payloads and static keys are not authenticated
@@ -43,30 +43,33 @@ enum class Weakness : std::uint8_t {
     NoCookie,           ///< an agent under load computes for whoever comes first
     RetryUnproven,      ///< a first message is repeated by timer to wherever an announcement claimed to come from
     // pairing
-    PairOnOneYes,       ///< the other person's yes is enough
-    NoPassphrase,       ///< a passphrase is not mixed into the handshake
-    ShowNewest,         ///< another device takes the place of the one that is compared
+    PairOnOneYes, ///< the other person's yes is enough
+    NoPassphrase, ///< a passphrase is not mixed into the handshake
+    ShowNewest,   ///< another device takes the place of the one that is compared
     // carriers
-    LoosePart,          ///< parts of TUNNEL messages are put together whatever message and sender they are of
+    LoosePart, ///< parts of TUNNEL messages are put together whatever message and sender they are of
     // files
-    NoFileCheck,        ///< who may read or change a file is not looked at
-    NoFileChecksum,     ///< a damaged key is taken for a good one
-    Leak,               ///< an error quotes the line that cannot be read
+    NoFileCheck,    ///< who may read or change a file is not looked at
+    NoFileChecksum, ///< a damaged key is taken for a good one
+    Leak,           ///< an error quotes the line that cannot be read
     // the owners of the channel
-    NoRoleCheck,        ///< observers may command
-    Misreadable,        ///< what observers say may be something else when part of it is lost
-    NoSenderCheck,      ///< a sealed peer may speak as any system
-    ClearAccepted,      ///< clear frames are taken as if nothing had ever been sealed
+    NoRoleCheck,   ///< observers may command
+    Misreadable,   ///< what observers say may be something else when part of it is lost
+    NoSenderCheck, ///< a sealed peer may speak as any system
+    ClearAccepted, ///< clear frames are taken as if nothing had ever been sealed
     // what only the tests' own parts look at
     SameRandomEveryLife, ///< an end that starts anew gets the random bytes of the one before it
-    Impatient,          ///< a session ends after ten seconds of silence
-    CountersFromClock,  ///< the numbers in first messages are the time of day
+    Impatient,           ///< a session ends after ten seconds of silence
+    CountersFromClock,   ///< the numbers in first messages are the time of day
 };
 
 #ifdef SKYSEAL_WEAKEN
 bool weakened(Weakness);
 #else
-constexpr bool weakened(Weakness) { return false; }
+constexpr bool weakened(Weakness)
+{
+    return false;
+}
 #endif
 
 } // namespace skyseal

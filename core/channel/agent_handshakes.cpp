@@ -24,12 +24,10 @@ bool holds(const std::vector<Path> &paths, const Path &path)
 } // namespace
 
 AgentHandshakes::AgentHandshakes(EndpointCore &core, TimePoint now)
-    : m_core(core), m_announcement(core.config.identity->publicKey),
-      m_announced(now - core.config.timing.announceBesideEvery),
+    : m_core(core), m_announcement(core.config.identity->publicKey), m_announced(now - core.config.timing.announceBesideEvery),
       m_limit(core.around.random, now), m_cookies(core.config.identity->publicKey, core.around.random),
       m_floodNotified(TimePoint::min()), m_numberNotified(TimePoint::min())
-{
-}
+{}
 
 bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
@@ -81,8 +79,15 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     if (SessionTable::Entry *here = m_core.table.upAt(from))
         here->session->nameRecordsUntil(now + kAnswerKept); // the station may have a new session there before we know it
     Agreement &agreement = answer->agreement;
-    SessionSetup setup{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection,
-                       std::move(agreement.peerOffer), agreement.suite, std::move(agreement.chain), from};
+    SessionSetup setup{m_core.table.number(*connection),
+                       false,
+                       *peer,
+                       *connection,
+                       agreement.peerConnection,
+                       std::move(agreement.peerOffer),
+                       agreement.suite,
+                       std::move(agreement.chain),
+                       from};
     auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
     if (!session->usable()) {
         m_core.table.release(*connection);
@@ -155,13 +160,11 @@ const AgentHandshakes::Answered *AgentHandshakes::furthestOf(const PublicKey &pe
 void AgentHandshakes::makeRoomFor(const PublicKey &peer)
 {
     const bool full = m_answered.size() >= kMostAnswered;
-    const auto ofPeer = std::count_if(m_answered.begin(), m_answered.end(),
-                                      [&](const Answered &a) { return a.peer == peer; });
+    const auto ofPeer = std::count_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) { return a.peer == peer; });
     if (ofPeer < kMostAnsweredOfPeer && !full)
         return;
-    const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &a) {
-        return (full || a.peer == peer) && &a != furthestOf(a.peer);
-    });
+    const auto found = std::find_if(m_answered.begin(), m_answered.end(),
+                                    [&](const Answered &a) { return (full || a.peer == peer) && &a != furthestOf(a.peer); });
     if (found != m_answered.end())
         forgetIf([session = found->session](const Answered &a) { return a.session == session; });
 }
@@ -209,9 +212,7 @@ bool AgentHandshakes::expects(const Path &from)
     };
     const auto &announced = m_core.config.announceTo;
     bool found = std::any_of(announced.begin(), announced.end(), isHostOf);
-    m_core.table.forEach([&](SessionTable::Entry &entry) {
-        found = found || (entry.up && isHostOf(entry.session->path()));
-    });
+    m_core.table.forEach([&](SessionTable::Entry &entry) { found = found || (entry.up && isHostOf(entry.session->path())); });
     return found;
 }
 

@@ -52,7 +52,7 @@ private:
     EndpointCore &m_core;
     Announcement m_announcement;
     std::vector<Answered> m_answered; ///< in the order in which they came
-    TimePoint m_announced; ///< last
+    TimePoint m_announced;            ///< last
     HandshakeLimit m_limit;
     CookieMaker m_cookies;
     TimePoint m_floodNotified;

@@ -43,8 +43,8 @@ private:
 
     std::array<std::uint8_t, kMaxDatagram> m_message;
     std::size_t m_size = 0;
-    std::uint8_t m_left = 0;   ///< bytes until the next code byte
-    bool m_zeroDue = false;    ///< the block before ended in a zero, unless the message ends here
+    std::uint8_t m_left = 0; ///< bytes until the next code byte
+    bool m_zeroDue = false;  ///< the block before ended in a zero, unless the message ends here
     bool m_begun = false;
     bool m_bad = false;
     std::uint64_t m_damaged = 0;

@@ -14,10 +14,14 @@ constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTe
 constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts;
 
 // The order of the counters on the wire.
-constexpr std::uint64_t ReceiveCounters::*kReceived[] = {
-    &ReceiveCounters::good, &ReceiveCounters::late, &ReceiveCounters::lost, &ReceiveCounters::replayed,
-    &ReceiveCounters::forged, &ReceiveCounters::malformed, &ReceiveCounters::plaintextDropped,
-    &ReceiveCounters::openedBytes};
+constexpr std::uint64_t ReceiveCounters::*kReceived[] = {&ReceiveCounters::good,
+                                                         &ReceiveCounters::late,
+                                                         &ReceiveCounters::lost,
+                                                         &ReceiveCounters::replayed,
+                                                         &ReceiveCounters::forged,
+                                                         &ReceiveCounters::malformed,
+                                                         &ReceiveCounters::plaintextDropped,
+                                                         &ReceiveCounters::openedBytes};
 constexpr std::uint64_t SendCounters::*kSent[] = {&SendCounters::records, &SendCounters::sealedBytes};
 constexpr std::uint64_t FrameCounters::*kFrames[] = {&FrameCounters::taken, &FrameCounters::lost};
 constexpr std::uint64_t EndCosts::*kCosts[] = {&EndCosts::cpuMicroseconds, &EndCosts::residentBytes,
@@ -173,8 +177,7 @@ std::optional<ControlMessage> readBody(Type type, ByteReader &in)
         readNonce(in, m.nonce);
         return m;
     }
-    case Type::Refuse:
-        return Refuse{ProposalId{in.u32()}};
+    case Type::Refuse: return Refuse{ProposalId{in.u32()}};
     case Type::Confirm: {
         const Epoch epoch{in.u32()};
         return Confirm{epoch, in.u32()};
@@ -187,8 +190,7 @@ std::optional<ControlMessage> readBody(Type type, ByteReader &in)
         if (const auto report = readReport(in))
             return *report;
         return std::nullopt;
-    case Type::Close:
-        return Close{};
+    case Type::Close: return Close{};
     }
     return std::nullopt;
 }

@@ -56,11 +56,11 @@ struct Confirmed
 /// Once a second: our clock and an echo of the peer's, from which each end knows the round trip, and our counters.
 struct Report
 {
-    std::uint32_t stamp = 0;    ///< microseconds of the sender's session clock, modulo 2^32
-    std::uint32_t echo = 0;     ///< the newest stamp that came from the peer, 0 = none yet
-    std::uint32_t held = 0;     ///< microseconds since it came
-    bool answerAtOnce = false;  ///< the sender wants a sign of life now
-    bool asksCosts = false;     ///< the sender wants the costs of the other end in its reports from now on
+    std::uint32_t stamp = 0;   ///< microseconds of the sender's session clock, modulo 2^32
+    std::uint32_t echo = 0;    ///< the newest stamp that came from the peer, 0 = none yet
+    std::uint32_t held = 0;    ///< microseconds since it came
+    bool answerAtOnce = false; ///< the sender wants a sign of life now
+    bool asksCosts = false;    ///< the sender wants the costs of the other end in its reports from now on
     ReceiveCounters rx;
     SendCounters tx;
     std::optional<FrameCounters> frames; ///< of those that count them
@@ -78,7 +78,10 @@ inline constexpr std::uint8_t kFirstFrameByte = 0x10;
 /// The longest control message: a report whose eighteen numbers all need ten bytes.
 inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 18 * 10;
 
-constexpr bool isControl(ByteView plaintext) { return plaintext.empty() || plaintext[0] < kFirstFrameByte; }
+constexpr bool isControl(ByteView plaintext)
+{
+    return plaintext.empty() || plaintext[0] < kFirstFrameByte;
+}
 
 /// Writes the message to `out` (at least kMaxControl bytes) and gives its length.
 std::size_t writeControl(const ControlMessage &message, MutableByteView out);

@@ -77,8 +77,8 @@ CookieMessage CookieMaker::make(TimePoint now, const Path &from, ByteView first)
     std::copy(m_nonce.begin(), m_nonce.end(), out.begin() + 1);
     const Cookie cookie = cookieFor(m_secret, from);
     const Key32 key = messageKey(m_sealKey, m_nonce, first.last(kMacLength));
-    crypto_aead_chacha20poly1305_ietf_encrypt(out.data() + 1 + kNonceLength, nullptr, cookie.data(), cookie.size(), nullptr,
-                                              0, nullptr, kZeroNonce.data(), key.view().data());
+    crypto_aead_chacha20poly1305_ietf_encrypt(out.data() + 1 + kNonceLength, nullptr, cookie.data(), cookie.size(), nullptr, 0,
+                                              nullptr, kZeroNonce.data(), key.view().data());
     return out;
 }
 

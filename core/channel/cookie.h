@@ -18,7 +18,7 @@
 
 namespace skyseal::channel {
 
-inline constexpr std::size_t kCookieLength = 127; ///< as long as the first message that it asks for
+inline constexpr std::size_t kCookieLength = 127;                        ///< as long as the first message that it asks for
 inline constexpr Duration kCookieSecretLife = std::chrono::seconds(120); ///< and as long again as the previous one
 
 using Cookie = std::array<std::uint8_t, 16>;
@@ -44,7 +44,7 @@ private:
     std::array<std::uint8_t, 32> m_sealKey;
     Secret m_secret;
     std::optional<Secret> m_previous;
-    std::optional<TimePoint> m_since; ///< when the secret was made; none while no cookie was ever asked for
+    std::optional<TimePoint> m_since;       ///< when the secret was made; none while no cookie was ever asked for
     std::array<std::uint8_t, 16> m_nonce{}; ///< eight random bytes for each secret, and eight that count
     std::uint64_t m_made = 0;
 };

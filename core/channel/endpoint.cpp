@@ -136,8 +136,7 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
 
 Endpoint::Endpoint(Config config, RandomSource &random, CounterStore &counters, TimePoint now)
     : m_state(std::make_unique<State>(std::move(config), random, counters, now))
-{
-}
+{}
 
 Endpoint::~Endpoint() = default;
 Endpoint::Endpoint(Endpoint &&) noexcept = default;
@@ -200,7 +199,7 @@ bool Endpoint::isAnnouncement(ByteView datagram)
 {
     constexpr std::size_t kZerosFrom = 1 + 16 + kMacLength;
     return datagram.size() == Announcement::kLength && datagram[0] == firstByte(HandshakeMessage::Announcement)
-           && std::all_of(datagram.begin() + kZerosFrom, datagram.end(), [](std::uint8_t byte) { return byte == 0; });
+        && std::all_of(datagram.begin() + kZerosFrom, datagram.end(), [](std::uint8_t byte) { return byte == 0; });
 }
 
 // ---- input

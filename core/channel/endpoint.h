@@ -60,10 +60,10 @@ struct Timing
     Duration keepAliveAfter = std::chrono::seconds(1);        ///< send something when nothing was sent for so long
     /// Then a station handshakes anew, beside the old session. An agent announces itself after 1.5 x keepAliveAfter already.
     Duration peerSilentAfter = std::chrono::milliseconds(2500);
-    Duration forgetAfter = std::chrono::minutes(10);          ///< a silent session ends
-    Duration switchConfirm = std::chrono::seconds(5);         ///< a switch not confirmed by then is rolled back
+    Duration forgetAfter = std::chrono::minutes(10);  ///< a silent session ends
+    Duration switchConfirm = std::chrono::seconds(5); ///< a switch not confirmed by then is rolled back
     Duration switchRetry = std::chrono::milliseconds(100);
-    Duration oldKeysLinger = std::chrono::seconds(3);         ///< or 3 round trips, whichever is longer
+    Duration oldKeysLinger = std::chrono::seconds(3); ///< or 3 round trips, whichever is longer
     Duration statsEvery = std::chrono::seconds(1);
     Duration rekeyAfter = std::chrono::seconds(600);
     std::uint32_t rekeyAfterRecords = 1u << 22;
@@ -143,11 +143,11 @@ struct SessionInfo
     Path path;
     crypto::SuiteId suite{};
     Epoch epoch{};
-    Framing framing{}; ///< how frames are sent now
+    Framing framing{};                        ///< how frames are sent now
     std::optional<crypto::SuiteId> pending;   ///< a switch that is under way
     std::vector<crypto::SuiteId> permitted;   ///< by both ends
     std::vector<crypto::SuiteId> peerOffered; ///< what the other end would accept, as it said; None among them: plain as well
-    bool silent = false; ///< nothing authentic for Timing::peerSilentAfter
+    bool silent = false;                      ///< nothing authentic for Timing::peerSilentAfter
     TimePoint since{};
     TimePoint lastReceived{};
 };

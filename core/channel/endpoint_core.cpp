@@ -23,8 +23,8 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 }
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
-    : config(std::move(configuration)), counters(store),
-      around{random, {}, {}, {}, config.timing, config.messageTraits.get()}, ownMac(config.identity->publicKey)
+    : config(std::move(configuration)), counters(store), around{random, {}, {}, {}, config.timing, config.messageTraits.get()},
+      ownMac(config.identity->publicKey)
 {
     offerPolicy();
 }
@@ -75,8 +75,7 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
     });
     entry.up = true;
     const SessionInfo info = session.info(now);
-    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path,
-                                      session.agreedFraming()});
+    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path, session.agreedFraming()});
     session.policyChanged(now); // which may have been made stricter while the handshake was on its way
 }
 

@@ -31,7 +31,7 @@ struct SessionDown
 {
     SessionId session{};
     DownReason reason{};
-    SessionStats stats; ///< the last there will be
+    SessionStats stats;                ///< the last there will be
     Framing framing = Framing::Sealed; ///< as agreed
 };
 
@@ -48,7 +48,7 @@ struct SwitchPending
     SessionId session{};
     crypto::SuiteId from{};
     crypto::SuiteId to{};
-    Epoch epoch{};    ///< the one that will be used
+    Epoch epoch{}; ///< the one that will be used
     bool byPeer = false;
     bool rekey = false; ///< same suite, fresh keys
 };
@@ -69,11 +69,11 @@ struct SwitchDone
 };
 
 enum class RefusalReason : std::uint8_t {
-    UnknownPeer,      ///< a well-formed handshake or announcement of a key that nobody confirmed
-    WrongKey,         ///< does not decrypt under our key: meant for somebody else, or an impostor
+    UnknownPeer, ///< a well-formed handshake or announcement of a key that nobody confirmed
+    WrongKey,    ///< does not decrypt under our key: meant for somebody else, or an impostor
     ReplayedHandshake,
     NoCommonSuite,
-    OfferTampered,    ///< the choice is not the one that both offers give
+    OfferTampered, ///< the choice is not the one that both offers give
     Version,
     /// An agent remembers a greater counter than ours: our file of counters was lost or put back. We go on from its number;
     /// when the event comes again, that could not be kept.

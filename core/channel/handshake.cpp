@@ -19,8 +19,8 @@ public:
     ByteView view() const { return m_bytes; }
 
 private:
-    std::array<std::uint8_t, 19> m_bytes{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l', ' ', 'v',
-                                         '0' + kProtocolVersion, 0};
+    std::array<std::uint8_t, 19> m_bytes{
+        's', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'c', 'h', 'a', 'n', 'n', 'e', 'l', ' ', 'v', '0' + kProtocolVersion, 0};
 };
 
 std::vector<Key32> presharedKeyOf(const Peer *peer)
@@ -63,8 +63,8 @@ std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity,
 
     Initiator out(std::move(*noise), std::move(payload), identity.publicKey);
     out.m_message[0] = firstByte(HandshakeMessage::First);
-    const auto written = out.m_noise.writeMessage(out.m_payload.write(),
-                                                  MutableByteView(out.m_message).subspan(1, kFirstNoise), random);
+    const auto written = out.m_noise.writeMessage(out.m_payload.write(), MutableByteView(out.m_message).subspan(1, kFirstNoise),
+                                                  random);
     if (!written || *written != kFirstNoise)
         return std::nullopt;
     Mac1(peer.key).sign(out.m_message);
@@ -138,8 +138,9 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
     const auto secrets = std::move(m_noise).finish();
     if (!secrets)
         return tl::unexpected(RefusalReason::WrongKey);
-    return Answer{message, Agreement{m_payload.connection, m_payload.offer, *suite,
-                                     KeyChain(secrets->receive, secrets->send, secrets->handshakeHash)}};
+    return Answer{message,
+                  Agreement{m_payload.connection, m_payload.offer, *suite,
+                            KeyChain(secrets->receive, secrets->send, secrets->handshakeHash)}};
 }
 
 std::optional<NumberMessage> Responder::tellNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&

@@ -55,8 +55,7 @@ public:
 private:
     Initiator(noise::HandshakeState noise, FirstPayload payload, const PublicKey &identity)
         : m_noise(std::move(noise)), m_payload(std::move(payload)), m_answerMac(identity)
-    {
-    }
+    {}
 
     noise::HandshakeState m_noise;
     FirstPayload m_payload;
@@ -89,8 +88,7 @@ public:
 private:
     Responder(noise::HandshakeState noise, const PublicKey &peer, FirstPayload payload)
         : m_noise(std::move(noise)), m_peer(peer), m_payload(std::move(payload))
-    {
-    }
+    {}
 
     noise::HandshakeState m_noise;
     PublicKey m_peer;

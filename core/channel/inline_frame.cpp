@@ -18,7 +18,8 @@ using Hidden = std::array<std::uint8_t, 255>;
 
 /// The facts of the message when the bytes begin with a MAVLink 2 frame of it with these flags, are as long as it and
 /// `trailer`, and their checksum is right.
-std::optional<MessageTraits::Message> factsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer, const MessageTraits &facts)
+std::optional<MessageTraits::Message> factsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer,
+                                              const MessageTraits &facts)
 {
     if (bytes.size() < kHeader + kChecksum + trailer || bytes[0] != kMagic || bytes[2] != flags)
         return std::nullopt;

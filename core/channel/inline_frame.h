@@ -76,8 +76,7 @@ public:
 private:
     SealableFrame(ByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
         : m_bytes(bytes), m_message(message), m_facts(&facts)
-    {
-    }
+    {}
 
     ByteView m_bytes;
     MessageTraits::Message m_message;
@@ -101,8 +100,7 @@ public:
 private:
     InlineFrame(MutableByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
         : m_bytes(bytes), m_message(message), m_facts(&facts)
-    {
-    }
+    {}
 
     MutableByteView m_bytes;
     MessageTraits::Message m_message;

@@ -21,11 +21,9 @@ Key32 extract(const Key32 &fromInitiator, const Key32 &fromResponder, ByteView h
 
 KeyChain::KeyChain(const Key32 &fromInitiator, const Key32 &fromResponder, ByteView handshakeHash)
     : m_secret(extract(fromInitiator, fromResponder, handshakeHash))
-{
-}
+{}
 
-EpochSecrets KeyChain::derive(Epoch epoch, crypto::SuiteId suite, const EpochNonce &proposal,
-                              const EpochNonce &answer) const
+EpochSecrets KeyChain::derive(Epoch epoch, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) const
 {
     const auto expand = [&](std::string_view use) {
         std::array<std::uint8_t, 96> info;

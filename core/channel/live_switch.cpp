@@ -8,14 +8,16 @@ namespace skyseal::channel {
 
 namespace {
 
-Epoch after(Epoch epoch) { return Epoch{static_cast<std::uint32_t>(epoch) + 1}; }
+Epoch after(Epoch epoch)
+{
+    return Epoch{static_cast<std::uint32_t>(epoch) + 1};
+}
 
 } // namespace
 
 LiveSwitch::LiveSwitch(SessionId session, bool initiator, const Timing &timing)
     : m_session(session), m_initiator(initiator), m_timing(timing)
-{
-}
+{}
 
 std::optional<crypto::SuiteId> LiveSwitch::pending() const
 {
@@ -228,8 +230,7 @@ void LiveSwitch::tellPending(const Switch &s, bool byPeer, SwitchActions &action
     actions.notify(SwitchPending{m_session, s.from, s.to, s.epoch, byPeer, s.rekey});
 }
 
-void LiveSwitch::tellDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure,
-                          SwitchActions &actions) const
+void LiveSwitch::tellDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure, SwitchActions &actions) const
 {
     actions.notify(SwitchDone{m_session, s.from, s.to, s.epoch, byPeer, s.rekey, failure, now - s.since});
 }

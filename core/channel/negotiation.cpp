@@ -13,7 +13,10 @@ bool holds(const std::vector<SuiteId> &suites, SuiteId wanted)
     return std::find(suites.begin(), suites.end(), wanted) != suites.end();
 }
 
-bool isResearch(SuiteId suite) { return crypto::suiteInfo(suite).research; }
+bool isResearch(SuiteId suite)
+{
+    return crypto::suiteInfo(suite).research;
+}
 
 } // namespace
 

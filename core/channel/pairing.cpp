@@ -178,8 +178,7 @@ TimePoint Pairing::State::deadline() const
 
 Pairing::Pairing(PairingConfig config, RandomSource &random, TimePoint now)
     : m_state(std::make_unique<State>(std::move(config), random, now))
-{
-}
+{}
 
 Pairing::~Pairing() = default;
 Pairing::Pairing(Pairing &&) noexcept = default;

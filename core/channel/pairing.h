@@ -85,8 +85,7 @@ struct PairingOtherTried
 
 /// One end has a passphrase and the other none, or they differ. At most one a second; a hint that anybody can provoke.
 struct PairingPassphraseDiffers
-{
-};
+{};
 
 /// Both people said yes: to be kept now. The system ids are empty; the pre-shared key is null unless both ends wanted one.
 struct Paired

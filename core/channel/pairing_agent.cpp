@@ -64,8 +64,8 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     }
     if (!mayCompute(now, from))
         return;
-    auto handshake = PairingHandshake::begin(noise::Role::Responder, *m_core.config.identity,
-                                             m_core.config.passphraseKey.get(), head->id, head->token, from.carrier);
+    auto handshake = PairingHandshake::begin(noise::Role::Responder, *m_core.config.identity, m_core.config.passphraseKey.get(),
+                                             head->id, head->token, from.carrier);
     if (!handshake || !handshake->takeFirst(datagram))
         return;
     const auto answer = handshake->answer(m_core.about(), m_core.random);
@@ -98,7 +98,7 @@ std::optional<PairingConfirmation> PairingAgent::handleThird(TimePoint now, cons
     if (!voice || !m_core.mayShow(key))
         return std::nullopt;
     return PairingConfirmation({key, about->name, about->roleAsked, from}, std::move(*voice),
-                       about->wantPresharedKey && m_core.config.wantPresharedKey, now);
+                               about->wantPresharedKey && m_core.config.wantPresharedKey, now);
 }
 
 } // namespace skyseal::channel

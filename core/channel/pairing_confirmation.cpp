@@ -13,10 +13,8 @@ constexpr Duration kLongLinger = std::chrono::seconds(10); ///< when it is not
 } // namespace
 
 PairingConfirmation::PairingConfirmation(PairingPeer peer, PairingVoice voice, bool presharedKeyWanted, TimePoint now)
-    : m_peer(std::move(peer)), m_voice(std::move(voice)), m_presharedKeyWanted(presharedKeyWanted), m_lastHeard(now),
-      m_due(now)
-{
-}
+    : m_peer(std::move(peer)), m_voice(std::move(voice)), m_presharedKeyWanted(presharedKeyWanted), m_lastHeard(now), m_due(now)
+{}
 
 bool PairingConfirmation::settled(TimePoint now) const
 {

@@ -16,10 +16,7 @@ public:
     bool isOf(const Path &from, PairingId id) const { return from == m_peer.path && id == m_voice.id(); }
     Decision mine() const { return m_mine; }
     Decision theirs() const { return m_theirs; }
-    bool paired() const
-    {
-        return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes;
-    }
+    bool paired() const { return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes; }
     /// The other end knows that both said yes, or nothing was heard of it for long after.
     bool settled(TimePoint now) const;
     bool silent(TimePoint now) const;

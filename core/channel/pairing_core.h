@@ -26,8 +26,7 @@ struct PairingCore
     }
     bool mayShow(const PublicKey &key) const
     {
-        return key != config.identity->publicKey
-            && std::find(turnedDown.begin(), turnedDown.end(), key) == turnedDown.end();
+        return key != config.identity->publicKey && std::find(turnedDown.begin(), turnedDown.end(), key) == turnedDown.end();
     }
     /// A quarter more or less, so that ends which began at once do not stay in step.
     Duration jittered(Duration pause)

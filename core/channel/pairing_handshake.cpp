@@ -103,8 +103,7 @@ WordDatagram PairingVoice::say(const Word &word)
 {
     WordDatagram out{};
     writeHead(out, PairingMessage::Sealed, m_id);
-    out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2
-                                       | static_cast<unsigned>(word.heard));
+    out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2 | static_cast<unsigned>(word.heard));
     // The number is the nonce: what one nonce seals never changes.
     m_send.setNonce(out[5]);
     const MutableByteView tag = MutableByteView(out).subspan(kSealedHead);

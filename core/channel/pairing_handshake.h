@@ -44,7 +44,7 @@ struct PairingAbout
     bool wantPresharedKey = false;
     bool hasPassphrase = false;
     PeerRole roleAsked = PeerRole::Pilot; ///< a number that is unknown here is read as Observer
-    std::string name; ///< at most 24 bytes on the wire; read with unfit characters replaced by "-"
+    std::string name;                     ///< at most 24 bytes on the wire; read with unfit characters replaced by "-"
 
     std::array<std::uint8_t, kLength> write() const;
     /// nullopt for another length alone: by then the handshake has taken the message, and must go on.
@@ -108,8 +108,7 @@ public:
 private:
     PairingHandshake(noise::HandshakeState &&noise, noise::Role role, PairingId id, const PairingToken &token)
         : m_noise(std::move(noise)), m_role(role), m_id(id), m_token(token)
-    {
-    }
+    {}
 
     noise::HandshakeState m_noise;
     noise::Role m_role;

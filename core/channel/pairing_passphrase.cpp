@@ -3,8 +3,7 @@
 namespace skyseal::channel {
 
 // One for all: the two ends have nothing in common yet that somebody in between could not choose for them.
-static constexpr crypto::PassphraseSalt kSalt{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ',
-                                               'p', 'a', 'i', 'r', 'i', 'n', 'g', '1'};
+static constexpr crypto::PassphraseSalt kSalt{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'p', 'a', 'i', 'r', 'i', 'n', 'g', '1'};
 
 std::shared_ptr<const Key32> pairingPassphraseKey(const crypto::Passphrase &passphrase)
 {

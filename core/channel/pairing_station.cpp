@@ -74,8 +74,7 @@ void PairingStation::begin(TimePoint now)
 
 void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
-    if (!m_attempt || m_attempt->voice || m_attempt->path != from
-        || answeredPairing(datagram) != m_attempt->handshake.id())
+    if (!m_attempt || m_attempt->voice || m_attempt->path != from || answeredPairing(datagram) != m_attempt->handshake.id())
         return;
     if (!m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) && !weakened(Weakness::NoRateLimit)) {
         m_attempt.reset();
@@ -138,7 +137,7 @@ void PairingStation::handleDeadline(TimePoint now)
     if (now >= m_attempt->until) {
         if (m_attempt->voice && m_core.config.passphraseKey)
             m_core.hintAtPassphrase(now); // It answers, and is silent to what needs the passphrase.
-        m_attempt.reset(); // The next call begins another.
+        m_attempt.reset();                // The next call begins another.
     } else if (now >= m_attempt->due) {
         sendThird(now);
     }

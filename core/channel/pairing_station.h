@@ -51,7 +51,7 @@ private:
     PairingCore &m_core;
     std::vector<Caller> m_callers;
     std::optional<Attempt> m_attempt;
-    TokenBucket m_answers; ///< that may be computed on
+    TokenBucket m_answers;                   ///< that may be computed on
     TimePoint m_nextFrom = TimePoint::min(); ///< not before then another attempt
 };
 

@@ -24,7 +24,7 @@ struct Peer
     PublicKey key{};
     std::string name;
     PeerRole role = PeerRole::Pilot;
-    std::vector<std::uint8_t> systemIds; ///< MAVLink system ids it may speak as; empty = any
+    std::vector<std::uint8_t> systemIds;                 ///< MAVLink system ids it may speak as; empty = any
     std::shared_ptr<const Key32> presharedKey = nullptr; ///< a second secret that both must have; none = all zero
 };
 

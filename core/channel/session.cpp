@@ -11,7 +11,10 @@ namespace {
 constexpr Duration kEventPause = std::chrono::seconds(1);
 
 /// What the cipher makes its nonce of.
-std::uint64_t nonceOf(std::uint32_t counter) { return weakened(Weakness::SharedNonce) ? 0 : counter; }
+std::uint64_t nonceOf(std::uint32_t counter)
+{
+    return weakened(Weakness::SharedNonce) ? 0 : counter;
+}
 
 bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 {
@@ -25,11 +28,9 @@ Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
       m_switch(m_setup.id, m_setup.initiator, around.timing),
       m_inlineAgreed(m_setup.path.carrier == Carrier::Datagram && around.facts && around.offer.allowInline
                      && m_setup.peerOffer.allowInline),
-      m_since(now),
-      m_lastReceived(now), m_lastSent(now),
-      m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now), m_rekeyNotBefore(now), m_peerReportAt(now),
-      m_toldPath(m_setup.path), m_moveNotified(now - kEventPause), m_alarmNotified(now - kEventPause),
-      m_lifeShown(now - kEventPause), m_lineBegan(now - kEventPause), m_heardHere(now)
+      m_since(now), m_lastReceived(now), m_lastSent(now), m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now),
+      m_rekeyNotBefore(now), m_peerReportAt(now), m_toldPath(m_setup.path), m_moveNotified(now - kEventPause),
+      m_alarmNotified(now - kEventPause), m_lifeShown(now - kEventPause), m_lineBegan(now - kEventPause), m_heardHere(now)
 {
     if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
         return;
@@ -96,8 +97,7 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), from.carrier);
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
-    const auto plaintext =
-        epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
+    const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
     if (!plaintext && weakened(Weakness::RoamOnForged))
         m_setup.path = from;
     if (!plaintext)
@@ -296,8 +296,7 @@ std::vector<crypto::SuiteId> Session::permitted() const
 bool Session::permittedHere(crypto::SuiteId suite) const
 {
     const bool research = crypto::suiteInfo(suite).research;
-    return suite != crypto::SuiteId::None && holds(m_around.offer.suites, suite)
-        && (!research || m_around.offer.allowResearch);
+    return suite != crypto::SuiteId::None && holds(m_around.offer.suites, suite) && (!research || m_around.offer.allowResearch);
 }
 
 bool Session::permittedByPeer(crypto::SuiteId suite) const

@@ -25,8 +25,8 @@ struct Surroundings
     SuiteOffer offer; ///< what our policy allows now
     Timing timing;
     const MessageTraits *facts = nullptr; ///< null: nothing is sealed in place here
-    CostSource costs = {};             ///< empty: we do not measure ourselves
-    bool askCosts = false;             ///< of the other end
+    CostSource costs = {};                ///< empty: we do not measure ourselves
+    bool askCosts = false;                ///< of the other end
 };
 
 /// What a finished handshake gives.
@@ -156,7 +156,7 @@ private:
     Surroundings &m_around;
     Path m_origin;
     Epochs m_epochs;
-    KeyChain m_chain;                   ///< for the epoch after the current one
+    KeyChain m_chain; ///< for the epoch after the current one
     std::optional<KeyChain> m_chainAfterNext;
     LiveSwitch m_switch;
     RoundTrip m_roundTrip;
@@ -172,7 +172,7 @@ private:
     TimePoint m_reportDue;
     TimePoint m_epochSince;
     TimePoint m_rekeyNotBefore;
-    std::optional<TimePoint> m_leaveBy; ///< the suite in use is no longer permitted; it ends then at the latest
+    std::optional<TimePoint> m_leaveBy;     ///< the suite in use is no longer permitted; it ends then at the latest
     std::optional<TimePoint> m_peerMovedOn; ///< since when the peer sends under the current epoch; none = not yet
     bool m_previousComplete = false;        ///< the peer has said how many records the previous epoch had
     std::uint32_t m_sentBefore = 0;

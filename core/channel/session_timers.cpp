@@ -54,8 +54,7 @@ void Session::handleDeadline(TimePoint now)
         m_finished = DownReason::PeerClosed;
         return;
     }
-    if (m_epochs.previous() && m_peerMovedOn
-        && now >= *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()))
+    if (m_epochs.previous() && m_peerMovedOn && now >= *m_peerMovedOn + std::max(timing.oldKeysLinger, m_roundTrip.generous()))
         m_epochs.retirePrevious();
     m_switch.handleDeadline(now, *this);
     rekeyWhenDue(now);

@@ -232,8 +232,15 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
         return countWrong(now, *found);
     }
     const ConnectionId ours = found->handshake->connection();
-    SessionSetup setup{m_core.table.number(ours), true, *m_core.peer(found->peer), ours, agreement->peerConnection,
-                       std::move(agreement->peerOffer), agreement->suite, std::move(agreement->chain), from};
+    SessionSetup setup{m_core.table.number(ours),
+                       true,
+                       *m_core.peer(found->peer),
+                       ours,
+                       agreement->peerConnection,
+                       std::move(agreement->peerOffer),
+                       agreement->suite,
+                       std::move(agreement->chain),
+                       from};
     auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
     if (!session->usable()) {
         m_core.tellRefused(now, from, RefusalReason::NoCommonSuite, found->peer);
@@ -298,9 +305,7 @@ TimePoint StationHandshakes::deadline(TimePoint now)
 
 void StationHandshakes::send(TimePoint now, Attempt &attempt)
 {
-    const auto maySend = [](const Place &place) {
-        return place.proven || place.owed || weakened(Weakness::RetryUnproven);
-    };
+    const auto maySend = [](const Place &place) { return place.proven || place.owed || weakened(Weakness::RetryUnproven); };
     if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !ready(now, attempt)) {
         attempt.due = now + kLongestPause; // Until it is announced again.
         return;

@@ -54,14 +54,14 @@ private:
         std::vector<Place> places; ///< several, since anyone who knows its key can announce it
         TimePoint due{};
         TimePoint wantedUntil{};
-        unsigned sent = 0;        ///< in all, for the pause between two
-        unsigned copies = 0;      ///< of the present first message
-        unsigned uncookied = 0;   ///< of these without a cookie, and not answered by one
-        TimePoint begun{};        ///< when it was made
-        unsigned wrong = 0;       ///< answers to it that were computed on in vain
-        bool flooded = false;     ///< one was given up for these
+        unsigned sent = 0;                      ///< in all, for the pause between two
+        unsigned copies = 0;                    ///< of the present first message
+        unsigned uncookied = 0;                 ///< of these without a cookie, and not answered by one
+        TimePoint begun{};                      ///< when it was made
+        unsigned wrong = 0;                     ///< answers to it that were computed on in vain
+        bool flooded = false;                   ///< one was given up for these
         TimePoint freshFrom = TimePoint::min(); ///< not before then the next one is made in its place
-        unsigned unanswered = 0;  ///< of all, since the last cookie
+        unsigned unanswered = 0;                ///< of all, since the last cookie
         TimePoint unansweredSince{};
         std::optional<TimePoint> announced; ///< none while it is only a session that fell silent
         Path announcedFrom;

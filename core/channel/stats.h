@@ -74,10 +74,10 @@ struct SessionStats
     SendCounters peerTx;
     bool peerReported = false;
     std::optional<FrameCounters> peerFrames; ///< ours, as the peer counted them; nothing where it does not
-    std::optional<EndCosts> peerCosts; ///< nothing unless asked for, and where the peer does not measure itself
-    std::uint32_t peerStamp = 0;       ///< microseconds of the peer's clock at that report, modulo 2^32
-    std::vector<EpochStats> epochs; ///< the last 16 at most
-    Duration roundTrip{};           ///< smoothed, zero until measured
+    std::optional<EndCosts> peerCosts;       ///< nothing unless asked for, and where the peer does not measure itself
+    std::uint32_t peerStamp = 0;             ///< microseconds of the peer's clock at that report, modulo 2^32
+    std::vector<EpochStats> epochs;          ///< the last 16 at most
+    Duration roundTrip{};                    ///< smoothed, zero until measured
 };
 
 } // namespace skyseal::channel

@@ -62,9 +62,9 @@ public:
 private:
     std::array<std::uint8_t, kMaxTunnelled> m_bytes;
     std::uint16_t m_set = 0;
-    std::uint8_t m_present = 0;   ///< a bit for each index
-    std::uint8_t m_count = 0;     ///< parts in all; 0 = the last one has not come
-    std::size_t m_size = 0;       ///< of the whole, once the last one has come
+    std::uint8_t m_present = 0; ///< a bit for each index
+    std::uint8_t m_count = 0;   ///< parts in all; 0 = the last one has not come
+    std::size_t m_size = 0;     ///< of the whole, once the last one has come
     bool m_delivered = false;
     std::optional<TimePoint> m_since;
 };

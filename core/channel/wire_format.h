@@ -50,8 +50,17 @@ constexpr std::uint8_t firstByte(HandshakeMessage message)
     return firstByte(DatagramKind::Handshake, static_cast<std::uint8_t>(message));
 }
 
-constexpr bool isOurs(std::uint8_t first) { return (first & 0xc0) == 0x40; }
-constexpr std::uint8_t versionOf(std::uint8_t first) { return first >> 4 & 3; }
-constexpr DatagramKind kindOf(std::uint8_t first) { return static_cast<DatagramKind>(first >> 2 & 3); }
+constexpr bool isOurs(std::uint8_t first)
+{
+    return (first & 0xc0) == 0x40;
+}
+constexpr std::uint8_t versionOf(std::uint8_t first)
+{
+    return first >> 4 & 3;
+}
+constexpr DatagramKind kindOf(std::uint8_t first)
+{
+    return static_cast<DatagramKind>(first >> 2 & 3);
+}
 
 } // namespace skyseal::channel

@@ -14,8 +14,7 @@ class Aes256CbcBody
 public:
     explicit Aes256CbcBody(const RecordKeys &keys)
         : m_encrypt(keys.key, EvpDirection::Encrypt), m_decrypt(keys.key, EvpDirection::Decrypt), m_ivs(keys.iv)
-    {
-    }
+    {}
 
     bool ready() const { return m_encrypt.ready() && m_decrypt.ready() && m_ivs.ready(); }
 

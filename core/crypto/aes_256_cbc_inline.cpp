@@ -17,8 +17,7 @@ class Aes256CbcStealing
 public:
     explicit Aes256CbcStealing(const RecordKeys &keys)
         : m_encrypt(keys.key, EvpDirection::Encrypt), m_decrypt(keys.key, EvpDirection::Decrypt), m_ivs(keys.iv)
-    {
-    }
+    {}
 
     bool ready() const { return m_encrypt.ready() && m_decrypt.ready() && m_ivs.ready(); }
 

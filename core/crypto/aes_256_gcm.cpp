@@ -15,8 +15,7 @@ class Aes256Gcm final : public RecordCipher
 public:
     Aes256Gcm(const RecordKeys &keys, const EVP_CIPHER *cipher)
         : m_context(makeEvpContext(cipher, keys.key.view().data(), EvpDirection::Encrypt)), m_nonces(keys.iv)
-    {
-    }
+    {}
 
     bool ready() const { return m_context != nullptr; }
     SuiteId suite() const override { return SuiteId::Aes256Gcm; }
@@ -28,9 +27,8 @@ public:
             return 0;
         const Nonce12 nonce = m_nonces.at(counter);
         int written = 0;
-        if (EVP_EncryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) != 1
-            || !addAssociated(associatedData) || !update(out.data(), plaintext)
-            || EVP_EncryptFinal_ex(m_context.get(), out.data() + size, &written) != 1
+        if (EVP_EncryptInit_ex2(m_context.get(), nullptr, nullptr, nonce.data(), nullptr) != 1 || !addAssociated(associatedData)
+            || !update(out.data(), plaintext) || EVP_EncryptFinal_ex(m_context.get(), out.data() + size, &written) != 1
             || EVP_CIPHER_CTX_ctrl(m_context.get(), EVP_CTRL_AEAD_GET_TAG, kTag, out.data() + size) != 1)
             return 0;
         if (weakened(Weakness::NoEncryption))

@@ -35,9 +35,7 @@ public:
             for (std::size_t i = 0; i < kGroup; ++i)
                 storeBigEndian64(m_ivs.data() + i * kCbcBlock + 8, group * kGroup + i);
             int written = 0;
-            if (EVP_EncryptUpdate(m_context.get(), m_ivs.data(), &written, m_ivs.data(),
-                                  static_cast<int>(m_ivs.size()))
-                != 1)
+            if (EVP_EncryptUpdate(m_context.get(), m_ivs.data(), &written, m_ivs.data(), static_cast<int>(m_ivs.size())) != 1)
                 return nullptr;
             m_group = group;
             m_valid = true;

@@ -26,8 +26,8 @@ public:
             return 0;
         const Nonce12 nonce = m_nonces.at(counter);
         crypto_aead_chacha20poly1305_ietf_encrypt_detached(out.data(), out.data() + size, nullptr, plaintext.data(), size,
-                                                           associatedData.data(), associatedData.size(), nullptr,
-                                                           nonce.data(), m_key.view().data());
+                                                           associatedData.data(), associatedData.size(), nullptr, nonce.data(),
+                                                           m_key.view().data());
         if (weakened(Weakness::NoEncryption))
             std::memcpy(out.data(), plaintext.data(), size);
         return size + kTag;
@@ -45,7 +45,8 @@ public:
             crypto_stream_chacha20_ietf_xor_ic(sealed.data(), sealed.data(), size, nonce.data(), 1, m_key.view().data());
         else if (declassified(crypto_aead_chacha20poly1305_ietf_decrypt_detached(
                      sealed.data(), nullptr, sealed.data(), size, sealed.data() + size, associatedData.data(),
-                     associatedData.size(), nonce.data(), m_key.view().data())) != 0)
+                     associatedData.size(), nonce.data(), m_key.view().data()))
+                 != 0)
             return std::nullopt;
         return sealed.first(size);
     }

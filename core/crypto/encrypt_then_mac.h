@@ -16,12 +16,23 @@ namespace skyseal::crypto {
 /// A cipher that turns `n` bytes of plaintext into `bodySize(n)` of ciphertext. `out` of `encrypt` starts where the
 /// plaintext does or is apart from it; `decrypt` works in place and gives the plaintext's length.
 template<typename T>
-concept BodyCipher = requires(T cipher, std::uint64_t counter, ByteView in, MutableByteView out, std::size_t n) {
-    { T::bodySize(n) } -> std::same_as<std::size_t>;
-    { T::capacity(n) } -> std::same_as<std::optional<std::size_t>>;
-    { cipher.ready() } -> std::same_as<bool>;
-    { cipher.encrypt(counter, in, out) } -> std::same_as<bool>;
-    { cipher.decrypt(counter, out) } -> std::same_as<std::optional<std::size_t>>;
+concept BodyCipher = requires(T cipher, std::uint64_t counter, ByteView in, MutableByteView out, std::size_t n)
+{
+    {
+        T::bodySize(n)
+        } -> std::same_as<std::size_t>;
+    {
+        T::capacity(n)
+        } -> std::same_as<std::optional<std::size_t>>;
+    {
+        cipher.ready()
+        } -> std::same_as<bool>;
+    {
+        cipher.encrypt(counter, in, out)
+        } -> std::same_as<bool>;
+    {
+        cipher.decrypt(counter, out)
+        } -> std::same_as<std::optional<std::size_t>>;
 };
 
 /// Lengths of a cipher that keeps them.

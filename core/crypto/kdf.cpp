@@ -25,8 +25,7 @@ bool hkdfExpandSha256(MutableByteView out, ByteView secret, ByteView info)
         ++number;
         hmac.compute(block.mutableView(), {previous, info, ByteView(&number, 1)});
         previous = block.view();
-        std::copy_n(previous.begin(), std::min(out.size() - at, kSha256Length),
-                    out.begin() + static_cast<std::ptrdiff_t>(at));
+        std::copy_n(previous.begin(), std::min(out.size() - at, kSha256Length), out.begin() + static_cast<std::ptrdiff_t>(at));
     }
     return true;
 }

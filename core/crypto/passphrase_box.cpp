@@ -46,8 +46,7 @@ Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, co
 }
 
 Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, const Passphrase &passphrase,
-                                                  const PassphraseCost &cost, const PassphraseSalt &salt,
-                                                  ByteView associated)
+                                                  const PassphraseCost &cost, const PassphraseSalt &salt, ByteView associated)
 {
     const auto key = keyFromPassphrase(passphrase, cost, salt);
     if (!key)

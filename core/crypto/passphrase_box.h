@@ -36,14 +36,14 @@ using SealedSecret = std::array<std::uint8_t, 32 + 16>;
 enum class PassphraseError : std::uint8_t { NoMemory, DoesNotOpen };
 
 /// Argon2id with one lane: 32 bytes. DoesNotOpen never.
-Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, const PassphraseCost &cost, const PassphraseSalt &salt);
+Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, const PassphraseCost &cost,
+                                                 const PassphraseSalt &salt);
 
 /// `associated` is authenticated with it. The cost must be acceptable; the salt must be fresh and random.
 Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, const Passphrase &passphrase,
                                                          const PassphraseCost &cost, const PassphraseSalt &salt,
                                                          ByteView associated);
 Result<Key32, PassphraseError> openWithPassphrase(const SealedSecret &sealed, const Passphrase &passphrase,
-                                                  const PassphraseCost &cost, const PassphraseSalt &salt,
-                                                  ByteView associated);
+                                                  const PassphraseCost &cost, const PassphraseSalt &salt, ByteView associated);
 
 } // namespace skyseal::crypto

@@ -9,8 +9,7 @@ namespace skyseal::crypto {
 
 static constexpr std::array kSuites{
     SuiteInfo{.id = SuiteId::None, .name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
-    SuiteInfo{.id = SuiteId::ChaCha20Poly1305, .name = "chacha20-poly1305", .displayName = "ChaCha20-Poly1305",
-              .aead = true},
+    SuiteInfo{.id = SuiteId::ChaCha20Poly1305, .name = "chacha20-poly1305", .displayName = "ChaCha20-Poly1305", .aead = true},
     SuiteInfo{.id = SuiteId::Aes256Gcm, .name = "aes-256-gcm", .displayName = "AES-256-GCM", .aead = true},
     SuiteInfo{.id = SuiteId::Aes256Ctr, .name = "aes-256-ctr", .displayName = "AES-256-CTR"},
     SuiteInfo{.id = SuiteId::Aes256Cbc, .name = "aes-256-cbc", .displayName = "AES-256-CBC", .preservesLength = false},

@@ -24,12 +24,12 @@ enum class SuiteId : std::uint8_t {
 struct SuiteInfo
 {
     SuiteId id = SuiteId::None;
-    std::string_view name; ///< as in options, files and reports: "chacha20-poly1305"
+    std::string_view name;        ///< as in options, files and reports: "chacha20-poly1305"
     std::string_view displayName; ///< as people write it: "ChaCha20-Poly1305"
-    bool research = false; ///< broken cipher, for comparison only: both ends must allow it, never chosen automatically
-    bool authenticated = true; ///< false only for None
-    bool preservesLength = true; ///< ciphertext is as long as the plaintext (the tag not counted); false for CBC, which pads
-    bool aead = false; ///< a construction of its own rather than cipher then HMAC; its tag is never truncated
+    bool research = false;        ///< broken cipher, for comparison only: both ends must allow it, never chosen automatically
+    bool authenticated = true;    ///< false only for None
+    bool preservesLength = true;  ///< ciphertext is as long as the plaintext (the tag not counted); false for CBC, which pads
+    bool aead = false;            ///< a construction of its own rather than cipher then HMAC; its tag is never truncated
 };
 
 /// All suites in the order of their numbers, None first.

@@ -82,7 +82,8 @@ void drawAxis(std::string &out, const Axis &axis, const BarChart &chart, double 
 
 void drawLine(std::string &out, double x1, double y1, double x2, double y2)
 {
-    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#111111\" stroke-width=\"1.4\"/>\n", x1, y1, x2, y2);
+    put(out, "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#111111\" stroke-width=\"1.4\"/>\n", x1, y1, x2,
+        y2);
 }
 
 /// Strokes of 45 degrees by lines of our own: the profile of SVG that Qt draws knows no patterns.
@@ -103,8 +104,8 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
     put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"12\" text-anchor=\"end\" fill=\"#222222\">", kLeft - 8, middle + 4);
     out += escaped(bar.label + (bar.insecure ? " (insecure)" : "")) + "</text>\n";
     if (!std::isfinite(bar.mean)) {
-        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">%s</text>\n",
-            kLeft + 6, middle + 4, bar.missing.c_str());
+        put(out, "<text x=\"%d\" y=\"%.1f\" font-size=\"11\" font-style=\"italic\" fill=\"#777777\">%s</text>\n", kLeft + 6,
+            middle + 4, bar.missing.c_str());
         return;
     }
     put(out, "<rect x=\"%d\" y=\"%.1f\" width=\"%.1f\" height=\"%d\" fill=\"%s\" stroke=\"%s\"/>\n", kLeft, middle - kBar / 2.0,
@@ -162,8 +163,9 @@ double axisStep(double highest)
 static std::string legendOf(const Plan &plan, Metric metric, const std::vector<std::size_t> &counts, bool anyInterval,
                             bool anyOutlier)
 {
-    std::string out = runsText(counts) + " of " + readable(seconds(plan.measure)) + " s for each; bar: mean, hatched: insecure, "
-                      + (anyInterval ? "whisker: 95 % confidence interval, " : "") + "dots: single runs";
+    std::string out = runsText(counts) + " of " + readable(seconds(plan.measure))
+        + " s for each; bar: mean, hatched: insecure, " + (anyInterval ? "whisker: 95 % confidence interval, " : "")
+        + "dots: single runs";
     if (metric == Metric::SessionMemory)
         out = "measured once for each suite, with sessions of the program's own; hatched: insecure";
     if (!info(metric).independent)
@@ -218,8 +220,10 @@ std::string svg(const BarChart &chart)
     const double highest = highestOf(chart.bars), step = axisStep(highest);
     const Axis axis{step, step * (highest > 0 ? std::ceil(highest / step - 1e-9) : 5)};
     std::string out;
-    put(out, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
-             "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n", kWidth, bottom + kBottom, kWidth, bottom + kBottom);
+    put(out,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%.0f\" viewBox=\"0 0 %d %.0f\" "
+        "font-family=\"DejaVu Sans, Verdana, sans-serif\">\n",
+        kWidth, bottom + kBottom, kWidth, bottom + kBottom);
     put(out, "<rect x=\"0\" y=\"0\" width=\"%d\" height=\"%.0f\" fill=\"#ffffff\"/>\n", kWidth, bottom + kBottom);
     put(out, "<text x=\"12\" y=\"24\" font-size=\"16\" font-weight=\"bold\" fill=\"#111111\">");
     out += escaped(chart.title) + "</text>\n";

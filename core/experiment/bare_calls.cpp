@@ -145,9 +145,8 @@ BareCall chachaPoly(const SharedMaterial &m, Direction direction)
     }
     return [m, sealedSize = std::size_t(0)](std::size_t size) mutable {
         if (sealedSize != size) { // a tag that is right: a wrong one would end it early
-            crypto_aead_chacha20poly1305_ietf_encrypt(m->sealed.data(), nullptr, m->sealed.data(), size,
-                                                      m->associated.data(), m->associated.size(), nullptr,
-                                                      m->nonce.data(), m->key.data());
+            crypto_aead_chacha20poly1305_ietf_encrypt(m->sealed.data(), nullptr, m->sealed.data(), size, m->associated.data(),
+                                                      m->associated.size(), nullptr, m->nonce.data(), m->key.data());
             sealedSize = size;
         }
         std::copy_n(m->sealed.begin(), size + kTag, m->text.begin());

@@ -88,8 +88,7 @@ struct Rig
     explicit Rig(crypto::SuiteId id)
         : suite(id), sealing(crypto::makeRecordCipher(id, benchSecret())), opening(crypto::makeRecordCipher(id, benchSecret())),
           pair(RecordPair::create(id))
-    {
-    }
+    {}
 
     crypto::SuiteId suite;
     std::unique_ptr<crypto::RecordCipher> sealing, opening;
@@ -134,10 +133,12 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
     const BareCall sealCipher = bareCipher(rig.suite, Direction::Seal), openCipher = bareCipher(rig.suite, Direction::Open);
     const BareCall sealBare = bareRecord(rig.suite, Direction::Seal), openBare = bareRecord(rig.suite, Direction::Open);
     // All in turn in each round, so that they meet the same machine.
-    std::array<Timed, 8> timed{timedBare(sealCipher, size), timedBare(sealBare, size),
+    std::array<Timed, 8> timed{timedBare(sealCipher, size),
+                               timedBare(sealBare, size),
                                Timed{[&] { rig.sealWithSuite(size); }, {}, {}},
                                Timed{[&] { rig.sealRecords(size); }, {}, {}},
-                               timedBare(openCipher, size), timedBare(openBare, size),
+                               timedBare(openCipher, size),
+                               timedBare(openBare, size),
                                Timed{[&] { rig.openWithSuite(); }, [&] { rig.sealWithSuite(size); }, {}},
                                Timed{[&] { rig.openRecords(); }, [&] { rig.sealRecords(size); }, {}}};
     for (int round = 0; round < kRounds; ++round) {
@@ -167,7 +168,8 @@ std::optional<double> sessionBytes(crypto::SuiteId suite)
 {
     if (!RecordPair::create(suite))
         return std::nullopt;
-    std::vector<std::unique_ptr<RecordPair>> pairs(2 * kSessions); // the ends are there before; the sessions are what is counted
+    std::vector<std::unique_ptr<RecordPair>> pairs(2
+                                                   * kSessions); // the ends are there before; the sessions are what is counted
     for (auto &pair : pairs)
         pair = std::make_unique<RecordPair>();
     auto next = pairs.begin();

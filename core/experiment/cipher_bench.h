@@ -21,10 +21,10 @@ struct CallCost
 /// One direction.
 struct StepCosts
 {
-    CallCost cipher;  ///< without authentication, the library's call
-    CallCost bare;    ///< cipher and authentication, the library's calls
-    CallCost suite;   ///< cipher and authentication, the suite's object
-    CallCost record;  ///< the complete record through a session: look-up, header, counters, replay window
+    CallCost cipher; ///< without authentication, the library's call
+    CallCost bare;   ///< cipher and authentication, the library's calls
+    CallCost suite;  ///< cipher and authentication, the suite's object
+    CallCost record; ///< the complete record through a session: look-up, header, counters, replay window
 };
 
 struct SizeCosts

@@ -35,7 +35,8 @@ struct Place
 
 Place judgedPlace(const Plan &plan)
 {
-    const auto clean = std::find_if(plan.conditions.begin(), plan.conditions.end(), [](const Condition &one) { return one.clean(); });
+    const auto clean = std::find_if(plan.conditions.begin(), plan.conditions.end(),
+                                    [](const Condition &one) { return one.clean(); });
     const auto busy = std::find(plan.loads.begin(), plan.loads.end(), Load::Saturated);
     return {clean == plan.conditions.end() ? 0 : static_cast<std::size_t>(clean - plan.conditions.begin()),
             busy == plan.loads.end() ? 0 : static_cast<std::size_t>(busy - plan.loads.begin())};
@@ -44,8 +45,9 @@ Place judgedPlace(const Plan &plan)
 /// "CPU time per frame, station (cpu_per_frame, link clean, saturated load, framing sealed): "
 std::string whereText(const Plan &plan, const Place &place, Metric metric)
 {
-    return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link " + words(plan.conditions[place.condition])
-           + ", " + std::string(name(plan.loads[place.load])) + " load, framing " + std::string(name(judgedFraming(plan))) + "): ";
+    return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
+        + words(plan.conditions[place.condition]) + ", " + std::string(name(plan.loads[place.load])) + " load, framing "
+        + std::string(name(judgedFraming(plan))) + "): ";
 }
 
 /// How the second suite's mean stands to the first one's.
@@ -76,10 +78,10 @@ Standing standing(const Results &results, const Place &place, Metric metric, Sui
         out.ratio = theirs / mine;
         out.margin = pair.comparison.test.halfWidth(0.9) / mine;
         out.text = shown(second) + " " + readable(theirs) + " against " + readable(mine)
-                   + (!out.known                           ? " (neither varies, in too few runs to say whether they differ)"
-                      : !out.significant                   ? " (no significant difference)"
-                      : std::abs(out.ratio - 1) <= kAsGood ? " (less than 2 % apart)"
-                                                           : "");
+            + (!out.known                               ? " (neither varies, in too few runs to say whether they differ)"
+                   : !out.significant                   ? " (no significant difference)"
+                   : std::abs(out.ratio - 1) <= kAsGood ? " (less than 2 % apart)"
+                                                        : "");
         return out;
     }
     return out;
@@ -100,8 +102,9 @@ Claim against(const Results &results, const Place &place, Metric metric, bool mo
             ++((found.ratio > 1) != moreIsBetter ? better : worse);
         list += (list.empty() ? "" : "; ") + found.text;
     }
-    out.reason = compared == 0 ? whereText(results.plan, place, metric) + "ChaCha20 and the other ciphers were not measured twice each."
-                               : whereText(results.plan, place, metric) + list + " for chacha20.";
+    out.reason = compared == 0
+        ? whereText(results.plan, place, metric) + "ChaCha20 and the other ciphers were not measured twice each."
+        : whereText(results.plan, place, metric) + list + " for chacha20.";
     if (worse > 0)
         out.finding = Finding::NotConfirmed;
     else if (better == kRivals.size())
@@ -130,7 +133,7 @@ Claim unharmed(const Results &results, const Place &place)
         out.finding = Finding::Confirmed;
     else
         out.reason += " The difference, " + readable(100 * change) + " ± " + readable(100 * found.margin)
-                      + " % (90 % confidence interval), is not known to be within 2 %.";
+            + " % (90 % confidence interval), is not known to be within 2 %.";
     if (more && judgedFraming(results.plan) == channel::Framing::Sealed)
         out.reason += " Sealing puts several frames into a record, and fewer datagrams are what makes it quicker.";
     return out;
@@ -143,7 +146,8 @@ Claim memory(const std::function<double(SuiteId)> &contextBytes)
     std::string list;
     for (const SuiteId suite : {SuiteId::ChaCha20, SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4}) {
         if (const double bytes = contextBytes(suite); std::isfinite(bytes))
-            list += (list.empty() ? " One keyed cipher takes of the heap: " : ", ") + shown(suite) + " " + readable(bytes) + " B";
+            list += (list.empty() ? " One keyed cipher takes of the heap: " : ", ") + shown(suite) + " " + readable(bytes)
+                + " B";
     }
     out.reason += list.empty() ? "" : list + "; next to a process of several megabytes that is nothing.";
     return out;
@@ -178,9 +182,10 @@ std::vector<Claim> paperClaims(const Results &results, const std::function<doubl
                        ? "What was measured (energy_per_frame) is the whole processor of this machine, idle power included; it "
                          "is not a drone's."
                        : "Energy was not measured, and a desktop processor's would not be a drone's."});
-    out.push_back({"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
-                   "No measurement of cost can show it. Here every suite is authenticated as well, which the paper's are not, so "
-                   "the cost of the four classic ciphers holds that of HMAC-SHA-256."});
+    out.push_back(
+        {"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
+         "No measurement of cost can show it. Here every suite is authenticated as well, which the paper's are not, so "
+         "the cost of the four classic ciphers holds that of HMAC-SHA-256."});
     return out;
 }
 

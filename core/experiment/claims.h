@@ -16,7 +16,7 @@ std::string_view words(Finding finding);
 
 struct Claim
 {
-    std::string text;   ///< in our words
+    std::string text; ///< in our words
     Finding finding{};
     std::string reason; ///< with the figures that it rests on
 };

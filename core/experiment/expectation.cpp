@@ -88,8 +88,9 @@ private:
     Relation relation()
     {
         constexpr std::pair<std::string_view, Relation> kRelations[] = {
-            {"<=", Relation::LessOrEqual}, {">=", Relation::GreaterOrEqual}, {"==", Relation::Equal},
-            {"!=", Relation::NotEqual},    {"<", Relation::Less},            {">", Relation::Greater}};
+            {"<=", Relation::LessOrEqual}, {">=", Relation::GreaterOrEqual},
+            {"==", Relation::Equal},       {"!=", Relation::NotEqual},
+            {"<", Relation::Less},         {">", Relation::Greater}};
         for (const auto &[sign, meaning] : kRelations) {
             if (take(sign))
                 return meaning;

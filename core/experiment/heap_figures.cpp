@@ -50,7 +50,8 @@ void HeapFigures::measure(int out)
 {
     if (crypto::initCrypto()) {
         for (const crypto::SuiteInfo &suite : crypto::suites()) {
-            const Figures figures{suite.id, contextBytes(suite.id).value_or(kUnknown), sessionBytes(suite.id).value_or(kUnknown)};
+            const Figures figures{suite.id, contextBytes(suite.id).value_or(kUnknown),
+                                  sessionBytes(suite.id).value_or(kUnknown)};
             if (::write(out, &figures, sizeof figures) != sizeof figures)
                 break;
         }

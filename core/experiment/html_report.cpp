@@ -13,14 +13,14 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr std::array kFigures{Metric::Packets,     Metric::Memory,           Metric::AgentMemory, Metric::Cpu,
-                              Metric::AgentCpu,    Metric::CpuPerFrame,      Metric::AgentCpuPerFrame, Metric::FrameRate,
-                              Metric::Latency,     Metric::WirePerFrame,     Metric::OpenP50,     Metric::Loss,
-                              Metric::RecordLoss,  Metric::SessionMemory,    Metric::EnergyPerFrame};
+constexpr std::array kFigures{Metric::Packets,    Metric::Memory,        Metric::AgentMemory,      Metric::Cpu,
+                              Metric::AgentCpu,   Metric::CpuPerFrame,   Metric::AgentCpuPerFrame, Metric::FrameRate,
+                              Metric::Latency,    Metric::WirePerFrame,  Metric::OpenP50,          Metric::Loss,
+                              Metric::RecordLoss, Metric::SessionMemory, Metric::EnergyPerFrame};
 /// Of which differences are told.
-constexpr std::array kCompared{Metric::Packets,  Metric::FrameRate,   Metric::Loss,             Metric::RecordLoss,
-                               Metric::Cpu,      Metric::CpuPerFrame, Metric::AgentCpu,         Metric::AgentCpuPerFrame,
-                               Metric::OpenP50,  Metric::Latency,     Metric::WirePerFrame};
+constexpr std::array kCompared{Metric::Packets, Metric::FrameRate,   Metric::Loss,        Metric::RecordLoss,
+                               Metric::Cpu,     Metric::CpuPerFrame, Metric::AgentCpu,    Metric::AgentCpuPerFrame,
+                               Metric::OpenP50, Metric::Latency,     Metric::WirePerFrame};
 
 constexpr const char *kStyle =
     "body{font-family:'DejaVu Sans',Verdana,sans-serif;font-size:14px;line-height:1.45;max-width:1180px;margin:2em auto;"
@@ -67,7 +67,8 @@ std::string summaryTable(const Results &results, std::size_t condition, std::siz
         framings.emplace_back(framingName(arm));
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n" + row(head, "th") + row(framings, "th");
     for (const MetricInfo &metric : metrics()) {
-        std::vector<std::string> cells{escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
+        std::vector<std::string> cells{
+            escaped(std::string(metric.title) + (metric.unit.empty() ? "" : ", " + std::string(metric.unit)))};
         bool any = false;
         for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
             cells.push_back(meanText(results, {condition, load, arm}, metric.metric));
@@ -96,7 +97,7 @@ std::string pairText(const Plan &plan, const ArmComparison &pair)
 std::string differences(const Results &results, std::size_t condition, std::size_t load)
 {
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-                      + row({"metric", "pairs compared", "significant differences (Welch, Holm-corrected, 5 %)"}, "th");
+        + row({"metric", "pairs compared", "significant differences (Welch, Holm-corrected, 5 %)"}, "th");
     for (const Metric metric : kCompared) {
         const auto pairs = compareArms(results, condition, load, metric);
         if (pairs.empty())
@@ -109,16 +110,18 @@ std::string differences(const Results &results, std::size_t condition, std::size
             unknown += !pair.comparison.known();
         }
         if (unknown > 0)
-            list += (list.empty() ? "" : "; ") + ("of " + std::to_string(unknown)) + " it cannot be said, as neither of the two varies";
-        out += "<tr><td>" + escaped(info(metric).title) + "</td><td>" + std::to_string(pairs.size()) + "</td><td class=\"text\">"
-               + (list.empty() ? "none" : list) + "</td></tr>\n";
+            list += (list.empty() ? "" : "; ") + ("of " + std::to_string(unknown))
+                + " it cannot be said, as neither of the two varies";
+        out += "<tr><td>" + escaped(info(metric).title) + "</td><td>" + std::to_string(pairs.size())
+            + "</td><td class=\"text\">" + (list.empty() ? "none" : list) + "</td></tr>\n";
     }
     out += "</table>\n";
     const auto &arms = results.plan.arms;
     if (std::any_of(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
-        out += "<p>A comparison with none is one of sealing: in clear, too, the agent joins the frames of one wake-up into one "
-               "datagram. Besides the cipher there are a header and a tag on each record, look-up, replay window and counters, and "
-               "a report a second from each end.</p>\n";
+        out +=
+            "<p>A comparison with none is one of sealing: in clear, too, the agent joins the frames of one wake-up into one "
+            "datagram. Besides the cipher there are a header and a tag on each record, look-up, replay window and counters, and "
+            "a report a second from each end.</p>\n";
     return out;
 }
 
@@ -157,11 +160,12 @@ std::string noiseTable(const Results &results)
            "of the difference, in per cent of the mean, says how large a difference these runs could have missed: a smaller one "
            "between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: this pair is "
            "the only one of its metric, link and load, so its p stays as it is, and about one line in twenty differs by chance. "
-           "The last two columns are corrected by Holm's method over all " + std::to_string(tests)
-           + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
-             "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-           + row({"metric", "mean", "mean again", "difference", "95 % interval", "p", "as two suites", "p corrected", "A/A"}, "th")
-           + rows + "</table>\n";
+           "The last two columns are corrected by Holm's method over all "
+        + std::to_string(tests)
+        + " A/A tests of the sweep (sweep.json has them all): together they say \"differs\" by chance in one sweep of twenty."
+          "</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        + row({"metric", "mean", "mean again", "difference", "95 % interval", "p", "as two suites", "p corrected", "A/A"}, "th")
+        + rows + "</table>\n";
 }
 
 /// Metrics in their places of which any two suites were tested.
@@ -171,7 +175,8 @@ std::size_t familiesOf(const Results &results)
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
         for (const MetricInfo &metric : metrics()) {
             const auto pairs = compareArms(results, condition, load, metric.metric);
-            out += std::any_of(pairs.begin(), pairs.end(), [](const ArmComparison &pair) { return !std::isnan(pair.comparison.test.p); });
+            out += std::any_of(pairs.begin(), pairs.end(),
+                               [](const ArmComparison &pair) { return !std::isnan(pair.comparison.test.p); });
         }
     });
     return out;
@@ -179,12 +184,13 @@ std::size_t familiesOf(const Results &results)
 
 std::string claimsTable(const std::vector<Claim> &claims)
 {
-    std::string out = "<p>A. Allouch et al., <i>MAVSec: Securing the MAVLink Protocol for Ardupilot/PX4 Unmanned Aerial Systems</i>, "
-                      "2019, arXiv:1905.00265.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
-                      + row({"claim", "finding", "because"}, "th");
+    std::string out =
+        "<p>A. Allouch et al., <i>MAVSec: Securing the MAVLink Protocol for Ardupilot/PX4 Unmanned Aerial Systems</i>, "
+        "2019, arXiv:1905.00265.</p>\n<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
+        + row({"claim", "finding", "because"}, "th");
     for (const Claim &claim : claims)
-        out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>" + std::string(words(claim.finding))
-               + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
+        out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"
+            + std::string(words(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
     return out + "</table>\n";
 }
 
@@ -195,7 +201,7 @@ std::string expectationList(const Results &results, const std::vector<Verdict> &
     std::string out = "<h2>Assertions</h2>\n<ul>\n";
     for (const Verdict &verdict : verdicts)
         out += std::string("<li") + (verdict.outcome.holds ? ">" : " class=\"bad\">") + escaped(sentence(verdict, results.plan))
-               + "</li>\n";
+            + "</li>\n";
     return out + "</ul>\n";
 }
 
@@ -204,10 +210,10 @@ std::string framingText(const Plan &plan)
     std::string out;
     for (const channel::Framing framing : framingsOf(plan))
         out += std::string(out.empty() ? "" : "; ")
-               + (framing == channel::Framing::Inline
-                      ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites "
-                        "that are a cipher and an HMAC; a frame that cannot go so travels in a record)"
-                      : "sealed: whole frames in records, tags of 16 bytes");
+            + (framing == channel::Framing::Inline
+                   ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites "
+                     "that are a cipher and an HMAC; a frame that cannot go so travels in a record)"
+                   : "sealed: whole frames in records, tags of 16 bytes");
     return out.empty() ? "none, plain MAVLink only" : out;
 }
 
@@ -219,12 +225,15 @@ std::string settingTable(const Results &results)
         out += "<tr><td>" + escaped(key) + "</td><td class=\"text\">" + escaped(value) + "</td></tr>\n";
     };
     line("seed", std::to_string(plan.seed));
-    line("runs", std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
-                     + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
+    line("runs",
+         std::to_string(results.samples.size()) + " of " + readable(seconds(plan.measure)) + " s, after "
+             + readable(seconds(plan.warmUp)) + " s of warm-up each; the sweep took " + readable(results.seconds) + " s");
     line("framing", framingText(plan));
     for (const Condition &condition : plan.conditions)
-        line("link", condition.clean() ? "clean, as it is"
-                                       : words(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
+        line("link",
+             condition.clean()
+                 ? "clean, as it is"
+                 : words(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";
@@ -239,11 +248,10 @@ std::string rawTable(const Results &results)
         head.emplace_back(info(metric).key);
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
     for (const Sample &sample : results.samples) {
-        std::vector<std::string> cells{std::to_string(sample.order + 1),
-                                       placeText(results.plan, sample.run.condition, sample.run.load),
-                                       armText(results.plan.arms[sample.run.arm]),
-                                       std::string(framingName(results.plan.arms[sample.run.arm])),
-                                       std::to_string(sample.run.repeat + 1)};
+        std::vector<std::string> cells{
+            std::to_string(sample.order + 1), placeText(results.plan, sample.run.condition, sample.run.load),
+            armText(results.plan.arms[sample.run.arm]), std::string(framingName(results.plan.arms[sample.run.arm])),
+            std::to_string(sample.run.repeat + 1)};
         for (const Metric metric : kRaw)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);
@@ -292,22 +300,23 @@ std::string body(const ReportParts &parts, bool inlineFigures)
     if (const std::string failed = failedRuns(results); !failed.empty())
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     out += "<p>Means of " + runsText(results)
-           + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
-             "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
-             "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "
-             "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
-             "are not compared by it.</p>\n<p>Two suites differ significantly by Welch's t test at 5 %, its p values corrected by "
-             "Holm's method over all pairs of one metric, link and load: of the " + std::to_string(familiesOf(results))
-           + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
-             "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
-             "fewer than five runs, it cannot be said.</p>\n<h2>Figures</h2>\n";
+        + " each, in random order, ± half of the 95 % confidence interval (Student's t, from two runs on), or (≤ its end) "
+          "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
+          "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "
+          "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
+          "are not compared by it.</p>\n<p>Two suites differ significantly by Welch's t test at 5 %, its p values corrected by "
+          "Holm's method over all pairs of one metric, link and load: of the "
+        + std::to_string(familiesOf(results))
+        + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
+          "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
+          "fewer than five runs, it cannot be said.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // On paper each begins a page, so that no head of a table stands alone at the foot of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
         out += section + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
-               + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
-               + differences(results, condition, load);
+            + summaryTable(results, condition, load) + "</div>\n<h3>Which suites differ</h3>\n"
+            + differences(results, condition, load);
     });
     out += section + "The machine's noise (A/A)</h2>\n<div class=\"wide\">" + noiseTable(results) + "</div>\n";
     out += "<h2>The paper's claims</h2>\n" + claimsTable(parts.claims);
@@ -339,7 +348,7 @@ std::string htmlReport(const ReportParts &parts)
 {
     return std::string("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
                        "<meta name=\"color-scheme\" content=\"light\"/>\n<title>Skyseal sweep</title>\n<style>")
-           + kStyle + "</style>\n</head>\n<body>\n" + body(parts, true) + "</body>\n</html>\n";
+        + kStyle + "</style>\n</head>\n<body>\n" + body(parts, true) + "</body>\n</html>\n";
 }
 
 std::string printReport(const ReportParts &parts)

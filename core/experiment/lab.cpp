@@ -51,10 +51,11 @@ QStringList relayArguments(const impair::Settings &settings)
 {
     const auto number = [](double value) { return QString::number(value, 'g', 17); };
     const auto milliseconds = [&](Duration value) { return number(seconds(value) * 1000); };
-    return {QStringLiteral("--loss"), number(settings.loss), QStringLiteral("--duplicate"), number(settings.duplicate),
-            QStringLiteral("--reorder"), number(settings.reorder), QStringLiteral("--corrupt"), number(settings.corrupt),
-            QStringLiteral("--delay"), milliseconds(settings.delay), QStringLiteral("--jitter"),
-            milliseconds(settings.jitter), QStringLiteral("--rate"), QString::number(settings.baud)};
+    return {QStringLiteral("--loss"),     number(settings.loss),         QStringLiteral("--duplicate"),
+            number(settings.duplicate),   QStringLiteral("--reorder"),   number(settings.reorder),
+            QStringLiteral("--corrupt"),  number(settings.corrupt),      QStringLiteral("--delay"),
+            milliseconds(settings.delay), QStringLiteral("--jitter"),    milliseconds(settings.jitter),
+            QStringLiteral("--rate"),     QString::number(settings.baud)};
 }
 
 } // namespace
@@ -123,12 +124,12 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
     }
     launch(m_agent, m_programs.agent,
            {QStringLiteral("--vehicle"), loopback("udpin", m_vehiclePort), QStringLiteral("--ground"),
-            loopback("udpout", condition.clean() ? m_groundPort : m_relayPort), QStringLiteral("--identity"),
-            file("air.key"), QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"),
-            QStringLiteral("--allow-plain"), QStringLiteral("--allow-inline"), QStringLiteral("--json")});
-    QStringList simulator{QStringLiteral("--link"), loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
-                          QString::number(seed), QStringLiteral("--json"),
-                          QStringLiteral("--rate"), QString::number(kFlightRate)};
+            loopback("udpout", condition.clean() ? m_groundPort : m_relayPort), QStringLiteral("--identity"), file("air.key"),
+            QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"), QStringLiteral("--allow-plain"),
+            QStringLiteral("--allow-inline"), QStringLiteral("--json")});
+    QStringList simulator{QStringLiteral("--link"),    loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
+                          QString::number(seed),       QStringLiteral("--json"),          QStringLiteral("--rate"),
+                          QString::number(kFlightRate)};
     if (load == Load::Saturated)
         simulator << QStringLiteral("--saturate");
     launch(m_simulator, m_programs.simulator, simulator);
@@ -161,8 +162,8 @@ void Lab::tellEnd(const QProcess &process)
         return;
     const QString name = QFileInfo(process.program()).fileName();
     const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
-                        : process.exitStatus() == QProcess::CrashExit ? QStringLiteral("it was killed or crashed")
-                                                                      : QStringLiteral("exit status %1").arg(process.exitCode());
+        : process.exitStatus() == QProcess::CrashExit              ? QStringLiteral("it was killed or crashed")
+                                                                   : QStringLiteral("exit status %1").arg(process.exitCode());
     Q_EMIT ended(QStringLiteral("%1 ended by itself: %2").arg(name, how));
 }
 

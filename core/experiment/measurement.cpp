@@ -9,7 +9,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr double kHeaders = 28; // IPv4 and UDP
+constexpr double kHeaders = 28;        // IPv4 and UDP
 constexpr double kLeastReported = 0.9; ///< seconds between two reports; in a session's first ones they come quicker
 
 /// Growth of a counter, as a number to compute with. Losses can be taken back by late arrivals, but not below none.
@@ -78,17 +78,15 @@ void addCosts(Values &out, const engine::Probe &begin, const engine::Probe &end,
 void addChannel(Values &out, const engine::ChannelTotals &begin, const engine::ChannelTotals &end)
 {
     out[Metric::RecordLoss] = share(growth(begin.rx.lost, end.rx.lost), growth(begin.rx.good, end.rx.good));
-    out[Metric::RecordLossUp] =
-        share(growth(begin.peerRx.lost, end.peerRx.lost), growth(begin.peerRx.good, end.peerRx.good));
+    out[Metric::RecordLossUp] = share(growth(begin.peerRx.lost, end.peerRx.lost), growth(begin.peerRx.good, end.peerRx.good));
 }
 
 void addLatency(Values &out, const engine::Snapshot &begin, const engine::Snapshot &end)
 {
     double trips = 0, time = 0;
     for (const engine::VehicleSnapshot &after : end.vehicles) {
-        const auto before = std::find_if(begin.vehicles.begin(), begin.vehicles.end(), [&](const auto &vehicle) {
-            return vehicle.state.systemId == after.state.systemId;
-        });
+        const auto before = std::find_if(begin.vehicles.begin(), begin.vehicles.end(),
+                                         [&](const auto &vehicle) { return vehicle.state.systemId == after.state.systemId; });
         if (before == begin.vehicles.end())
             continue;
         trips += growth(before->state.trips, after.state.trips);

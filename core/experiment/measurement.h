@@ -22,7 +22,7 @@ std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session);
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
-    std::optional<AgentReport> agent; ///< made during the run
+    std::optional<AgentReport> agent;                ///< made during the run
     /// For runs without two reports: from the kernel, where the agent runs on this machine and its process is known.
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;

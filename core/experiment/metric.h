@@ -14,18 +14,44 @@ namespace skyseal::experiment {
 
 /// In the order of the table in metric.cpp.
 enum class Metric : std::uint8_t {
-    Packets, FrameRate, ByteRate, Loss, RecordLoss, RecordLossUp,
-    Cpu, CpuProcess, CpuSuite, AgentCpu, AgentCpuSuite, CpuPerFrame, AgentCpuPerFrame,
-    OpenP50, OpenP99, SealP50, SealP99, AgentOpen, AgentSeal, Memory, AgentMemory,
-    WireBytes, WireRate, WirePerFrame, Overhead, Latency, SessionMemory, Power, EnergyPerFrame, Switch
+    Packets,
+    FrameRate,
+    ByteRate,
+    Loss,
+    RecordLoss,
+    RecordLossUp,
+    Cpu,
+    CpuProcess,
+    CpuSuite,
+    AgentCpu,
+    AgentCpuSuite,
+    CpuPerFrame,
+    AgentCpuPerFrame,
+    OpenP50,
+    OpenP99,
+    SealP50,
+    SealP99,
+    AgentOpen,
+    AgentSeal,
+    Memory,
+    AgentMemory,
+    WireBytes,
+    WireRate,
+    WirePerFrame,
+    Overhead,
+    Latency,
+    SessionMemory,
+    Power,
+    EnergyPerFrame,
+    Switch
 };
 inline constexpr std::size_t kMetrics = 30;
 
 /// What an instrument cannot tell apart: differences of means within it say nothing, however often they repeat.
 struct Resolution
 {
-    double share = 0;  ///< of the value
-    double frames = 0; ///< in a run
+    double share = 0;       ///< of the value
+    double frames = 0;      ///< in a run
     bool perSecond = false; ///< the value is those frames divided by the seconds of the run
 };
 

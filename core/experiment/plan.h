@@ -39,7 +39,7 @@ bool exists(const SweepArm &arm);
 
 /// Every suite in every framing, plain MAVLink once; with `noise`, one of them again: the default suite where it is there.
 std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
-                        bool noise);
+                             bool noise);
 
 /// Kept for comparison: a broken cipher, or none.
 bool isInsecure(const SweepArm &arm);
@@ -64,7 +64,7 @@ struct Plan
     std::vector<SweepArm> arms;
     std::vector<Load> loads{Load::Natural};
     std::vector<Condition> conditions{Condition{}};
-    Duration measure = std::chrono::seconds(5); ///< of each run
+    Duration measure = std::chrono::seconds(5);       ///< of each run
     Duration warmUp = std::chrono::milliseconds(300); ///< before it, dropped
     unsigned repeats = 3;
     std::uint64_t seed = 1;

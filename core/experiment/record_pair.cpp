@@ -105,7 +105,7 @@ void RecordPair::exchange()
                 m_ends[1 - from]->handleDatagram(m_now, m_paths[from], datagram);
                 any = true;
             }
-            while (m_ends[from]->pollEvent()) { }
+            while (m_ends[from]->pollEvent()) {}
         }
     }
 }

@@ -13,8 +13,7 @@ std::vector<const Sample *> samplesOf(const Results &results, const Cell &cell)
         if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell)
             out.push_back(&sample);
     }
-    std::stable_sort(out.begin(), out.end(),
-                     [](const Sample *a, const Sample *b) { return a->run.repeat < b->run.repeat; });
+    std::stable_sort(out.begin(), out.end(), [](const Sample *a, const Sample *b) { return a->run.repeat < b->run.repeat; });
     return out;
 }
 

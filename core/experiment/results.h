@@ -20,17 +20,17 @@ struct Counted
     {
         std::uint64_t taken = 0, lost = 0, late = 0, duplicate = 0;
     };
-    Frames mavlink;               ///< by MAVLink's sequence numbers
-    channel::ReceiveCounters rx;  ///< records to the station
-    channel::ReceiveCounters tx;  ///< records to the agent, as it told last
+    Frames mavlink;              ///< by MAVLink's sequence numbers
+    channel::ReceiveCounters rx; ///< records to the station
+    channel::ReceiveCounters tx; ///< records to the agent, as it told last
 };
 
 struct Sample
 {
     Run run;
-    unsigned order = 0;  ///< of all runs of the sweep, as they were made; the first is 0
-    double start = 0;    ///< seconds since the sweep began
-    double seconds = 0;  ///< that were measured
+    unsigned order = 0; ///< of all runs of the sweep, as they were made; the first is 0
+    double start = 0;   ///< seconds since the sweep began
+    double seconds = 0; ///< that were measured
     Values values;
     Counted begin, end;  ///< at the run's edges
     std::string problem; ///< why nothing was measured; empty when all is well

@@ -96,7 +96,7 @@ std::string busyWarning(double load, long cores)
     if (!(load > static_cast<double>(cores) / 2))
         return {};
     return "the machine was busy with other work: load average " + readable(load) + " on " + std::to_string(cores)
-           + " cores at the start; figures are noisier, and may be wrong";
+        + " cores at the start; figures are noisier, and may be wrong";
 }
 
 std::string busyWarning()
@@ -165,14 +165,16 @@ Setting machineSetting()
         out.emplace_back("openssl_ia32cap", mask);
     const std::string governor = firstLine("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
     out.emplace_back("frequency_governor", governor.empty() ? "unknown" : governor);
-    out.emplace_back("hypervisor", valueIn("/proc/cpuinfo", "flags", ':').find(" hypervisor") != std::string::npos ? "yes" : "no");
+    out.emplace_back("hypervisor",
+                     valueIn("/proc/cpuinfo", "flags", ':').find(" hypervisor") != std::string::npos ? "yes" : "no");
     out.emplace_back("architecture", system.machine);
     out.emplace_back("system", valueIn("/etc/os-release", "PRETTY_NAME", '='));
     out.emplace_back("kernel", std::string(system.sysname) + " " + system.release);
     out.emplace_back("energy_counters", metrics::EnergyMeter().describe());
     out.emplace_back("load_average_at_start", firstLine("/proc/loadavg"));
     const std::string busy = busyWarning(), built = buildWarning(SKYSEAL_BUILD_FLAGS);
-    const std::string warning = (built.empty() ? "" : "this build is ") + built + (built.empty() || busy.empty() ? "" : "; ") + busy;
+    const std::string warning = (built.empty() ? "" : "this build is ") + built + (built.empty() || busy.empty() ? "" : "; ")
+        + busy;
     if (!warning.empty())
         out.emplace_back("warning", warning);
     out.emplace_back("libsodium", sodium_version_string());

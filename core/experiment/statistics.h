@@ -28,8 +28,8 @@ struct Summary
 {
     std::size_t count = 0;
     double mean = 0;
-    double deviation = 0;  ///< of the samples (n − 1)
-    double halfWidth = 0;  ///< of the 95 % confidence interval: mean ± halfWidth
+    double deviation = 0; ///< of the samples (n − 1)
+    double halfWidth = 0; ///< of the 95 % confidence interval: mean ± halfWidth
     /// What the mean can be: the interval ends there.
     double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
     double min = 0, max = 0, median = 0;
@@ -54,11 +54,11 @@ double boundOfNone(double trials);
 /// than five: a count that came out alike two or three times may well vary by one, and the test would take that for certain.
 struct WelchTest
 {
-    double difference = 0; ///< mean of the second less that of the first
-    double t = std::numeric_limits<double>::quiet_NaN();       ///< NaN when it cannot be said; infinite where neither group varies
+    double difference = 0;                               ///< mean of the second less that of the first
+    double t = std::numeric_limits<double>::quiet_NaN(); ///< NaN when it cannot be said; infinite where neither group varies
     double degrees = std::numeric_limits<double>::quiet_NaN(); ///< Welch–Satterthwaite; NaN when it cannot be said
     double p = std::numeric_limits<double>::quiet_NaN();       ///< two-sided; NaN when it cannot be said
-    double error = 0;      ///< standard error of the difference
+    double error = 0;                                          ///< standard error of the difference
 
     /// Half of the difference's confidence interval, for 0 < `confidence` < 1; infinite when it cannot be said. Where all of the
     /// 90 % interval lies within a margin, two one-sided tests at 5 % say that the groups are alike but for the margin

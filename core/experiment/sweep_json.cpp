@@ -270,7 +270,7 @@ std::string sweepCsv(const Results &results)
         out.append(name(plan.loads[sample.run.load])).append(",").append(crypto::suiteInfo(one.suite).name);
         out.append(",").append(framingName(one));
         out += std::string(one.again ? ",1," : ",0,") + std::to_string(sample.run.repeat) + "," + csvNumber(sample.start) + ","
-               + csvNumber(sample.seconds);
+            + csvNumber(sample.seconds);
         for (const MetricInfo &metric : metrics())
             out += "," + csvNumber(sample.values[metric.metric]);
         out += "," + (sample.problem.empty() ? std::string() : csvText(sample.problem)) + "\n";

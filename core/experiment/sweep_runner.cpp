@@ -19,14 +19,15 @@ constexpr Duration kSettleAgain = milliseconds(200);
 constexpr Duration kSettleMost = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
 constexpr double kPaceTrips = 6;
 constexpr Duration kMostWarmUp = std::chrono::seconds(12);
-constexpr unsigned kMostFailures = 3;           ///< runs in a row; the link is gone then
+constexpr unsigned kMostFailures = 3; ///< runs in a row; the link is gone then
 constexpr Duration kLatencyEvery = milliseconds(200);
 constexpr int kSnapshotsPerSecond = 20;
 const std::string kNothingClear = "no vehicle was heard in clear; do both ends consent to it?";
 
 } // namespace
 
-SweepRunner::SweepRunner(SweepConfig config) : m_config(std::move(config)), m_schedule(schedule(m_config.plan)),
+SweepRunner::SweepRunner(SweepConfig config)
+    : m_config(std::move(config)), m_schedule(schedule(m_config.plan)),
       m_timeLeft(seconds(m_config.plan.measure + m_config.plan.warmUp) + 0.2)
 {
     m_results.plan = m_config.plan;
@@ -57,10 +58,9 @@ double SweepRunner::tripsOf(const engine::Snapshot &snapshot)
 /// The session that is alive, other than one that is about to end.
 const engine::SessionSnapshot *SweepRunner::session(const engine::Snapshot &snapshot) const
 {
-    const auto found =
-        std::find_if(snapshot.sessions.begin(), snapshot.sessions.end(), [this](const engine::SessionSnapshot &session) {
-            return !session.info.silent && session.info.session != m_ended;
-        });
+    const auto found = std::find_if(
+        snapshot.sessions.begin(), snapshot.sessions.end(),
+        [this](const engine::SessionSnapshot &session) { return !session.info.silent && session.info.session != m_ended; });
     return found == snapshot.sessions.end() ? nullptr : &*found;
 }
 
@@ -190,7 +190,8 @@ void SweepRunner::openStation()
         // It is the sender of this signal.
         m_own.release()->deleteLater();
         m_station = nullptr;
-        QTimer::singleShot(0, this, [this] { m_cancelled || !m_problem.empty() || m_next == m_schedule.size() ? end() : next(); });
+        QTimer::singleShot(0, this,
+                           [this] { m_cancelled || !m_problem.empty() || m_next == m_schedule.size() ? end() : next(); });
     });
     protect(wantedProtection());
     m_station->addLink(*m_config.link);
@@ -254,9 +255,7 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
             || (since >= seconds(m_fresh ? kSettle : kSettleAgain) && tripsOf(snapshot) > m_tripsBefore))
             connectUp(snapshot);
         break;
-    case Stage::Switching:
-        switchSuite(snapshot);
-        break;
+    case Stage::Switching: switchSuite(snapshot); break;
     case Stage::WarmingUp:
         if (!isUnderWantedSuite(snapshot))
             beginSwitching(snapshot); // the link was lost, and nothing was measured yet
@@ -268,12 +267,9 @@ void SweepRunner::advance(const engine::Snapshot &snapshot)
         if (isAnotherSession(snapshot) || since >= seconds(m_config.plan.measure))
             endRun();
         break;
-    case Stage::Restoring:
-        putBack(snapshot);
-        break;
+    case Stage::Restoring: putBack(snapshot); break;
     case Stage::Idle:
-    case Stage::Closing:
-        break;
+    case Stage::Closing: break;
     }
 }
 
@@ -363,8 +359,8 @@ void SweepRunner::endRun(std::string problem)
     }
     record(sample);
     if (m_failuresInARow >= kMostFailures)
-        return giveUp("given up after " + std::to_string(kMostFailures) + " runs in a row that failed; the last one: "
-                      + sample.problem);
+        return giveUp("given up after " + std::to_string(kMostFailures)
+                      + " runs in a row that failed; the last one: " + sample.problem);
     next();
 }
 
@@ -416,11 +412,8 @@ void SweepRunner::tick()
         m_plainRefused = !m_plainWorked;
         endRun(kNothingClear);
         break;
-    case Stage::Restoring:
-        closeStation();
-        break;
-    default:
-        endRun("the link fell silent");
+    case Stage::Restoring: closeStation(); break;
+    default: endRun("the link fell silent");
     }
 }
 

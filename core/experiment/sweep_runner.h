@@ -112,18 +112,18 @@ private:
     TimeLeft m_timeLeft;
     std::size_t m_next = 0;
     std::unique_ptr<engine::Station> m_own;
-    engine::Station *m_station = nullptr; ///< that, or the borrowed one
+    engine::Station *m_station = nullptr;           ///< that, or the borrowed one
     std::optional<engine::Protection> m_protection; ///< as the station was told
     std::optional<channel::SessionId> m_ended;      ///< a session that the last change of protection ends
-    double m_tripsBefore = 0;  ///< TIMESYNC answers until then
-    bool m_fresh = false;      ///< the station was opened for this run
-    channel::Framing m_framing{}; ///< that the newest session agreed to
-    bool m_plainRefused = false;  ///< by the agent's offer, or because nothing was heard in clear
-    bool m_plainWorked = false;   ///< once, so that silence is the link's
+    double m_tripsBefore = 0;                       ///< TIMESYNC answers until then
+    bool m_fresh = false;                           ///< the station was opened for this run
+    channel::Framing m_framing{};                   ///< that the newest session agreed to
+    bool m_plainRefused = false;                    ///< by the agent's offer, or because nothing was heard in clear
+    bool m_plainWorked = false;                     ///< once, so that silence is the link's
     bool m_inlineRefused = false;
-    bool m_opened = false;     ///< a link worked at least once
+    bool m_opened = false;                                      ///< a link worked at least once
     std::optional<std::pair<std::size_t, std::size_t>> m_block; ///< condition and load that the lab was started for
-    std::optional<crypto::SuiteId> m_firstSuite; ///< that the link had before
+    std::optional<crypto::SuiteId> m_firstSuite;                ///< that the link had before
     std::optional<channel::SessionId> m_session;
     Stage m_stage = Stage::Idle;
     QElapsedTimer m_clock, m_stageClock;
@@ -138,7 +138,7 @@ private:
     std::optional<channel::SessionId> m_switchOrdered; ///< of this session, for this run
     unsigned m_orders = 0;                             ///< in this run
     QElapsedTimer m_firstOrder;
-    unsigned m_switchesFailed = 0;                     ///< in this run: not confirmed in time
+    unsigned m_switchesFailed = 0; ///< in this run: not confirmed in time
     unsigned m_failuresInARow = 0;
     bool m_cancelled = false;
     std::string m_problem;

@@ -104,8 +104,8 @@ std::string failedRuns(const Results &results)
         ++failed;
         const Plan &plan = results.plan;
         std::string reason = name(plan.arms[sample.run.arm]) + " (" + std::string(name(plan.loads[sample.run.load])) + " load"
-                             + (plan.conditions.size() > 1 ? ", link " + plan.conditions[sample.run.condition].name : "")
-                             + "): " + sample.problem;
+            + (plan.conditions.size() > 1 ? ", link " + plan.conditions[sample.run.condition].name : "")
+            + "): " + sample.problem;
         if (std::find(reasons.begin(), reasons.end(), reason) == reasons.end())
             reasons.push_back(std::move(reason));
     }
@@ -169,7 +169,7 @@ std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, do
     out += std::string(name(plan.loads[sample.run.load])) + ", " + fullName(plan.arms[sample.run.arm]) + ": ";
     if (sample.problem.empty())
         out += readable(sample.values[Metric::Packets]) + " packets, " + lossText(sample.values) + ", CPU "
-               + readable(sample.values[Metric::Cpu]) + " %";
+            + readable(sample.values[Metric::Cpu]) + " %";
     else
         out += sample.problem;
     return out + "; " + leftText(remaining);

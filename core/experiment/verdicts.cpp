@@ -14,8 +14,8 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
     for (const crypto::SuiteId suite : expectation.suites()) {
         const auto has = [suite](const SweepArm &arm) { return arm.suite == suite && !arm.again; };
         if (std::none_of(plan.arms.begin(), plan.arms.end(), has))
-            return tl::unexpected(InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name),
-                                             expectation.text()});
+            return tl::unexpected(
+                InputError{"the sweep does not measure " + std::string(crypto::suiteInfo(suite).name), expectation.text()});
     }
     for (const Load load : expectation.loads()) {
         if (std::find(plan.loads.begin(), plan.loads.end(), load) == plan.loads.end())
@@ -55,7 +55,7 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
         });
         const auto loadAt = static_cast<std::size_t>(at - plan.loads.begin());
         allRan = allRan && arm != plan.arms.end()
-                 && ran(results, {condition, loadAt, static_cast<std::size_t>(arm - plan.arms.begin())});
+            && ran(results, {condition, loadAt, static_cast<std::size_t>(arm - plan.arms.begin())});
         return arm == plan.arms.end() ? std::numeric_limits<double>::quiet_NaN()
                                       : meanOf(results, condition, loadAt, *arm, metric);
     };
@@ -106,7 +106,7 @@ std::string sentence(const Verdict &verdict, const Plan &plan)
     if (!verdict.outcome.measured)
         return out + ": was not measured: FAILS";
     return out + ": " + readable(verdict.outcome.left) + " against " + readable(verdict.outcome.right)
-           + (verdict.outcome.holds ? ": holds" : ": FAILS");
+        + (verdict.outcome.holds ? ": holds" : ": FAILS");
 }
 
 } // namespace skyseal::experiment

@@ -15,7 +15,7 @@ struct Verdict
 {
     std::string expectation; ///< its text
     std::size_t condition = 0;
-    std::string suite;       ///< that it was checked for; empty when it names its suites itself
+    std::string suite;               ///< that it was checked for; empty when it names its suites itself
     std::optional<std::size_t> load; ///< that it was checked for; nothing when it names its loads itself
     Expectation::Outcome outcome;
 };

@@ -6,8 +6,7 @@ namespace skyseal::impair {
 
 Impairment::Impairment(const Settings &settings, std::uint64_t stream)
     : m_settings(settings), m_random(settings.seed * 0x9e3779b97f4a7c15u + stream * 0xd1b54a32d192ed03u)
-{
-}
+{}
 
 double Impairment::uniform()
 {

@@ -17,11 +17,11 @@ struct Settings
     // Probabilities per datagram, 0…1, independent of each other.
     double loss = 0;
     double duplicate = 0; ///< a second copy, with a jitter of its own
-    double reorder = 0; ///< held back until 1 to 3 later datagrams have gone ahead
-    double corrupt = 0; ///< one bit is flipped
+    double reorder = 0;   ///< held back until 1 to 3 later datagrams have gone ahead
+    double corrupt = 0;   ///< one bit is flipped
     Duration delay{};
-    Duration jitter{}; ///< on top of the delay, evenly from 0 to this
-    std::uint64_t baud = 0; ///< line rate at 10 bits a byte, as on a serial line; 0 = unlimited
+    Duration jitter{};                     ///< on top of the delay, evenly from 0 to this
+    std::uint64_t baud = 0;                ///< line rate at 10 bits a byte, as on a serial line; 0 = unlimited
     std::size_t lineQueueBytes = 16 << 10; ///< what may wait for the line; more is dropped
     std::uint64_t seed = 1;
 

@@ -24,7 +24,8 @@ std::string toCheckedBase64(std::span<const std::uint8_t, 32> bytes, std::string
     const Key32 check = checkOf(bytes, label);
     std::copy_n(check.view().begin(), kCheckLength, all.mutableView().begin() + 32);
     SecretBytes<kCheckedBase64Length + 1> text;
-    sodium_bin2base64(reinterpret_cast<char *>(text.mutableView().data()), text.size(), all.view().data(), all.size(), kVariant);
+    sodium_bin2base64(reinterpret_cast<char *>(text.mutableView().data()), text.size(), all.view().data(), all.size(),
+                      kVariant);
     return std::string(asText(text.view().first<kCheckedBase64Length>()));
 }
 
@@ -34,7 +35,8 @@ std::optional<Key32> fromCheckedBase64(std::string_view text, std::string_view l
     std::size_t size = 0;
     const bool anyLength = weakened(Weakness::NoFileChecksum);
     if ((text.size() != kCheckedBase64Length && !anyLength)
-        || sodium_base642bin(all.mutableView().data(), all.size(), text.data(), text.size(), nullptr, &size, nullptr, kVariant) != 0
+        || sodium_base642bin(all.mutableView().data(), all.size(), text.data(), text.size(), nullptr, &size, nullptr, kVariant)
+            != 0
         || (size != all.size() && !anyLength))
         return std::nullopt;
     Key32 bytes(all.view().first<32>());

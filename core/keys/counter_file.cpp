@@ -88,7 +88,8 @@ Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(con
 bool FileCounterStore::refresh()
 {
     const auto content = readFile(m_path, FileAccess::Trusted);
-    auto read = content ? Counters::parse(asText(*content), m_path) : Result<Counters, InputError>(tl::unexpected(content.error()));
+    auto read = content ? Counters::parse(asText(*content), m_path)
+                        : Result<Counters, InputError>(tl::unexpected(content.error()));
     if (!read) {
         m_error = read.error();
         return false;

@@ -77,13 +77,15 @@ Result<void, InputError> checkAccess(const std::string &path, const struct stat 
     if (weakened(Weakness::NoFileCheck))
         return {};
     if (status.st_uid != ::geteuid() && status.st_uid != 0)
-        return tl::unexpected(fileError(path, "belongs to another user (number " + std::to_string(status.st_uid)
-                                                  + "), who can change it, refused"));
+        return tl::unexpected(fileError(
+            path, "belongs to another user (number " + std::to_string(status.st_uid) + "), who can change it, refused"));
     const mode_t mode = status.st_mode & 0777;
     if (access == FileAccess::Private && (mode & 077) != 0)
-        return tl::unexpected(fileError(path, "can be read by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+        return tl::unexpected(
+            fileError(path, "can be read by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
     if (access == FileAccess::Trusted && (mode & 022) != 0)
-        return tl::unexpected(fileError(path, "can be changed by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
+        return tl::unexpected(
+            fileError(path, "can be changed by other users (mode " + octal(mode) + "), refused; run: chmod 600"));
     if (static_cast<std::size_t>(status.st_size) > kMaxFileSize)
         return tl::unexpected(fileError(path, "is too large to be a file of this kind"));
     return {};
@@ -101,7 +103,8 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
             return tl::unexpected(fileError(path, "is a symbolic link, refused for a secret; name the file itself"));
         return tl::unexpected(systemError(path, "cannot be read"));
     }
-    struct stat status{};
+    struct stat status
+    {};
     if (::fstat(file.number(), &status) != 0)
         return tl::unexpected(systemError(path, "cannot be read"));
     if (const auto checked = checkAccess(path, status, access); !checked)
@@ -128,7 +131,8 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
 
 bool fileExists(const std::string &path)
 {
-    struct stat status{};
+    struct stat status
+    {};
     return ::lstat(path.c_str(), &status) == 0;
 }
 
@@ -169,7 +173,8 @@ static Result<void, InputError> replace(const std::string &path, ByteView conten
 
 Result<void, InputError> replaceFile(const std::string &path, ByteView content)
 {
-    struct stat old{};
+    struct stat old
+    {};
     return replace(path, content, ::stat(path.c_str(), &old) == 0 ? std::optional(old.st_mode) : std::nullopt);
 }
 

@@ -36,7 +36,8 @@ static std::vector<std::string_view> fieldsOf(std::string_view line)
 static std::string quoted(std::string_view text)
 {
     std::string out(text.substr(0, 60));
-    std::replace_if(out.begin(), out.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
     return "\"" + out + "\"";
 }
 
@@ -93,7 +94,8 @@ Result<PeerEntry, InputError> parsePeerLine(std::string_view line)
 {
     const std::vector<std::string_view> fields = fieldsOf(line);
     if (fields.size() < 4 || fields.size() > 5)
-        return refuse("a peer needs a name, a role, system ids and a public key, here are " + std::to_string(fields.size()) + " fields");
+        return refuse("a peer needs a name, a role, system ids and a public key, here are " + std::to_string(fields.size())
+                      + " fields");
     PeerEntry entry;
     entry.peer.name = fields[0];
     const std::optional<PeerRole> role = peerRoleFromText(fields[1]);
@@ -118,8 +120,8 @@ Result<PeerEntry, InputError> parsePeerLine(std::string_view line)
 
 std::string formatPeerLine(const PeerEntry &entry)
 {
-    std::string out = entry.peer.name + " " + std::string(peerRoleText(entry.peer.role)) + " " + systemIdsText(entry.peer.systemIds)
-        + " " + publicKeyText(entry.peer.key);
+    std::string out = entry.peer.name + " " + std::string(peerRoleText(entry.peer.role)) + " "
+        + systemIdsText(entry.peer.systemIds) + " " + publicKeyText(entry.peer.key);
     if (!entry.presharedKeyFile.empty())
         out.append(" ").append(kPresharedKey).append(entry.presharedKeyFile);
     return out;

@@ -95,8 +95,8 @@ const PeerEntry *PeersFile::find(std::string_view name) const
 
 const PeerEntry *PeersFile::findKey(const channel::PublicKey &key) const
 {
-    const auto found =
-        std::find_if(m_lines.begin(), m_lines.end(), [&](const Line &line) { return line.isPeer && line.entry.peer.key == key; });
+    const auto found = std::find_if(m_lines.begin(), m_lines.end(),
+                                    [&](const Line &line) { return line.isPeer && line.entry.peer.key == key; });
     return found == m_lines.end() ? nullptr : &found->entry;
 }
 

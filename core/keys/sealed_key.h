@@ -35,7 +35,8 @@ struct SealedKey
     static Result<SealedKey, InputError> parse(std::string_view text, const std::string &source);
     std::string text() const;
 
-    static Result<SealedKey, crypto::PassphraseError> seal(const crypto::X25519KeyPair &pair, const crypto::Passphrase &passphrase,
+    static Result<SealedKey, crypto::PassphraseError> seal(const crypto::X25519KeyPair &pair,
+                                                           const crypto::Passphrase &passphrase,
                                                            const crypto::PassphraseCost &cost, RandomSource &random);
     Result<crypto::X25519KeyPair, crypto::PassphraseError> open(const crypto::Passphrase &passphrase) const;
 

@@ -33,7 +33,8 @@ Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text
     if (header != expected) {
         if (header.starts_with(kAnyHeader) && header.size() < kLongestHeader)
             return tl::unexpected(fileError(source, "holds \"" + std::string(header) + "\", not \"" + expected + "\"", 1));
-        return tl::unexpected(fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"" + quote, 1));
+        return tl::unexpected(
+            fileError(source, "is not a key file of Skyseal: it does not begin with \"" + expected + "\"" + quote, 1));
     }
     std::optional<Key32> secret;
     while (const auto content = lines.nextContent()) {
@@ -63,8 +64,9 @@ template<typename Read> static auto withPrivateFile(const std::string &path, Rea
 
 static InputError noMemory(const std::string &path, const crypto::PassphraseCost &cost)
 {
-    return fileError(path, "needs " + std::to_string(cost.memoryKiB / 1024)
-                               + " MiB of memory for its passphrase, more than this machine gives");
+    return fileError(path,
+                     "needs " + std::to_string(cost.memoryKiB / 1024)
+                         + " MiB of memory for its passphrase, more than this machine gives");
 }
 
 static Result<X25519KeyPair, InputError> openSealed(const SealedKey &key, const std::string &source, const AskPassphrase &ask)
@@ -102,7 +104,9 @@ Result<IdentityFacts, InputError> readIdentityFacts(const std::string &path)
     return withPrivateFile(path, [&](std::string_view text) -> Result<IdentityFacts, InputError> {
         if (isSealed(text))
             return SealedKey::parse(text, path).map([](const SealedKey &key) { return IdentityFacts{key.publicKey, true}; });
-        return parseIdentity(text, path, {}).map([](const X25519KeyPair &pair) { return IdentityFacts{pair.publicKey, false}; });
+        return parseIdentity(text, path, {}).map([](const X25519KeyPair &pair) {
+            return IdentityFacts{pair.publicKey, false};
+        });
     });
 }
 
@@ -112,7 +116,10 @@ static std::string plainText(SecretKind kind, const Key32 &secret)
     std::string key = toCheckedBase64(secret.view(), header);
     std::string content;
     content.reserve(512); // no copy of the key is left behind by growing
-    content.append(header).append("\n# Keep this file to yourself: who has it can speak in your name.\n").append(key).append("\n");
+    content.append(header)
+        .append("\n# Keep this file to yourself: who has it can speak in your name.\n")
+        .append(key)
+        .append("\n");
     sodium_memzero(key.data(), key.size());
     return content;
 }

@@ -172,7 +172,9 @@ std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, cons
     JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
     json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
-    json.field("duplicated", verdict.duplicated).field("held_back", verdict.pendingApproval).field("corrupted", verdict.corrupted);
+    json.field("duplicated", verdict.duplicated)
+        .field("held_back", verdict.pendingApproval)
+        .field("corrupted", verdict.corrupted);
     json.key("counters").beginArray();
     for (const std::uint32_t counter : contents.counters)
         json.value(counter);

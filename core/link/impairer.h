@@ -57,8 +57,8 @@ private:
     {
         std::unique_ptr<Link> link;
         impair::Impairment outgoing; ///< towards this side's peer
-        Address peer; ///< whoever sent here last, for links without a fixed remote
-        Totals totals; ///< all but the impairment's own counters
+        Address peer;                ///< whoever sent here last, for links without a fixed remote
+        Totals totals;               ///< all but the impairment's own counters
     };
 
     void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override;

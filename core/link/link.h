@@ -41,12 +41,12 @@ public:
 
 enum class LinkState : std::uint8_t {
     Closed,
-    Opening, ///< looking up a name, connecting
+    Opening,   ///< looking up a name, connecting
     Listening, ///< bound; peers may come
     Connected, ///< udpout: the remote address is known; tcp, serial, tlog: open
-    Waiting, ///< failed for now (`error()` says why), tries again by itself
-    Failed, ///< failed for good: only open() tries again
-    Ended, ///< a log was replayed to its end
+    Waiting,   ///< failed for now (`error()` says why), tries again by itself
+    Failed,    ///< failed for good: only open() tries again
+    Ended,     ///< a log was replayed to its end
 };
 
 /// One word for scripts, e.g. "listening".
@@ -57,13 +57,13 @@ struct LinkCounters
 {
     std::uint64_t rxBlocks = 0; ///< datagrams or stream chunks
     std::uint64_t rxBytes = 0;
-    std::uint64_t rxOversized = 0; ///< datagrams longer than kMaxDatagram: dropped
+    std::uint64_t rxOversized = 0;   ///< datagrams longer than kMaxDatagram: dropped
     std::uint64_t rxKernelDrops = 0; ///< datagrams that the system dropped because we were too slow, where it tells
     std::uint64_t rxErrors = 0;
     std::uint64_t txBlocks = 0;
     std::uint64_t txBytes = 0;
     std::uint64_t txDropped = 0; ///< blocks for which there was no room, no peer or no open link
-    std::uint64_t txErrors = 0; ///< blocks that the system refused to send
+    std::uint64_t txErrors = 0;  ///< blocks that the system refused to send
 
     bool operator==(const LinkCounters &) const = default;
 };

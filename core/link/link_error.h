@@ -21,7 +21,7 @@ enum class LinkErrorCode : std::uint8_t {
     FileUnreadable,
     EndOfFile,
     NotSupported, ///< built without, or not on this system
-    System, ///< anything else; `detail` has the system's own words
+    System,       ///< anything else; `detail` has the system's own words
 };
 
 /// One word for scripts, e.g. "port-in-use".
@@ -31,7 +31,7 @@ struct LinkError
 {
     LinkErrorCode code = LinkErrorCode::None;
     std::string subject; ///< what it happened to: an address, host, device or file
-    std::string detail; ///< what else is known (who holds the port, the system's message), may be empty
+    std::string detail;  ///< what else is known (who holds the port, the system's message), may be empty
 
     bool operator==(const LinkError &) const = default;
     /// One plain English sentence without a full stop, e.g. "port 0.0.0.0:14550 is in use by another program".

@@ -12,7 +12,7 @@ namespace skyseal::link {
 static constexpr std::array kSchemes{LinkScheme::UdpIn, LinkScheme::UdpOut, LinkScheme::Tcp,
                                      LinkScheme::TcpIn, LinkScheme::Serial, LinkScheme::Tlog};
 static constexpr std::uint32_t kDefaultBaud = 57600; // what telemetry radios come with
-static constexpr std::size_t kLongestName = 253; // RFC 1035 2.3.4, in text
+static constexpr std::size_t kLongestName = 253;     // RFC 1035 2.3.4, in text
 
 const char *name(LinkScheme scheme)
 {
@@ -37,7 +37,8 @@ public:
     {
         if (m_text.size() > 4096)
             return error(0, "a link URL is at most 4096 characters long");
-        const auto odd = std::find_if(m_text.begin(), m_text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+        const auto odd = std::find_if(m_text.begin(), m_text.end(),
+                                      [](char c) { return static_cast<unsigned char>(c) < 0x20; });
         if (odd != m_text.end())
             return error(static_cast<std::size_t>(odd - m_text.begin()), "a link URL cannot hold control characters");
         const std::size_t colon = m_text.find(':');
@@ -177,8 +178,9 @@ private:
         if (digits.empty())
             return error(at, missingPort());
         if (!port || *port > 65535 || *port < lowest)
-            return error(at, "the port \"" + std::string(digits.substr(0, 20)) + "\" is not a number from "
-                                 + std::to_string(lowest) + " to 65535");
+            return error(at,
+                         "the port \"" + std::string(digits.substr(0, 20)) + "\" is not a number from " + std::to_string(lowest)
+                             + " to 65535");
         m_url.m_port = static_cast<std::uint16_t>(*port);
         return m_url;
     }

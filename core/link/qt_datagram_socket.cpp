@@ -62,7 +62,8 @@ DatagramSocket::Batch QtDatagramSocket::receive(LinkId id, LinkCounters &counter
             continue;
         }
         counters.rxBytes += static_cast<std::uint64_t>(length);
-        m_buffers->blocks[used++] = {{id, fromQt(host, port)}, MutableByteView(bytes).first(static_cast<std::size_t>(length)), now};
+        m_buffers->blocks[used++] = {
+            {id, fromQt(host, port)}, MutableByteView(bytes).first(static_cast<std::size_t>(length)), now};
     }
     counters.rxBlocks += used;
     return {std::span<const ReceivedBlock>(m_buffers->blocks.data(), used), read < most};

@@ -84,8 +84,7 @@ void TcpServerLink::accept()
         socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
         socket->setSocketOption(QAbstractSocket::KeepAliveOption, 1);
         const Path path{id(), fromQt(socket->peerAddress(), socket->peerPort())};
-        m_clients.push_back(
-            {socket, std::make_shared<StreamPeer>(*socket, path, options().streamQueueBytes), steadyNow()});
+        m_clients.push_back({socket, std::make_shared<StreamPeer>(*socket, path, options().streamQueueBytes), steadyNow()});
         connect(socket, &QTcpSocket::readyRead, this, [this, socket] { receive(socket); });
         connect(socket, &QTcpSocket::disconnected, this, [this, socket] { drop(socket); });
         listener().linkPeerJoined(*this, path);

@@ -15,8 +15,9 @@ public:
     bool isStream() const override { return true; }
     void open() override
     {
-        setState(LinkState::Failed, {LinkErrorCode::NotSupported, url().toText(),
-                                     std::string("this program was built without ") + name(url().scheme()) + " links"});
+        setState(LinkState::Failed,
+                 {LinkErrorCode::NotSupported, url().toText(),
+                  std::string("this program was built without ") + name(url().scheme()) + " links"});
     }
     void close() override { setState(LinkState::Closed); }
     void send(const Address &, ByteView) override { ++m_counters.txDropped; }

@@ -24,8 +24,7 @@ bool isDamage(const LogItem &item)
 
 LogReader::LogReader(std::istream &input, const mavlink::Dialect &dialect, LogFormat format)
     : m_input(input), m_dialect(dialect), m_format(format), m_buffer(kBufferSize)
-{
-}
+{}
 
 std::optional<LogItem> LogReader::next()
 {
@@ -108,8 +107,8 @@ void LogReader::findFormat()
                 continue;
             const std::size_t gap = item->offset - lastEnd;
             raw += gap == 0 && !first;
-            timed +=
-                gap == kTimeLength || (first && gap > kTimeLength && readTime(content.subspan(item->offset - kTimeLength)));
+            timed += gap == kTimeLength
+                || (first && gap > kTimeLength && readTime(content.subspan(item->offset - kTimeLength)));
             lastEnd = item->offset + item->bytes.size();
             first = false;
         }

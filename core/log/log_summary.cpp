@@ -72,12 +72,9 @@ void writeSummaryFields(JsonWriter &json, const LogSummary &summary)
     json.field("format", summary.format == LogFormat::Tlog ? "tlog" : "raw").field("bytes", summary.bytes);
     json.field("frames", summary.frames).field("signed", summary.signedFrames).field("version1", summary.version1Frames);
     json.field("unknown_messages", summary.unknownMessages).field("bad_spots", summary.badSpots);
-    json.field("bad_bytes", summary.badBytes)
-        .field("pauses", summary.pauses)
-        .field("backward_steps", summary.backwardSteps);
+    json.field("bad_bytes", summary.badBytes).field("pauses", summary.pauses).field("backward_steps", summary.backwardSteps);
     if (summary.first) {
-        json.field("first", std::string_view(utcText(*summary.first)))
-            .field("last", std::string_view(utcText(*summary.last)));
+        json.field("first", std::string_view(utcText(*summary.first))).field("last", std::string_view(utcText(*summary.last)));
         json.field("seconds", std::chrono::duration<double>(*summary.last - *summary.first).count());
     }
     json.key("messages").beginObject();

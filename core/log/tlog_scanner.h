@@ -23,8 +23,7 @@ class TlogScanner
 public:
     TlogScanner(ByteView buffer, const mavlink::Dialect &dialect, mavlink::BufferEnd end)
         : m_buffer(buffer), m_dialect(&dialect), m_end(end)
-    {
-    }
+    {}
 
     /// The next item; nullopt at the end, and at an open end when more must come first.
     std::optional<TlogItem> next();

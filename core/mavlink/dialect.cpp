@@ -55,8 +55,8 @@ Result<Dialect, InputError> Dialect::extended(const DialectDefinition &more) con
         if (const MessageInfo *known = find(message.id)) {
             if (known->crcExtra == message.crcExtra && known->name == message.name)
                 continue;
-            return tl::unexpected(InputError{"message id " + std::to_string(message.id) + " (" + message.name
-                                                 + ") is already " + std::string(known->name) + " with another layout",
+            return tl::unexpected(InputError{"message id " + std::to_string(message.id) + " (" + message.name + ") is already "
+                                                 + std::string(known->name) + " with another layout",
                                              message.file, message.line});
         }
         if (find(message.name))
@@ -66,22 +66,22 @@ Result<Dialect, InputError> Dialect::extended(const DialectDefinition &more) con
             return tl::unexpected(InputError{"more than 65534 messages", message.file, message.line});
         std::vector<FieldInfo> &fields = storage->fields.emplace_back();
         for (const FieldDefinition &field : message.fields) {
-            fields.push_back({field.name, field.type, field.arrayLength, field.offset, field.extension,
-                              field.isMavlinkVersion, field.enumName, field.units, field.printFormat, field.invalid});
+            fields.push_back({field.name, field.type, field.arrayLength, field.offset, field.extension, field.isMavlinkVersion,
+                              field.enumName, field.units, field.printFormat, field.invalid});
         }
         allMessages.push_back({message.id, message.name, message.crcExtra, message.minLength, message.maxLength,
                                message.targetSystemOffset, message.targetComponentOffset, fields});
     }
 
     for (const EnumDefinition &definition : storage->definition.enums) {
-        const auto known =
-            std::find_if(allEnums.begin(), allEnums.end(), [&](const EnumInfo &e) { return e.name == definition.name; });
+        const auto known = std::find_if(allEnums.begin(), allEnums.end(),
+                                        [&](const EnumInfo &e) { return e.name == definition.name; });
         std::vector<EnumEntry> &entries = storage->entries.emplace_back();
         if (known != allEnums.end())
             entries.assign(known->entries.begin(), known->entries.end());
         for (const EnumEntryDefinition &entry : definition.entries) {
-            const bool present =
-                std::any_of(entries.begin(), entries.end(), [&](const EnumEntry &e) { return e.value == entry.value; });
+            const bool present = std::any_of(entries.begin(), entries.end(),
+                                             [&](const EnumEntry &e) { return e.value == entry.value; });
             if (!present)
                 entries.push_back({entry.value, entry.name});
         }
@@ -97,8 +97,7 @@ Result<Dialect, InputError> Dialect::extended(const DialectDefinition &more) con
 
 const MessageInfo *Dialect::find(std::string_view name) const
 {
-    const auto it =
-        std::find_if(m_messages.begin(), m_messages.end(), [name](const MessageInfo &m) { return m.name == name; });
+    const auto it = std::find_if(m_messages.begin(), m_messages.end(), [name](const MessageInfo &m) { return m.name == name; });
     return it == m_messages.end() ? nullptr : &*it;
 }
 

@@ -77,8 +77,7 @@ public:
     DialectDefinition read(const std::string &path)
     {
         readFile(path, 0);
-        std::sort(m_result.messages.begin(), m_result.messages.end(),
-                  [](const auto &a, const auto &b) { return a.id < b.id; });
+        std::sort(m_result.messages.begin(), m_result.messages.end(), [](const auto &a, const auto &b) { return a.id < b.id; });
         for (auto &[name, definition] : m_enums) {
             std::stable_sort(definition.entries.begin(), definition.entries.end(),
                              [](const auto &a, const auto &b) { return a.value < b.value; });
@@ -208,8 +207,8 @@ private:
             refuse(node, "field " + field.name + " stands twice in " + message.name);
         std::string_view type = node.attribute("type").value();
         if (const auto bracket = type.find('['); bracket != type.npos) {
-            const auto length =
-                type.ends_with(']') ? parseNumber(type.substr(bracket + 1, type.size() - bracket - 2)) : std::nullopt;
+            const auto length = type.ends_with(']') ? parseNumber(type.substr(bracket + 1, type.size() - bracket - 2))
+                                                    : std::nullopt;
             if (!length || *length == 0 || *length > 255)
                 refuse(node, "field " + field.name + " needs an array length of 1 to 255");
             field.arrayLength = static_cast<std::uint8_t>(*length);

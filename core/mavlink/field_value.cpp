@@ -81,8 +81,8 @@ FieldValue FieldValue::fromNumber(FieldType type, double number)
         return fromBits(type, static_cast<std::uint64_t>(range.lowest) & maskOf(type));
     if (number >= static_cast<double>(range.highest))
         return fromBits(type, range.highest);
-    const auto whole =
-        number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number)) : static_cast<std::uint64_t>(number);
+    const auto whole = number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number))
+                                  : static_cast<std::uint64_t>(number);
     return fromBits(type, whole & maskOf(type));
 }
 

@@ -28,8 +28,8 @@ public:
     std::uint64_t bits() const { return m_bits; }
 
     float asFloat() const { return std::bit_cast<float>(static_cast<std::uint32_t>(m_bits)); } ///< of a Float
-    double asDouble() const;          ///< any type; 64-bit integers lose their low bits
-    std::int64_t asSigned() const;    ///< of an integer, sign extended
+    double asDouble() const;                            ///< any type; 64-bit integers lose their low bits
+    std::int64_t asSigned() const;                      ///< of an integer, sign extended
     std::uint64_t asUnsigned() const { return m_bits; } ///< of an unsigned integer or a char
 
     bool operator==(const FieldValue &) const = default;

@@ -23,8 +23,8 @@ public:
         if (bytes.size() < length)
             return fail(FrameFault::Truncated, length);
 
-        const std::uint32_t id =
-            v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16 : bytes[5];
+        const std::uint32_t id = v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16
+                                    : bytes[5];
         const MessageInfo *info = dialect.find(id);
         if (!info)
             return fail(FrameFault::UnknownMessage, length);

@@ -43,8 +43,7 @@ private:
     std::uint8_t byteAt(std::int16_t offset) const
     {
         const ByteView content = payload();
-        return offset >= 0 && static_cast<std::size_t>(offset) < content.size() ? content[static_cast<std::size_t>(offset)]
-                                                                                : 0;
+        return offset >= 0 && static_cast<std::size_t>(offset) < content.size() ? content[static_cast<std::size_t>(offset)] : 0;
     }
 
     ByteView m_bytes;
@@ -52,8 +51,8 @@ private:
 };
 
 enum class FrameFault : std::uint8_t {
-    Garbage,              ///< does not begin with a frame's first byte
-    Truncated,            ///< the frame goes on past the end
+    Garbage,   ///< does not begin with a frame's first byte
+    Truncated, ///< the frame goes on past the end
     BadCrc,
     UnknownMessage,       ///< no such id in the dialect, so its checksum cannot be checked
     UnknownIncompatFlags, ///< a format that must not be guessed at; the checksum is right

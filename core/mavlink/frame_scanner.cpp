@@ -23,8 +23,7 @@ std::optional<ScanItem> FrameScanner::next()
     }
     const auto [fault, length] = frame.error();
     switch (fault) {
-    case FrameFault::UnknownIncompatFlags:
-        return bad(fault, m_position + length); // its checksum vouches for its length
+    case FrameFault::UnknownIncompatFlags: return bad(fault, m_position + length); // its checksum vouches for its length
     case FrameFault::UnknownMessage: {
         // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is
         // inside.
@@ -34,14 +33,12 @@ std::optional<ScanItem> FrameScanner::next()
         const std::size_t inner = nextCandidate(m_position + 1, end);
         return bad(inner == end ? fault : FrameFault::Garbage, inner);
     }
-    case FrameFault::BadCrc:
-        return bad(fault, nextCandidate(m_position + 1, m_position + length));
+    case FrameFault::BadCrc: return bad(fault, nextCandidate(m_position + 1, m_position + length));
     case FrameFault::Truncated:
         if (m_end == BufferEnd::Open)
             return std::nullopt;
         return bad(fault, nextCandidate(m_position + 1, m_buffer.size()));
-    default:
-        return bad(FrameFault::Garbage, nextStart(m_position + 1));
+    default: return bad(FrameFault::Garbage, nextStart(m_position + 1));
     }
 }
 

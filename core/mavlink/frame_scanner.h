@@ -29,8 +29,7 @@ class FrameScanner
 public:
     FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final)
         : m_buffer(buffer), m_dialect(&dialect), m_end(end)
-    {
-    }
+    {}
 
     /// The next item; nullopt at the end. A frame that goes on past a final end is reported as Truncated, with all that is
     /// left of it; at an open end `position()` stays before it.

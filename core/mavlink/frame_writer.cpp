@@ -24,8 +24,11 @@ MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequen
         return {};
     if (version == 2) {
         const auto idByte = [messageId](int i) { return static_cast<std::uint8_t>(messageId >> (8 * i)); };
-        const std::uint8_t fields[] = {kMagic2,  static_cast<std::uint8_t>(length), incompatFlags, 0,
-                                       sequence, systemId, componentId, idByte(0), idByte(1), idByte(2)};
+        const std::uint8_t fields[] = {kMagic2,       static_cast<std::uint8_t>(length),
+                                       incompatFlags, 0,
+                                       sequence,      systemId,
+                                       componentId,   idByte(0),
+                                       idByte(1),     idByte(2)};
         std::memcpy(out.data(), fields, sizeof fields);
     } else {
         const std::uint8_t fields[] = {kMagic1,     static_cast<std::uint8_t>(length),   sequence, systemId,

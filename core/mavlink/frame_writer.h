@@ -20,8 +20,7 @@ class FrameWriter
 public:
     FrameWriter(std::uint8_t systemId, std::uint8_t componentId, int version = 2)
         : m_systemId(systemId), m_componentId(componentId), m_version(version)
-    {
-    }
+    {}
 
     void setVersion(int version) { m_version = version; }
     int version() const { return m_version; }

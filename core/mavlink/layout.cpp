@@ -9,7 +9,7 @@ namespace skyseal::mavlink {
 
 namespace {
 
-constexpr std::array<std::string_view, 11> kTypeNames{"char",    "uint8_t",  "int8_t",   "uint16_t", "int16_t", "uint32_t",
+constexpr std::array<std::string_view, 11> kTypeNames{"char",    "uint8_t",  "int8_t",  "uint16_t", "int16_t", "uint32_t",
                                                       "int32_t", "uint64_t", "int64_t", "float",    "double"};
 
 void add(std::uint16_t &crc, std::string_view text)

@@ -109,8 +109,8 @@ SignatureVerdict SignatureVerifier::judge(const Frame &frame)
         return SignatureVerdict::Unsigned;
     if (!signatureMatches(frame, m_key))
         return SignatureVerdict::Wrong;
-    const std::uint32_t id =
-        std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(frame.systemId()) << 8 | frame.componentId();
+    const std::uint32_t id = std::uint32_t(signatureLinkId(frame)) << 16 | std::uint32_t(frame.systemId()) << 8
+        | frame.componentId();
     const SigningTime time = signatureTime(frame);
     const auto end = m_streams.begin() + static_cast<std::ptrdiff_t>(m_streamCount);
     const auto stream = std::find_if(m_streams.begin(), end, [id](const Stream &known) { return known.id == id; });

@@ -25,10 +25,8 @@ SigningTime signingTime(WallTime time);
 class FrameSigner
 {
 public:
-    FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0)
-        : m_key(std::move(key)), m_last(start), m_linkId(linkId)
-    {
-    }
+    FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0) : m_key(std::move(key)), m_last(start), m_linkId(linkId)
+    {}
 
     /// Moves the time on to `now`, if that is later: call it when the clock is at hand, once per wake-up is enough.
     void advanceTo(SigningTime now) { m_last = std::max(m_last, std::min(now, kMaxSigningTime)); }

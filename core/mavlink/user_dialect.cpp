@@ -6,9 +6,8 @@ namespace skyseal::mavlink {
 
 namespace {
 
-constexpr std::string_view kBuiltIn[] = {"minimal.xml",   "standard.xml",  "common.xml",
-                                         "uAvionix.xml",  "icarous.xml",   "loweheiser.xml",
-                                         "cubepilot.xml", "csAirLink.xml", "ardupilotmega.xml"};
+constexpr std::string_view kBuiltIn[] = {"minimal.xml",    "standard.xml",  "common.xml",    "uAvionix.xml",     "icarous.xml",
+                                         "loweheiser.xml", "cubepilot.xml", "csAirLink.xml", "ardupilotmega.xml"};
 
 } // namespace
 

@@ -38,7 +38,10 @@ public:
         return static_cast<std::uint64_t>(static_cast<double>(cycles) * m_nanosecondsPerCycle);
     }
     /// Time between two readings of now(); 0 when they are the wrong way round.
-    std::uint64_t between(std::uint64_t begin, std::uint64_t end) const { return end > begin ? nanoseconds(end - begin) : 0; }
+    std::uint64_t between(std::uint64_t begin, std::uint64_t end) const
+    {
+        return end > begin ? nanoseconds(end - begin) : 0;
+    }
 
 private:
     explicit CycleClock(double nanosecondsPerCycle) : m_nanosecondsPerCycle(nanosecondsPerCycle) {}

@@ -27,7 +27,7 @@ private:
 
     Duration m_slice;
     std::array<std::uint64_t, kSlots + 1> m_amounts{}; ///< the running slice and the full ones before it
-    std::int64_t m_last = INT64_MIN; ///< newest slice in m_amounts
+    std::int64_t m_last = INT64_MIN;                   ///< newest slice in m_amounts
     TimePoint m_start{};
     std::uint64_t m_total = 0;
 };

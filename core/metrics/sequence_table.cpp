@@ -32,8 +32,7 @@ bool SequenceTable::makeRoom(TimePoint now)
     };
     auto idlest = m_trackers.end();
     for (auto it = m_trackers.begin(); it != m_trackers.end(); ++it) {
-        if (!established(it->second)
-            && (idlest == m_trackers.end() || it->second.lastHeard() < idlest->second.lastHeard()))
+        if (!established(it->second) && (idlest == m_trackers.end() || it->second.lastHeard() < idlest->second.lastHeard()))
             idlest = it;
     }
     if (idlest == m_trackers.end())

@@ -14,8 +14,8 @@ namespace skyseal::metrics {
 struct SequenceCounts
 {
     std::uint64_t received = 0; ///< frames given to note(), duplicates included
-    std::uint64_t lost = 0; ///< numbers passed over and not (yet) seen
-    std::uint64_t late = 0; ///< arrived after a later one
+    std::uint64_t lost = 0;     ///< numbers passed over and not (yet) seen
+    std::uint64_t late = 0;     ///< arrived after a later one
     std::uint64_t duplicate = 0;
     std::uint64_t restarts = 0; ///< the sender began anew, or was silent for too long to count across
 
@@ -57,7 +57,7 @@ private:
     bool m_known = false;
     std::uint8_t m_newest = 0;
     std::bitset<kWindow> m_missing; ///< bit k: number m_newest − 1 − k was passed over and counted as lost
-    std::bitset<kWindow> m_before; ///< bit k: that number was sent before we began to listen, so it was never counted
+    std::bitset<kWindow> m_before;  ///< bit k: that number was sent before we began to listen, so it was never counted
     TimePoint m_lastTime{};
     TimePoint m_newestTime{};
     bool m_inRun = false; ///< successive numbers behind the newest are coming in

@@ -50,8 +50,8 @@ Result<std::size_t, NoiseError> CipherState::encryptWithAd(ByteView associatedDa
         return tl::unexpected(NoiseError::NonceExhausted);
     const auto nonce = nonceBytes(m_nonce);
     crypto_aead_chacha20poly1305_ietf_encrypt_detached(out.data(), out.data() + plaintext.size(), nullptr, plaintext.data(),
-                                                       plaintext.size(), associatedData.data(), associatedData.size(),
-                                                       nullptr, nonce.data(), m_key.view().data());
+                                                       plaintext.size(), associatedData.data(), associatedData.size(), nullptr,
+                                                       nonce.data(), m_key.view().data());
     ++m_nonce;
     return plaintext.size() + kTagLength;
 }
@@ -75,8 +75,9 @@ Result<std::size_t, NoiseError> CipherState::decryptWithAd(ByteView associatedDa
     if (weakened(Weakness::NoHandshakeTag))
         crypto_stream_chacha20_ietf_xor_ic(out.data(), ciphertext.data(), size, nonce.data(), 1, m_key.view().data());
     else if (crypto_aead_chacha20poly1305_ietf_decrypt_detached(out.data(), nullptr, ciphertext.data(), size,
-                                                           ciphertext.data() + size, associatedData.data(),
-                                                           associatedData.size(), nonce.data(), m_key.view().data()) != 0)
+                                                                ciphertext.data() + size, associatedData.data(),
+                                                                associatedData.size(), nonce.data(), m_key.view().data())
+             != 0)
         return tl::unexpected(NoiseError::DecryptionFailed);
     ++m_nonce;
     return size;

@@ -136,8 +136,7 @@ Result<HandshakeState, NoiseError> HandshakeState::initialize(HandshakeConfig &&
 Done HandshakeState::mixPreMessages()
 {
     for (const Role side : {Role::Initiator, Role::Responder}) {
-        const MessagePattern &known =
-            side == Role::Initiator ? m_pattern.initiatorPreMessage : m_pattern.responderPreMessage;
+        const MessagePattern &known = side == Role::Initiator ? m_pattern.initiatorPreMessage : m_pattern.responderPreMessage;
         if (known.empty())
             continue;
         if (side == m_role ? !m_keys.localStatic : !m_keys.remoteStatic)

@@ -16,23 +16,23 @@ using Rotors = std::array<double, 4>;
 /// A 1.5 kg quadcopter of half a metre, which hovers at about a third of its thrust.
 struct AirframeModel
 {
-    double hoverThrust = 0.34;                      ///< share of the full thrust that carries the weight
-    double rotorLag = 0.035;                        ///< s
-    Vector3 turnAuthority{120, 120, 14};            ///< rad/s² at full differential thrust, body axes
-    Vector3 rateDamping{1.2, 1.2, 0.4};             ///< 1/s
-    double linearDrag = 0.05;                       ///< 1/s, against air-relative speed
-    double quadraticDrag = 0.012;                   ///< 1/m
+    double hoverThrust = 0.34;           ///< share of the full thrust that carries the weight
+    double rotorLag = 0.035;             ///< s
+    Vector3 turnAuthority{120, 120, 14}; ///< rad/s² at full differential thrust, body axes
+    Vector3 rateDamping{1.2, 1.2, 0.4};  ///< 1/s
+    double linearDrag = 0.05;            ///< 1/s, against air-relative speed
+    double quadraticDrag = 0.012;        ///< 1/m
 };
 
 /// What physics acts on; the truth, which no sensor of the vehicle sees without error.
 struct BodyState
 {
-    Vector3 position;      ///< m, NED; the ground is z = 0
-    Vector3 velocity;      ///< m/s, NED
+    Vector3 position; ///< m, NED; the ground is z = 0
+    Vector3 velocity; ///< m/s, NED
     Attitude attitude;
-    Vector3 rates;         ///< rad/s, body axes
+    Vector3 rates;                          ///< rad/s, body axes
     Vector3 specificForce{0, 0, -kGravity}; ///< m/s², body axes: what an accelerometer feels
-    Rotors rotors{};       ///< thrust of each, share of its maximum
+    Rotors rotors{};                        ///< thrust of each, share of its maximum
     bool onGround = true;
 };
 

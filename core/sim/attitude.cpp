@@ -13,8 +13,7 @@ Attitude Attitude::fromEuler(const Euler &angles)
 Euler Attitude::euler() const
 {
     const auto &[x, y, z] = m_v;
-    return {std::atan2(2 * (m_w * x + y * z), 1 - 2 * (x * x + y * y)),
-            std::asin(std::clamp(2 * (m_w * y - z * x), -1.0, 1.0)),
+    return {std::atan2(2 * (m_w * x + y * z), 1 - 2 * (x * x + y * y)), std::asin(std::clamp(2 * (m_w * y - z * x), -1.0, 1.0)),
             std::atan2(2 * (m_w * z + x * y), 1 - 2 * (y * y + z * z))};
 }
 
@@ -44,8 +43,7 @@ Vector3 Attitude::errorTo(const Attitude &target) const
 
 Attitude Attitude::operator*(const Attitude &o) const
 {
-    return {m_w * o.m_w - m_v.x * o.m_v.x - m_v.y * o.m_v.y - m_v.z * o.m_v.z,
-            o.m_v * m_w + m_v * o.m_w + cross(m_v, o.m_v)};
+    return {m_w * o.m_w - m_v.x * o.m_v.x - m_v.y * o.m_v.y - m_v.z * o.m_v.z, o.m_v * m_w + m_v * o.m_w + cross(m_v, o.m_v)};
 }
 
 void Attitude::normalise()

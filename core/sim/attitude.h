@@ -10,8 +10,14 @@
 namespace skyseal::sim {
 
 inline constexpr double kPi = std::numbers::pi;
-inline constexpr double radians(double degrees) { return degrees * kPi / 180; }
-inline constexpr double degrees(double radians) { return radians * 180 / kPi; }
+inline constexpr double radians(double degrees)
+{
+    return degrees * kPi / 180;
+}
+inline constexpr double degrees(double radians)
+{
+    return radians * 180 / kPi;
+}
 
 /// An angle (rad) brought into [-pi, pi].
 inline double wrapPi(double angle)

@@ -4,13 +4,13 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr double kIdle = 0.04;          // rotors never stop in flight
-constexpr double kRateGain = 18;        // 1/s, roll and pitch
-constexpr double kYawRateGain = 5;      // 1/s: yaw has little authority
-constexpr double kTrimGain = 12;        // 1/s²
-constexpr double kRateLimit = 3.5;      // rad/s
+constexpr double kIdle = 0.04;     // rotors never stop in flight
+constexpr double kRateGain = 18;   // 1/s, roll and pitch
+constexpr double kYawRateGain = 5; // 1/s: yaw has little authority
+constexpr double kTrimGain = 12;   // 1/s²
+constexpr double kRateLimit = 3.5; // rad/s
 // Shares of the thrust that turning may use up. Their sum must leave room between idle and full: kIdle + 2 * sum < 1.
-constexpr double kTiltShare = 0.18;      // roll and pitch, each
+constexpr double kTiltShare = 0.18; // roll and pitch, each
 constexpr double kYawShare = 0.1;
 static_assert(kIdle + 2 * (2 * kTiltShare + kYawShare) < 1);
 

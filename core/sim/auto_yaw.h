@@ -9,7 +9,11 @@ class AutoYaw
 {
 public:
     /// Back to looking where it flies; keeps the present heading until there is a direction.
-    void reset(const Situation &s) { m_fixed = false; m_heading = {s.estimate.attitude.euler().yaw, 0}; }
+    void reset(const Situation &s)
+    {
+        m_fixed = false;
+        m_heading = {s.estimate.attitude.euler().yaw, 0};
+    }
 
     /// Keeps a heading (rad) until the next reset; `rate` in rad/s, 0 = the parameter's.
     void fix(double heading, double rate = 0)

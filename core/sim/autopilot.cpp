@@ -97,7 +97,8 @@ void Autopilot::watchBattery()
 {
     switch (m_batteryWatch.step(kBatteryWatch * 1e-6, m_battery, m_parameters)) {
     case BatteryLevel::Good: break;
-    case BatteryLevel::Low: case BatteryLevel::Critical: {
+    case BatteryLevel::Low:
+    case BatteryLevel::Critical: {
         const bool critical = m_batteryWatch.level() == BatteryLevel::Critical;
         m_texts.say(Severity::Warning,
                     format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
@@ -132,7 +133,8 @@ void Autopilot::watchPosition()
 bool Autopilot::landsHere() const
 {
     switch (m_modes.current()) {
-    case FlightMode::Land: case FlightMode::Rtl: return true;
+    case FlightMode::Land:
+    case FlightMode::Rtl: return true;
     case FlightMode::Auto: return m_modes.mission().finished();
     default: return false;
     }

@@ -8,14 +8,17 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr double kAvionics = 0.45;       // A: flight controller, receiver, radio
-constexpr double kIdleRotors = 0.8;      // A: four rotors turning without lift
-constexpr double kFullThrust = 62;       // A at full thrust; power grows with thrust to the 1.5, by momentum theory
-constexpr double kResistance = 0.024;    // ohm, cells and leads
-constexpr double kSettling = 0.4;        // s, polarisation of the cells: voltage follows the load with this lag
+constexpr double kAvionics = 0.45;    // A: flight controller, receiver, radio
+constexpr double kIdleRotors = 0.8;   // A: four rotors turning without lift
+constexpr double kFullThrust = 62;    // A at full thrust; power grows with thrust to the 1.5, by momentum theory
+constexpr double kResistance = 0.024; // ohm, cells and leads
+constexpr double kSettling = 0.4;     // s, polarisation of the cells: voltage follows the load with this lag
 
 // Rest voltage of three lithium-polymer cells by state of charge: the flat middle and the knee at the end.
-struct Point { double charge, voltage; };
+struct Point
+{
+    double charge, voltage;
+};
 constexpr std::array<Point, 9> kRest{{{0.0, 9.6},
                                       {0.05, 10.6},
                                       {0.1, 10.98},

@@ -96,8 +96,8 @@ std::uint8_t CommandServer::setMode(const Command &command)
     return answer(m_autopilot.enterMode(*mode));
 }
 
-std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uint8_t frame, double latitude,
-                                            double longitude, double altitude)
+std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
+                                            double altitude)
 {
     Vector3 out = autopilot.estimate().position;
     if (latitude != 0 || longitude != 0) {
@@ -108,15 +108,13 @@ std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uin
     if (!std::isfinite(altitude) || std::abs(altitude) > 10000)
         return std::nullopt;
     switch (frame) {
-    case MAV_FRAME_GLOBAL: case MAV_FRAME_GLOBAL_INT:
-        out.z = autopilot.world().origin().altitude - altitude;
-        return out;
-    case MAV_FRAME_GLOBAL_RELATIVE_ALT: case MAV_FRAME_GLOBAL_RELATIVE_ALT_INT: // flat ground: terrain is where home is
-    case MAV_FRAME_GLOBAL_TERRAIN_ALT: case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT:
-        out.z = autopilot.situation().home.z - altitude;
-        return out;
-    default:
-        return std::nullopt;
+    case MAV_FRAME_GLOBAL:
+    case MAV_FRAME_GLOBAL_INT: out.z = autopilot.world().origin().altitude - altitude; return out;
+    case MAV_FRAME_GLOBAL_RELATIVE_ALT:
+    case MAV_FRAME_GLOBAL_RELATIVE_ALT_INT: // flat ground: terrain is where home is
+    case MAV_FRAME_GLOBAL_TERRAIN_ALT:
+    case MAV_FRAME_GLOBAL_TERRAIN_ALT_INT: out.z = autopilot.situation().home.z - altitude; return out;
+    default: return std::nullopt;
     }
 }
 
@@ -154,7 +152,9 @@ std::uint8_t CommandServer::changeSpeed(const Command &command)
     const std::uint32_t kind = index(command.parameters[0]);
     if (kind > 3)
         return MAV_RESULT_DENIED;
-    return answer(m_autopilot.changeSpeed(kind == 2 ? Kind::Climb : kind == 3 ? Kind::Descent : Kind::Ground,
+    return answer(m_autopilot.changeSpeed(kind == 2       ? Kind::Climb
+                                              : kind == 3 ? Kind::Descent
+                                                          : Kind::Ground,
                                           static_cast<double>(command.parameters[1])));
 }
 
@@ -163,8 +163,8 @@ std::uint8_t CommandServer::setHome(const Command &command)
     std::optional<Vector3> home = m_autopilot.estimate().position;
     if (command.parameters[0] != 1)
         home = place(m_autopilot,
-                     command.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT ? std::uint8_t(MAV_FRAME_GLOBAL) : command.frame,
-                     command.x, command.y, static_cast<double>(command.z));
+                     command.frame == MAV_FRAME_GLOBAL_RELATIVE_ALT ? std::uint8_t(MAV_FRAME_GLOBAL) : command.frame, command.x,
+                     command.y, static_cast<double>(command.z));
     if (!home || !m_autopilot.setHome(*home))
         return MAV_RESULT_FAILED;
     m_telemetry.send(HomePosition::kId);
@@ -189,8 +189,8 @@ std::uint8_t CommandServer::setInterval(TimePoint now, const Command &command)
     const float micros = command.parameters[1];
     if (!std::isfinite(micros) || micros > 3.6e9f) // no slower than once an hour
         return MAV_RESULT_DENIED;
-    const auto interval =
-        micros < 0 ? Duration(-1) : std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::micro>(micros));
+    const auto interval = micros < 0 ? Duration(-1)
+                                     : std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::micro>(micros));
     return m_streams.setInterval(now, index(command.parameters[0]), interval) ? MAV_RESULT_ACCEPTED : MAV_RESULT_FAILED;
 }
 
@@ -199,8 +199,8 @@ std::uint8_t CommandServer::getInterval(std::uint32_t message)
     MessageInterval out;
     out.message_id = static_cast<std::uint16_t>(message);
     if (const auto interval = m_streams.interval(message); interval && message <= 0xffff)
-        out.interval_us =
-            *interval == Duration::zero() ? -1 : static_cast<std::int32_t>(*interval / std::chrono::microseconds(1));
+        out.interval_us = *interval == Duration::zero() ? -1
+                                                        : static_cast<std::int32_t>(*interval / std::chrono::microseconds(1));
     m_outbox.send(out); // 0: not available
     return MAV_RESULT_ACCEPTED;
 }

@@ -16,9 +16,9 @@ struct Command
     std::uint16_t id = 0;
     std::uint8_t frame = 0; ///< MAV_FRAME; COMMAND_LONG means heights above home
     std::array<float, 4> parameters{};
-    double x = 0;           ///< latitude in degrees, or parameter 5
-    double y = 0;           ///< longitude in degrees, or parameter 6
-    float z = 0;            ///< altitude, or parameter 7
+    double x = 0; ///< latitude in degrees, or parameter 5
+    double y = 0; ///< longitude in degrees, or parameter 6
+    float z = 0;  ///< altitude, or parameter 7
 };
 
 class CommandServer
@@ -26,8 +26,7 @@ class CommandServer
 public:
     CommandServer(Autopilot &autopilot, StreamScheduler &streams, Telemetry &telemetry, FrameQueue &outbox)
         : m_autopilot(autopilot), m_streams(streams), m_telemetry(telemetry), m_outbox(outbox)
-    {
-    }
+    {}
 
     void handle(TimePoint now, const Peer &peer, const Command &command);
 

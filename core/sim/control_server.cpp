@@ -13,8 +13,14 @@ namespace {
 // POSITION_TARGET_TYPEMASK: a set bit means "ignore".
 constexpr std::uint16_t kIgnorePosition = 7, kIgnoreVelocity = 7 << 3, kIgnoreYaw = 1 << 10;
 
-bool hasPosition(std::uint16_t mask) { return (mask & kIgnorePosition) == 0; }
-bool hasVelocity(std::uint16_t mask) { return (mask & kIgnoreVelocity) == 0; }
+bool hasPosition(std::uint16_t mask)
+{
+    return (mask & kIgnorePosition) == 0;
+}
+bool hasVelocity(std::uint16_t mask)
+{
+    return (mask & kIgnoreVelocity) == 0;
+}
 
 } // namespace
 
@@ -67,8 +73,7 @@ void ControlServer::localTarget(ByteView payload)
     const auto in = SetPositionTargetLocalNed::decode(payload);
     const Estimate &here = m_autopilot.estimate();
     const bool body = in.coordinate_frame == MAV_FRAME_BODY_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
-    const bool offset =
-        in.coordinate_frame == MAV_FRAME_LOCAL_OFFSET_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
+    const bool offset = in.coordinate_frame == MAV_FRAME_LOCAL_OFFSET_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;
     if (!body && !offset && in.coordinate_frame != MAV_FRAME_LOCAL_NED)
         return;
     const double yaw = here.attitude.euler().yaw;
@@ -104,8 +109,8 @@ void ControlServer::globalTarget(ByteView payload)
 void ControlServer::overrideSticks(TimePoint now, ByteView payload)
 {
     const auto in = RcChannelsOverride::decode(payload);
-    m_autopilot.pilot().override(now, {in.chan1_raw, in.chan2_raw, in.chan3_raw, in.chan4_raw, in.chan5_raw, in.chan6_raw,
-                                       in.chan7_raw, in.chan8_raw});
+    m_autopilot.pilot().override(
+        now, {in.chan1_raw, in.chan2_raw, in.chan3_raw, in.chan4_raw, in.chan5_raw, in.chan6_raw, in.chan7_raw, in.chan8_raw});
 }
 
 void ControlServer::manualControl(TimePoint now, ByteView payload)

@@ -7,10 +7,10 @@ namespace skyseal::sim {
 
 struct Estimate
 {
-    Vector3 position;      ///< m, NED from the origin
-    Vector3 velocity;      ///< m/s, NED
+    Vector3 position; ///< m, NED from the origin
+    Vector3 velocity; ///< m/s, NED
     Attitude attitude;
-    Vector3 rates;         ///< rad/s, body axes
+    Vector3 rates; ///< rad/s, body axes
     bool attitudeOk = false;
     bool positionOk = false; ///< horizontal position and velocity are usable
 

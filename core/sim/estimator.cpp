@@ -4,9 +4,9 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr double kTiltAlignment = 1;   // s on the ground until the attitude is trusted
-constexpr double kTrustGps = 1;        // s of good fixes until they are used
-constexpr double kDeadReckoning = 3;   // s without a fix until the position is given up
+constexpr double kTiltAlignment = 1; // s on the ground until the attitude is trusted
+constexpr double kTrustGps = 1;      // s of good fixes until they are used
+constexpr double kDeadReckoning = 3; // s without a fix until the position is given up
 
 // EKF_STATUS_FLAGS of the MAVLink dialect ardupilotmega.
 constexpr std::uint16_t kAttitude = 1, kVelocityHorizontal = 2, kVelocityVertical = 4, kPositionRelative = 8,
@@ -43,8 +43,8 @@ void Estimator::step(double dt, const BodyState &truth, const GpsReport &gps)
     const double activity = truth.onGround ? 0.3 : 1.0;
     const double stale = std::min(m_withoutFix, 10.0) * 0.3;
     m_variances = {0.04 * activity + slip.length() * 0.5 + stale,
-                   0.03 * activity + std::hypot(offset.x, offset.y) * 0.15 + stale,
-                   0.02 * activity + std::abs(offset.z) * 0.15, 0.02 + std::abs(tilt.yaw) * 3};
+                   0.03 * activity + std::hypot(offset.x, offset.y) * 0.15 + stale, 0.02 * activity + std::abs(offset.z) * 0.15,
+                   0.02 + std::abs(tilt.yaw) * 3};
 }
 
 void Estimator::followGps(double dt, bool fixed)

@@ -37,8 +37,8 @@ private:
     Drift m_north{0.12, 25}, m_east{0.12, 25}, m_down{0.10, 40};
     Drift m_northSpeed{0.025, 1}, m_eastSpeed{0.025, 1}, m_downSpeed{0.02, 1};
     Drift m_roll{radians(0.12), 8}, m_pitch{radians(0.12), 8}, m_yaw{radians(0.4), 15};
-    double m_age = 0;         ///< s since power-on
-    double m_withFix = 0;     ///< s of uninterrupted fixes
+    double m_age = 0;     ///< s since power-on
+    double m_withFix = 0; ///< s of uninterrupted fixes
     double m_withoutFix = 0;
     Estimate m_estimate;
     FilterVariances m_variances;

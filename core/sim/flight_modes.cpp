@@ -14,7 +14,8 @@ const char *FlightModes::enter(FlightMode mode, const Situation &s)
     }
     m_current = mode;
     switch (mode) {
-    case FlightMode::Stabilize: case FlightMode::AltHold: break;
+    case FlightMode::Stabilize:
+    case FlightMode::AltHold: break;
     case FlightMode::Loiter: m_loiter.begin(s); break;
     case FlightMode::Brake: m_brake.begin(s); break;
     case FlightMode::Land: m_landing.begin(s); break;

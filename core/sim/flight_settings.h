@@ -17,14 +17,14 @@ struct FlightSettings
     double verticalAcceleration = 1;
     double waypointRadius = 2;
     double landSpeed = 0.5;
-    double landSpeedHigh = 0;  ///< 0: as `descent`
-    double landLow = 10;       ///< m above ground from which `landSpeed` holds
+    double landSpeedHigh = 0; ///< 0: as `descent`
+    double landLow = 10;      ///< m above ground from which `landSpeed` holds
     double rtlAltitude = 15;
     double rtlFinalAltitude = 0;
-    double rtlSpeed = 0;       ///< 0: as `speed`
+    double rtlSpeed = 0; ///< 0: as `speed`
     double rtlClimbMin = 0;
     double rtlCone = 3;
-    double rtlLoiter = 5;      ///< s
+    double rtlLoiter = 5; ///< s
     // Pilot.
     double leanLimit = radians(30);
     double pilotClimb = 2.5;
@@ -36,7 +36,7 @@ struct FlightSettings
     double anglePRoll = 4.5;
     double anglePPitch = 4.5;
     double anglePYaw = 4.5;
-    double inputLag = 0.15;    ///< s
+    double inputLag = 0.15; ///< s
     double yawSlew = radians(60);
     double positionP = 1;
     double velocityP = 2;
@@ -44,11 +44,11 @@ struct FlightSettings
     double altitudeP = 1;
     double climbP = 5;
     double hoverThrottle = 0.35;
-    double spoolTime = 0.5;    ///< s
+    double spoolTime = 0.5; ///< s
     // The ground and the air.
-    double disarmDelay = 10;   ///< s; 0: never
+    double disarmDelay = 10; ///< s; 0: never
     double windSpeed = 0;
-    double windFrom = 0;       ///< rad
+    double windFrom = 0; ///< rad
     bool gpsDisabled = false;
 };
 

@@ -11,8 +11,7 @@ class FrameQueue
 {
 public:
     explicit FrameQueue(std::uint8_t systemId, std::uint8_t componentId = 1) : m_writer(systemId, componentId), m_slots(kSlots)
-    {
-    }
+    {}
 
     /// Queues a message as a MAVLink 2 frame. When nobody fetched the last 256 frames, it is dropped and counted: a link
     /// that stalls loses telemetry, as a radio does.

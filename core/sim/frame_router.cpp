@@ -31,8 +31,8 @@ void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
     if (!isForUs(frame))
         return;
     const Peer peer{frame.systemId(), frame.componentId(), frame.version()};
-    routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame)
-        || control.handle(now, frame) || routeLink(now, peer, frame);
+    routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
+        || routeLink(now, peer, frame);
 }
 
 bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
@@ -50,8 +50,8 @@ bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::F
     }
     if (frame.messageId() == mavlink::CommandInt::kId) {
         const auto in = mavlink::CommandInt::decode(frame.payload());
-        commands.handle(
-            now, peer, {in.command, in.frame, {in.param1, in.param2, in.param3, in.param4}, in.x * 1e-7, in.y * 1e-7, in.z});
+        commands.handle(now, peer,
+                        {in.command, in.frame, {in.param1, in.param2, in.param3, in.param4}, in.x * 1e-7, in.y * 1e-7, in.z});
         return true;
     }
     return false;
@@ -105,17 +105,10 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
         missions.handleRequest(peer, in.seq, in.mission_type, true);
         return true;
     }
-    case MissionClearAll::kId:
-        missions.handleClear(peer, MissionClearAll::decode(frame.payload()).mission_type);
-        return true;
-    case MissionSetCurrent::kId:
-        missions.handleSetCurrent(MissionSetCurrent::decode(frame.payload()).seq);
-        return true;
-    case MissionAck::kId:
-        missions.handleAck(peer, MissionAck::decode(frame.payload()).type);
-        return true;
-    default:
-        return false;
+    case MissionClearAll::kId: missions.handleClear(peer, MissionClearAll::decode(frame.payload()).mission_type); return true;
+    case MissionSetCurrent::kId: missions.handleSetCurrent(MissionSetCurrent::decode(frame.payload()).seq); return true;
+    case MissionAck::kId: missions.handleAck(peer, MissionAck::decode(frame.payload()).type); return true;
+    default: return false;
     }
 }
 
@@ -135,9 +128,7 @@ void FrameRouter::flyTo(const Peer &peer, const MissionItem &item, std::uint8_t 
 bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) const
 {
     switch (frame.messageId()) {
-    case mavlink::ParamRequestList::kId:
-        parameters.requestList(now);
-        return true;
+    case mavlink::ParamRequestList::kId: parameters.requestList(now); return true;
     case mavlink::ParamRequestRead::kId: {
         const auto in = mavlink::ParamRequestRead::decode(frame.payload());
         parameters.requestRead(in.param_index, text(in.param_id));
@@ -148,8 +139,7 @@ bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) con
         parameters.set(text(in.param_id), in.param_value);
         return true;
     }
-    default:
-        return false;
+    default: return false;
     }
 }
 
@@ -190,8 +180,7 @@ bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Fram
         outbox.send(ping);
         return true;
     }
-    default:
-        return false;
+    default: return false;
     }
 }
 

@@ -9,12 +9,12 @@ namespace skyseal::sim {
 
 struct GpsReport
 {
-    bool fixed = false;      ///< three-dimensional fix
+    bool fixed = false; ///< three-dimensional fix
     int satellites = 0;
     double hdop = 99.99;
     double vdop = 99.99;
-    Vector3 position;        ///< m, NED from the origin
-    Vector3 velocity;        ///< m/s, NED
+    Vector3 position;          ///< m, NED from the origin
+    Vector3 velocity;          ///< m/s, NED
     std::uint64_t takenAt = 0; ///< µs of flight time
 };
 
@@ -34,11 +34,11 @@ private:
 
     Noise m_noise;
     double m_firstFix;
-    double m_searching = 0;    ///< s since power-on or loss
+    double m_searching = 0; ///< s since power-on or loss
     double m_untilReport = 0;
     Drift m_north{0.35, 40}, m_east{0.35, 40}, m_down{0.7, 40};
     GpsReport m_report;
-    GpsReport m_next;          ///< taken 0.2 s before it is reported
+    GpsReport m_next; ///< taken 0.2 s before it is reported
 };
 
 } // namespace skyseal::sim

@@ -57,8 +57,8 @@ FlightDemand Guided::update(double dt, const Situation &s)
     if (m_phase == Phase::Moving) {
         const Vector3 limited = m_velocity.horizontalLimited(m_speed.value_or(s.settings.speed));
         demand.horizontal = Velocity{limited.x, limited.y};
-        demand.vertical =
-            Climb{std::clamp(-m_velocity.z, -m_descent.value_or(s.settings.descent), m_climb.value_or(s.settings.climb))};
+        demand.vertical = Climb{
+            std::clamp(-m_velocity.z, -m_descent.value_or(s.settings.descent), m_climb.value_or(s.settings.climb))};
         demand.yaw = m_yaw.hold();
         return demand;
     }

@@ -8,8 +8,8 @@ FlightDemand Landing::update(const Situation &s) const
     const double fast = settings.landSpeedHigh > 0 ? settings.landSpeedHigh : settings.descent;
     // The shaped descent needs room to slow down before the last metres.
     const double room = std::max(s.heightAboveHome() - settings.landLow, 0.0);
-    const double rate =
-        std::min(fast, std::sqrt(settings.landSpeed * settings.landSpeed + settings.verticalAcceleration * room));
+    const double rate = std::min(fast,
+                                 std::sqrt(settings.landSpeed * settings.landSpeed + settings.verticalAcceleration * room));
 
     FlightDemand demand;
     if (s.estimate.positionOk)

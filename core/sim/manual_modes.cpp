@@ -57,8 +57,8 @@ FlightDemand Loiter::update(const Situation &s)
     const double right = s.sticks.roll * s.settings.loiterSpeed;
     if (forward != 0 || right != 0) {
         const double yaw = s.estimate.attitude.euler().yaw;
-        demand.horizontal =
-            Velocity{forward * std::cos(yaw) - right * std::sin(yaw), forward * std::sin(yaw) + right * std::cos(yaw)};
+        demand.horizontal = Velocity{forward * std::cos(yaw) - right * std::sin(yaw),
+                                     forward * std::sin(yaw) + right * std::cos(yaw)};
         m_place.reset();
         return demand;
     }

@@ -7,14 +7,20 @@ namespace skyseal::sim {
 namespace {
 
 // MAV_FRAME_GLOBAL and its kin; the terrain frames count as relative, since the ground is flat.
-bool absoluteFrame(std::uint8_t frame) { return frame == 0 || frame == 5; }
-bool relativeFrame(std::uint8_t frame) { return frame == 3 || frame == 6 || frame == 10 || frame == 11; }
+bool absoluteFrame(std::uint8_t frame)
+{
+    return frame == 0 || frame == 5;
+}
+bool relativeFrame(std::uint8_t frame)
+{
+    return frame == 3 || frame == 6 || frame == 10 || frame == 11;
+}
 
 bool hasPlace(std::uint16_t command)
 {
     using namespace mission_command;
     return command == kWaypoint || command == kLoiterUnlimited || command == kLoiterTime || command == kLand
-           || command == kTakeOff;
+        || command == kTakeOff;
 }
 
 } // namespace
@@ -23,11 +29,17 @@ std::optional<ItemError> checkItem(const MissionItem &item)
 {
     using namespace mission_command;
     switch (item.command) {
-    case kWaypoint: case kLoiterUnlimited: case kLoiterTime: case kReturnToLaunch: case kLand: case kTakeOff: case kDelay:
-    case kConditionYaw: case kJump: case kChangeSpeed:
-        break;
-    default:
-        return ItemError::Unsupported;
+    case kWaypoint:
+    case kLoiterUnlimited:
+    case kLoiterTime:
+    case kReturnToLaunch:
+    case kLand:
+    case kTakeOff:
+    case kDelay:
+    case kConditionYaw:
+    case kJump:
+    case kChangeSpeed: break;
+    default: return ItemError::Unsupported;
     }
     for (const float parameter : item.parameters) {
         if (std::isinf(parameter))

@@ -149,18 +149,13 @@ bool MissionRunner::execute(const MissionItem &item, const Situation &s)
         m_place = {s.estimate.position.x, s.estimate.position.y, placeOf(item, m_world, s.home, s.estimate.position).z};
         m_takeOff.begin(s, std::max(s.home.z - m_place.z, 1.0));
         return true;
-    case kReturnToLaunch:
-        m_return.begin(s);
-        return true;
-    case kDelay:
-        return true;
+    case kReturnToLaunch: m_return.begin(s); return true;
+    case kDelay: return true;
     case kLand:
         m_place = placeOf(item, m_world, s.home, s.estimate.position);
         m_place.z = s.estimate.position.z; // flies there at the present height, then descends
         return true;
-    default:
-        m_place = placeOf(item, m_world, s.home, s.estimate.position);
-        return true;
+    default: m_place = placeOf(item, m_world, s.home, s.estimate.position); return true;
     }
 }
 
@@ -174,20 +169,16 @@ bool MissionRunner::itemDone(double dt, const Situation &s)
 {
     const MissionItem &item = m_mission[m_current];
     switch (item.command) {
-    case kTakeOff:
-        return m_takeOff.done(s);
-    case kReturnToLaunch:
-        return m_return.phase() == ReturnToLaunch::Phase::Land && s.landed;
+    case kTakeOff: return m_takeOff.done(s);
+    case kReturnToLaunch: return m_return.phase() == ReturnToLaunch::Phase::Land && s.landed;
     case kLand:
         if (!m_arrived && nearPlace(s)) {
             m_arrived = true;
             m_landing.begin(s, {m_place.x, m_place.y, s.settings.speed});
         }
         return m_arrived && s.landed;
-    case kLoiterUnlimited:
-        return false;
-    case kDelay:
-        return (m_timeAtPlace += dt) >= duration(item.parameters[0]);
+    case kLoiterUnlimited: return false;
+    case kDelay: return (m_timeAtPlace += dt) >= duration(item.parameters[0]);
     default:
         m_arrived = m_arrived || nearPlace(s);
         if (m_arrived)

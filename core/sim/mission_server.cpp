@@ -14,7 +14,10 @@ namespace {
 constexpr Duration kAskAgain = std::chrono::milliseconds(500);
 constexpr int kMostAsked = 16; // eight seconds, as ArduPilot waits
 
-bool isMission(std::uint8_t type) { return type == MAV_MISSION_TYPE_MISSION || type == MAV_MISSION_TYPE_ALL; }
+bool isMission(std::uint8_t type)
+{
+    return type == MAV_MISSION_TYPE_MISSION || type == MAV_MISSION_TYPE_ALL;
+}
 
 } // namespace
 
@@ -75,7 +78,7 @@ void MissionServer::handleItem(TimePoint now, const Peer &peer, std::uint16_t se
         return; // a copy of one that we have
     if (sequence > m_incoming.size())
         return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE); // the right one is asked for again, in its time
-    if (sequence > 0) { // item 0 is home, whatever it says
+    if (sequence > 0) {                                         // item 0 is home, whatever it says
         if (const auto error = checkItem(item))
             return finish(static_cast<std::uint8_t>(*error));
     }

@@ -44,8 +44,8 @@ private:
     std::uint16_t m_expected = 0; ///< items that are to come in all
     Mission m_incoming;
     TimePoint m_askAgain = kNever;
-    int m_asked = 0; ///< times that the present item was asked for
-    Peer m_finishedBy;            ///< whose last upload was accepted, with how many items: its last item may come twice
+    int m_asked = 0;   ///< times that the present item was asked for
+    Peer m_finishedBy; ///< whose last upload was accepted, with how many items: its last item may come twice
     std::uint16_t m_finishedCount = 0;
     std::uint16_t m_reportedCurrent = 0;
 };

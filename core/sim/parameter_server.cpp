@@ -7,7 +7,7 @@ namespace skyseal::sim {
 namespace {
 constexpr Duration kPace = std::chrono::milliseconds(4); // 250 a second
 constexpr std::size_t kKeepFree = 32;                    // frames of the outbox that a list may not take from telemetry
-}
+} // namespace
 
 void ParameterServer::requestList(TimePoint now)
 {

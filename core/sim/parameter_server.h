@@ -13,8 +13,7 @@ class ParameterServer
 public:
     ParameterServer(Parameters &parameters, FrameQueue &outbox, StatusTexts &texts)
         : m_parameters(parameters), m_outbox(outbox), m_texts(texts)
-    {
-    }
+    {}
 
     /// PARAM_REQUEST_LIST: starts, or starts again, sending all of them at a pace that a radio can take.
     void requestList(TimePoint now);

@@ -4,12 +4,12 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr double kJerk = 5;             // m/s³
-constexpr double kVerticalJerk = 5;     // m/s³
-constexpr double kFollow = 2.5;         // 1/s: how briskly the shaped velocity closes in
-constexpr double kTurnAcceleration = 0.8;// rad/s²
-constexpr double kPatience = 0.35;       // the integral is for wind, not for the lag of a lean that was just asked for
-constexpr double kPushLimit = 4;        // m/s²
+constexpr double kJerk = 5;               // m/s³
+constexpr double kVerticalJerk = 5;       // m/s³
+constexpr double kFollow = 2.5;           // 1/s: how briskly the shaped velocity closes in
+constexpr double kTurnAcceleration = 0.8; // rad/s²
+constexpr double kPatience = 0.35;        // the integral is for wind, not for the lag of a lean that was just asked for
+constexpr double kPushLimit = 4;          // m/s²
 
 /// Speed at which a target `distance` away can be approached so that it is met at rest: proportional near by, and never
 /// faster than the deceleration allows (the square-root controller of ArduPilot's AC_AttitudeControl).
@@ -56,7 +56,7 @@ AttitudeDemand PositionController::update(double dt, const FlightDemand &demand,
     const Vector3 error = m_shaped.velocity() - estimate.velocity;
     m_push += Vector3{error.x * settings.velocityI * kPatience, error.y * settings.velocityI * kPatience,
                       error.z * settings.climbP * 0.4}
-              * dt;
+        * dt;
     m_push = m_push.horizontalLimited(kPushLimit);
     m_push.z = std::clamp(m_push.z, -kPushLimit, kPushLimit);
     const Vector3 acceleration = m_shaped.acceleration() + m_push
@@ -70,8 +70,8 @@ AttitudeDemand PositionController::update(double dt, const FlightDemand &demand,
         out.pitch = std::get<Lean>(demand.horizontal).pitch;
     } else {
         const double yaw = estimate.attitude.euler().yaw;
-        const Vector3 level =
-            Vector3{acceleration.x, acceleration.y, 0}.horizontalLimited(kGravity * std::tan(settings.leanLimit));
+        const Vector3 level = Vector3{acceleration.x, acceleration.y, 0}.horizontalLimited(kGravity
+                                                                                           * std::tan(settings.leanLimit));
         const double forward = level.x * std::cos(yaw) + level.y * std::sin(yaw);
         const double right = level.y * std::cos(yaw) - level.x * std::sin(yaw);
         out.pitch = -std::atan2(forward, kGravity);
@@ -100,8 +100,8 @@ Vector3 PositionController::wantedVelocity(const FlightDemand &demand, const Est
         wanted.y = velocity->east;
     }
     if (const auto *hold = std::get_if<HoldAltitude>(&demand.vertical)) {
-        const double rate =
-            approach(hold->altitude - estimate.altitude(), settings.altitudeP, settings.verticalAcceleration * 0.5);
+        const double rate = approach(hold->altitude - estimate.altitude(), settings.altitudeP,
+                                     settings.verticalAcceleration * 0.5);
         wanted.z = -std::clamp(rate, -hold->descent, hold->climb);
     } else if (const auto *climb = std::get_if<Climb>(&demand.vertical)) {
         wanted.z = -climb->rate;

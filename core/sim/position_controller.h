@@ -39,7 +39,7 @@ private:
     void steer(double dt, const Yaw &yaw, const Estimate &estimate, const FlightSettings &settings);
 
     ShapedVelocity m_shaped;
-    Vector3 m_push;  ///< integral of the velocity error, m/s²: wind and weight that the model does not know
+    Vector3 m_push; ///< integral of the velocity error, m/s²: wind and weight that the model does not know
     double m_heading = 0;
     double m_turnRate = 0;
 };

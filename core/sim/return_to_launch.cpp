@@ -28,8 +28,7 @@ void ReturnToLaunch::enter(Phase phase, const Situation &s)
 
 bool ReturnToLaunch::reached(const Situation &s) const
 {
-    return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y)
-           < s.settings.waypointRadius;
+    return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y) < s.settings.waypointRadius;
 }
 
 FlightDemand ReturnToLaunch::update(double dt, const Situation &s)
@@ -48,10 +47,8 @@ FlightDemand ReturnToLaunch::update(double dt, const Situation &s)
         if (m_waited >= s.settings.rtlLoiter)
             enter(s.settings.rtlFinalAltitude > 0 ? Phase::Descend : Phase::Land, s);
         break;
-    case Phase::Descend:
-        break;
-    case Phase::Land:
-        return m_landing.update(s);
+    case Phase::Descend: break;
+    case Phase::Land: return m_landing.update(s);
     }
 
     FlightDemand demand;

@@ -12,7 +12,7 @@ namespace {
 constexpr Duration kLeastPatience = std::chrono::milliseconds(100);
 constexpr Duration kMostPatience = std::chrono::seconds(10);
 constexpr Duration kFirstPatience = std::chrono::seconds(3); ///< while nothing is known of the link
-constexpr unsigned kLostAfter = 3; // as in TCP (RFC 5681)
+constexpr unsigned kLostAfter = 3;                           // as in TCP (RFC 5681)
 
 /// Bursts that may wait for a line: while one goes out the next is there. Telemetry that was asked for waits between them.
 constexpr double kMostQueued = 2;

@@ -40,10 +40,10 @@ private:
     void takeLate(TimePoint now, std::int64_t number);
 
     std::deque<Ticket> m_open;
-    std::deque<Ticket> m_given; ///< up, the newest: an answer that still comes says how long it takes
+    std::deque<Ticket> m_given;                  ///< up, the newest: an answer that still comes says how long it takes
     std::int64_t m_next = std::int64_t(1) << 56; ///< far from the times that others put there
-    double m_window = 2; ///< bursts
-    Duration m_trip{};   ///< smoothed; nothing until the first answer
+    double m_window = 2;                         ///< bursts
+    Duration m_trip{};                           ///< smoothed; nothing until the first answer
     Duration m_leastTrip = Duration::max();
     bool m_heard = false; ///< any station yet
 };

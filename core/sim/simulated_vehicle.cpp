@@ -16,7 +16,7 @@ namespace {
 constexpr Duration kLongestGap = std::chrono::seconds(1);
 constexpr Duration kMostCatchUp = std::chrono::minutes(1); // of flight in one call, after the machine slept for hours
 constexpr Duration kLook = std::chrono::milliseconds(50);  // texts, failsafes and mission progress come out of flying
-}
+} // namespace
 
 /// Everything that a reboot makes anew.
 struct SimulatedVehicle::Parts
@@ -25,8 +25,7 @@ struct SimulatedVehicle::Parts
         : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
           commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
           parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now), look(now)
-    {
-    }
+    {}
 
     void fly(Duration span);
     void watchStation(TimePoint now);
@@ -99,8 +98,7 @@ void SimulatedVehicle::Parts::watchStation(TimePoint now)
 {
     const Parameters &values = autopilot.parameters();
     const auto timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("FS_GCS_TIMEOUT")));
-    const auto override =
-        std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
+    const auto override = std::chrono::duration_cast<Duration>(std::chrono::duration<float>(values.value("RC_OVERRIDE_TIME")));
     autopilot.pilot().expire(now, override);
     const int action = values.integer("FS_GCS_ENABLE");
     if (station.update(now, timeout) == GcsWatch::Event::Back) {
@@ -139,10 +137,9 @@ void SimulatedVehicle::Parts::notifyStatus()
 
 void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket)
 {
-    constexpr std::array<std::uint32_t, 8> kUsual{mavlink::Attitude::kId,       mavlink::RawImu::kId,
-                                                  mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
-                                                  mavlink::RcChannels::kId,     mavlink::GpsRawInt::kId,
-                                                  mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
+    constexpr std::array<std::uint32_t, 8> kUsual{
+        mavlink::Attitude::kId,   mavlink::RawImu::kId,    mavlink::VfrHud::kId,         mavlink::GlobalPositionInt::kId,
+        mavlink::RcChannels::kId, mavlink::GpsRawInt::kId, mavlink::ServoOutputRaw::kId, mavlink::SysStatus::kId};
     advance(now);
     for (std::size_t i = 0; i < messages; ++i)
         m_parts->telemetry.send(kUsual[i % kUsual.size()]);
@@ -153,8 +150,8 @@ void SimulatedVehicle::sendBurst(TimePoint now, std::size_t messages, std::int64
 
 TimePoint SimulatedVehicle::nextDeadline() const
 {
-    return std::min({m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(),
-                     m_parts->look});
+    return std::min(
+        {m_parts->streams.nextDeadline(), m_parts->parameters.nextDeadline(), m_parts->missions.nextDeadline(), m_parts->look});
 }
 
 void SimulatedVehicle::handleFrame(TimePoint now, const mavlink::Frame &frame)
@@ -179,10 +176,25 @@ void SimulatedVehicle::reboot(TimePoint now)
     m_parts->streams.applyParameters(now, kept);
 }
 
-ByteView SimulatedVehicle::pollFrame() { return m_parts->outbox.poll(); }
-std::uint64_t SimulatedVehicle::dropped() const { return m_parts->outbox.dropped(); }
-std::uint8_t SimulatedVehicle::systemId() const { return m_config.systemId; }
-const Autopilot &SimulatedVehicle::autopilot() const { return m_parts->autopilot; }
-Autopilot &SimulatedVehicle::autopilot() { return m_parts->autopilot; }
+ByteView SimulatedVehicle::pollFrame()
+{
+    return m_parts->outbox.poll();
+}
+std::uint64_t SimulatedVehicle::dropped() const
+{
+    return m_parts->outbox.dropped();
+}
+std::uint8_t SimulatedVehicle::systemId() const
+{
+    return m_config.systemId;
+}
+const Autopilot &SimulatedVehicle::autopilot() const
+{
+    return m_parts->autopilot;
+}
+Autopilot &SimulatedVehicle::autopilot()
+{
+    return m_parts->autopilot;
+}
 
 } // namespace skyseal::sim

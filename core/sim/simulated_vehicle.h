@@ -20,8 +20,8 @@ struct VehicleConfig
 {
     std::uint8_t systemId = 1;
     AutopilotConfig autopilot;
-    double rate = 1;       ///< flight seconds per second of the caller's clock
-    WallTime bootTime{};   ///< wall time at construction, for SYSTEM_TIME
+    double rate = 1;     ///< flight seconds per second of the caller's clock
+    WallTime bootTime{}; ///< wall time at construction, for SYSTEM_TIME
 };
 
 class SimulatedVehicle

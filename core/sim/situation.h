@@ -13,7 +13,7 @@ struct Situation
     Estimate estimate;
     FlightSettings settings;
     Sticks sticks;
-    Vector3 home;       ///< m, NED from the origin
+    Vector3 home; ///< m, NED from the origin
     bool landed = true;
 
     double heightAboveHome() const { return home.z - estimate.position.z; }
@@ -24,8 +24,7 @@ inline GoTo stoppingPoint(const Situation &s)
 {
     const Vector3 &v = s.estimate.velocity;
     const double lead = 0.5 + v.horizontal() / (2 * std::max(s.settings.acceleration, 0.5));
-    return {s.estimate.position.x + v.x * lead, s.estimate.position.y + v.y * lead,
-            std::max(s.settings.speed, v.horizontal())};
+    return {s.estimate.position.x + v.x * lead, s.estimate.position.y + v.y * lead, std::max(s.settings.speed, v.horizontal())};
 }
 
 } // namespace skyseal::sim

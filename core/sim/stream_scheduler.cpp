@@ -13,8 +13,14 @@ struct Group
     std::string_view parameter;
 };
 
-constexpr std::array<Group, 8> kGroups{{{1, "SR0_RAW_SENS"}, {2, "SR0_EXT_STAT"}, {3, "SR0_RC_CHAN"}, {4, "SR0_RAW_CTRL"},
-                                        {6, "SR0_POSITION"}, {10, "SR0_EXTRA1"}, {11, "SR0_EXTRA2"}, {12, "SR0_EXTRA3"}}};
+constexpr std::array<Group, 8> kGroups{{{1, "SR0_RAW_SENS"},
+                                        {2, "SR0_EXT_STAT"},
+                                        {3, "SR0_RC_CHAN"},
+                                        {4, "SR0_RAW_CTRL"},
+                                        {6, "SR0_POSITION"},
+                                        {10, "SR0_EXTRA1"},
+                                        {11, "SR0_EXTRA2"},
+                                        {12, "SR0_EXTRA3"}}};
 
 struct Member
 {
@@ -27,38 +33,38 @@ constexpr std::uint32_t kHeartbeat = 0;
 // Grouped as in ArduCopter's GCS_Mavlink.cpp.
 constexpr std::array<Member, 27> kMembers{{
     {kHeartbeat, 0}, // 1 Hz by itself
-    {27, 1},  // RAW_IMU
-    {116, 1}, // SCALED_IMU2
-    {29, 1},  // SCALED_PRESSURE
-    {1, 2},   // SYS_STATUS
-    {125, 2}, // POWER_STATUS
-    {152, 2}, // MEMINFO
-    {42, 2},  // MISSION_CURRENT
-    {24, 2},  // GPS_RAW_INT
-    {62, 2},  // NAV_CONTROLLER_OUTPUT
-    {87, 2},  // POSITION_TARGET_GLOBAL_INT
-    {36, 3},  // SERVO_OUTPUT_RAW
-    {65, 3},  // RC_CHANNELS
-    {33, 6},  // GLOBAL_POSITION_INT
-    {32, 6},  // LOCAL_POSITION_NED
-    {30, 10}, // ATTITUDE
-    {74, 11}, // VFR_HUD
-    {163, 12}, // AHRS
-    {2, 12},   // SYSTEM_TIME
-    {168, 12}, // WIND
-    {147, 12}, // BATTERY_STATUS
-    {193, 12}, // EKF_STATUS_REPORT
-    {241, 12}, // VIBRATION
-    {242, 0},  // HOME_POSITION
-    {245, 0},  // EXTENDED_SYS_STATE
-    {148, 0},  // AUTOPILOT_VERSION
-    {49, 0},   // GPS_GLOBAL_ORIGIN
+    {27, 1},         // RAW_IMU
+    {116, 1},        // SCALED_IMU2
+    {29, 1},         // SCALED_PRESSURE
+    {1, 2},          // SYS_STATUS
+    {125, 2},        // POWER_STATUS
+    {152, 2},        // MEMINFO
+    {42, 2},         // MISSION_CURRENT
+    {24, 2},         // GPS_RAW_INT
+    {62, 2},         // NAV_CONTROLLER_OUTPUT
+    {87, 2},         // POSITION_TARGET_GLOBAL_INT
+    {36, 3},         // SERVO_OUTPUT_RAW
+    {65, 3},         // RC_CHANNELS
+    {33, 6},         // GLOBAL_POSITION_INT
+    {32, 6},         // LOCAL_POSITION_NED
+    {30, 10},        // ATTITUDE
+    {74, 11},        // VFR_HUD
+    {163, 12},       // AHRS
+    {2, 12},         // SYSTEM_TIME
+    {168, 12},       // WIND
+    {147, 12},       // BATTERY_STATUS
+    {193, 12},       // EKF_STATUS_REPORT
+    {241, 12},       // VIBRATION
+    {242, 0},        // HOME_POSITION
+    {245, 0},        // EXTENDED_SYS_STATE
+    {148, 0},        // AUTOPILOT_VERSION
+    {49, 0},         // GPS_GLOBAL_ORIGIN
 }};
 
 std::optional<std::size_t> find(std::uint32_t message)
 {
-    const auto at =
-        std::find_if(kMembers.begin(), kMembers.end(), [&](const Member &member) { return member.message == message; });
+    const auto at = std::find_if(kMembers.begin(), kMembers.end(),
+                                 [&](const Member &member) { return member.message == message; });
     return at == kMembers.end() ? std::nullopt : std::optional(static_cast<std::size_t>(at - kMembers.begin()));
 }
 
@@ -145,8 +151,8 @@ void StreamScheduler::setPeriod(std::size_t index, TimePoint now, Duration perio
 
 std::size_t StreamScheduler::earliest() const
 {
-    const auto at =
-        std::min_element(m_slots.begin(), m_slots.end(), [](const Slot &a, const Slot &b) { return a.due < b.due; });
+    const auto at = std::min_element(m_slots.begin(), m_slots.end(),
+                                     [](const Slot &a, const Slot &b) { return a.due < b.due; });
     return static_cast<std::size_t>(at - m_slots.begin());
 }
 

@@ -42,7 +42,7 @@ private:
 
     struct Slot
     {
-        Duration period{};  ///< zero: not streamed
+        Duration period{}; ///< zero: not streamed
         bool single = false;
         TimePoint due = kNever;
     };

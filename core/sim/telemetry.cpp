@@ -17,8 +17,8 @@ std::uint16_t pulse(double thrust, const Parameters &parameters)
 {
     // Thrust grows with the square of the signal, more or less: MOT_THST_EXPO says how much.
     const double expo = std::max(static_cast<double>(parameters.value("MOT_THST_EXPO")), 0.01);
-    const double linear =
-        (expo - 1 + std::sqrt((1 - expo) * (1 - expo) + 4 * expo * std::clamp(thrust, 0.0, 1.0))) / (2 * expo);
+    const double linear = (expo - 1 + std::sqrt((1 - expo) * (1 - expo) + 4 * expo * std::clamp(thrust, 0.0, 1.0)))
+        / (2 * expo);
     const auto low = static_cast<double>(parameters.value("MOT_SPIN_MIN")),
                high = static_cast<double>(parameters.value("MOT_SPIN_MAX"));
     return scaled<std::uint16_t>(1000 + 1000 * (low + (high - low) * linear));
@@ -28,8 +28,7 @@ std::uint16_t pulse(double thrust, const Parameters &parameters)
 
 Telemetry::Telemetry(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
     : m_autopilot(autopilot), m_outbox(outbox), m_noise(seed, 4), m_serial(Noise(seed, 5).next())
-{
-}
+{}
 
 bool Telemetry::send(std::uint32_t message)
 {
@@ -150,10 +149,9 @@ void Telemetry::systemStatus()
 {
     using namespace mavlink;
     constexpr std::uint32_t always = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL
-                                     | MAV_SYS_STATUS_SENSOR_3D_MAG | MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE
-                                     | MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL
-                                     | MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION | MAV_SYS_STATUS_SENSOR_YAW_POSITION
-                                     | MAV_SYS_STATUS_SENSOR_RC_RECEIVER | MAV_SYS_STATUS_LOGGING;
+        | MAV_SYS_STATUS_SENSOR_3D_MAG | MAV_SYS_STATUS_SENSOR_ABSOLUTE_PRESSURE | MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL
+        | MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION | MAV_SYS_STATUS_SENSOR_YAW_POSITION | MAV_SYS_STATUS_SENSOR_RC_RECEIVER
+        | MAV_SYS_STATUS_LOGGING;
     constexpr std::uint32_t position = MAV_SYS_STATUS_SENSOR_GPS | MAV_SYS_STATUS_SENSOR_XY_POSITION_CONTROL;
     constexpr std::uint32_t height = MAV_SYS_STATUS_SENSOR_Z_ALTITUDE_CONTROL;
     constexpr std::uint32_t others = MAV_SYS_STATUS_AHRS | MAV_SYS_STATUS_SENSOR_BATTERY | MAV_SYS_STATUS_PREARM_CHECK
@@ -197,8 +195,8 @@ void Telemetry::batteryStatus()
     out.type = mavlink::MAV_BATTERY_TYPE_LIPO;
     out.temperature = std::numeric_limits<std::int16_t>::max(); // not known
     out.voltages.fill(65535);
-    out.voltages[0] =
-        scaled<std::uint16_t>(battery.voltage() + m_noise.normal(0.006), 1000); // the pack: its cells have no sensor
+    out.voltages[0] = scaled<std::uint16_t>(battery.voltage() + m_noise.normal(0.006),
+                                            1000); // the pack: its cells have no sensor
     out.current_battery = scaled<std::int16_t>(battery.current() + m_noise.normal(0.08), 100);
     out.current_consumed = scaled<std::int32_t>(battery.consumed());
     out.energy_consumed = scaled<std::int32_t>(battery.energy(), 0.01);
@@ -308,9 +306,9 @@ void Telemetry::version()
     using namespace mavlink;
     AutopilotVersion out;
     out.capabilities = MAV_PROTOCOL_CAPABILITY_MISSION_FLOAT | MAV_PROTOCOL_CAPABILITY_MISSION_INT
-                       | MAV_PROTOCOL_CAPABILITY_COMMAND_INT | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
-                       | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT | MAV_PROTOCOL_CAPABILITY_MAVLINK2
-                       | 2; // 2: parameters as floats, under a name that changed over the years
+        | MAV_PROTOCOL_CAPABILITY_COMMAND_INT | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_LOCAL_NED
+        | MAV_PROTOCOL_CAPABILITY_SET_POSITION_TARGET_GLOBAL_INT | MAV_PROTOCOL_CAPABILITY_MAVLINK2
+        | 2; // 2: parameters as floats, under a name that changed over the years
     out.flight_sw_version = 4u << 24 | 5u << 16 | 7u << 8 | FIRMWARE_VERSION_TYPE_OFFICIAL; // behaves like ArduCopter 4.5.7
     constexpr char kMark[] = "skyseal";
     std::copy_n(kMark, out.flight_custom_version.size(), out.flight_custom_version.begin());
@@ -330,8 +328,8 @@ void Telemetry::sendText(const StatusText &text)
     // A chunk that is not full ends the text: one that ends exactly at a border is followed by an empty one.
     const std::size_t last = chunked ? text.text.size() / kTextChunk : 0;
     for (std::size_t chunk = 0; chunk <= last && chunk < 256; ++chunk) {
-        const std::string_view part =
-            std::string_view(text.text).substr(std::min(chunk * kTextChunk, text.text.size()), kTextChunk);
+        const std::string_view part = std::string_view(text.text).substr(std::min(chunk * kTextChunk, text.text.size()),
+                                                                         kTextChunk);
         out.text = {};
         std::copy(part.begin(), part.end(), out.text.begin());
         out.chunk_seq = static_cast<std::uint8_t>(chunk);

@@ -91,8 +91,8 @@ bool Telemetry::positionTarget()
     const GeoPoint there = place(*target);
     mavlink::PositionTargetGlobalInt out;
     out.time_boot_ms = bootMilliseconds();
-    out.coordinate_frame = 5;  // global, integers
-    out.type_mask = 0xfff8;    // only the position means something
+    out.coordinate_frame = 5; // global, integers
+    out.type_mask = 0xfff8;   // only the position means something
     out.lat_int = scaled<std::int32_t>(there.latitude, 1e7);
     out.lon_int = scaled<std::int32_t>(there.longitude, 1e7);
     out.alt = static_cast<float>(there.altitude);

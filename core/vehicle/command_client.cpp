@@ -131,9 +131,8 @@ void CommandClient::startWaiting(TimePoint now, std::uint16_t command, MessageQu
 
 bool CommandClient::isUnderWay(std::uint16_t command) const
 {
-    return std::any_of(m_pending.begin(), m_pending.end(), [command](const Pending &pending) {
-        return pending.order.command == command && pending.attempts > 0;
-    });
+    return std::any_of(m_pending.begin(), m_pending.end(),
+                       [command](const Pending &pending) { return pending.order.command == command && pending.attempts > 0; });
 }
 
 } // namespace skyseal::vehicle

@@ -45,7 +45,8 @@ class Planner
 {
 public:
     Planner(const VehicleState &state, const Addressing &addressing)
-        : m_state(state), m_addressing(addressing), m_kind{state.type, state.autopilot} {}
+        : m_state(state), m_addressing(addressing), m_kind{state.type, state.autopilot}
+    {}
 
     Plan operator()(const Arm &arm) const
     {

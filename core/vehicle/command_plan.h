@@ -14,10 +14,23 @@
 namespace skyseal::vehicle {
 
 /// What the vehicle itself reports when the wish came true.
-struct ArmedIs { bool armed = false; };
-struct ModeIs { std::uint32_t customMode = 0; std::string name; };
-struct MissionItemIs { std::uint16_t index = 0; };
-struct TargetIs { std::int32_t latitude = 0, longitude = 0; /* degrees × 1e7 */ };
+struct ArmedIs
+{
+    bool armed = false;
+};
+struct ModeIs
+{
+    std::uint32_t customMode = 0;
+    std::string name;
+};
+struct MissionItemIs
+{
+    std::uint16_t index = 0;
+};
+struct TargetIs
+{
+    std::int32_t latitude = 0, longitude = 0; /* degrees × 1e7 */
+};
 using Sign = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs>;
 
 /// A message that is repeated until the sign is seen.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint8_t kAccepted = 0, kUnsupported = 3, kInProgress = 5, kLongOnly = 7, kIntOnly = 8,
                        kNoSuchFrame = 9; // MAV_RESULT
-constexpr std::uint8_t kNotice = 5; // MAV_SEVERITY; what is chattier gives no reasons
+constexpr std::uint8_t kNotice = 5;      // MAV_SEVERITY; what is chattier gives no reasons
 constexpr std::size_t kLongestText = 300;
 
 bool isTrue(const Sign &sign, const VehicleState &state)
@@ -45,7 +45,8 @@ std::string whatItReports(const Sign &sign, const VehicleState &state)
 
 } // namespace
 
-void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, MessageQueue &outbox)
+void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state,
+                      MessageQueue &outbox)
 {
     auto plan = planCommand(command, state, m_addressing);
     Action action;
@@ -108,8 +109,8 @@ void Commander::handleText(TimePoint, std::uint8_t severity, const std::string &
 void Commander::handleHeartbeat(TimePoint, const VehicleState &state)
 {
     for (Action &action : m_actions) {
-        if (action.phase == Phase::Holding || !(std::holds_alternative<ArmedIs>(action.plan.sign)
-                                                || std::holds_alternative<ModeIs>(action.plan.sign)))
+        if (action.phase == Phase::Holding
+            || !(std::holds_alternative<ArmedIs>(action.plan.sign) || std::holds_alternative<ModeIs>(action.plan.sign)))
             continue;
         const bool acknowledged = action.phase == Phase::Watching;
         action.heardSince = acknowledged;
@@ -130,7 +131,7 @@ void Commander::handlePositionTarget(std::int32_t latitude, std::int32_t longitu
     constexpr std::int64_t kNear = 100; // 1e-7 degrees: a metre, since vehicles convert to metres and back
     seen<TargetIs>([&](const TargetIs &sign) {
         return std::abs(std::int64_t{sign.latitude} - latitude) <= kNear
-               && std::abs(std::int64_t{sign.longitude} - longitude) <= kNear;
+            && std::abs(std::int64_t{sign.longitude} - longitude) <= kNear;
     });
 }
 
@@ -217,16 +218,12 @@ void Commander::takeAnswers(TimePoint now, const VehicleState &state, MessageQue
             continue;
         action->ticket.reset();
         switch (answer->kind) {
-        case CommandAnswer::Kind::Answered:
-            answered(now, *action, answer->result, state, outbox);
-            break;
+        case CommandAnswer::Kind::Answered: answered(now, *action, answer->result, state, outbox); break;
         case CommandAnswer::Kind::TimedOut:
             nextWay(now, *action, CommandOutcome::TimedOut,
                     "no answer to " + std::to_string(CommandClient::kAttempts) + " attempts", outbox);
             break;
-        case CommandAnswer::Kind::Replaced:
-            finish(*action, CommandOutcome::Refused, "replaced by a newer command");
-            break;
+        case CommandAnswer::Kind::Replaced: finish(*action, CommandOutcome::Refused, "replaced by a newer command"); break;
         }
     }
     forgetDone();
@@ -245,8 +242,7 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, con
         action.deadline = now + kWatch;
         return;
     }
-    const bool otherWayMayHelp =
-        result == kUnsupported || result == kLongOnly || result == kIntOnly || result == kNoSuchFrame;
+    const bool otherWayMayHelp = result == kUnsupported || result == kLongOnly || result == kIntOnly || result == kNoSuchFrame;
     if (otherWayMayHelp && action.way + 1 < action.plan.ways.size()) {
         nextWay(now, action, CommandOutcome::Refused, {}, outbox);
     } else if (!action.words.empty()) {

@@ -57,9 +57,9 @@ private:
         std::optional<CommandTicket> ticket;
         TimePoint deadline = kNever;
         int repeats = 0;
-        bool trueBefore = false; ///< the sign was there before anything was sent, so alone it proves nothing
+        bool trueBefore = false;  ///< the sign was there before anything was sent, so alone it proves nothing
         bool mayAskAgain = false; ///< the acknowledgement may have been that of the wish which this one replaced
-        bool heardSince = false; ///< a heartbeat since the acknowledgement
+        bool heardSince = false;  ///< a heartbeat since the acknowledgement
         std::uint8_t result = 0;
         std::string words; ///< the vehicle's, since the wish began
         bool done = false;

@@ -55,7 +55,7 @@ void FirmwareInfo::handleVersion(std::uint32_t version, VehicleKind kind)
     if (version == 0)
         return;
     m_text += " " + std::to_string(version >> 24) + "." + std::to_string(version >> 16 & 0xff) + "."
-              + std::to_string(version >> 8 & 0xff) + suffix(static_cast<std::uint8_t>(version & 0xff));
+        + std::to_string(version >> 8 & 0xff) + suffix(static_cast<std::uint8_t>(version & 0xff));
 }
 
 void FirmwareInfo::handleDeadline(TimePoint now, MessageQueue &outbox)

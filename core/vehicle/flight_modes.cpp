@@ -38,8 +38,8 @@ constexpr Mode kSubmarineModes[] = {{0, "STABILIZE"}, {1, "ACRO"},         {2, "
                                     {4, "GUIDED"},    {7, "CIRCLE"},       {9, "SURFACE"},  {16, "POSHOLD"},
                                     {19, "MANUAL"},   {20, "MOTORDETECT"}, {21, "SURFTRAK"}};
 
-constexpr Mode kTrackerModes[] = {
-    {0, "MANUAL"}, {1, "STOP"}, {2, "SCAN"}, {3, "SERVO_TEST"}, {4, "GUIDED"}, {10, "AUTO"}, {16, "INITIALISING"}};
+constexpr Mode kTrackerModes[] = {{0, "MANUAL"}, {1, "STOP"},  {2, "SCAN"},         {3, "SERVO_TEST"},
+                                  {4, "GUIDED"}, {10, "AUTO"}, {16, "INITIALISING"}};
 
 /// PX4 packs the main mode into bits 16..23 and the sub mode into bits 24..31.
 constexpr std::uint32_t px4(std::uint32_t mainMode, std::uint32_t subMode = 0)
@@ -80,10 +80,16 @@ constexpr std::uint8_t kAutoEnabled = 4, kGuidedEnabled = 8, kStabilizeEnabled =
 bool VehicleKind::isCopter() const
 {
     switch (type) {
-    case 2: case 3: case 4: case 13: case 14: case 15: case 29: case 35: case 43:
-        return true; // quad, coaxial, helicopter, hexa, octo, tri, dodeca, deca, any other multirotor
-    default:
-        return false;
+    case 2:
+    case 3:
+    case 4:
+    case 13:
+    case 14:
+    case 15:
+    case 29:
+    case 35:
+    case 43: return true; // quad, coaxial, helicopter, hexa, octo, tri, dodeca, deca, any other multirotor
+    default: return false;
     }
 }
 

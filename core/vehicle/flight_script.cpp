@@ -120,8 +120,8 @@ StepResult parseParam(ScriptTokens &words)
 
 constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
     // Longer ones first, so that ">=" is not taken for ">".
-    {">=", Comparison::AtLeast}, {"<=", Comparison::AtMost}, {"==", Comparison::Equal}, {"!=", Comparison::NotEqual},
-    {">", Comparison::Greater}, {"<", Comparison::Less}};
+    {">=", Comparison::AtLeast},  {"<=", Comparison::AtMost}, {"==", Comparison::Equal},
+    {"!=", Comparison::NotEqual}, {">", Comparison::Greater}, {"<", Comparison::Less}};
 
 StepResult parseWait(ScriptTokens &words)
 {
@@ -169,11 +169,21 @@ StepResult parseWait(ScriptTokens &words)
     return Action(out);
 }
 
-constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {
-    {"mode", parseMode}, {"arm", parseArming<Arm>}, {"disarm", parseArming<Disarm>}, {"takeoff", parseTakeOff},
-    {"land", parsePlain<Land>}, {"rtl", parsePlain<ReturnToLaunch>}, {"goto", parseGoTo}, {"speed", parseSpeed},
-    {"wait", parseWait}, {"sleep", parseSleep}, {"param", parseParam}, {"item", parseItem},
-    {"start", parsePlain<StartMission>}, {"reboot", parsePlain<Reboot>}, {"command", parseRaw}};
+constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] = {{"mode", parseMode},
+                                                                                  {"arm", parseArming<Arm>},
+                                                                                  {"disarm", parseArming<Disarm>},
+                                                                                  {"takeoff", parseTakeOff},
+                                                                                  {"land", parsePlain<Land>},
+                                                                                  {"rtl", parsePlain<ReturnToLaunch>},
+                                                                                  {"goto", parseGoTo},
+                                                                                  {"speed", parseSpeed},
+                                                                                  {"wait", parseWait},
+                                                                                  {"sleep", parseSleep},
+                                                                                  {"param", parseParam},
+                                                                                  {"item", parseItem},
+                                                                                  {"start", parsePlain<StartMission>},
+                                                                                  {"reboot", parsePlain<Reboot>},
+                                                                                  {"command", parseRaw}};
 
 /// Takes "12:" off the front when it is there.
 Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &words)

@@ -31,8 +31,15 @@ struct WaitUntil
     bool fulfilledBy(const VehicleState &state) const;
 };
 
-struct Sleep { Duration time{}; };
-struct WriteParameter { std::string name; double value = 0; };
+struct Sleep
+{
+    Duration time{};
+};
+struct WriteParameter
+{
+    std::string name;
+    double value = 0;
+};
 
 struct FlightStep
 {

@@ -83,7 +83,7 @@ private:
     std::optional<CommandId> m_awaited;
     std::optional<ScriptOrder> m_order;
     std::deque<StepReport> m_reports;
-    bool m_answered = false;              ///< an answer came since the last advance()
+    bool m_answered = false;                ///< an answer came since the last advance()
     TimePoint m_settled = TimePoint::min(); ///< states are believed from here on
     bool m_failed = false;
 };

@@ -62,7 +62,7 @@ struct ActionText
     {
         const bool isText = wait.field->kind == StateField::Kind::Text;
         return "wait " + std::string(wait.field->name) + std::string(sign(wait.comparison))
-               + (isText ? wait.text : exact(wait.number)) + " " + exact(seconds(wait.timeout));
+            + (isText ? wait.text : exact(wait.number)) + " " + exact(seconds(wait.timeout));
     }
     std::string operator()(const Sleep &sleep) const { return "sleep " + exact(seconds(sleep.time)); }
     std::string operator()(const WriteParameter &write) const { return "param " + write.name + " " + exact(write.value); }

@@ -15,11 +15,11 @@ namespace skyseal::vehicle {
 /// One message without its frame.
 struct OutMessage
 {
-    std::uint32_t id = 0;  ///< MAVLink message id
+    std::uint32_t id = 0;                     ///< MAVLink message id
     std::uint8_t crcExtra = 0, minLength = 0; ///< of this message, for the frame
-    bool urgent = false;   ///< flush at once: commands, mission items, heartbeats
-    std::uint8_t size = 0; ///< bytes of the payload in use
-    std::array<std::uint8_t, 255> payload{}; ///< zeros behind `size`
+    bool urgent = false;                      ///< flush at once: commands, mission items, heartbeats
+    std::uint8_t size = 0;                    ///< bytes of the payload in use
+    std::array<std::uint8_t, 255> payload{};  ///< zeros behind `size`
 
     ByteView view() const { return {payload.data(), size}; }
 };

@@ -87,8 +87,7 @@ void MissionClient::handleItem(TimePoint now, const MissionItem &item, MessageQu
 void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &)
 {
     switch (m_phase) {
-    case Phase::Idle:
-        return;
+    case Phase::Idle: return;
     case Phase::Announcing:
         // An answer to an upload before this one, unless the vehicle refuses or there was nothing to send.
         if (result == kAccepted && !m_items.empty())
@@ -106,8 +105,7 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &
         if (result == kAccepted)
             return;
         break;
-    case Phase::Clearing:
-        break;
+    case Phase::Clearing: break;
     }
     finish(result == kAccepted, result == kAccepted ? std::string() : missionResultText(result));
 }

@@ -96,7 +96,7 @@ void ParameterClient::handleDeadline(TimePoint now, MessageQueue &outbox)
                                  false,
                                  m_received == 0 ? "the vehicle does not send its parameters"
                                                  : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected)
-                                                       + " parameters came"});
+                                         + " parameters came"});
         } else if (m_received == 0) {
             requestList(now, outbox);
         } else {
@@ -110,9 +110,9 @@ void ParameterClient::handleDeadline(TimePoint now, MessageQueue &outbox)
         } else if (front.seen) {
             finishWrite(now, {*front.seen, false, "the vehicle keeps " + shortNumber(front.seen->value, 6)}, outbox);
         } else {
-            finishWrite(now,
-                        {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts", true},
-                        outbox);
+            finishWrite(
+                now, {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts", true},
+                outbox);
         }
     }
 }

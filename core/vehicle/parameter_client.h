@@ -32,11 +32,11 @@ struct ParameterValue
 class ParameterClient
 {
 public:
-    static constexpr Duration kListTimeout = std::chrono::seconds(1);  ///< of silence, then gaps are asked for
+    static constexpr Duration kListTimeout = std::chrono::seconds(1); ///< of silence, then gaps are asked for
     static constexpr Duration kWriteTimeout = std::chrono::seconds(1);
-    static constexpr int kRounds = 10;         ///< without a single new parameter, then the reading is given up
+    static constexpr int kRounds = 10; ///< without a single new parameter, then the reading is given up
     static constexpr int kWriteAttempts = 5;
-    static constexpr std::size_t kBatch = 10;  ///< gaps asked for at a time, so that a slow radio keeps up
+    static constexpr std::size_t kBatch = 10; ///< gaps asked for at a time, so that a slow radio keeps up
 
     explicit ParameterClient(const Addressing &addressing) : m_addressing(addressing) {}
 

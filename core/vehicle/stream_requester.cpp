@@ -12,7 +12,7 @@ namespace {
 /// A group of ArduPilot's streams, with the messages by which one sees that it comes.
 struct Group
 {
-    std::uint8_t stream; ///< MAV_DATA_STREAM
+    std::uint8_t stream;           ///< MAV_DATA_STREAM
     double standard, lowBandwidth; ///< Hz, 0 = stop
     std::array<std::uint32_t, 3> witnesses;
 };
@@ -32,7 +32,7 @@ struct Single
 {
     std::uint32_t message;
     double standard, lowBandwidth; ///< Hz
-    bool inGroups; ///< ArduPilot sends it with a group
+    bool inGroups;                 ///< ArduPilot sends it with a group
 };
 
 constexpr std::array<Single, 8> kSingleMessages{{

@@ -30,7 +30,7 @@ bool isPlace(std::int32_t latitude, std::int32_t longitude)
 /// The flags of EKF_STATUS_REPORT and ESTIMATOR_STATUS, which agree in these bits.
 bool isEstimateGood(std::uint16_t flags)
 {
-    constexpr std::uint16_t kNeeded = 1 | 2 | 16 | 32; // attitude, horizontal velocity, absolute position, altitude
+    constexpr std::uint16_t kNeeded = 1 | 2 | 16 | 32;       // attitude, horizontal velocity, absolute position, altitude
     constexpr std::uint16_t kForbidden = 128 | 1024 | 32768; // constant position mode, not initialised, GPS glitching
     return (flags & kNeeded) == kNeeded && (flags & kForbidden) == 0;
 }
@@ -119,8 +119,8 @@ struct TelemetryReaders
     static void read(const mavlink::EkfStatusReport &m, Context &c)
     {
         c.state.ekfFlags = m.flags;
-        const bool consistent =
-            std::max({m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance}) < 1;
+        const bool consistent = std::max({m.velocity_variance, m.pos_horiz_variance, m.pos_vert_variance, m.compass_variance})
+            < 1;
         c.state.ekfOk = isEstimateGood(m.flags) && consistent;
     }
 
@@ -204,11 +204,10 @@ template<typename... Messages> constexpr auto makeTable()
     return table;
 }
 
-constexpr auto kReaders =
-    makeTable<mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
-              mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration,
-              mavlink::MissionCurrent, mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::PositionTargetGlobalInt,
-              mavlink::HighLatency2>();
+constexpr auto kReaders = makeTable<
+    mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
+    mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration, mavlink::MissionCurrent,
+    mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::PositionTargetGlobalInt, mavlink::HighLatency2>();
 
 } // namespace
 

@@ -15,11 +15,14 @@ namespace skyseal::vehicle {
 struct TelemetryNews
 {
     bool positionChanged = false;
-    std::optional<Position> home;               ///< HOME_POSITION
-    std::optional<LandedState> landed;          ///< EXTENDED_SYS_STATE
+    std::optional<Position> home;                ///< HOME_POSITION
+    std::optional<LandedState> landed;           ///< EXTENDED_SYS_STATE
     std::optional<std::uint16_t> missionCurrent; ///< MISSION_CURRENT
-    struct Target { std::int32_t latitude = 0, longitude = 0; };
-    std::optional<Target> target;               ///< POSITION_TARGET_GLOBAL_INT, degrees × 1e7
+    struct Target
+    {
+        std::int32_t latitude = 0, longitude = 0;
+    };
+    std::optional<Target> target; ///< POSITION_TARGET_GLOBAL_INT, degrees × 1e7
 };
 
 class Telemetry

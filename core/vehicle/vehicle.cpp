@@ -8,8 +8,7 @@ namespace skyseal::vehicle {
 
 Vehicle::Vehicle(const VehicleConfig &config, std::uint8_t systemId, std::uint8_t component)
     : m_parts(std::make_unique<Parts>(config, Addressing{config.ownSystemId, config.ownComponentId, systemId, component}))
-{
-}
+{}
 
 Vehicle::~Vehicle() = default;
 Vehicle::Vehicle(Vehicle &&) noexcept = default;

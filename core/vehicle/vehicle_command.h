@@ -9,19 +9,48 @@
 
 namespace skyseal::vehicle {
 
-struct Arm { bool force = false; };
-struct Disarm { bool force = false; };
-struct TakeOff { double altitude = 10; }; ///< metres above home
-struct Land {};
-struct ReturnToLaunch {};
-struct SetMode { std::string mode; };
-struct GoTo { double latitude = 0, longitude = 0, altitudeRelative = 0; };
-struct ChangeSpeed { double metresPerSecond = 0; };
-struct SetCurrentMissionItem { std::uint16_t index = 0; };
-struct StartMission {};
-struct Reboot {};
+struct Arm
+{
+    bool force = false;
+};
+struct Disarm
+{
+    bool force = false;
+};
+struct TakeOff
+{
+    double altitude = 10;
+}; ///< metres above home
+struct Land
+{};
+struct ReturnToLaunch
+{};
+struct SetMode
+{
+    std::string mode;
+};
+struct GoTo
+{
+    double latitude = 0, longitude = 0, altitudeRelative = 0;
+};
+struct ChangeSpeed
+{
+    double metresPerSecond = 0;
+};
+struct SetCurrentMissionItem
+{
+    std::uint16_t index = 0;
+};
+struct StartMission
+{};
+struct Reboot
+{};
 /// Any other command, by number, for the inspector and for scripts.
-struct RawCommand { std::uint16_t command = 0; float parameters[7]{}; };
+struct RawCommand
+{
+    std::uint16_t command = 0;
+    float parameters[7]{};
+};
 
 using VehicleCommand = std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeSpeed,
                                     SetCurrentMissionItem, StartMission, Reboot, RawCommand>;

@@ -9,18 +9,25 @@ namespace {
 constexpr std::uint8_t kArmedFlag = 128; // MAV_MODE_FLAG_SAFETY_ARMED
 constexpr std::uint16_t kSetMessageInterval = 511;
 constexpr std::uint64_t kCapabilityMissionInt = 4, kCapabilityBytewise = 16; // MAV_PROTOCOL_CAPABILITY
-constexpr std::uint8_t kFlightPlan = 0; // MAV_MISSION_TYPE_MISSION
+constexpr std::uint8_t kFlightPlan = 0;                                      // MAV_MISSION_TYPE_MISSION
 
 MissionItem toItem(const mavlink::MissionItemInt &m)
 {
-    return {m.seq, m.command, m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
+    return {m.seq,      m.command,  m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
             m.x * 1e-7, m.y * 1e-7, m.z};
 }
 
 MissionItem toItem(const mavlink::MissionItem &m)
 {
-    return {m.seq, m.command, m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
-            static_cast<double>(m.x), static_cast<double>(m.y), m.z};
+    return {m.seq,
+            m.command,
+            m.frame,
+            m.current != 0,
+            m.autocontinue != 0,
+            {m.param1, m.param2, m.param3, m.param4},
+            static_cast<double>(m.x),
+            static_cast<double>(m.y),
+            m.z};
 }
 
 } // namespace
@@ -56,12 +63,8 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
 bool Vehicle::Parts::handleConversation(TimePoint now, const mavlink::Frame &frame)
 {
     switch (frame.messageId()) {
-    case mavlink::Heartbeat::kId:
-        handleHeartbeat(now, frame);
-        return true;
-    case mavlink::CommandAck::kId:
-        handleAck(now, frame);
-        return true;
+    case mavlink::Heartbeat::kId: handleHeartbeat(now, frame); return true;
+    case mavlink::CommandAck::kId: handleAck(now, frame); return true;
     case mavlink::Timesync::kId: {
         const auto m = unpack<mavlink::Timesync>(frame);
         timeSync.handleTimeSync(now, m.tc1, m.ts1, m.target_system, m.target_component, outbox);
@@ -70,22 +73,15 @@ bool Vehicle::Parts::handleConversation(TimePoint now, const mavlink::Frame &fra
         state.tripSeconds = timeSync.tripSeconds();
         return true;
     }
-    case mavlink::AutopilotVersion::kId:
-        handleVersion(frame);
-        return true;
-    case mavlink::ParamValue::kId:
-        handleParameter(now, frame);
-        return true;
+    case mavlink::AutopilotVersion::kId: handleVersion(frame); return true;
+    case mavlink::ParamValue::kId: handleParameter(now, frame); return true;
     case mavlink::MissionCount::kId:
     case mavlink::MissionRequest::kId:
     case mavlink::MissionRequestInt::kId:
     case mavlink::MissionItem::kId:
     case mavlink::MissionItemInt::kId:
-    case mavlink::MissionAck::kId:
-        handleMission(now, frame);
-        return true;
-    default:
-        return false;
+    case mavlink::MissionAck::kId: handleMission(now, frame); return true;
+    default: return false;
     }
 }
 
@@ -171,8 +167,7 @@ void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
     };
     switch (frame.messageId()) {
     case mavlink::MissionCount::kId:
-        return route(unpack<mavlink::MissionCount>(frame),
-                     [&](const auto &m) { mission.handleCount(now, m.count, outbox); });
+        return route(unpack<mavlink::MissionCount>(frame), [&](const auto &m) { mission.handleCount(now, m.count, outbox); });
     case mavlink::MissionRequest::kId:
         return route(unpack<mavlink::MissionRequest>(frame),
                      [&](const auto &m) { mission.handleRequest(now, m.seq, false, outbox); });
@@ -180,13 +175,11 @@ void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
         return route(unpack<mavlink::MissionRequestInt>(frame),
                      [&](const auto &m) { mission.handleRequest(now, m.seq, true, outbox); });
     case mavlink::MissionItem::kId:
-        return route(unpack<mavlink::MissionItem>(frame),
-                     [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
+        return route(unpack<mavlink::MissionItem>(frame), [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
     case mavlink::MissionItemInt::kId:
         return route(unpack<mavlink::MissionItemInt>(frame),
                      [&](const auto &m) { mission.handleItem(now, toItem(m), outbox); });
-    default:
-        return route(unpack<mavlink::MissionAck>(frame), [&](const auto &m) { mission.handleAck(now, m.type, outbox); });
+    default: return route(unpack<mavlink::MissionAck>(frame), [&](const auto &m) { mission.handleAck(now, m.type, outbox); });
     }
 }
 

@@ -33,7 +33,7 @@ struct Vehicle::Parts
     std::deque<StatusText> texts;  ///< the last ones, for the state
     std::deque<StatusText> unread; ///< for pollText()
     std::uint64_t lastTextNumber = 0;
-    WallTime lastWall{};           ///< of the last frame, for texts that a time-out completes
+    WallTime lastWall{}; ///< of the last frame, for texts that a time-out completes
     MessageQueue outbox;
     Telemetry telemetry;
     HeartbeatMonitor monitor;

@@ -26,7 +26,7 @@ struct Position
 /// One line of the vehicle's own words, long ones joined.
 struct StatusText
 {
-    std::uint64_t number = 0; ///< rises by one per vehicle, so that a reader sees which are new
+    std::uint64_t number = 0;  ///< rises by one per vehicle, so that a reader sees which are new
     std::uint8_t severity = 6; ///< MAV_SEVERITY: 0 emergency … 7 debug
     std::string text;
     WallTime time{};
@@ -48,13 +48,13 @@ struct VehicleState
     std::uint8_t type = 0;      ///< MAV_TYPE
     std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
     std::string mode;           ///< as ArduPilot or PX4 name it, "MODE(17)" when not known
-    std::uint8_t baseMode = 0; ///< MAV_MODE_FLAG
+    std::uint8_t baseMode = 0;  ///< MAV_MODE_FLAG
     std::uint32_t customMode = 0;
     std::vector<std::string> modes; ///< that can be asked for
     std::uint8_t systemStatus = 0;  ///< MAV_STATE
     bool armed = false;
 
-    double roll = kUnknown, pitch = kUnknown, yaw = kUnknown; ///< radians
+    double roll = kUnknown, pitch = kUnknown, yaw = kUnknown;                ///< radians
     double rollSpeed = kUnknown, pitchSpeed = kUnknown, yawSpeed = kUnknown; ///< radians a second
     Position position;
     Position home;
@@ -62,8 +62,8 @@ struct VehicleState
     double groundSpeed = kUnknown;      ///< metres a second
     double airSpeed = kUnknown;
     double climb = kUnknown;
-    double heading = kUnknown; ///< degrees, 0..360
-    double throttle = kUnknown; ///< percent
+    double heading = kUnknown;      ///< degrees, 0..360
+    double throttle = kUnknown;     ///< percent
     double distanceHome = kUnknown; ///< metres
     double flightTime = 0;          ///< seconds armed and off the ground, of this flight
 
@@ -75,7 +75,7 @@ struct VehicleState
     double hdop = kUnknown;
     std::optional<bool> ekfOk;
     std::uint16_t ekfFlags = 0;
-    double cpuLoad = kUnknown; ///< the autopilot's, percent
+    double cpuLoad = kUnknown;   ///< the autopilot's, percent
     double vibration = kUnknown; ///< m/s², the worst axis
     int missionCurrent = -1;
     double latency = kUnknown; ///< seconds there and back by TIMESYNC, smoothed
@@ -85,12 +85,12 @@ struct VehicleState
     std::string firmware; ///< "ArduCopter 4.5.7"; empty until known
     std::uint64_t capabilities = 0;
     TimePoint lastHeartbeat{};
-    TimePoint lastMessage{}; ///< any message of the vehicle but RADIO_STATUS
+    TimePoint lastMessage{};        ///< any message of the vehicle but RADIO_STATUS
     double heartbeatAge = kUnknown; ///< seconds
     double messageAge = kUnknown;   ///< seconds; values older than 3.5 are stale
-    bool lost = false; ///< no message for 3.5 s
+    bool lost = false;              ///< no message for 3.5 s
     SequenceCounters sequence;      ///< all components
-    std::vector<StatusText> texts; ///< the last 200
+    std::vector<StatusText> texts;  ///< the last 200
 };
 
 } // namespace skyseal::vehicle

@@ -92,7 +92,8 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --secure off --suite chacha20", "--secure required");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --suite rc4", "--allow-research");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --switch-to none", "plain");
-    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --identity k --peers p --suite aes-256-cbc --weakest-suite aes-256-gcm",
+    row("skyseal-cli",
+        "monitor --link udpin:127.0.0.1:0 --identity k --peers p --suite aes-256-cbc --weakest-suite aes-256-gcm",
         "--weakest-suite");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing inline", "inline");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --do dance", "dance");
@@ -134,15 +135,15 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "selftest now", "now");
     row("skyseal-air", "", "--vehicle");
     const QByteArray agent("--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --");
-    for (const char *option :
-         {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
+    for (const char *option : {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
         row("skyseal-air", (agent + option).constData(), "goes with --pair");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p", "udpout");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
-    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4",
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4", "secure");
+    row("skyseal-air",
+        "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites chacha20 "
+        "--weakest-suite aes-256-gcm",
         "secure");
-    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites chacha20 "
-                       "--weakest-suite aes-256-gcm", "secure");
 }
 
 void CommandLineTest::usageErrors()

@@ -31,7 +31,8 @@ private:
     {
         return runProgram("skyseal-cli", QStringList{QStringLiteral("keys")} + arguments, input);
     }
-    QString write(const char *name, const QByteArray &content, QFile::Permissions mode = QFile::ReadOwner | QFile::WriteOwner) const
+    QString write(const char *name, const QByteArray &content,
+                  QFile::Permissions mode = QFile::ReadOwner | QFile::WriteOwner) const
     {
         QFile file(path(name));
         if (file.open(QIODevice::WriteOnly))
@@ -46,13 +47,17 @@ private:
     }
     RunResult newSealed(const char *name, const QByteArray &passphrase) const
     {
-        return keys({QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--new-passphrase-fd"), QStringLiteral("0")}, passphrase + '\n');
+        return keys({QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--new-passphrase-fd"),
+                     QStringLiteral("0")},
+                    passphrase + '\n');
     }
     /// Whether the passphrase opens the file, by changing it to itself.
     int opens(const char *name, const QByteArray &passphrase) const
     {
         const QString file = write("try.pass", passphrase);
-        return keys({QStringLiteral("passphrase"), path(name), QStringLiteral("--passphrase-file"), file, QStringLiteral("--new-passphrase-file"), file}).status;
+        return keys({QStringLiteral("passphrase"), path(name), QStringLiteral("--passphrase-file"), file,
+                     QStringLiteral("--new-passphrase-file"), file})
+            .status;
     }
 
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -60,7 +65,9 @@ private:
 
 void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
 {
-    Terminal made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")});
+    Terminal made(QStringLiteral("skyseal-cli"),
+                  {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"),
+                   QStringLiteral("--passphrase")});
     QVERIFY2(made.waitForText("New passphrase of "), made.errors().constData());
     made.type("swordfish\n");
     QVERIFY(made.waitForText("The same again: "));
@@ -70,7 +77,8 @@ void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
     QVERIFY(read("a.key").startsWith("skyseal-sealed-key-v1\n"));
 
     // Wrong twice, right at the third attempt; into another file, without a passphrase there.
-    Terminal opened(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")});
+    Terminal opened(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("keys"), QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")});
     QVERIFY(opened.waitForText("Passphrase of "));
     opened.type("sworfish\n");
     QVERIFY(opened.waitForText("Once more: "));
@@ -84,7 +92,8 @@ void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
 
 void KeyPassphraseTest::interruptedAndMistyped()
 {
-    const QStringList make{QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")};
+    const QStringList make{QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path("a.key"),
+                           QStringLiteral("--passphrase")};
     {
         Terminal interrupted(QStringLiteral("skyseal-cli"), make);
         QVERIFY(interrupted.waitForText("New passphrase of "));
@@ -108,7 +117,10 @@ void KeyPassphraseTest::interruptedAndMistyped()
 void KeyPassphraseTest::readFromAFile()
 {
     const QString words = write("words", "correct horse\nthe second line is nobody's business\n");
-    QCOMPARE(keys({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--new-passphrase-file"), words}).status, 0);
+    QCOMPARE(
+        keys({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--new-passphrase-file"), words})
+            .status,
+        0);
     QCOMPARE(opens("a.key", "correct horse\r\n"), 0);
     QCOMPARE(opens("a.key", "correct horse "), 3);
 }
@@ -128,7 +140,8 @@ void KeyPassphraseTest::passphraseFileIsChecked()
 {
     QCOMPARE(newSealed("a.key", "x").status, 0);
     const auto open = [this](const QString &file) {
-        return keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--remove"), QStringLiteral("--passphrase-file"), file});
+        return keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--remove"),
+                     QStringLiteral("--passphrase-file"), file});
     };
     const RunResult readable = open(write("readable", "x", QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther));
     QCOMPARE(readable.status, 3);
@@ -137,16 +150,23 @@ void KeyPassphraseTest::passphraseFileIsChecked()
     const RunResult wrong = open(write("wrong", "y"));
     QCOMPARE(wrong.status, 3);
     QVERIFY2(wrong.err.contains("does not open it"), wrong.err.constData());
-    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), path("readable"), QStringLiteral("--passphrase-fd"), QStringLiteral("0")}).status, 2);
+    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), path("readable"),
+                   QStringLiteral("--passphrase-fd"), QStringLiteral("0")})
+                 .status,
+             2);
     QVERIFY(read("a.key").startsWith("skyseal-sealed-key-v1\n"));
 }
 
 void KeyPassphraseTest::withoutATerminalTheOptionIsNamed()
 {
     const auto alone = [](const QStringList &arguments) { // without the terminal of whoever runs the tests
-        return runToItsEnd(QStringLiteral("setsid"), QStringList{QStringLiteral("-w"), QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"), QStringLiteral("keys")} + arguments);
+        return runToItsEnd(
+            QStringLiteral("setsid"),
+            QStringList{QStringLiteral("-w"), QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"), QStringLiteral("keys")}
+                + arguments);
     };
-    const RunResult made = alone({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")});
+    const RunResult made = alone(
+        {QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--passphrase")});
     QCOMPARE(made.status, 3);
     QVERIFY2(made.err.contains("use --new-passphrase-file or --new-passphrase-fd"), made.err.constData());
     QCOMPARE(newSealed("a.key", "x").status, 0);
@@ -162,12 +182,19 @@ void KeyPassphraseTest::changedAndRemoved()
     const QByteArray shownPlain = keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out;
     const QString words = write("words", "first"), others = write("others", "second");
     QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--new-passphrase-file"), words}).status, 0);
-    QByteArray shownSealed = keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out; // without a passphrase
+    QByteArray shownSealed =
+        keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--json")}).out; // without a passphrase
     QVERIFY2(shownSealed.contains("\"sealed\":true") && shownPlain.contains("\"sealed\":false"), shownSealed.constData());
     QCOMPARE(shownSealed.replace("\"sealed\":true", "\"sealed\":false"), shownPlain);
-    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), words, QStringLiteral("--new-passphrase-file"), others}).status, 0);
+    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), words,
+                   QStringLiteral("--new-passphrase-file"), others})
+                 .status,
+             0);
     QCOMPARE(opens("a.key", "first"), 3);
-    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), others, QStringLiteral("--remove")}).status, 0);
+    QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), others,
+                   QStringLiteral("--remove")})
+                 .status,
+             0);
     QCOMPARE(read("a.key"), plain);
 }
 
@@ -178,8 +205,9 @@ void KeyPassphraseTest::agentAndMonitorOpenIt()
     const QString right = write("right", "open sesame"), wrong = write("wrong", "open, sesame");
     const auto agent = [this](const QStringList &more) {
         return runProgram("skyseal-air",
-                          QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:1"), QStringLiteral("--ground"),
-                                      QStringLiteral("udpout:nowhere.invalid:1"), QStringLiteral("--identity"), path("a.key"), QStringLiteral("--peers"), path("peers")}
+                          QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:1"),
+                                      QStringLiteral("--ground"), QStringLiteral("udpout:nowhere.invalid:1"),
+                                      QStringLiteral("--identity"), path("a.key"), QStringLiteral("--peers"), path("peers")}
                               + more);
     };
     const RunResult none = agent({QStringLiteral("--passphrase-file"), wrong});
@@ -190,9 +218,11 @@ void KeyPassphraseTest::agentAndMonitorOpenIt()
     QVERIFY2(!opened.err.contains("a.key"), opened.err.constData());
 
     const auto monitor = [this](const QString &words) {
-        return runProgram("skyseal-cli", {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"), path("a.key"),
-                                          QStringLiteral("--peers"), path("peers"), QStringLiteral("--duration"), QStringLiteral("0.1"), QStringLiteral("--no-record"),
-                                          QStringLiteral("--passphrase-file"), words});
+        return runProgram("skyseal-cli",
+                          {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"),
+                           QStringLiteral("--identity"), path("a.key"), QStringLiteral("--peers"), path("peers"),
+                           QStringLiteral("--duration"), QStringLiteral("0.1"), QStringLiteral("--no-record"),
+                           QStringLiteral("--passphrase-file"), words});
     };
     QCOMPARE(monitor(wrong).status, 3);
     QCOMPARE(monitor(right).status, 1); // no session came up, as nobody is there
@@ -203,18 +233,23 @@ void KeyPassphraseTest::noKeyByteAndNoPassphraseInTheOutput()
     QList<QByteArray> outputs;
     const auto note = [&outputs](const RunResult &result) { outputs << result.out << result.err; };
     const QString words = write("words", "swordfish"), others = write("others", "sawfish");
-    note(keys({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--new-passphrase-file"), words, QStringLiteral("--json")}));
+    note(keys({QStringLiteral("new"), QStringLiteral("--out"), path("a.key"), QStringLiteral("--new-passphrase-file"), words,
+               QStringLiteral("--json")}));
     const QByteArray sealed = read("a.key").trimmed().split('\n').back();
-    for (const QStringList &arguments : {QStringList{QStringLiteral("show"), path("a.key")}, {QStringLiteral("export"), path("a.key")},
-                                         {QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), others, QStringLiteral("--remove")},
-                                         {QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), words, QStringLiteral("--remove")}})
+    for (const QStringList &arguments : {QStringList{QStringLiteral("show"), path("a.key")},
+                                         {QStringLiteral("export"), path("a.key")},
+                                         {QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"),
+                                          others, QStringLiteral("--remove")},
+                                         {QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"),
+                                          words, QStringLiteral("--remove")}})
         note(keys(arguments));
     const QByteArray plain = read("a.key").trimmed().split('\n').back();
     QCOMPARE(plain.size(), 48);
     note(keys({QStringLiteral("show"), path("a.key"), QStringLiteral("--qr")}));
     note(keys({QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")}));
     for (const QByteArray &output : outputs) {
-        for (const QByteArray &secret : {sealed.left(8), plain.left(8), plain.right(8), QByteArray("swordfish"), QByteArray("sawfish")})
+        for (const QByteArray &secret :
+             {sealed.left(8), plain.left(8), plain.right(8), QByteArray("swordfish"), QByteArray("sawfish")})
             QVERIFY2(!output.contains(secret), output.constData());
     }
 }

@@ -93,8 +93,8 @@ void KeysCommandTest::peersAreAddedListedRemoved()
 {
     QCOMPARE(newKey("a.key").status, 0);
     const QJsonObject key = shown("a.key");
-    QCOMPARE(addPeer(key[QLatin1String("public")].toString(), {QStringLiteral("--role"), QStringLiteral("observer"),
-                                                               QStringLiteral("--sysids"), QStringLiteral("1,7")})
+    QCOMPARE(addPeer(key[QLatin1String("public")].toString(),
+                     {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"), QStringLiteral("1,7")})
                  .status,
              0);
     const QJsonObject listed = QJsonDocument::fromJson(peers("list", {QStringLiteral("--json")}).out).object();
@@ -137,7 +137,10 @@ void KeysCommandTest::replacedKeyKeepsWhatWasNoted()
 {
     QCOMPARE(newKey("a.key").status, 0);
     QCOMPARE(newKey("b.key").status, 0);
-    QCOMPARE(addPeer(publicKeyOf("a.key"), {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"), QStringLiteral("7")}).status, 0);
+    QCOMPARE(addPeer(publicKeyOf("a.key"),
+                     {QStringLiteral("--role"), QStringLiteral("observer"), QStringLiteral("--sysids"), QStringLiteral("7")})
+                 .status,
+             0);
     QCOMPARE(addPeer(publicKeyOf("b.key"), {QStringLiteral("--replace")}).status, 0);
     const QJsonObject peer = listed();
     QCOMPARE(peer[QLatin1String("public")].toString(), publicKeyOf("b.key"));
@@ -156,7 +159,8 @@ void KeysCommandTest::peersAreRenamedAndGivenAnotherRole()
     const RunResult unknown = peers("rename", {QStringLiteral("nobody"), QStringLiteral("scout-2")});
     QCOMPARE(unknown.status, 1);
     QVERIFY2(unknown.err.contains("there is no peer named \"nobody\""), unknown.err.constData());
-    QVERIFY(peers("role", {QStringLiteral("nobody"), QStringLiteral("pilot")}).err.contains("there is no peer named \"nobody\""));
+    QVERIFY(
+        peers("role", {QStringLiteral("nobody"), QStringLiteral("pilot")}).err.contains("there is no peer named \"nobody\""));
     QCOMPARE(peers("rename", {QStringLiteral("scout-1"), QStringLiteral("scout-2")}).status, 0);
     QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("captain")}).status, 2);
     QCOMPARE(peers("role", {QStringLiteral("scout-2"), QStringLiteral("observer")}).status, 0);
@@ -176,8 +180,8 @@ void KeysCommandTest::publicKeyTravelsInAFile()
     QCOMPARE(keys({QStringLiteral("export"), path("a.key"), QStringLiteral("--out"), path("a.pub")}).status, 0);
     QCOMPARE(keys({QStringLiteral("export"), path("a.key"), QStringLiteral("--out"), path("a.pub")}).status, 3);
     QCOMPARE(keys({QStringLiteral("export"), path("a.key")}).out.trimmed(), publicKeyOf("a.key").toUtf8());
-    const QStringList add{QStringLiteral("peers"), QStringLiteral("add"), QStringLiteral("--peers"), path("peers"), QStringLiteral("--name"),
-                          QStringLiteral("scout-1"), QStringLiteral("--from")};
+    const QStringList add{QStringLiteral("peers"),  QStringLiteral("add"),     QStringLiteral("--peers"), path("peers"),
+                          QStringLiteral("--name"), QStringLiteral("scout-1"), QStringLiteral("--from")};
     QCOMPARE(keys(add + QStringList{path("nowhere")}).status, 3);
     QCOMPARE(keys(add + QStringList{path("a.key")}).status, 2); // the private one is no public key
     QCOMPARE(keys(add + QStringList{path("a.pub")}).status, 0);
@@ -194,7 +198,9 @@ void KeysCommandTest::privateKeyIsImported()
     QFile file(path("a.key"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const RunResult piped = runProgram(
-        "skyseal-cli", {QStringLiteral("keys"), QStringLiteral("import"), QStringLiteral("-"), QStringLiteral("--out"), path("c.key")}, file.readAll());
+        "skyseal-cli",
+        {QStringLiteral("keys"), QStringLiteral("import"), QStringLiteral("-"), QStringLiteral("--out"), path("c.key")},
+        file.readAll());
     QVERIFY2(piped.status == 0, piped.err.constData());
     QCOMPARE(shown("c.key"), shown("a.key"));
     QCOMPARE(keys({QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("c.key")}).status, 3);
@@ -230,7 +236,8 @@ void KeysCommandTest::missingFilesSayWhatMakesThem()
     const RunResult list = peers("list", {});
     QCOMPARE(list.status, 3);
     QVERIFY2(list.err.contains("peers: does not exist; keys pair and keys peers add make it"), list.err.constData());
-    const RunResult from = peers("add", {QStringLiteral("--name"), QStringLiteral("scout-1"), QStringLiteral("--from"), path("none.pub")});
+    const RunResult from = peers(
+        "add", {QStringLiteral("--name"), QStringLiteral("scout-1"), QStringLiteral("--from"), path("none.pub")});
     QCOMPARE(from.status, 3);
     QVERIFY2(from.err.contains("none.pub"), from.err.constData());
 }
@@ -238,15 +245,16 @@ void KeysCommandTest::missingFilesSayWhatMakesThem()
 void KeysCommandTest::pairingNeedsSomebodyToAnswer()
 {
     QCOMPARE(newKey("a.key").status, 0);
-    const RunResult ended = keys({QStringLiteral("pair"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--identity"),
-                                  path("a.key"), QStringLiteral("--peers"), path("peers")});
+    const RunResult ended = keys({QStringLiteral("pair"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"),
+                                  QStringLiteral("--identity"), path("a.key"), QStringLiteral("--peers"), path("peers")});
     QCOMPARE(ended.status, 1);
     QVERIFY2(ended.err.contains("skyseal-air --pair --identity FILE"), ended.err.constData()); // what to do at the other end
     QVERIFY2(ended.err.contains("standard input has ended") && ended.err.contains("--expect"), ended.err.constData());
     QVERIFY2(!ended.err.contains("cancelled"), ended.err.constData());
     const RunResult nobody = runProgram("skyseal-air", {QStringLiteral("--pair"), QStringLiteral("--identity"), path("a.key")});
     QCOMPARE(nobody.status, 3);
-    QVERIFY2(nobody.err.contains("no agent with this identity runs here") && !nobody.err.contains("QLocalSocket"), nobody.err.constData());
+    QVERIFY2(nobody.err.contains("no agent with this identity runs here") && !nobody.err.contains("QLocalSocket"),
+             nobody.err.constData());
 }
 
 void KeysCommandTest::noKeyByteInTheOutput()

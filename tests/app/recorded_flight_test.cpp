@@ -57,9 +57,9 @@ void RecordedFlightTest::initTestCase()
 {
     const QString port = QString::number(freePort());
     QProcess sim;
-    sim.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-sim"),
-              {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:") + port, QStringLiteral("--rate"),
-               QStringLiteral("5")});
+    sim.start(
+        QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-sim"),
+        {QStringLiteral("--link"), QStringLiteral("udpout:127.0.0.1:") + port, QStringLiteral("--rate"), QStringLiteral("5")});
     QVERIFY(sim.waitForStarted(10000));
     m_flight = runProgram(
         "skyseal-cli",
@@ -111,8 +111,8 @@ void RecordedFlightTest::statisticsHaveEveryField()
 
 void RecordedFlightTest::recordingIsSound()
 {
-    const RunResult verified =
-        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), m_log, QStringLiteral("--json")});
+    const RunResult verified = runProgram("skyseal-cli",
+                                          {QStringLiteral("log"), QStringLiteral("verify"), m_log, QStringLiteral("--json")});
     QCOMPARE(verified.status, 0);
     const auto received =
         eventsOf(m_flight.out, "summary").back()[QLatin1String("mavlink")][QLatin1String("frames")].toInteger();
@@ -126,8 +126,8 @@ void RecordedFlightTest::recordingIsSound()
     QCOMPARE(static_cast<quint8>(damaged[kFrame]), quint8(0xfd));
     const qsizetype checksum = kFrame + kHeader + static_cast<quint8>(damaged[kFrame + 1]);
     damaged[checksum] = static_cast<char>(damaged[checksum] ^ 0x55);
-    const RunResult refused =
-        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), QStringLiteral("-")}, damaged);
+    const RunResult refused = runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("verify"), QStringLiteral("-")},
+                                         damaged);
     QCOMPARE(refused.status, 1);
     QVERIFY(refused.out.contains("damaged"));
 }
@@ -148,10 +148,9 @@ void RecordedFlightTest::recordingDecodes()
 void RecordedFlightTest::recordingExports()
 {
     const QString table = m_folder.filePath(QStringLiteral("flight.csv"));
-    QCOMPARE(
-        runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("export"), m_log, QStringLiteral("--out"), table})
-            .status,
-        0);
+    QCOMPARE(runProgram("skyseal-cli", {QStringLiteral("log"), QStringLiteral("export"), m_log, QStringLiteral("--out"), table})
+                 .status,
+             0);
     QFile file(table);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArrayList lines = file.readAll().trimmed().split('\n');
@@ -172,11 +171,11 @@ void RecordedFlightTest::recordingExports()
 void RecordedFlightTest::recordingReplays()
 {
     // At its own pace, so only its beginning.
-    const RunResult replayed =
-        runProgram("skyseal-cli", {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("tlog:") + m_log,
-                                   QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--record"),
-                                   m_folder.filePath(QStringLiteral("again")), QStringLiteral("--json"),
-                                   QStringLiteral("--duration"), QStringLiteral("3")});
+    const RunResult replayed = runProgram("skyseal-cli",
+                                          {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("tlog:") + m_log,
+                                           QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--record"),
+                                           m_folder.filePath(QStringLiteral("again")), QStringLiteral("--json"),
+                                           QStringLiteral("--duration"), QStringLiteral("3")});
     QCOMPARE(replayed.status, 0);
     QCOMPARE(eventsOf(replayed.out, "vehicle").size(), std::size_t(1));
     QVERIFY(!QDir(m_folder.filePath(QStringLiteral("again"))).exists()

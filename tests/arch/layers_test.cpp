@@ -11,9 +11,10 @@ namespace {
 /// What each folder may include besides itself.
 const QHash<QString, QStringList> &allowed()
 {
-    static const QStringList kProtocol{QStringLiteral("base"), QStringLiteral("crypto"), QStringLiteral("noise"), QStringLiteral("keys"),
-                                       QStringLiteral("channel"), QStringLiteral("mavlink"), QStringLiteral("vehicle"), QStringLiteral("log"),
-                                       QStringLiteral("metrics"), QStringLiteral("sim"), QStringLiteral("impair")};
+    static const QStringList kProtocol{QStringLiteral("base"),    QStringLiteral("crypto"),  QStringLiteral("noise"),
+                                       QStringLiteral("keys"),    QStringLiteral("channel"), QStringLiteral("mavlink"),
+                                       QStringLiteral("vehicle"), QStringLiteral("log"),     QStringLiteral("metrics"),
+                                       QStringLiteral("sim"),     QStringLiteral("impair")};
     static const QHash<QString, QStringList> kAllowed{
         {QStringLiteral("base"), {}},
         {QStringLiteral("crypto"), {QStringLiteral("base")}},
@@ -45,8 +46,8 @@ QList<SourceFile> sources(const QStringList &folders)
 {
     QList<SourceFile> out;
     for (const QString &folder : folders) {
-        QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/") + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")}, QDir::Files,
-                          QDirIterator::Subdirectories);
+        QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/") + folder, {QStringLiteral("*.h"), QStringLiteral("*.cpp")},
+                          QDir::Files, QDirIterator::Subdirectories);
         while (walk.hasNext()) {
             QFile file(walk.next());
             if (file.open(QIODevice::ReadOnly))
@@ -108,7 +109,8 @@ void LayersTest::protocolHasNoQt()
 void LayersTest::secretsAreComparedInConstantTime()
 {
     static const QRegularExpression kCompare(QStringLiteral("(^|[^_a-z])memcmp\\("));
-    for (const SourceFile &file : sources({QStringLiteral("core/crypto"), QStringLiteral("core/noise"), QStringLiteral("core/channel"), QStringLiteral("core/keys")})) {
+    for (const SourceFile &file : sources({QStringLiteral("core/crypto"), QStringLiteral("core/noise"),
+                                           QStringLiteral("core/channel"), QStringLiteral("core/keys")})) {
         for (const QString &line : file.lines)
             QVERIFY2(!kCompare.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
     }

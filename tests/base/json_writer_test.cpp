@@ -57,8 +57,9 @@ void JsonWriterTest::bytesThatAreNoTextAreReplaced()
     json.value(std::string_view("\x80 \xc0\xaf \xed\xa0\x80 \xe2\x82 \xf4\x90\x80\x80 \xc3\xa9\xe2\x82\xac\xf0\x9f\x9a\x81"));
     const QString read = QJsonDocument::fromJson('[' + QByteArray::fromStdString(json.text()) + ']')[0].toString();
     const QChar no(0xfffd);
-    QCOMPARE(read, QString(no) + QLatin1Char(' ') + no + no + QLatin1Char(' ') + no + no + no + QLatin1Char(' ') + no
-                       + QLatin1Char(' ') + no + no + no + no + QString::fromUtf8(" é€🚁"));
+    QCOMPARE(read,
+             QString(no) + QLatin1Char(' ') + no + no + QLatin1Char(' ') + no + no + no + QLatin1Char(' ') + no
+                 + QLatin1Char(' ') + no + no + no + no + QString::fromUtf8(" é€🚁"));
 }
 
 void JsonWriterTest::anyBytesGiveUtf8()

@@ -72,8 +72,8 @@ struct OpenBench
 /// The table of ratios: bare and measured calls in turn, so that both meet the same machine.
 int printRatios()
 {
-    std::printf("%-18s %5s %9s %9s %9s %9s %9s %7s %7s\n", "suite", "bytes", "cipher ns", "bare seal", "seal ns",
-                "bare open", "open ns", "seal x", "open x");
+    std::printf("%-18s %5s %9s %9s %9s %9s %9s %7s %7s\n", "suite", "bytes", "cipher ns", "bare seal", "seal ns", "bare open",
+                "open ns", "seal x", "open x");
     bool ok = true;
     for (const SuiteInfo &info : suites()) {
         if (info.id == SuiteId::None || !suiteAvailable(info.id))
@@ -93,8 +93,8 @@ int printRatios()
                     cipher = std::min(cipher, nanoseconds([&](std::uint64_t) { cipherCall(size); }));
                 bareSealed = std::min(bareSealed, nanoseconds([&](std::uint64_t) { sealCall(size); }));
                 sealed = std::min(sealed, nanoseconds([&](std::uint64_t) {
-                    sealing->seal(counter++, associated, MutableByteView(text).first(size), text);
-                }));
+                                      sealing->seal(counter++, associated, MutableByteView(text).first(size), text);
+                                  }));
                 bareOpened = std::min(bareOpened, nanoseconds([&](std::uint64_t) { openCall(size); }));
                 opened = std::min(opened, nanoseconds(std::ref(opening)));
             }

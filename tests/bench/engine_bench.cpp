@@ -68,9 +68,8 @@ public:
             Bytes &out = m_signed.emplace_back(mavlink::kMaxFrameLength);
             const auto read = mavlink::readFrame(frame, mavlink::Dialect::builtin());
             const mavlink::MessageInfo &info = read->info();
-            const ByteView written =
-                mavlink::writeFrame(out, 2, read->sequence(), 1, 1, read->messageId(), info.crcExtra, info.minLength,
-                                    read->payload(), mavlink::kFlagSigned);
+            const ByteView written = mavlink::writeFrame(out, 2, read->sequence(), 1, 1, read->messageId(), info.crcExtra,
+                                                         info.minLength, read->payload(), mavlink::kFlagSigned);
             out.resize(written.size());
             signer.sign(out);
         }
@@ -89,8 +88,8 @@ public:
         CpuTimer cpu;
         cpu.time([&] {
             for (std::size_t i = 0; i < kFrames; ++i) {
-                const auto opened =
-                    m_ground.endpoint().handleDatagram(now, from, MutableByteView(m_records[i]).first(m_lengths[i]));
+                const auto opened = m_ground.endpoint().handleDatagram(now, from,
+                                                                       MutableByteView(m_records[i]).first(m_lengths[i]));
                 mavlink::FrameScanner scanner(opened->frames, mavlink::Dialect::builtin());
                 while (const auto item = scanner.next())
                     frames += item->frame.has_value();
@@ -201,10 +200,11 @@ int main(int argc, char **argv)
 
     for (const std::size_t burst : {std::size_t(1), std::size_t(8), kFrames}) {
         const std::string title = "forwarding, " + std::to_string(burst) + " frame(s) at a time";
-        compare(title.c_str(), {{"recvmmsg + sendmmsg, in clear", [&] { return bare.forward(burst); }},
-                                {"agent to ground, ChaCha20-Poly1305", [&] { return chacha.toGround(burst); }},
-                                {"agent to ground, AES-256-GCM", [&] { return gcm.toGround(burst); }},
-                                {"ground to vehicle, ChaCha20-Poly1305", [&] { return chacha.toVehicle(burst); }}});
+        compare(title.c_str(),
+                {{"recvmmsg + sendmmsg, in clear", [&] { return bare.forward(burst); }},
+                 {"agent to ground, ChaCha20-Poly1305", [&] { return chacha.toGround(burst); }},
+                 {"agent to ground, AES-256-GCM", [&] { return gcm.toGround(burst); }},
+                 {"ground to vehicle, ChaCha20-Poly1305", [&] { return chacha.toVehicle(burst); }}});
     }
     const std::uint64_t before = station.frames();
     const int rounds = 41;
@@ -217,8 +217,9 @@ int main(int argc, char **argv)
             {{"recvmmsg + library's open + parse", [&] { return bareGcm.receive(); }},
              {"receive + open + parse", [&] { return gcmReceiver.receive(); }}},
             rounds);
-    compare("from memory, ChaCha20-Poly1305", {{"parse and verify a signed frame", [&] { return memory.verify(); }},
-                                               {"open and parse a record of one frame", [&] { return memory.open(); }}});
+    compare("from memory, ChaCha20-Poly1305",
+            {{"parse and verify a signed frame", [&] { return memory.verify(); }},
+             {"open and parse a record of one frame", [&] { return memory.open(); }}});
     const std::uint64_t taken = station.frames() - before;
     if (taken != static_cast<std::uint64_t>(rounds) * kFrames) {
         std::fprintf(stderr, "the station took %llu frames only\n", static_cast<unsigned long long>(taken));

@@ -100,8 +100,7 @@ void sendBare(benchmark::State &state)
     BareSocket receiver;
     for (auto _ : state) {
         timeBurst(state, [&] { sender.send(receiver.port(), burst.views); });
-        while (receiver.receive() > 0) {
-        }
+        while (receiver.receive() > 0) {}
     }
 }
 
@@ -117,8 +116,7 @@ void sendLink(benchmark::State &state, bool portable)
                 link->send({}, datagram);
             link->flush();
         });
-        while (receiver.receive() > 0) {
-        }
+        while (receiver.receive() > 0) {}
     }
 }
 

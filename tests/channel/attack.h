@@ -88,16 +88,28 @@ inline std::size_t offerAll(Pair &pair, const std::vector<Flight> &flights)
     return taken;
 }
 
-inline std::uint32_t counterOf(ByteView record) { return record[3] | record[4] << 8u | record[5] << 16u; }
+inline std::uint32_t counterOf(ByteView record)
+{
+    return record[3] | record[4] << 8u | record[5] << 16u;
+}
 inline void setCounter(Bytes &record, std::uint32_t counter)
 {
     for (unsigned k = 0; k < 3; ++k)
         record[3 + k] = static_cast<std::uint8_t>(counter >> 8 * k);
 }
 
-inline ReceiveCounters received(const Pair::End &end) { return end.endpoint->stats(end.session())->rx; }
-inline std::uint64_t refused(const ReceiveCounters &c) { return c.forged + c.replayed + c.malformed; }
-inline std::uint64_t refusedInAll(const Pair::End &end) { return refused(received(end)) + refused(end.endpoint->unmatched()); }
+inline ReceiveCounters received(const Pair::End &end)
+{
+    return end.endpoint->stats(end.session())->rx;
+}
+inline std::uint64_t refused(const ReceiveCounters &c)
+{
+    return c.forged + c.replayed + c.malformed;
+}
+inline std::uint64_t refusedInAll(const Pair::End &end)
+{
+    return refused(received(end)) + refused(end.endpoint->unmatched());
+}
 
 /// The session of before still carries frames both ways.
 inline bool aliveAndExact(Pair &pair)
@@ -116,9 +128,9 @@ inline bool aliveAndExact(Pair &pair)
 
 } // namespace skyseal::test
 
-#define PAIR_UNDER_SUITE \
-    QFETCH(int, suite); \
-    auto pairOwner = pairUnder(static_cast<SuiteId>(suite)); \
-    Pair &pair = *pairOwner; \
-    QVERIFY(pair.bothUp()); \
+#define PAIR_UNDER_SUITE                                                                                                       \
+    QFETCH(int, suite);                                                                                                        \
+    auto pairOwner = pairUnder(static_cast<SuiteId>(suite));                                                                   \
+    Pair &pair = *pairOwner;                                                                                                   \
+    QVERIFY(pair.bothUp());                                                                                                    \
     QCOMPARE(static_cast<int>(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite), suite)

@@ -74,8 +74,7 @@ Bytes recordUnder(const RevealedSession &session, ConnectionId connection)
     Bytes record(frame.size() + kMaxRecordOverhead);
     header.write(record);
     const AssociatedData said(header, kSuite, Direction::FromInitiator, Carrier::Datagram);
-    record.resize(header.length()
-                  + writer->seal(0, said.view(), frame, MutableByteView(record).subspan(header.length())));
+    record.resize(header.length() + writer->seal(0, said.view(), frame, MutableByteView(record).subspan(header.length())));
     return record;
 }
 
@@ -214,8 +213,8 @@ void AttackHandshakeTest::revealedKeysOpenNothing()
     guesses.emplace_back(std::nullopt);
     guesses.emplace_back(Key32());
     for (const X25519KeyPair *own : {&station, &agent}) {
-        for (const ByteView key : {ByteView(first).subspan(1, 32), ByteView(answer).subspan(3, 32),
-                                   ByteView(station.publicKey), ByteView(agent.publicKey)}) {
+        for (const ByteView key : {ByteView(first).subspan(1, 32), ByteView(answer).subspan(3, 32), ByteView(station.publicKey),
+                                   ByteView(agent.publicKey)}) {
             crypto::PublicKey other{};
             std::copy(key.begin(), key.end(), other.begin());
             guesses.emplace_back(crypto::x25519(own->secret, other));

@@ -42,10 +42,10 @@ Bytes withRightChecksum(Bytes frame)
 
 } // namespace
 
-#define INLINE_PAIR \
-    QFETCH(int, suite); \
-    const auto owner = inlinePair(static_cast<SuiteId>(suite)); \
-    Pair &pair = *owner; \
+#define INLINE_PAIR                                                                                                            \
+    QFETCH(int, suite);                                                                                                        \
+    const auto owner = inlinePair(static_cast<SuiteId>(suite));                                                                \
+    Pair &pair = *owner;                                                                                                       \
     QVERIFY(pair.bothUp() && framingOf(pair.air()) == Framing::Inline)
 
 void AttackInlineTest::everyBitOfAFrame()

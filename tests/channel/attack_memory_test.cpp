@@ -47,8 +47,7 @@ void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
     const auto stations = ephemeralWith(e, stream), agents = ephemeralWith(re, stream);
     const auto shared = crypto::x25519(stations.secret, re);
     const auto &ends = pair.ends;
-    const auto session =
-        Reconstruction(*ends[Ground].identity, *ends[Air].identity, first, answer).withGuess(shared->clone());
+    const auto session = Reconstruction(*ends[Ground].identity, *ends[Air].identity, first, answer).withGuess(shared->clone());
     if (!session)
         qFatal("the handshake cannot be reconstructed");
     const auto write = [&](const char *name, ByteView secret, bool lives) {
@@ -195,8 +194,7 @@ void AttackMemoryTest::deadSecretsAreGone()
     HOLDS(early.isEmpty(), "the handshake's secrets are gone");
     const QByteArrayList living = found(secrets, true);
     for (const Secret &secret : secrets)
-        QVERIFY2(!secret.livesWithTheEpoch || living.contains(secret.name),
-                 "a key in use is not found: the search is blind");
+        QVERIFY2(!secret.livesWithTheEpoch || living.contains(secret.name), "a key in use is not found: the search is blind");
 
     pair.ground().endpoint->rekey(pair.now, pair.ground().session());
     QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));

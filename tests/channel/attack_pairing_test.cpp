@@ -138,8 +138,7 @@ void AttackPairingTest::passphraseMustBeTheSame()
             pair.run(20s, [&] { return pair.shown(); });
             QVERIFY(here != there || pair.shown());
             const bool seen = !pair.ground().all<PairingPeerSeen>().empty() || !pair.air().all<PairingPeerSeen>().empty();
-            HOLDS(here == there || !seen,
-                  "nobody is shown without the passphrase");
+            HOLDS(here == there || !seen, "nobody is shown without the passphrase");
             QCOMPARE(pair.ground().all<PairingPassphraseDiffers>().empty(), here == there);
             QCOMPARE(pair.air().all<PairingPassphraseDiffers>().empty(), here == there);
         }

@@ -275,12 +275,12 @@ void CarrierCodecTest::wrongPartsAreIgnored()
     QVERIFY(!reader.take(now, {}, {}));
     QVERIFY(!reader.take(now, {}, Bytes(kTunnelPayload + 1, 0x50)));
     for (const Bytes &wrong : {
-             changed(parts[0], 0x80, 100),           // not full, not the last
-             changed(parts[0], 0x82, 128),           // a third that is not the last
-             changed(parts[0], 0x83, 128),           // a fourth
-             changed(parts[0], 0x84, 128),           // the only one
+             changed(parts[0], 0x80, 100), // not full, not the last
+             changed(parts[0], 0x82, 128), // a third that is not the last
+             changed(parts[0], 0x83, 128), // a fourth
+             changed(parts[0], 0x84, 128), // the only one
              changed(parts[0], 0x88, 128), changed(parts[0], 0xc0, 128), changed(parts[0], 0x00, 128),
-             changed(parts[2], 0x86, kPartHead),     // nothing in it
+             changed(parts[2], 0x86, kPartHead), // nothing in it
          })
         QVERIFY(!reader.take(now, {}, wrong));
     QVERIFY(!reader.take(now, {}, parts[2]));

@@ -123,7 +123,7 @@ void CookieTest::limitIsShared()
         if (number % 5000 == 0)
             best += limit.admit(now, addressNumber(77777), Standing::Expected);
     }
-    QCOMPARE(best, 20); // Twice a second, and never refused.
+    QCOMPARE(best, 20);                                                         // Twice a second, and never refused.
     QVERIFY2(admitted[1] >= 20 * 20, qPrintable(QString::number(admitted[1]))); // Their full shares: two a second each.
     QVERIFY2(admitted[1] <= 20 * 25, qPrintable(QString::number(admitted[1])));
     QVERIFY(admitted[0] + admitted[1] + best <= 50 * 10 + 20);

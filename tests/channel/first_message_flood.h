@@ -27,10 +27,7 @@ inline Path addressNumber(std::uint32_t number)
 class Flood
 {
 public:
-    Flood(Pair &pair, std::uint32_t addresses)
-        : m_pair(pair), m_addresses(addresses), m_mac(pair.air().identity->publicKey)
-    {
-    }
+    Flood(Pair &pair, std::uint32_t addresses) : m_pair(pair), m_addresses(addresses), m_mac(pair.air().identity->publicKey) {}
 
     void sendOne()
     {

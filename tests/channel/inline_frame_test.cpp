@@ -56,7 +56,8 @@ Bytes seal(const Bytes &frame, const InlinePlace &place, crypto::InlineCipher &c
     return sealable->seal(place, cipher, out) ? out : Bytes();
 }
 
-std::optional<Bytes> open(Bytes frame, const InlinePlace &place, crypto::InlineCipher &cipher, const MessageTraits &facts = kFacts)
+std::optional<Bytes> open(Bytes frame, const InlinePlace &place, crypto::InlineCipher &cipher,
+                          const MessageTraits &facts = kFacts)
 {
     const auto read = InlineFrame::read(frame, facts);
     if (!read || read->epochByte() != place.epochByte || read->counter() != place.counter)
@@ -74,7 +75,8 @@ const mavlink::MessageInfo &anyMessage()
 Bytes anyPayload(std::size_t length)
 {
     return *rc::gen::container<Bytes>(
-        length, rc::gen::weightedOneOf<std::uint8_t>({{3, rc::gen::arbitrary<std::uint8_t>()}, {1, rc::gen::just<std::uint8_t>(0)}}));
+        length,
+        rc::gen::weightedOneOf<std::uint8_t>({{3, rc::gen::arbitrary<std::uint8_t>()}, {1, rc::gen::just<std::uint8_t>(0)}}));
 }
 
 InlinePlace anyPlace()
@@ -125,7 +127,8 @@ void InlineFrameTest::anyFrameOpensAgain()
                 RC_ASSERT(sealed[10 + static_cast<std::size_t>(target)] == frame[10 + static_cast<std::size_t>(target)]);
         }
         if (length >= 10) // the chance that eight bytes of ciphertext are their own plaintext is small
-            RC_ASSERT(!std::equal(sealed.begin() + 10, sealed.begin() + 10 + static_cast<std::ptrdiff_t>(length), frame.begin() + 10));
+            RC_ASSERT(!std::equal(sealed.begin() + 10, sealed.begin() + 10 + static_cast<std::ptrdiff_t>(length),
+                                  frame.begin() + 10));
         RC_ASSERT(open(sealed, place, *cipherOf(suite)) == frame);
     }));
 }
@@ -174,7 +177,8 @@ void InlineFrameTest::everyMessageEveryLength()
             QVERIFY(roundTrip(info, info.maxLength));
             QVERIFY(roundTrip(info, 1 + random() % info.maxLength));
         }
-        for (const char *name : {"HEARTBEAT", "COMMAND_LONG", "COMMAND_ACK", "MANUAL_CONTROL", "SERIAL_CONTROL", "MISSION_ITEM_INT"}) {
+        for (const char *name :
+             {"HEARTBEAT", "COMMAND_LONG", "COMMAND_ACK", "MANUAL_CONTROL", "SERIAL_CONTROL", "MISSION_ITEM_INT"}) {
             for (std::size_t length = 0; length <= 255; ++length)
                 QVERIFY(roundTrip(*Dialect::builtin().find(name), length));
         }
@@ -208,7 +212,8 @@ void InlineFrameTest::theLayoutIsAsWritten()
     expected.insert(expected.end(), hidden.begin(), hidden.begin() + 30);
     expected.insert(expected.end(), {payload[30], payload[31], hidden[30]});
     const std::uint16_t crc = kFacts.checksum(ByteView(expected).subspan(1), info.crcExtra);
-    expected.insert(expected.end(), {static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8), 0x81, 0x56, 0x34, 0x12, 0x00});
+    expected.insert(expected.end(),
+                    {static_cast<std::uint8_t>(crc), static_cast<std::uint8_t>(crc >> 8), 0x81, 0x56, 0x34, 0x12, 0x00});
     expected.insert(expected.end(), tag->begin(), tag->end());
     QCOMPARE(sealed, expected);
 }
@@ -221,14 +226,18 @@ void InlineFrameTest::knownAnswers()
         SuiteId suite;
         const char *sealed;
     } examples[] = {
-        {SuiteId::Aes256Ctr, "fd20810007ffbe4c0000697ef7f5cdb7a5f9e3512cbad48bce490c101e8e56a831661caecb8a28c40101f24f"
-                             "0105000000cba43636e1c37d58"},
-        {SuiteId::Aes256Cbc, "fd20810007ffbe4c00008272cfeea5f6c415c6babf61963deca9f8330e0104b166677415b9d3f8b90101e3fa"
-                             "0105000000325032b59a063ea5"},
-        {SuiteId::ChaCha20, "fd20810007ffbe4c0000cde601980309757a918be26791b59522b81d12eff1b8f1eb6ed1638b30dd0101388c"
-                            "01050000008ba504f2a3e327ce"},
-        {SuiteId::Rc4, "fd20810007ffbe4c0000def5f85eefb59929c25c090d26d0fda113a263449539a4fc0191db729ed801010ffe"
-                       "0105000000108ce86e5456b0f7"},
+        {SuiteId::Aes256Ctr,
+         "fd20810007ffbe4c0000697ef7f5cdb7a5f9e3512cbad48bce490c101e8e56a831661caecb8a28c40101f24f"
+         "0105000000cba43636e1c37d58"},
+        {SuiteId::Aes256Cbc,
+         "fd20810007ffbe4c00008272cfeea5f6c415c6babf61963deca9f8330e0104b166677415b9d3f8b90101e3fa"
+         "0105000000325032b59a063ea5"},
+        {SuiteId::ChaCha20,
+         "fd20810007ffbe4c0000cde601980309757a918be26791b59522b81d12eff1b8f1eb6ed1638b30dd0101388c"
+         "01050000008ba504f2a3e327ce"},
+        {SuiteId::Rc4,
+         "fd20810007ffbe4c0000def5f85eefb59929c25c090d26d0fda113a263449539a4fc0191db729ed801010ffe"
+         "0105000000108ce86e5456b0f7"},
     };
     const auto frame = fromHex("fd20000007ffbe4c00000000803f0000000000000000000000000000000000000000000000009001010105b2");
     Key32 secret;
@@ -293,8 +302,10 @@ void InlineFrameTest::nothingElseOpensIt()
     QVERIFY(rc::check("neither another place, suite nor key opens a frame", [] {
         const SuiteId suite = *rc::gen::elementOf(std::vector<SuiteId>(std::begin(kSuites), std::end(kSuites)));
         const InlinePlace place = anyPlace();
-        const Bytes sealed = seal(frameOf(anyMessage(), anyPayload(*rc::gen::inRange<std::size_t>(0, 256))), place, *cipherOf(suite));
-        const auto opens = [&](Direction direction, Carrier carrier, crypto::InlineCipher &cipher, std::uint8_t epoch, std::uint32_t counter) {
+        const Bytes sealed = seal(frameOf(anyMessage(), anyPayload(*rc::gen::inRange<std::size_t>(0, 256))), place,
+                                  *cipherOf(suite));
+        const auto opens = [&](Direction direction, Carrier carrier, crypto::InlineCipher &cipher, std::uint8_t epoch,
+                               std::uint32_t counter) {
             Bytes other = sealed;
             const std::size_t trailer = other.size() - kInlineTrailer;
             other[trailer] = epoch;
@@ -308,9 +319,12 @@ void InlineFrameTest::nothingElseOpensIt()
         RC_ASSERT(!opens(opposite(place.direction), place.carrier, *right, place.epochByte, place.counter));
         RC_ASSERT(!opens(place.direction, Carrier::Tunnel, *right, place.epochByte, place.counter));
         RC_ASSERT(!opens(place.direction, place.carrier, *cipherOf(suite, 2), place.epochByte, place.counter));
-        RC_ASSERT(!opens(place.direction, place.carrier, *right, static_cast<std::uint8_t>(place.epochByte + 1), place.counter));
-        RC_ASSERT(!opens(place.direction, place.carrier, *right, place.epochByte, place.counter ^ (1u << *rc::gen::inRange(0, 32))));
-        const SuiteId other = *rc::gen::distinctFrom(rc::gen::elementOf(std::vector<SuiteId>(std::begin(kSuites), std::end(kSuites))), suite);
+        RC_ASSERT(
+            !opens(place.direction, place.carrier, *right, static_cast<std::uint8_t>(place.epochByte + 1), place.counter));
+        RC_ASSERT(
+            !opens(place.direction, place.carrier, *right, place.epochByte, place.counter ^ (1u << *rc::gen::inRange(0, 32))));
+        const SuiteId other = *rc::gen::distinctFrom(
+            rc::gen::elementOf(std::vector<SuiteId>(std::begin(kSuites), std::end(kSuites))), suite);
         RC_ASSERT(!opens(place.direction, place.carrier, *cipherOf(other), place.epochByte, place.counter));
     }));
 }
@@ -350,7 +364,8 @@ void InlineFrameTest::whatCannotBeSealedInPlace()
     Bytes buffer(mavlink::kMaxFrameLength);
     const auto first = mavlink::writeFrame(buffer, 1, 0, 1, 1, info.id, info.crcExtra, info.minLength, payload);
     QVERIFY(!SealableFrame::read(first, kFacts)); // MAVLink 1
-    const auto isSigned = mavlink::writeFrame(buffer, 2, 0, 1, 1, info.id, info.crcExtra, info.minLength, payload, mavlink::kFlagSigned);
+    const auto isSigned = mavlink::writeFrame(buffer, 2, 0, 1, 1, info.id, info.crcExtra, info.minLength, payload,
+                                              mavlink::kFlagSigned);
     QVERIFY(!SealableFrame::read(isSigned, kFacts));
     const auto unknown = mavlink::writeFrame(buffer, 2, 0, 1, 1, 0xfffffe, 0, 1, payload);
     QVERIFY(!SealableFrame::read(unknown, kFacts));
@@ -401,7 +416,8 @@ void InlineFrameTest::unknownFlagsToTheReferenceParser()
         Bytes payload(attitude.maxLength);
         for (auto &byte : payload)
             byte = static_cast<std::uint8_t>(random());
-        parser.feed(seal(frameOf(attitude, payload, static_cast<std::uint8_t>(i)), {0, i, Direction::FromResponder, Carrier::Datagram}, *cipher));
+        parser.feed(seal(frameOf(attitude, payload, static_cast<std::uint8_t>(i)),
+                         {0, i, Direction::FromResponder, Carrier::Datagram}, *cipher));
         parser.feed(frameOf(heartbeat, Bytes(9, 0x77), static_cast<std::uint8_t>(i)));
     }
     const double lost = 1.0 - static_cast<double>(plainSeen) / kPairs;
@@ -420,7 +436,8 @@ void InlineFrameTest::ourOwnScannerFindsThem()
         const auto cipher = cipherOf(SuiteId::Aes256Cbc);
         for (std::uint32_t i = 0; i < 6; ++i) {
             const Bytes frame = frameOf(anyMessage(), anyPayload(*rc::gen::inRange<std::size_t>(0, 60)));
-            Bytes next = *rc::gen::arbitrary<bool>() ? seal(frame, {0, i, Direction::FromInitiator, Carrier::Datagram}, *cipher) : frame;
+            Bytes next = *rc::gen::arbitrary<bool>() ? seal(frame, {0, i, Direction::FromInitiator, Carrier::Datagram}, *cipher)
+                                                     : frame;
             stream.insert(stream.end(), next.begin(), next.end());
             sent.push_back(std::move(next));
         }

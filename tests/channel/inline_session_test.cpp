@@ -4,7 +4,6 @@
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
 
-
 using namespace skyseal;
 using namespace skyseal::test;
 
@@ -26,7 +25,9 @@ Bytes sealOne(Pair &pair, Side from, std::size_t size = 28)
 
 bool offer(Pair &pair, Side to, Bytes frame, std::optional<Path> from = {})
 {
-    return pair.ends[to].endpoint->handleInlineFrame(pair.now, from.value_or(pair.pathOf(to == Air ? Ground : Air)), frame).has_value();
+    return pair.ends[to]
+        .endpoint->handleInlineFrame(pair.now, from.value_or(pair.pathOf(to == Air ? Ground : Air)), frame)
+        .has_value();
 }
 
 } // namespace
@@ -58,7 +59,8 @@ void InlineSessionTest::takesConsentOfBoth_data()
     const char *names[] = {"no", "allows", "prefers"};
     for (int ground = 0; ground < 3; ++ground) {
         for (int air = 0; air < 3; ++air)
-            QTest::addRow("ground %s, air %s", names[ground], names[air]) << ground << air << (ground > 0 && air > 0 && ground + air > 2);
+            QTest::addRow("ground %s, air %s", names[ground], names[air])
+                << ground << air << (ground > 0 && air > 0 && ground + air > 2);
     }
 }
 
@@ -110,7 +112,8 @@ void InlineSessionTest::allSuitesBothWays()
         QCOMPARE(pair.accountFrom(side), std::string());
         const auto stats = pair.ends[side].endpoint->stats(pair.ends[side].session());
         QCOMPARE(stats->rx.lost + stats->rx.forged + stats->rx.replayed + stats->rx.malformed, std::uint64_t(0));
-        QCOMPARE(stats->peerTx.records + 1, stats->rx.good); // one account of records and frames; it told before its report counted
+        QCOMPARE(stats->peerTx.records + 1,
+                 stats->rx.good); // one account of records and frames; it told before its report counted
     }
     QVERIFY(inPlace > 1500);
 }

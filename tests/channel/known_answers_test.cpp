@@ -39,7 +39,10 @@ template<std::size_t N> std::array<std::uint8_t, N> arrayOf(const Bytes &bytes)
     return out;
 }
 
-Key32 secretOf(const Bytes &bytes) { return Key32(arrayOf<32>(bytes)); }
+Key32 secretOf(const Bytes &bytes)
+{
+    return Key32(arrayOf<32>(bytes));
+}
 
 Peer known(const PublicKey &key, const Bytes &psk)
 {
@@ -67,10 +70,10 @@ Bytes sealedByStation(SuiteId suite, Key32 &&secret, std::uint8_t epochBits, std
 } // namespace
 
 /// Compares with the example of this name, which the document must have.
-#define COMPARE_WITH(name, actual)                                                  \
-    do {                                                                            \
-        QVERIFY2(!m_answers[name].empty(), name);                                   \
-        QCOMPARE(QByteArray(toByteArray(actual).toHex()), toByteArray(m_answers[name]).toHex()); \
+#define COMPARE_WITH(name, actual)                                                                                             \
+    do {                                                                                                                       \
+        QVERIFY2(!m_answers[name].empty(), name);                                                                              \
+        QCOMPARE(QByteArray(toByteArray(actual).toHex()), toByteArray(m_answers[name]).toHex());                               \
     } while (false)
 
 class KnownAnswersTest : public QObject
@@ -208,8 +211,8 @@ void KnownAnswersTest::number()
     const auto number = std::move(*responder).tellNumber(known(m_station.publicKey, psk), 41, agentsEphemeral);
     QVERIFY(number);
     COMPARE_WITH("number", *number);
-    auto initiator =
-        Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7}, stationsEphemeral);
+    auto initiator = Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7},
+                                      stationsEphemeral);
     QVERIFY(initiator);
     QCOMPARE(initiator->takeNumber(m_answers["number"]), std::optional<std::uint64_t>(41));
 }
@@ -349,15 +352,25 @@ void KnownAnswersTest::controlMessages()
     report.stamp = 1000001;
     report.echo = 999001;
     report.held = 250;
-    report.rx = {.good = 1000, .late = 3, .lost = 2, .replayed = 1, .forged = 0, .malformed = 0, .plaintextDropped = 0,
+    report.rx = {.good = 1000,
+                 .late = 3,
+                 .lost = 2,
+                 .replayed = 1,
+                 .forged = 0,
+                 .malformed = 0,
+                 .plaintextDropped = 0,
                  .openedBytes = 30000};
     report.tx = {.records = 40, .sealedBytes = 2000};
     Report costly = report;
     costly.answerAtOnce = false;
     costly.asksCosts = true;
     costly.frames = {.taken = 900, .lost = 1};
-    costly.costs = {.cpuMicroseconds = 2500000, .residentBytes = 14680064, .opened = 40, .openNanoseconds = 60000,
-                    .sealed = 1000, .sealNanoseconds = 1500000};
+    costly.costs = {.cpuMicroseconds = 2500000,
+                    .residentBytes = 14680064,
+                    .opened = 40,
+                    .openNanoseconds = 60000,
+                    .sealed = 1000,
+                    .sealNanoseconds = 1500000};
     const std::pair<const char *, ControlMessage> messages[] = {
         {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
         {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},

@@ -38,7 +38,10 @@ std::unique_ptr<Pair> settledPair(PairOptions options = {})
     return pair;
 }
 
-bool isRecord(const Flight &flight) { return (flight.bytes[0] & 0xfc) == 0x50; }
+bool isRecord(const Flight &flight)
+{
+    return (flight.bytes[0] & 0xfc) == 0x50;
+}
 
 void give(Pair &pair, Side to, Bytes datagram)
 {

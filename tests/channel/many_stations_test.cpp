@@ -40,7 +40,10 @@ public:
     /// It comes back, if it does, from another port.
     void move(std::size_t station) { ++m_stations[station].port; }
     void kill(std::size_t station) { m_stations[station].endpoint.reset(); }
-    bool up(std::size_t station) const { return m_stations[station].endpoint && !m_stations[station].endpoint->sessions().empty(); }
+    bool up(std::size_t station) const
+    {
+        return m_stations[station].endpoint && !m_stations[station].endpoint->sessions().empty();
+    }
     std::vector<Event> &events(std::size_t station) { return m_stations[station].events; }
 
     bool run(Duration span, const std::function<bool()> &until = {})

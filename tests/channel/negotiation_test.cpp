@@ -85,9 +85,8 @@ void NegotiationTest::everyPairOfSets()
 
         const auto chosen = chooseSuite(initiator, responder);
         if (!chosen) {
-            QVERIFY(std::all_of(permitted.begin(), permitted.end(), [](SuiteId suite) {
-                return suite == SuiteId::None || crypto::suiteInfo(suite).research;
-            }));
+            QVERIFY(std::all_of(permitted.begin(), permitted.end(),
+                                [](SuiteId suite) { return suite == SuiteId::None || crypto::suiteInfo(suite).research; }));
             return;
         }
         QVERIFY(holds(permitted, *chosen));
@@ -142,9 +141,9 @@ void NegotiationTest::offersSurviveTheWire()
 void NegotiationTest::unknownNumbersAreSkipped()
 {
     auto bytes = FirstPayload{ConnectionId{1}, {{SuiteId::Aes256Gcm}, false, false}, 1}.write();
-    bytes[3] = 0xf9;        // two suites of another time
-    bytes[4] = 0x21;        // chacha20-poly1305, aes-256-gcm
-    bytes[5] = 0x12;        // the same again
+    bytes[3] = 0xf9; // two suites of another time
+    bytes[4] = 0x21; // chacha20-poly1305, aes-256-gcm
+    bytes[5] = 0x12; // the same again
     const auto payload = FirstPayload::read(bytes);
     QVERIFY(payload);
     QCOMPARE(payload->offer.suites, (std::vector<SuiteId>{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}));

@@ -38,8 +38,8 @@ Config Pair::configOf(Side side) const
     Config config;
     config.role = side == Ground ? Role::Station : Role::Agent;
     config.identity = ends[side].identity;
-    config.peers.push_back({ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {},
-                            m_options.presharedKey});
+    config.peers.push_back(
+        {ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}, m_options.presharedKey});
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
     config.messageTraits = m_options.messageTraits;

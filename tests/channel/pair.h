@@ -63,7 +63,7 @@ struct PairOptions
     LinkModel link;
     Timing timing;
     Carrier carrier = Carrier::Datagram;
-    bool announceToAddress = true; ///< otherwise to the one peer of the link, by an all-zero address
+    bool announceToAddress = true;             ///< otherwise to the one peer of the link, by an all-zero address
     std::shared_ptr<const Key32> presharedKey; ///< of both ends; none = they have none
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};

@@ -35,8 +35,7 @@ struct PairingSide
 class PairingPair
 {
 public:
-    explicit PairingPair(std::uint64_t seed = 1, LinkModel model = {})
-        : link(model, seed ^ 0x5eed), m_random(seed)
+    explicit PairingPair(std::uint64_t seed = 1, LinkModel model = {}) : link(model, seed ^ 0x5eed), m_random(seed)
     {
         for (const Side side : {Ground, Air}) {
             ends[side].identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));

@@ -245,8 +245,8 @@ void PairingWireTest::floodWithTheToken()
     };
     pair.open(Air);
     const TimePoint start = pair.now;
-    PairingHandshake handshake =
-        *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, token);
+    PairingHandshake handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1},
+                                                          token);
     PairingDatagram sample = *handshake.first(random);
     std::uint32_t count = 0;
     const auto flood = [&] {
@@ -291,8 +291,7 @@ void PairingWireTest::floodOfFalseThirds()
     Stranger stranger(pair);
     pair.open(Air);
     QVERIFY(pair.run(1s, [&] { return stranger.token.has_value(); }));
-    auto handshake =
-        *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *stranger.token);
+    auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *stranger.token);
     pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
     pair.pump();
     QVERIFY(handshake.takeAnswer(stranger.answer));

@@ -38,8 +38,7 @@ class Reconstruction
 public:
     Reconstruction(const crypto::X25519KeyPair &station, const crypto::X25519KeyPair &agent, ByteView first, ByteView answer)
         : m_station(station), m_agent(agent), m_first(first), m_answer(answer)
-    {
-    }
+    {}
 
     /// `guess`: for the shared secret of the ephemeral keys; nullopt mixes nothing in. `psk`: zeros when there was none.
     /// nullopt when the answer does not open.

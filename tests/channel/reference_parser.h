@@ -14,8 +14,7 @@ class ReferenceParser
 public:
     ReferenceParser(const channel::MessageTraits &facts, std::function<void(ByteView)> deliver)
         : m_facts(&facts), m_deliver(std::move(deliver))
-    {
-    }
+    {}
 
     void feed(ByteView bytes)
     {
@@ -49,7 +48,8 @@ private:
         const std::uint32_t id = header == 10 ? std::uint32_t(m_frame[7] | m_frame[8] << 8 | m_frame[9] << 16) : m_frame[5];
         const auto message = m_facts->message(id);
         const std::size_t end = header + m_frame[1];
-        return message && m_facts->checksum(ByteView(m_frame).subspan(1, end - 1), message->crcExtra)
+        return message
+            && m_facts->checksum(ByteView(m_frame).subspan(1, end - 1), message->crcExtra)
             == (m_frame[end] | m_frame[end + 1] << 8);
     }
 

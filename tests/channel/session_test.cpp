@@ -60,8 +60,8 @@ std::optional<EndCosts> toldCosts(Pair &pair, Side side)
 
 } // namespace
 
-#define VERIFY_ACCOUNTS(pair) \
-    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString()); \
+#define VERIFY_ACCOUNTS(pair)                                                                                                  \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());                                                        \
     QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString())
 
 void SessionTest::comesUpWithinASecond_data()

@@ -21,7 +21,8 @@ struct LinkModel
     Duration delay = std::chrono::milliseconds(1);
     Duration jitter{}; ///< delay is uniform in [delay, delay + 2 jitter]
     Duration reorderBy = std::chrono::milliseconds(20);
-    double burst = 0;     ///< chance of each datagram to begin a burst, in which all are lost (Gilbert's model, each way for itself)
+    double burst =
+        0; ///< chance of each datagram to begin a burst, in which all are lost (Gilbert's model, each way for itself)
     double burstEnd = .1; ///< chance of each to end it
 };
 
@@ -55,7 +56,10 @@ public:
     void cut() { m_flying.clear(); }
 
 private:
-    bool inBurst(Side from) { return m_inBurst[from] = model.burst > 0 && chance(m_inBurst[from] ? 1 - model.burstEnd : model.burst); }
+    bool inBurst(Side from)
+    {
+        return m_inBurst[from] = model.burst > 0 && chance(m_inBurst[from] ? 1 - model.burstEnd : model.burst);
+    }
     bool chance(double p) { return p > 0 && std::uniform_real_distribution<>(0, 1)(m_random) < p; }
     Duration delay();
 

@@ -107,14 +107,14 @@ QString epochsMonotone(const Pair::End &end)
 
 } // namespace
 
-#define VERIFY_ALL(pair) \
-    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString()); \
-    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString()); \
-    QCOMPARE(eventsInOrder(pair.ground()), QString()); \
-    QCOMPARE(eventsInOrder(pair.air()), QString()); \
-    QCOMPARE(epochsMonotone(pair.ground()), QString()); \
-    QCOMPARE(epochsMonotone(pair.air()), QString()); \
-    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.forged, std::uint64_t(0)); \
+#define VERIFY_ALL(pair)                                                                                                       \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());                                                        \
+    QCOMPARE(QString::fromStdString(pair.accountFrom(Ground)), QString());                                                     \
+    QCOMPARE(eventsInOrder(pair.ground()), QString());                                                                         \
+    QCOMPARE(eventsInOrder(pair.air()), QString());                                                                            \
+    QCOMPARE(epochsMonotone(pair.ground()), QString());                                                                        \
+    QCOMPARE(epochsMonotone(pair.air()), QString());                                                                           \
+    QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.forged, std::uint64_t(0));                             \
     QCOMPARE(pair.air().endpoint->stats(pair.air().session())->rx.forged, std::uint64_t(0))
 
 void SwitchTest::everySecondOnABadLink()
@@ -129,9 +129,7 @@ void SwitchTest::everySecondOnABadLink()
         QVERIFY(pair.run(10s, [&] { return pair.bothUp(); }));
         pair.run(2s);
         std::size_t step = 0;
-        pair.every(1s, [&] {
-            pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step));
-        });
+        pair.every(1s, [&] { pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step)); });
         pair.run(60s);
         pair.stopTraffic();
         pair.run(10s);
@@ -147,9 +145,7 @@ void SwitchTest::every50MillisecondsOnAGoodLink()
     traffic(pair, 2ms);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     std::size_t step = 0;
-    pair.every(50ms, [&] {
-        pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step));
-    });
+    pair.every(50ms, [&] { pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), suiteAt(++step)); });
     pair.run(10s);
     pair.stopTraffic();
     pair.run(2s);
@@ -161,7 +157,8 @@ void SwitchTest::every50MillisecondsOnAGoodLink()
 void SwitchTest::stormWithBothEndsProposing()
 {
     const std::size_t wanted = qEnvironmentVariableIsSet("SKYSEAL_SWITCHES")
-        ? static_cast<std::size_t>(qEnvironmentVariableIntValue("SKYSEAL_SWITCHES")) : 200;
+        ? static_cast<std::size_t>(qEnvironmentVariableIntValue("SKYSEAL_SWITCHES"))
+        : 200;
     PairOptions options;
     options.seed = 7;
     options.link = stormyLink();

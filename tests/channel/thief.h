@@ -38,8 +38,7 @@ public:
         out.emplace_back(std::nullopt);
         out.emplace_back(Key32());
         for (const crypto::X25519KeyPair *own : {&m_agent, &m_ephemeral}) {
-            for (const crypto::PublicKey &other :
-                 {ephemeralOf(answer), m_station, m_agent.publicKey, m_ephemeral.publicKey})
+            for (const crypto::PublicKey &other : {ephemeralOf(answer), m_station, m_agent.publicKey, m_ephemeral.publicKey})
                 out.emplace_back(crypto::x25519(own->secret, other));
         }
         return out;

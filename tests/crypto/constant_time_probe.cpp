@@ -107,8 +107,8 @@ int main(int argc, char **argv)
     const std::string_view what = argc > 1 ? argv[1] : "";
     const auto suite = suiteFromName(argc > 2 ? argv[2] : "").value_or(SuiteId::None);
     const bool done = initCrypto()
-        && (what == "open"       ? open(suite)
-                : what == "inline" ? openInline(suite)
+        && (what == "open"          ? open(suite)
+                : what == "inline"  ? openInline(suite)
                 : what == "compare" ? compare()
                                     : what == "self-test" && selfTest());
     std::puts(done ? "done" : "failed");

@@ -99,8 +99,7 @@ void PrimitiveVectorsTest::sp800_38a()
             Bytes out(in.size());
             int written = 0;
             for (int again = 0; again < 2; ++again) { // the IV alone starts a context over
-                QCOMPARE(EVP_CipherInit_ex2(context.get(), nullptr, nullptr, iv.empty() ? nullptr : iv.data(), -1, nullptr),
-                         1);
+                QCOMPARE(EVP_CipherInit_ex2(context.get(), nullptr, nullptr, iv.empty() ? nullptr : iv.data(), -1, nullptr), 1);
                 QCOMPARE(EVP_CipherUpdate(context.get(), out.data(), &written, in.data(), int(in.size())), 1);
                 QCOMPARE(toHex(out), vector.text(encrypt ? "ciphertext" : "plaintext"));
             }

@@ -19,8 +19,14 @@ void *operator new(std::size_t size)
         return out;
     throw std::bad_alloc();
 }
-void operator delete(void *pointer) noexcept { std::free(pointer); }
-void operator delete(void *pointer, std::size_t) noexcept { std::free(pointer); }
+void operator delete(void *pointer) noexcept
+{
+    std::free(pointer);
+}
+void operator delete(void *pointer, std::size_t) noexcept
+{
+    std::free(pointer);
+}
 
 using namespace skyseal;
 using namespace skyseal::test;

@@ -145,13 +145,11 @@ void AttackFlightTest::nobodySpeaksAsAnother()
         },
         bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
     QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.spoofRefused > 0
-                                 || flight.rig.agent->snapshot().counters.toVehicle > 0,
-                             10000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        flight.rig.agent->snapshot().counters.spoofRefused > 0 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
     flight.ground.station->command(1, vehicle::Arm{true});
-    QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.spoofRefused > 3
-                                 || flight.rig.agent->snapshot().counters.toVehicle > 0,
-                             10000);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        flight.rig.agent->snapshot().counters.spoofRefused > 3 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
     HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");
     QVERIFY(flight.untouched());
 }
@@ -161,8 +159,10 @@ void AttackFlightTest::spoofedTelemetryIsNotShown()
     AttackedFlight flight;
     QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
     const std::uint64_t before = flight.ground.ears->snapshot->plaintextRefused;
-    mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR, .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA,
-                                 .base_mode = 0x81, .system_status = mavlink::MAV_STATE_ACTIVE};
+    mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
+                                 .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA,
+                                 .base_mode = 0x81,
+                                 .system_status = mavlink::MAV_STATE_ACTIVE};
     for (const std::uint8_t systemId : {1, 2, 77}) {
         for (int i = 0; i < 20; ++i) {
             flight.attacker.toGround(frameOf(heartbeat, systemId, 1));

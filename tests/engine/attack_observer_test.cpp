@@ -54,8 +54,10 @@ struct ObservedFlight
     {
         auto secrets = keys.secrets(channel::Role::Agent);
         secrets->peers[0].role = channel::PeerRole::Observer;
-        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(observer.port())),
-                                   {channel::defaultSuites(), false, false}, false};
+        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
+                                   urlOf("udpout:127.0.0.1:" + std::to_string(observer.port())),
+                                   {channel::defaultSuites(), false, false},
+                                   false};
         agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets), [](const engine::AgentEvent &) {});
         agent->start();
         vehicle.send(portOf(agent->snapshot().vehicle.localAddress), std::array{ByteView(heartbeat)});
@@ -90,12 +92,14 @@ std::vector<Bytes> hostileQuestions(mavlink::FrameWriter &writer)
 {
     mavlink::FrameWriter old(255, 190, 1);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const Bytes arm = copyOf(writer.write(mavlink::CommandLong{.target_system = 1, .target_component = 1,
-                                                               .command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, .param1 = 1,
+    const Bytes arm = copyOf(writer.write(mavlink::CommandLong{.target_system = 1,
+                                                               .target_component = 1,
+                                                               .command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM,
+                                                               .param1 = 1,
                                                                .param2 = 21196},
                                           buffer));
-    const Bytes clear = copyOf(mavlink::writeFrame(buffer, 1, 7, 255, 190, mavlink::MissionClearAll::kId,
-                                                   mavlink::MissionClearAll::kCrcExtra, 0, {}));
+    const Bytes clear = copyOf(
+        mavlink::writeFrame(buffer, 1, 7, 255, 190, mavlink::MissionClearAll::kId, mavlink::MissionClearAll::kCrcExtra, 0, {}));
     if (clear.size() != 8)
         qFatal("it would not fit into a time");
     std::vector<Bytes> out;

@@ -46,8 +46,7 @@ BareEnd::BareEnd(const Introduced &keys, channel::Role role, channel::Policy pol
     config.policy = std::move(policy);
     if (role == channel::Role::Agent)
         config.announceTo.push_back(loopback(groundPort));
-    m_endpoint =
-        std::make_unique<channel::Endpoint>(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
+    m_endpoint = std::make_unique<channel::Endpoint>(std::move(config), m_secrets->random, *m_secrets->counters, steadyNow());
 }
 
 std::size_t BareEnd::pump()

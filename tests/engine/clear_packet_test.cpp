@@ -19,8 +19,10 @@ class ClearAgent
 public:
     ClearAgent()
     {
-        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(m_ground.port())),
-                                   {channel::defaultSuites(), true, true}, true};
+        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
+                                   urlOf("udpout:127.0.0.1:" + std::to_string(m_ground.port())),
+                                   {channel::defaultSuites(), true, true},
+                                   true};
         m_agent = std::make_unique<engine::AgentCore>(std::move(config), m_keys.secrets(channel::Role::Agent),
                                                       [](const engine::AgentEvent &) {});
         m_agent->start();
@@ -36,16 +38,18 @@ public:
         for (const ByteView frame : frames)
             wanted += frame.size();
         std::vector<Bytes> out;
-        const bool all = QTest::qWaitFor([&] {
-            for (std::size_t count = m_ground.receive(), i = 0; i < count; ++i) {
-                const MutableByteView datagram = m_ground.received(i);
-                if (datagram.empty() || datagram[0] != mavlink::kMagic2)
-                    continue;
-                out.emplace_back(datagram.begin(), datagram.end());
-                got += datagram.size();
-            }
-            return got >= wanted;
-        }, 10000);
+        const bool all = QTest::qWaitFor(
+            [&] {
+                for (std::size_t count = m_ground.receive(), i = 0; i < count; ++i) {
+                    const MutableByteView datagram = m_ground.received(i);
+                    if (datagram.empty() || datagram[0] != mavlink::kMagic2)
+                        continue;
+                    out.emplace_back(datagram.begin(), datagram.end());
+                    got += datagram.size();
+                }
+                return got >= wanted;
+            },
+            10000);
         return all ? out : std::vector<Bytes>();
     }
 

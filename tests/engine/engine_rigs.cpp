@@ -108,8 +108,7 @@ double BareForwarder::forward(std::size_t burst)
             while (m_middle.waitReadable(0))
                 m_middle.forward(m_to.port(), m_middle.receive());
         });
-        while (m_to.receive() > 0) {
-        }
+        while (m_to.receive() > 0) {}
     }
     return cpu.nanosecondsEach(kFrames);
 }
@@ -145,8 +144,7 @@ void Receiver::linkReceived(link::Link &, std::span<const link::ReceivedBlock> b
     if (now >= m_channel->endpoint().nextDeadline())
         m_channel->endpoint().handleDeadline(now);
     m_channel->flush(now);
-    while (m_channel->pollEvent()) {
-    }
+    while (m_channel->pollEvent()) {}
     m_links.flush();
 }
 
@@ -184,8 +182,7 @@ StationRig::StationRig(crypto::SuiteId suite, std::vector<std::uint8_t> bound)
         QCoreApplication::processEvents();
         patience.check();
     }
-    m_air = std::make_unique<BareEnd>(m_keys, channel::Role::Agent, everySuite(),
-                                            portOf(m_snapshot->links[0].localAddress));
+    m_air = std::make_unique<BareEnd>(m_keys, channel::Role::Agent, everySuite(), portOf(m_snapshot->links[0].localAddress));
     bringUp(*m_air, suite);
 }
 

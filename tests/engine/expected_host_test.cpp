@@ -50,7 +50,8 @@ private:
     {
         while (m_socket.hasPendingDatagrams()) {
             const QByteArray data = m_socket.receiveDatagram().data();
-            const ByteView bytes(reinterpret_cast<const std::uint8_t *>(data.constData()), static_cast<std::size_t>(data.size()));
+            const ByteView bytes(reinterpret_cast<const std::uint8_t *>(data.constData()),
+                                 static_cast<std::size_t>(data.size()));
             if (const auto cookie = channel::openCookie(m_agent, ByteView(m_asked).last(channel::kMacLength), bytes))
                 m_cookie = cookie;
         }
@@ -83,7 +84,8 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     bool agentUp = false, floodTold = false;
     engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
                                urlOf("udpout:localhost:" + std::to_string(station.port())),
-                               {channel::defaultSuites(), false, false}, false};
+                               {channel::defaultSuites(), false, false},
+                               false};
     engine::AgentCore agent(std::move(config), keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
         const auto *happened = std::get_if<channel::Event>(&event);
         agentUp = agentUp || (happened && std::holds_alternative<channel::SessionUp>(*happened));

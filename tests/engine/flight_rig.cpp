@@ -61,8 +61,7 @@ void VehicleOnUdp::advance()
     m_link->flush();
 }
 
-FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned,
-                     std::vector<std::uint8_t> stationSystems)
+FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pinned, std::vector<std::uint8_t> stationSystems)
     : m_stationRole(stationRole), m_stationSystems(std::move(stationSystems))
 {
     if (!crypto::initCrypto())

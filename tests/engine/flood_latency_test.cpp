@@ -66,8 +66,7 @@ class Flood
 public:
     Flood(std::uint16_t port, std::vector<Bytes> datagrams)
         : m_datagrams(std::move(datagrams)), m_thread([this, port] { run(port); })
-    {
-    }
+    {}
     ~Flood()
     {
         m_ends = true;
@@ -235,8 +234,8 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
     qInfo("%s: flood of %.0f a second; latency p50 %.0f us quiet, %.0f us flooded; p99 %.0f us quiet, %.0f us flooded (x "
           "%.2f); "
           "lost %zu of %zu; resident %zu kB, then %zu kB",
-          QTest::currentDataTag(), static_cast<double>(flood.sent()) / floodSeconds, percentile(quiet, 0.5), percentile(flooded, 0.5),
-          p99Quiet, p99Flooded, p99Flooded / p99Quiet, lost, next, before / 1024, after / 1024);
+          QTest::currentDataTag(), static_cast<double>(flood.sent()) / floodSeconds, percentile(quiet, 0.5),
+          percentile(flooded, 0.5), p99Quiet, p99Flooded, p99Flooded / p99Quiet, lost, next, before / 1024, after / 1024);
     if (static_cast<Forged>(forged) == Forged::Records) { // each came as far as its tag
         const auto judged = [&flood](const QJsonObject &stats) {
             const QJsonObject received = stats[QLatin1String("channel")].toObject()[QLatin1String("rx")].toObject();

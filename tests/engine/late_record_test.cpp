@@ -56,14 +56,14 @@ void LateRecordTest::agentTakesIt()
     BareEnd ground(keys, channel::Role::Station, kPolicy);
     std::vector<channel::SessionDown> downs;
     bool refused = false;
-    engine::AgentCore agent({urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())), kPolicy,
-                             false},
-                            keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
-                                const auto *happened = std::get_if<channel::Event>(&event);
-                                if (const auto *down = happened ? std::get_if<channel::SessionDown>(happened) : nullptr)
-                                    downs.push_back(*down);
-                                refused = refused || std::holds_alternative<engine::FramesRefused>(event);
-                            });
+    engine::AgentCore agent(
+        {urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())), kPolicy, false},
+        keys.secrets(channel::Role::Agent), [&](const engine::AgentEvent &event) {
+            const auto *happened = std::get_if<channel::Event>(&event);
+            if (const auto *down = happened ? std::get_if<channel::SessionDown>(happened) : nullptr)
+                downs.push_back(*down);
+            refused = refused || std::holds_alternative<engine::FramesRefused>(event);
+        });
     agent.start();
     BareSocket vehicle;
     vehicle.send(portOf(agent.snapshot().vehicle.localAddress),
@@ -90,9 +90,9 @@ void LateRecordTest::stationTakesIt()
     config.secure = engine::SecureMode::Required;
     config.record = false;
     config.policy = kPolicy;
-    engine::StationCore station(config, keys.secrets(channel::Role::Station),
-                                {[&](auto next) { snapshot = std::move(next); },
-                                 [&](engine::Event event) { told.push_back(std::move(event)); }});
+    engine::StationCore station(
+        config, keys.secrets(channel::Role::Station),
+        {[&](auto next) { snapshot = std::move(next); }, [&](engine::Event event) { told.push_back(std::move(event)); }});
     station.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
     QVERIFY(QTest::qWaitFor([&] { return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty(); },
                             10000));

@@ -39,17 +39,17 @@ void MavsecStreamTest::opensWhatOthersEncrypted_data()
     QTest::addColumn<std::string>("encrypted");
     QTest::addColumn<std::string>("plain");
     const std::string heartbeat = "fd090000070101000000040000000203510403381c";
-    const std::string attitude =
-        "fd1c00000801011e000040e201000000803e000000be0000c03f0ad7233c0ad7a33c8fc2f53c8fc3";
+    const std::string attitude = "fd1c00000801011e000040e201000000803e000000be0000c03f0ad7233c0ad7a33c8fc2f53c8fc3";
     const std::string old = "fe090901010004000000020351040368fc"; // MAVLink 1
     const int chacha = static_cast<int>(MavsecCipher::Kind::ChaCha20), aes = static_cast<int>(MavsecCipher::Kind::Aes256Ctr);
     QTest::newRow("chacha20, heartbeat") << chacha << std::string("fd090000070101000000264f51f3421888e52c611b") << heartbeat;
-    QTest::newRow("chacha20, attitude") << chacha
-        << std::string("fd1c00000801011e000062ad50f3401b59df2fde27d1b863ddd286c43cbe37fba5def18d3fd0aac2") << attitude;
+    QTest::newRow("chacha20, attitude")
+        << chacha << std::string("fd1c00000801011e000062ad50f3401b59df2fde27d1b863ddd286c43cbe37fba5def18d3fd0aac2")
+        << attitude;
     QTest::newRow("chacha20, MAVLink 1") << chacha << std::string("fe0909010100264f51f3421888e52c31fb") << old;
     QTest::newRow("aes-256-ctr, heartbeat") << aes << std::string("fd0900000701010000000fdf7df15b1447375dc839") << heartbeat;
-    QTest::newRow("aes-256-ctr, attitude") << aes
-        << std::string("fd1c00000801011e00004b3d7cf15917960d5e9a8babc860053d50b94aa159b6ba3adbf17300142f") << attitude;
+    QTest::newRow("aes-256-ctr, attitude")
+        << aes << std::string("fd1c00000801011e00004b3d7cf15917960d5e9a8babc860053d50b94aa159b6ba3adbf17300142f") << attitude;
     QTest::newRow("aes-256-ctr, MAVLink 1") << aes << std::string("fe09090101000fdf7df15b1447375d98d9") << old;
 }
 
@@ -61,7 +61,7 @@ void MavsecStreamTest::opensWhatOthersEncrypted()
     MavsecStream stream = published(static_cast<MavsecCipher::Kind>(kind));
     const auto bytes = fromHex(encrypted);
     const auto frame = mavlink::readFrame(*bytes, mavlink::Dialect::builtin());
-    QVERIFY(frame); // the checksum is over what is encrypted
+    QVERIFY(frame);                         // the checksum is over what is encrypted
     for (int again = 0; again < 3; ++again) // begun anew for each frame
         QCOMPARE(toHex(stream.open(*frame).bytes()), plain);
     QCOMPARE(toHex(*bytes), encrypted);
@@ -93,7 +93,8 @@ void MavsecStreamTest::nonceHasOneLength()
 {
     for (const auto kind : {MavsecCipher::Kind::ChaCha20, MavsecCipher::Kind::Aes256Ctr}) {
         for (std::size_t length = 0; length <= 20; ++length)
-            QCOMPARE(MavsecCipher::make(kind, Key32(), Bytes(length), 0).has_value(), length == MavsecCipher::nonceLength(kind));
+            QCOMPARE(MavsecCipher::make(kind, Key32(), Bytes(length), 0).has_value(),
+                     length == MavsecCipher::nonceLength(kind));
     }
 }
 

@@ -94,7 +94,7 @@ private Q_SLOTS:
         MetricsSampler sampler(folder.path().toStdString());
         sampler.sample(TimePoint{}, 0, {});
         QVERIFY(std::isnan(sampler.samples().back().powerWatts)); // one reading is none
-        write("intel-rapl:0/energy_uj", "14671150\n"); // it went round: 15 J in all
+        write("intel-rapl:0/energy_uj", "14671150\n");            // it went round: 15 J in all
         for (int i = 1; i <= 4; ++i)
             sampler.sample(TimePoint{} + i * 500ms, 0, {});
         QCOMPARE(sampler.samples().back().powerWatts, 7.5);

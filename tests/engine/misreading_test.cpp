@@ -83,15 +83,24 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
     } else if (id == mavlink::CommandLong::kId) {
         Bytes tail(out.end() - 3, out.end());
         std::array<std::uint8_t, mavlink::CommandLong::kMaxLength> plain;
-        mavlink::CommandLong{.target_system = tail[0], .target_component = tail[1], .command = command(),
-                             .confirmation = tail[2], .param1 = float(random() % 0x1000000), .param2 = float(random() % 256)}
+        mavlink::CommandLong{.target_system = tail[0],
+                             .target_component = tail[1],
+                             .command = command(),
+                             .confirmation = tail[2],
+                             .param1 = float(random() % 0x1000000),
+                             .param2 = float(random() % 256)}
             .encode(plain);
         out.assign(plain.begin(), plain.end());
     } else if (id == mavlink::CommandInt::kId) {
         Bytes tail(out.end() - 5, out.end());
         std::array<std::uint8_t, mavlink::CommandInt::kMaxLength> plain;
-        mavlink::CommandInt{.target_system = tail[0], .target_component = tail[1], .frame = tail[2], .command = command(),
-                            .current = tail[3], .autocontinue = tail[4], .param1 = float(random() % 0x1000000),
+        mavlink::CommandInt{.target_system = tail[0],
+                            .target_component = tail[1],
+                            .frame = tail[2],
+                            .command = command(),
+                            .current = tail[3],
+                            .autocontinue = tail[4],
+                            .param1 = float(random() % 0x1000000),
                             .param2 = float(random() % 256)}
             .encode(plain);
         out.assign(plain.begin(), plain.end());
@@ -180,8 +189,10 @@ void MisreadingTest::nestedFramesAreRefused()
     // A real command that arms by force, behind what the message has; and the shortest frame that there is, within it.
     mavlink::FrameWriter inner(255, 190, version);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView nested = inner.write(mavlink::CommandLong{.target_system = 1, .target_component = 1,
-                                                             .command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, .param1 = 1,
+    const ByteView nested = inner.write(mavlink::CommandLong{.target_system = 1,
+                                                             .target_component = 1,
+                                                             .command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM,
+                                                             .param1 = 1,
                                                              .param2 = 21196},
                                         buffer);
     std::mt19937_64 random(kSeed);
@@ -195,9 +206,9 @@ void MisreadingTest::nestedFramesAreRefused()
     QVERIFY(mayBeMisread(read(frame)));
 
     std::array<std::uint8_t, mavlink::kMaxFrameLength> small;
-    const ByteView shortest =
-        mavlink::writeFrame(small, version, 7, 255, 190, mavlink::MissionClearAll::kId, mavlink::MissionClearAll::kCrcExtra,
-                            version == 1 ? 0 : mavlink::MissionClearAll::kMinLength, version == 1 ? ByteView() : Bytes(2));
+    const ByteView shortest = mavlink::writeFrame(
+        small, version, 7, 255, 190, mavlink::MissionClearAll::kId, mavlink::MissionClearAll::kCrcExtra,
+        version == 1 ? 0 : mavlink::MissionClearAll::kMinLength, version == 1 ? ByteView() : Bytes(2));
     payload = payloadFor(id, random);
     const std::size_t room = std::min(payload.size(), shortest.size());
     std::copy_n(shortest.begin(), room, payload.end() - static_cast<std::ptrdiff_t>(room));
@@ -302,7 +313,8 @@ void MisreadingTest::questionsBesideACommandAreRefused()
     const ByteView frame = writer.write(mavlink::CommandLong{.target_system = static_cast<std::uint8_t>(target),
                                                              .target_component = 1,
                                                              .command = static_cast<std::uint16_t>(question),
-                                                             .confirmation = 1, .param1 = 1},
+                                                             .confirmation = 1,
+                                                             .param1 = 1},
                                         buffer);
     const Bytes bytes(frame.begin(), frame.end());
     Bytes left = bytes;
@@ -362,15 +374,19 @@ void MisreadingTest::honestQuestionsPass()
         bool any = false;
         for (int attempt = 0; attempt < 5 && !any; ++attempt) {
             std::array<std::uint8_t, mavlink::CommandLong::kMaxLength> payload;
-            mavlink::CommandLong{.target_system = 1, .target_component = 1, .command = 512,
-                                 .confirmation = static_cast<std::uint8_t>(attempt), .param1 = float(info.id)}
+            mavlink::CommandLong{.target_system = 1,
+                                 .target_component = 1,
+                                 .command = 512,
+                                 .confirmation = static_cast<std::uint8_t>(attempt),
+                                 .param1 = float(info.id)}
                 .encode(payload);
             any = passes(written(mavlink::CommandLong::kId, payload, writer));
             ++tried;
             dropped += !any;
         }
         const auto number = std::bit_cast<std::array<std::uint8_t, 4>>(float(info.id));
-        const bool unsayable = std::any_of(number.begin(), number.end(), [](auto byte) { return byte == 0xfd || byte == 0xfe; });
+        const bool unsayable = std::any_of(number.begin(), number.end(),
+                                           [](auto byte) { return byte == 0xfd || byte == 0xfe; });
         QVERIFY2(any != unsayable, info.name.data());
         never += unsayable;
         if (unsayable) { // is not counted beside those that chance drops
@@ -395,8 +411,11 @@ void MisreadingTest::fewVehiclesCannotBeAsked()
             bool any = false;
             for (unsigned attempt = 0; attempt < 8 && !any; ++attempt) {
                 std::array<std::uint8_t, mavlink::CommandLong::kMaxLength> payload;
-                mavlink::CommandLong{.target_system = static_cast<std::uint8_t>(system), .target_component = 1,
-                                     .command = question, .confirmation = static_cast<std::uint8_t>(attempt), .param1 = 30}
+                mavlink::CommandLong{.target_system = static_cast<std::uint8_t>(system),
+                                     .target_component = 1,
+                                     .command = question,
+                                     .confirmation = static_cast<std::uint8_t>(attempt),
+                                     .param1 = 30}
                     .encode(payload);
                 any = passes(written(mavlink::CommandLong::kId, payload, writer));
             }

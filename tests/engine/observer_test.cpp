@@ -49,15 +49,22 @@ bool maySend(const Bytes &bytes, bool pilotThere = false)
 
 Bytes commandLong(std::uint16_t command, std::array<float, 7> p = {})
 {
-    return frameOf(mavlink::CommandLong{.target_system = 1, .target_component = 1, .command = command, .param1 = p[0],
-                                        .param2 = p[1], .param3 = p[2], .param4 = p[3], .param5 = p[4], .param6 = p[5],
+    return frameOf(mavlink::CommandLong{.target_system = 1,
+                                        .target_component = 1,
+                                        .command = command,
+                                        .param1 = p[0],
+                                        .param2 = p[1],
+                                        .param3 = p[2],
+                                        .param4 = p[3],
+                                        .param5 = p[4],
+                                        .param6 = p[5],
                                         .param7 = p[6]});
 }
 
 Bytes commandInt(std::uint16_t command, float first = 0, float second = 0)
 {
-    return frameOf(mavlink::CommandInt{.target_system = 1, .target_component = 1, .command = command, .param1 = first,
-                                       .param2 = second});
+    return frameOf(
+        mavlink::CommandInt{.target_system = 1, .target_component = 1, .command = command, .param1 = first, .param2 = second});
 }
 
 /// What would fly the vehicle, or take the pilot's instruments away.
@@ -117,10 +124,12 @@ struct AgentWithOneStation
     {
         auto secrets = keys.secrets(channel::Role::Agent);
         secrets->peers[0].role = role;
-        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"), urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())),
-                                   {channel::defaultSuites(), false, false}, false};
-        agent = std::make_unique<engine::AgentCore>(
-            std::move(config), std::move(secrets), [this](const engine::AgentEvent &event) { events.push_back(event); });
+        engine::AgentConfig config{urlOf("udpin:127.0.0.1:0"),
+                                   urlOf("udpout:127.0.0.1:" + std::to_string(ground.port())),
+                                   {channel::defaultSuites(), false, false},
+                                   false};
+        agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),
+                                                    [this](const engine::AgentEvent &event) { events.push_back(event); });
         agent->start();
     }
 

@@ -195,7 +195,8 @@ struct ListeningCore
 
     engine::LinkSnapshot link;
     std::shared_ptr<const engine::Snapshot> newest;
-    engine::StationCore core{offConfig(), nullptr,
+    engine::StationCore core{offConfig(),
+                             nullptr,
                              {[this](const auto &snapshot) { newest = snapshot; },
                               [this](const engine::Event &event) {
                                   if (const auto *changed = std::get_if<engine::LinkChanged>(&event))

@@ -133,7 +133,9 @@ void RecorderTest::unwritableFolderIsAProblemAndNoMore()
 
 void RecorderTest::noFrameNoFile()
 {
-    { Recorder recorder(m_folder->path().toStdString()); }
+    {
+        Recorder recorder(m_folder->path().toStdString());
+    }
     QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
 }
 

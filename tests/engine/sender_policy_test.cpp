@@ -89,7 +89,7 @@ void SenderPolicyTest::systemStaysWithWhoHadItInAnEarlierRun()
     QVERIFY(!policyOf({a, b}).acceptSealed(kSecond, 1)); // though its owner has no session
     QVERIFY(policyOf({a, b}).acceptSealed(kSecond, 2));
     QVERIFY(policyOf({b}).acceptSealed(kSecond, 1));
-    QVERIFY(policyOf({a, bound}).acceptSealed(kSecond, 1)); // a person said so
+    QVERIFY(policyOf({a, bound}).acceptSealed(kSecond, 1));  // a person said so
     QVERIFY(policyOf({others, b}).acceptSealed(kSecond, 1)); // and that the first one is something else now
     QVERIFY(policyOf({a, b}, Speakers::MayShareASystem).acceptSealed(kSecond, 1));
     heard[b.key].set(1);

@@ -33,23 +33,23 @@ struct Stream
     std::size_t least, most;
 };
 constexpr Stream kMix[] = {
-    {30, 10, 27, 28},  // ATTITUDE
-    {33, 6, 26, 28},   // GLOBAL_POSITION_INT
-    {74, 6, 18, 20},   // VFR_HUD
-    {24, 4, 28, 31},   // GPS_RAW_INT, most of its extensions zero
-    {1, 4, 22, 31},    // SYS_STATUS
-    {27, 4, 22, 26},   // RAW_IMU
-    {29, 4, 11, 14},   // SCALED_PRESSURE
-    {36, 4, 12, 21},   // SERVO_OUTPUT_RAW
-    {65, 4, 34, 42},   // RC_CHANNELS
-    {62, 4, 22, 26},   // NAV_CONTROLLER_OUTPUT
-    {42, 2, 1, 3},     // MISSION_CURRENT
-    {163, 2, 22, 28},  // AHRS
-    {2, 2, 9, 12},     // SYSTEM_TIME
-    {125, 2, 2, 6},    // POWER_STATUS
-    {193, 2, 21, 22},  // EKF_STATUS_REPORT
-    {0, 1, 9, 9},      // HEARTBEAT
-    {147, 1, 36, 41},  // BATTERY_STATUS
+    {30, 10, 27, 28}, // ATTITUDE
+    {33, 6, 26, 28},  // GLOBAL_POSITION_INT
+    {74, 6, 18, 20},  // VFR_HUD
+    {24, 4, 28, 31},  // GPS_RAW_INT, most of its extensions zero
+    {1, 4, 22, 31},   // SYS_STATUS
+    {27, 4, 22, 26},  // RAW_IMU
+    {29, 4, 11, 14},  // SCALED_PRESSURE
+    {36, 4, 12, 21},  // SERVO_OUTPUT_RAW
+    {65, 4, 34, 42},  // RC_CHANNELS
+    {62, 4, 22, 26},  // NAV_CONTROLLER_OUTPUT
+    {42, 2, 1, 3},    // MISSION_CURRENT
+    {163, 2, 22, 28}, // AHRS
+    {2, 2, 9, 12},    // SYSTEM_TIME
+    {125, 2, 2, 6},   // POWER_STATUS
+    {193, 2, 21, 22}, // EKF_STATUS_REPORT
+    {0, 1, 9, 9},     // HEARTBEAT
+    {147, 1, 36, 41}, // BATTERY_STATUS
 };
 
 constexpr int perSecond()
@@ -87,8 +87,8 @@ std::vector<TimedFrame> telemetry(TimePoint from, Duration span)
         for (auto &byte : payload)
             byte = static_cast<std::uint8_t>(random() % 255 + 1);
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-        const auto bytes =
-            mavlink::writeFrame(buffer, 2, sequence++, 1, 1, stream.id, info->crcExtra, info->minLength, payload);
+        const auto bytes = mavlink::writeFrame(buffer, 2, sequence++, 1, 1, stream.id, info->crcExtra, info->minLength,
+                                               payload);
         frame.bytes.assign(bytes.begin(), bytes.end());
     }
     return out;
@@ -176,8 +176,7 @@ public:
                 m_up = true;
             }
         }
-        while (m_station->pollEvent()) {
-        }
+        while (m_station->pollEvent()) {}
     }
 
     TimePoint now{1h};
@@ -240,7 +239,7 @@ void waitForSession(Downlink &link)
 
 struct Cost
 {
-    bool complete = false; ///< every frame arrived
+    bool complete = false;                       ///< every frame arrived
     double signedPercent = 0, sealedPercent = 0; ///< more bytes than plain
 };
 

@@ -20,8 +20,10 @@ QString q(const char *text)
 
 QJsonObject sweep(const QString &folder, const char *seed)
 {
-    QStringList arguments{q("sweep"), q("--suites"), q("chacha20-poly1305,aes-256-gcm"), q("--seconds"), q("2"), q("--repeats"), q("5"),
-                          q("--seed"), q(seed), q("--out"), folder};
+    QStringList arguments{q("sweep"),     q("--suites"), q("chacha20-poly1305,aes-256-gcm"),
+                          q("--seconds"), q("2"),        q("--repeats"),
+                          q("5"),         q("--seed"),   q(seed),
+                          q("--out"),     folder};
     if (runProgram("skyseal-cli", arguments, {}, 300000).status != 0)
         return {};
     QFile file(folder + q("/sweep.json"));
@@ -71,10 +73,15 @@ void AgreementTest::intervalsMeet()
         ++compared;
         const auto edge = [](const QJsonObject &summary, const char *key) { return summary[q(key)].toDouble(); };
         if (edge(a, "ci95_low") > edge(b, "ci95_high") || edge(b, "ci95_low") > edge(a, "ci95_high"))
-            apart << QStringLiteral("%1: %2 to %3, then %4 to %5").arg(placeOf(a)).arg(edge(a, "ci95_low")).arg(edge(a, "ci95_high"))
-                         .arg(edge(b, "ci95_low")).arg(edge(b, "ci95_high"));
+            apart << QStringLiteral("%1: %2 to %3, then %4 to %5")
+                         .arg(placeOf(a))
+                         .arg(edge(a, "ci95_low"))
+                         .arg(edge(a, "ci95_high"))
+                         .arg(edge(b, "ci95_low"))
+                         .arg(edge(b, "ci95_high"));
     }
-    qInfo("%d pairs of intervals, %lld do not meet\n%s", compared, static_cast<long long>(apart.size()), qPrintable(apart.join(QLatin1Char('\n'))));
+    qInfo("%d pairs of intervals, %lld do not meet\n%s", compared, static_cast<long long>(apart.size()),
+          qPrintable(apart.join(QLatin1Char('\n'))));
     QVERIFY(compared > 80);
     QVERIFY2(apart.size() <= compared / 20, "more than one in twenty");
 }
@@ -89,8 +96,11 @@ void AgreementTest::sameSuiteTwiceIsNoDifference()
         for (const QJsonValue noise : report[q("noise")].toArray()) {
             ++compared;
             if (noise[q("differs")].toBool())
-                differing << QStringLiteral("%1 %2: %3, %4, p = %5").arg(noise[q("load")].toString(), noise[q("metric")].toString())
-                                 .arg(noise[q("mean")].toDouble()).arg(noise[q("mean_again")].toDouble()).arg(noise[q("p")].toDouble());
+                differing << QStringLiteral("%1 %2: %3, %4, p = %5")
+                                 .arg(noise[q("load")].toString(), noise[q("metric")].toString())
+                                 .arg(noise[q("mean")].toDouble())
+                                 .arg(noise[q("mean_again")].toDouble())
+                                 .arg(noise[q("p")].toDouble());
         }
         sweeps += differing.size() > before;
     }

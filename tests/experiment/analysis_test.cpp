@@ -19,7 +19,10 @@ constexpr unsigned kSeed = 20261121;
 template<typename Draw> Results sweepOf(Metric metric, unsigned repeats, Draw draw)
 {
     Results out;
-    out.plan.arms = {{SuiteId::ChaCha20Poly1305, false}, {SuiteId::Aes256Gcm, false}, {SuiteId::Rc4, false}, {SuiteId::ChaCha20Poly1305, true}};
+    out.plan.arms = {{SuiteId::ChaCha20Poly1305, false},
+                     {SuiteId::Aes256Gcm, false},
+                     {SuiteId::Rc4, false},
+                     {SuiteId::ChaCha20Poly1305, true}};
     out.plan.repeats = repeats;
     for (const Run &run : schedule(out.plan)) {
         Sample sample;
@@ -89,7 +92,8 @@ void AnalysisTest::sameSettingTwiceAgrees()
         held += first.low() <= 1000 && 1000 <= first.high();
         agreed += first.low() <= second.high() && second.low() <= first.high();
     }
-    qInfo("seed %u: the interval held the truth in %.1f %%, two intervals met in %.1f %%", kSeed, 100.0 * held / kSweeps, 100.0 * agreed / kSweeps);
+    qInfo("seed %u: the interval held the truth in %.1f %%, two intervals met in %.1f %%", kSeed, 100.0 * held / kSweeps,
+          100.0 * agreed / kSweeps);
     QVERIFY(held > 0.94 * kSweeps && held < 0.96 * kSweeps); // what "95 %" says
     QVERIFY(agreed > 0.985 * kSweeps);
 }
@@ -103,7 +107,8 @@ void AnalysisTest::sameSuiteTwiceSeldomDiffers()
     for (int i = 0; i < kSweeps; ++i) {
         Results results = sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t) { return around(random); });
         for (Sample &sample : results.samples) {
-            for (const Metric metric : {Metric::Packets, Metric::Latency, Metric::AgentCpuPerFrame, Metric::ByteRate, Metric::Cpu})
+            for (const Metric metric :
+                 {Metric::Packets, Metric::Latency, Metric::AgentCpuPerFrame, Metric::ByteRate, Metric::Cpu})
                 sample.values[metric] = around(random);
         }
         const std::vector<Noise> noise = noiseOf(results);
@@ -121,8 +126,10 @@ void AnalysisTest::noPairOfEqualSuitesDiffers()
     int alarms = 0;
     constexpr int kSweeps = 3000;
     for (int i = 0; i < kSweeps; ++i) {
-        const auto pairs = compareArms(sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t) { return around(random); }), 0, 0, Metric::CpuPerFrame);
-        alarms += std::any_of(pairs.begin(), pairs.end(), [](const ArmComparison &pair) { return pair.comparison.significant(); });
+        const auto pairs = compareArms(sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t) { return around(random); }), 0, 0,
+                                       Metric::CpuPerFrame);
+        alarms += std::any_of(pairs.begin(), pairs.end(),
+                              [](const ArmComparison &pair) { return pair.comparison.significant(); });
     }
     QVERIFY2(alarms < 0.06 * kSweeps, qPrintable(QString::number(alarms))); // any of the pairs, all together
 }
@@ -131,7 +138,8 @@ void AnalysisTest::realDifferenceIsFound()
 {
     std::mt19937 random(kSeed);
     std::normal_distribution<double> noise(0, 10);
-    const Results results = sweepOf(Metric::CpuPerFrame, 5, [&](std::size_t arm) { return (arm == 1 ? 1100 : 1000) + noise(random); });
+    const Results results = sweepOf(Metric::CpuPerFrame, 5,
+                                    [&](std::size_t arm) { return (arm == 1 ? 1100 : 1000) + noise(random); });
     QVERIFY(differ(results, 0, 1, Metric::CpuPerFrame));
     QVERIFY(!differ(results, 0, 2, Metric::CpuPerFrame));
 }
@@ -148,17 +156,20 @@ void AnalysisTest::oneStepOfAHistogramIsNoDifference()
     QFETCH(int, metric);
     const auto cost = static_cast<Metric>(metric);
     using metrics::Histogram;
-    for (auto value = static_cast<double>(Histogram::lastOf(Histogram::bucketOf(200))); value < 40000; value = nextStep(value)) {
+    for (auto value = static_cast<double>(Histogram::lastOf(Histogram::bucketOf(200))); value < 40000;
+         value = nextStep(value)) {
         // Values that never vary: whatever differs at all has p = 0.
         const Results one = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 1 ? nextStep(value) : value; });
         QVERIFY2(!differ(one, 0, 1, cost), qPrintable(QString::number(value)));
-        const Results three = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 1 ? nextStep(nextStep(nextStep(value))) : value; });
+        const Results three = sweepOf(cost, 5,
+                                      [&](std::size_t arm) { return arm == 1 ? nextStep(nextStep(nextStep(value))) : value; });
         QVERIFY2(differ(three, 0, 1, cost), qPrintable(QString::number(value)));
         const Results again = sweepOf(cost, 5, [&](std::size_t arm) { return arm == 3 ? nextStep(value) : value; });
         QVERIFY(!noiseOf(again).at(0).differs());
     }
     // A mean has no such step.
-    QVERIFY(differ(sweepOf(Metric::WirePerFrame, 5, [](std::size_t arm) { return arm == 1 ? 101.0 : 100.0; }), 0, 1, Metric::WirePerFrame));
+    QVERIFY(differ(sweepOf(Metric::WirePerFrame, 5, [](std::size_t arm) { return arm == 1 ? 101.0 : 100.0; }), 0, 1,
+                   Metric::WirePerFrame));
 }
 
 /// Which frames fall within a run and which next to it is chance; the same count three times does not make it less so.
@@ -167,7 +178,8 @@ void AnalysisTest::framesAtTheEdgesAreNoDifference()
     for (const unsigned repeats : {2u, 3u, 5u, 20u}) {
         for (const std::size_t other : {1u, 3u}) { // another suite; the same again
             for (const double more : {1.0, 2.0, 3.0}) {
-                Results results = sweepOf(Metric::Packets, repeats, [&](std::size_t arm) { return arm == other ? 367 + more : 367.0; });
+                Results results = sweepOf(Metric::Packets, repeats,
+                                          [&](std::size_t arm) { return arm == other ? 367 + more : 367.0; });
                 for (Sample &sample : results.samples)
                     sample.values[Metric::FrameRate] = sample.values[Metric::Packets] / seconds(results.plan.measure);
                 const bool beyond = more > 2, tested = repeats >= 5;
@@ -175,7 +187,9 @@ void AnalysisTest::framesAtTheEdgesAreNoDifference()
                     Comparison comparison = comparisonOf(results, 0, 1, metric);
                     if (other == 3) {
                         const std::vector<Noise> noise = noiseOf(results);
-                        comparison = std::find_if(noise.begin(), noise.end(), [&](const Noise &one) { return one.metric == metric; })->comparison;
+                        comparison = std::find_if(noise.begin(), noise.end(), [&](const Noise &one) {
+                                         return one.metric == metric;
+                                     })->comparison;
                     }
                     QCOMPARE(std::isnan(comparison.test.p), !tested);
                     QCOMPARE(comparison.significant(), beyond && tested);
@@ -192,7 +206,8 @@ void AnalysisTest::coinsAreNoDifference()
 {
     std::mt19937 random(kSeed);
     for (int i = 0; i < 2000; ++i) {
-        const Results results = sweepOf(Metric::Packets, 2 + static_cast<unsigned>(i) % 3, [&](std::size_t) { return 367.0 + random() % 2; });
+        const Results results = sweepOf(Metric::Packets, 2 + static_cast<unsigned>(i) % 3,
+                                        [&](std::size_t) { return 367.0 + random() % 2; });
         for (const ArmComparison &pair : compareArms(results, 0, 0, Metric::Packets))
             QVERIFY(!pair.comparison.significant() && pair.comparison.known());
         QVERIFY(!noiseOf(results).at(0).differs());

@@ -63,7 +63,8 @@ QStringList words(const char *text)
 QJsonObject runIn(const QByteArray &out)
 {
     for (const QByteArray &line : out.split('\n')) {
-        if (const QJsonObject object = QJsonDocument::fromJson(line).object(); object[QLatin1String("event")] == QLatin1String("run"))
+        if (const QJsonObject object = QJsonDocument::fromJson(line).object();
+            object[QLatin1String("event")] == QLatin1String("run"))
             return object[QLatin1String("values")].toObject();
     }
     return {};
@@ -95,8 +96,8 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
         QSKIP("perf is not installed (linux-perf)");
     QTemporaryDir folder;
     const QString data = folder.filePath(QStringLiteral("perf.data"));
-    const RunResult trial =
-        runToItsEnd(QStringLiteral("perf"), words("record -q -e cpu-clock:u -o") << data << QStringLiteral("true"));
+    const RunResult trial = runToItsEnd(QStringLiteral("perf"),
+                                        words("record -q -e cpu-clock:u -o") << data << QStringLiteral("true"));
     if (trial.status != 0)
         QSKIP("perf may not sample here (kernel.perf_event_paranoid)");
     QProcess sweep;
@@ -106,8 +107,9 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     QTRY_VERIFY_WITH_TIMEOUT(ioThreadOf(sweep.processId()) != 0, 20000);
     // Its user and its kernel time, as the thread's own clock counts both.
     QProcess perf;
-    perf.start(QStringLiteral("perf"), words("record -q -e cpu-clock -F 1999 --call-graph dwarf,8192 -o") << data << QStringLiteral("-t")
-                                           << QString::number(ioThreadOf(sweep.processId())));
+    perf.start(QStringLiteral("perf"),
+               words("record -q -e cpu-clock -F 1999 --call-graph dwarf,8192 -o")
+                   << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
     QVERIFY(perf.waitForStarted());
     QVERIFY(sweep.waitForFinished(120000));
     QCOMPARE(sweep.exitCode(), 0);
@@ -117,8 +119,8 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     }
     const QJsonObject values = runIn(sweep.readAllStandardOutput());
     const double measured = values[QLatin1String("cpu_suite")].toDouble() / values[QLatin1String("cpu")].toDouble();
-    const RunResult script =
-        runToItsEnd(QStringLiteral("perf"), words("script --no-inline -F tid,ip,sym -i") << data, {}, 300000);
+    const RunResult script = runToItsEnd(QStringLiteral("perf"), words("script --no-inline -F tid,ip,sym -i") << data, {},
+                                         300000);
     QVERIFY2(script.status == 0, script.err.constData());
     const Attribution found = attributed(script.out);
     qInfo("%s: measured %.2f %% of the I/O thread's CPU time, perf %.2f %% (%d of %d samples), ratio %.3f", qPrintable(suite),

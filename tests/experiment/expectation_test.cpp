@@ -16,7 +16,7 @@ double lookup(Metric metric, SuiteId suite, std::optional<channel::Framing> fram
 {
     if (metric == Metric::Cpu)
         return (suite == SuiteId::None ? 2.0 : 3.0) * (load == Load::Saturated ? 10 : 1)
-               + (framing == channel::Framing::Inline ? 0.5 : 0);
+            + (framing == channel::Framing::Inline ? 0.5 : 0);
     if (metric == Metric::Loss)
         return 0.25;
     return std::numeric_limits<double>::quiet_NaN();

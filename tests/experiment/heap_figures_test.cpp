@@ -44,8 +44,10 @@ void HeapFiguresTest::areThoseOfTheSuiteAlone()
         if (suite.id == crypto::SuiteId::None)
             QVERIFY(!session[at]);
         else if (const auto alone = sessionBytes(suite.id))
-            QVERIFY2(std::abs(*session[at] - *alone) <= 0.05 * *alone,
-                     qPrintable(QStringLiteral("%1: %2, alone %3").arg(QLatin1String(suite.name.data())).arg(*session[at]).arg(*alone)));
+            QVERIFY2(
+                std::abs(*session[at] - *alone) <= 0.05 * *alone,
+                qPrintable(
+                    QStringLiteral("%1: %2, alone %3").arg(QLatin1String(suite.name.data())).arg(*session[at]).arg(*alone)));
         ++at;
     }
 }

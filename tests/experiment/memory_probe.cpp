@@ -26,7 +26,8 @@ int main(int argc, char **argv)
     const auto count = static_cast<std::size_t>(std::atoi(argv[3]));
     const double ours = (sessions ? experiment::sessionBytes(*suite) : experiment::contextBytes(*suite)).value_or(-1);
     std::vector<std::unique_ptr<crypto::RecordCipher>> contexts;
-    std::vector<experiment::RecordPair> pairs(sessions ? kPairs : 0); // as many whatever the count: only sessions make a difference
+    std::vector<experiment::RecordPair> pairs(sessions ? kPairs
+                                                       : 0); // as many whatever the count: only sessions make a difference
     contexts.reserve(count);
     if (sessions && count > kPairs)
         return 2;

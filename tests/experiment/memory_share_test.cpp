@@ -34,9 +34,9 @@ QString q(const char *text)
 
 struct Profile
 {
-    QByteArray out;       ///< of the program
-    double heap = 0;      ///< bytes at the peak
-    double resident = 0;  ///< bytes at the peak
+    QByteArray out;      ///< of the program
+    double heap = 0;     ///< bytes at the peak
+    double resident = 0; ///< bytes at the peak
 };
 
 /// "1.23M" behind these words.
@@ -60,7 +60,8 @@ std::optional<Profile> profiled(const QStringList &command)
     if (written.isEmpty())
         return std::nullopt;
     const RunResult print = runToItsEnd(q("heaptrack_print"), {q("-f"), folder.filePath(written.first())}, {}, 120000);
-    return Profile{run.out, figureIn(print.out, "peak heap memory consumption"), figureIn(print.out, "peak RSS (including heaptrack overhead)")};
+    return Profile{run.out, figureIn(print.out, "peak heap memory consumption"),
+                   figureIn(print.out, "peak RSS (including heaptrack overhead)")};
 }
 
 } // namespace
@@ -112,8 +113,8 @@ void MemoryShareTest::heapIsWhatHeaptrackFinds()
 
 void MemoryShareTest::residentSetIsWhatHeaptrackReads()
 {
-    const auto run = profiled({q(SKYSEAL_BIN_DIR "/skyseal-cli"), q("monitor"), q("--link"), q("udpin:127.0.0.1:0"), q("--no-record"),
-                               q("--duration"), q("3"), q("--json")});
+    const auto run = profiled({q(SKYSEAL_BIN_DIR "/skyseal-cli"), q("monitor"), q("--link"), q("udpin:127.0.0.1:0"),
+                               q("--no-record"), q("--duration"), q("3"), q("--json")});
     QVERIFY(run);
     double ours = 0;
     for (const QByteArray &line : run->out.split('\n')) {

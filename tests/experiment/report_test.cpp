@@ -98,8 +98,8 @@ private Q_SLOTS:
 
 void ReportTest::barsAreTheMeans()
 {
-    const Results results =
-        resultsWith(Metric::CpuPerFrame, [](SuiteId suite) { return 1000.0 + 100 * static_cast<double>(suite); });
+    const Results results = resultsWith(Metric::CpuPerFrame,
+                                        [](SuiteId suite) { return 1000.0 + 100 * static_cast<double>(suite); });
     const BarChart chart = chartOf(results, 0, 0, Metric::CpuPerFrame);
     QCOMPARE(chart.bars.size(), results.plan.arms.size());
     QXmlStreamReader xml(QString::fromStdString(svg(chart)));
@@ -150,7 +150,8 @@ void ReportTest::insecureIsSaidSo()
 
 void ReportTest::unmeasuredIsSaidSo()
 {
-    const Results results = resultsWith(Metric::OpenP50, [](SuiteId suite) { return suite == SuiteId::None ? std::nan("") : 5.0; });
+    const Results results = resultsWith(Metric::OpenP50,
+                                        [](SuiteId suite) { return suite == SuiteId::None ? std::nan("") : 5.0; });
     const std::string text = svg(chartOf(results, 0, 0, Metric::OpenP50));
     QVERIFY(text.find("not measured") != std::string::npos);
     QVERIFY(text.find("nan") == std::string::npos);
@@ -172,13 +173,15 @@ void ReportTest::lossIsInPerCent()
 void ReportTest::claimsFollowSignificance()
 {
     const auto cpu = [](double chacha) {
-        return resultsWith(Metric::CpuPerFrame, [chacha](SuiteId suite) { return suite == SuiteId::ChaCha20 ? chacha : 1000.0; });
+        return resultsWith(Metric::CpuPerFrame,
+                           [chacha](SuiteId suite) { return suite == SuiteId::ChaCha20 ? chacha : 1000.0; });
     };
     QCOMPARE(findingOf(cpu(800), 1), Finding::Confirmed);
     QCOMPARE(findingOf(cpu(1200), 1), Finding::NotConfirmed);
     QCOMPARE(findingOf(cpu(1000), 1), Finding::CannotBeSaid);
     QCOMPARE(findingOf(cpu(800), 0), Finding::CannotBeSaid); // packets were not measured there
-    const auto packets = resultsWith(Metric::Packets, [](SuiteId suite) { return suite == SuiteId::ChaCha20 ? 1200.0 : 1000.0; });
+    const auto packets = resultsWith(Metric::Packets,
+                                     [](SuiteId suite) { return suite == SuiteId::ChaCha20 ? 1200.0 : 1000.0; });
     QCOMPARE(findingOf(packets, 0), Finding::Confirmed); // more is better
     for (const double chacha : {800.0, 1000.0, 1200.0}) {
         QCOMPARE(findingOf(cpu(chacha), 5), Finding::CannotBeSaid); // energy
@@ -245,14 +248,16 @@ void ReportTest::claimsAreOfTheCleanLink()
 
 void ReportTest::dronesCpuIsJudgedAsWell()
 {
-    const Results results = resultsWith(Metric::AgentCpuPerFrame, [](SuiteId suite) { return suite == SuiteId::ChaCha20 ? 800.0 : 1000.0; });
+    const Results results = resultsWith(Metric::AgentCpuPerFrame,
+                                        [](SuiteId suite) { return suite == SuiteId::ChaCha20 ? 800.0 : 1000.0; });
     QCOMPARE(findingOf(results, 1), Finding::CannotBeSaid); // the station's
     QCOMPARE(findingOf(results, 2), Finding::Confirmed);
 }
 
 void ReportTest::residentMemoryHasNoInterval()
 {
-    const Results results = resultsWith(Metric::AgentMemory, [](SuiteId suite) { return 1e7 + 1e6 * static_cast<double>(suite); });
+    const Results results = resultsWith(Metric::AgentMemory,
+                                        [](SuiteId suite) { return 1e7 + 1e6 * static_cast<double>(suite); });
     QVERIFY(compareArms(results, 0, 0, Metric::AgentMemory).empty());
     QVERIFY(noiseOf(results).empty());
     const BarChart chart = chartOf(results, 0, 0, Metric::AgentMemory);
@@ -290,7 +295,7 @@ void ReportTest::nothingLostHasABound()
         sample.begin.rx.good = 500;
         sample.end.rx.good = 500 + 60;
         sample.values[Metric::RecordLoss] = sample.run.repeat == 0 ? std::nan("") : 0; // such a run's records do not count
-        sample.values[Metric::RecordLossUp] = 0; // of no record at all
+        sample.values[Metric::RecordLossUp] = 0;                                       // of no record at all
     }
     QVERIFY(std::abs(summaryOf(results, {0, 0, 1}, Metric::Loss).high() - (1 - std::pow(0.05, 1 / 880.0))) < 1e-12);
     QCOMPARE(meanText(results, {0, 0, 1}, Metric::Loss), std::string("0 (≤ 0.0034)"));
@@ -331,9 +336,11 @@ void ReportTest::runsAreCounted()
     results.samples.front().values = {};
     QCOMPARE(runsText(results), std::string("4 to 5 runs"));
     const std::string failed = failedRuns(results);
-    QVERIFY2(failed.starts_with("1 of 40 runs failed: ") && failed.ends_with(" (saturated load): no vehicle was heard"), failed.c_str());
+    QVERIFY2(failed.starts_with("1 of 40 runs failed: ") && failed.ends_with(" (saturated load): no vehicle was heard"),
+             failed.c_str());
     const std::string page = htmlReport({results, {}, {}, {}});
-    QVERIFY(page.find("Means of 4 to 5 runs each") != std::string::npos && page.find("1 of 40 runs failed") != std::string::npos);
+    QVERIFY(page.find("Means of 4 to 5 runs each") != std::string::npos
+            && page.find("1 of 40 runs failed") != std::string::npos);
 
     Results severalLinks = results;
     severalLinks.plan.conditions.push_back({"loss=0.05", {}});
@@ -397,7 +404,8 @@ void ReportTest::untestedIsSaidSo()
 /// A share of nothing is no number, and no text either.
 void ReportTest::ratioToNothingIsNull()
 {
-    const Results results = resultsWith(Metric::RecordLoss, [](SuiteId suite) { return suite == SuiteId::Aes256Gcm ? 0.1 : 0.0; });
+    const Results results = resultsWith(Metric::RecordLoss,
+                                        [](SuiteId suite) { return suite == SuiteId::Aes256Gcm ? 0.1 : 0.0; });
     const std::string json = sweepJson(results, {});
     QVERIFY(json.find("\"ratio\":null") != std::string::npos && json.find("\"significant\":true") != std::string::npos);
     QVERIFY(json.find("Infinity") == std::string::npos);
@@ -423,8 +431,10 @@ void ReportTest::noiseIsJudgedAsSuitesAre()
     const std::size_t row = page.find("CPU time per frame, station</td>", begin);
     const std::string line = page.substr(row, page.find("</tr>", row) - row);
     // R: t.test of the two: difference 20, standard error sqrt(2 * 100 / 5), 8 degrees of freedom: 5.416 to 34.584
-    QVERIFY2(line.find("<td>2 %</td><td>0.542 to 3.46 %</td><td>0.0133</td><td>differs</td><td>0.0801</td><td>no difference</td>") != std::string::npos,
-             line.c_str());
+    QVERIFY2(
+        line.find("<td>2 %</td><td>0.542 to 3.46 %</td><td>0.0133</td><td>differs</td><td>0.0801</td><td>no difference</td>")
+            != std::string::npos,
+        line.c_str());
     QVERIFY(page.find("over all 6 A/A tests") != std::string::npos && page.find("of the 6 such families") != std::string::npos);
     const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(sweepJson(results, {}))).object();
     for (const QJsonValue noise : json[QLatin1String("noise")].toArray()) {
@@ -441,14 +451,17 @@ void ReportTest::comparedIsWhatThePaperCompared()
 {
     Results results = resultsWith(Metric::Packets, [](SuiteId suite) { return 1000.0 + static_cast<double>(suite); });
     for (Sample &sample : results.samples) {
-        for (const Metric metric : {Metric::FrameRate, Metric::Cpu, Metric::AgentCpu, Metric::Loss, Metric::RecordLoss, Metric::Memory, Metric::AgentMemory})
+        for (const Metric metric : {Metric::FrameRate, Metric::Cpu, Metric::AgentCpu, Metric::Loss, Metric::RecordLoss,
+                                    Metric::Memory, Metric::AgentMemory})
             sample.values[metric] = sample.values[Metric::Packets] / 1e4;
     }
     const std::string page = htmlReport({results, {}, {}, {}});
-    for (const auto &[from, to] : {std::pair("Which suites differ", "machine's noise"), std::pair("machine's noise", "The paper's claims")}) {
+    for (const auto &[from, to] :
+         {std::pair("Which suites differ", "machine's noise"), std::pair("machine's noise", "The paper's claims")}) {
         const std::size_t begin = page.find(from);
         const std::string part = page.substr(begin, page.find(to, begin) - begin);
-        for (const char *title : {"Packets transmitted", "Rate", "CPU load, station", "CPU load, agent", "Frames lost", "Records lost, to the station"})
+        for (const char *title : {"Packets transmitted", "Rate", "CPU load, station", "CPU load, agent", "Frames lost",
+                                  "Records lost, to the station"})
             QVERIFY2(part.find(std::string(title) + "</td>") != std::string::npos, title);
         QVERIFY(part.find("Memory") == std::string::npos);
     }
@@ -470,8 +483,8 @@ void ReportTest::framingsAreTold()
     QCOMPARE(results.plan.arms.size(), std::size_t(5));
     QCOMPARE(results.samples.size(), std::size_t(8)); // AES-256-GCM is not inline
     const std::string figure = svg(chartOf(results, 0, 0, Metric::Packets));
-    for (const char *label : {">none (insecure)<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<",
-                              ">not in this framing<"})
+    for (const char *label :
+         {">none (insecure)<", ">chacha20 sealed<", ">chacha20 inline<", ">aes-256-gcm inline<", ">not in this framing<"})
         QVERIFY2(figure.find(label) != std::string::npos, label);
     QVERIFY(figure.find("not measured") == std::string::npos);
 
@@ -483,9 +496,9 @@ void ReportTest::framingsAreTold()
         arms << arm[QLatin1String("suite")].toString() + QLatin1Char(' ') + arm[QLatin1String("framing")].toString();
         QCOMPARE(arm[QLatin1String("in_framing")].toBool(), arms.last() != QLatin1String("aes-256-gcm inline"));
     }
-    QCOMPARE(arms, QStringList({QStringLiteral("none plain"), QStringLiteral("aes-256-gcm sealed"),
-                                QStringLiteral("chacha20 sealed"), QStringLiteral("aes-256-gcm inline"),
-                                QStringLiteral("chacha20 inline")}));
+    QCOMPARE(arms,
+             QStringList({QStringLiteral("none plain"), QStringLiteral("aes-256-gcm sealed"), QStringLiteral("chacha20 sealed"),
+                          QStringLiteral("aes-256-gcm inline"), QStringLiteral("chacha20 inline")}));
     QSet<QString> told;
     for (const QJsonValue summary : json[QLatin1String("summaries")].toArray())
         told << summary[QLatin1String("suite")].toString() + QLatin1Char(' ') + summary[QLatin1String("framing")].toString();
@@ -496,7 +509,7 @@ void ReportTest::framingsAreTold()
     const auto claims = paperClaims(results, [](SuiteId) { return std::nan(""); });
     const std::string html = htmlReport({results, figures, {}, claims});
     QVERIFY(html.find("not in this framing") != std::string::npos);
-    QVERIFY(html.find("framing inline") != std::string::npos); // that the claims are judged in
+    QVERIFY(html.find("framing inline") != std::string::npos);                    // that the claims are judged in
     QCOMPARE(compareArms(results, 0, 0, Metric::Packets).size(), std::size_t(6)); // four arms, each with each
 }
 

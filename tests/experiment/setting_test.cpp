@@ -29,7 +29,8 @@ void SettingTest::namesTheBuild()
 {
     const Setting setting = machineSetting();
     for (const char *key : {"memory", "build", "build_type", "build_flags", "commit", "load_average_at_start"}) {
-        const auto found = std::find_if(setting.begin(), setting.end(), [key](const auto &entry) { return entry.first == key; });
+        const auto found = std::find_if(setting.begin(), setting.end(),
+                                        [key](const auto &entry) { return entry.first == key; });
         QVERIFY2(found != setting.end(), key);
         qInfo("%s: %s", key, found->second.c_str());
         QVERIFY2(!found->second.empty(), key);
@@ -54,7 +55,8 @@ void SettingTest::slowBuildIsWarnedOf()
 
     const Setting setting = machineSetting();
     QVERIFY(warningsOf(setting).size() <= 1); // a key of sweep.json
-    const auto flags = std::find_if(setting.begin(), setting.end(), [](const auto &entry) { return entry.first == "build_flags"; });
+    const auto flags = std::find_if(setting.begin(), setting.end(),
+                                    [](const auto &entry) { return entry.first == "build_flags"; });
     for (const std::string &warning : warningsOf(setting))
         QCOMPARE(warning.find("this build is " + buildWarning(flags->second)) == 0, !buildWarning(flags->second).empty());
     QVERIFY(buildWarning(flags->second).empty() || !warningsOf(setting).empty());
@@ -89,9 +91,10 @@ void SettingTest::benchSaysWhatItUsed()
         qunsetenv(name);
     else
         qputenv(name, mask);
-    const RunResult run = skyseal::test::runProgram("skyseal-cli", {QStringLiteral("bench"), QStringLiteral("--suites"),
-                                                                    QStringLiteral("aes-256-gcm"), QStringLiteral("--sizes"),
-                                                                    QStringLiteral("64"), QStringLiteral("--json")});
+    const RunResult run = skyseal::test::runProgram("skyseal-cli",
+                                                    {QStringLiteral("bench"), QStringLiteral("--suites"),
+                                                     QStringLiteral("aes-256-gcm"), QStringLiteral("--sizes"),
+                                                     QStringLiteral("64"), QStringLiteral("--json")});
     qunsetenv(name);
     QVERIFY2(run.status == 0, run.err.constData());
     QList<bool> used;

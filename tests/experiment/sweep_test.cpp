@@ -36,8 +36,9 @@ QStringList sweep(const char *more)
 /// On somebody else's agent.
 QStringList onLink(const Flight &flight, const char *more)
 {
-    return sweep(more) + QStringList{q("--link"), q("udpin:127.0.0.1:%1").arg(flight.groundPort), q("--identity"),
-                                     flight.path(q("ground.key")), q("--peers"), flight.path(q("ground.peers"))};
+    return sweep(more) + QStringList{q("--link"),     q("udpin:127.0.0.1:%1").arg(flight.groundPort),
+                                     q("--identity"), flight.path(q("ground.key")),
+                                     q("--peers"),    flight.path(q("ground.peers"))};
 }
 
 QByteArray contentOf(const QString &path)
@@ -98,7 +99,8 @@ static QList<QJsonObject> summariesOf(const QJsonObject &report, const QString &
         out.append(QJsonObject());
         for (const QJsonValue summary : report[QLatin1String("summaries")].toArray()) {
             if (summary[QLatin1String("load")] == load && summary[QLatin1String("metric")] == metric
-                && summary[QLatin1String("suite")] == arm[QLatin1String("suite")] && summary[QLatin1String("again")] == arm[QLatin1String("again")]
+                && summary[QLatin1String("suite")] == arm[QLatin1String("suite")]
+                && summary[QLatin1String("again")] == arm[QLatin1String("again")]
                 && summary[QLatin1String("framing")] == arm[QLatin1String("framing")])
                 out.last() = summary.toObject();
         }
@@ -126,7 +128,8 @@ static std::pair<double, double> shown(QString text)
     text = text.remove(QLatin1Char(',')).section(QLatin1Char(' '), 0, 0);
     const qsizetype decimals = text.contains(QLatin1Char('.')) ? text.size() - text.indexOf(QLatin1Char('.')) - 1 : 0;
     // Without an interval three digits are shown.
-    return {text.toDouble(), std::max(0.5 * std::pow(10, -static_cast<double>(decimals)), 0.005 * std::abs(text.toDouble()) * (decimals == 0))};
+    return {text.toDouble(),
+            std::max(0.5 * std::pow(10, -static_cast<double>(decimals)), 0.005 * std::abs(text.toDouble()) * (decimals == 0))};
 }
 
 void SweepTest::checkSummaries(const QJsonObject &report)
@@ -139,7 +142,8 @@ void SweepTest::checkSummaries(const QJsonObject &report)
             bool same = true;
             for (const char *key : {"condition", "load", "suite", "framing", "again"})
                 same = same && sample[QLatin1String(key)] == summary[QLatin1String(key)];
-            const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(std::nan(""));
+            const double value = sample[QLatin1String("values")][summary[QLatin1String("metric")].toString()].toDouble(
+                std::nan(""));
             if (same && std::isfinite(value)) {
                 values.append(value);
                 frames += sharedBy(sample.toObject(), summary[QLatin1String("metric")].toString());
@@ -199,7 +203,8 @@ void SweepTest::checkPage(const QJsonObject &report, const QString &page)
             const QString unit = metric[QLatin1String("unit")].toString();
             const QString title = metric[QLatin1String("title")].toString() + (unit.isEmpty() ? QString() : q(", ") + unit);
             const qsizetype row = table.indexOf(q("<tr><td>%1</td>").arg(title.toHtmlEscaped()));
-            const QStringList cells = row < 0 ? QStringList() : table.mid(row, table.indexOf(q("</tr>"), row) - row).split(q("<td>")).mid(2);
+            const QStringList cells = row < 0 ? QStringList()
+                                              : table.mid(row, table.indexOf(q("</tr>"), row) - row).split(q("<td>")).mid(2);
             const QList<QJsonObject> summaries = summariesOf(report, q(load), metric[QLatin1String("key")].toString());
             for (qsizetype arm = 0; arm < summaries.size(); ++arm) {
                 const QString cell = cells.value(arm, q("–")).section(QLatin1Char('<'), 0, 0);
@@ -208,7 +213,8 @@ void SweepTest::checkPage(const QJsonObject &report, const QString &page)
                     continue;
                 const auto [value, rounding] = shown(cell);
                 const double mean = summaries[arm][QLatin1String("mean")].toDouble();
-                QVERIFY2(std::abs(value - mean) <= rounding * 1.001, qPrintable(title + q(": ") + cell + q(" for ") + QString::number(mean, 'g', 12)));
+                QVERIFY2(std::abs(value - mean) <= rounding * 1.001,
+                         qPrintable(title + q(": ") + cell + q(" for ") + QString::number(mean, 'g', 12)));
                 ++checked;
             }
         }
@@ -221,7 +227,8 @@ void SweepTest::checkFigure(const QJsonObject &report, const char *metric, const
     QList<double> widths;
     QXmlStreamReader xml(svg);
     while (!xml.atEnd()) {
-        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == q("rect") && xml.attributes().hasAttribute(q("stroke")))
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == q("rect")
+            && xml.attributes().hasAttribute(q("stroke")))
             widths.append(xml.attributes().value(q("width")).toDouble());
     }
     QList<double> means;
@@ -256,14 +263,15 @@ void SweepTest::filesAgree()
         QVERIFY(!QFile::exists(folder.filePath(name))); // of another sweep
     for (const QString &name : others)
         QVERIFY2(QFile::exists(folder.filePath(name)), qPrintable(name));
-    QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2); // three suites and one of them again, two loads, two repeats
+    QCOMPARE(events(run.out, "run").size(), 4 * 2 * 2);            // three suites and one of them again, two loads, two repeats
     QCOMPARE(events(run.out, "expect").size(), 3 * 2 + 1 * 2 + 1); // for each load where none is named
     const QByteArray json = contentOf(folder.filePath(q("out/sweep.json")));
     const QJsonObject report = QJsonDocument::fromJson(json).object();
     QCOMPARE(report[QLatin1String("schema")].toString(), q("skyseal-sweep"));
     QCOMPARE(report[QLatin1String("schema_version")].toInt(), 2);
     QVERIFY(report[QLatin1String("complete")].toBool());
-    for (const char *key : {"skyseal", "command_line", "processor", "processor_features", "libsodium", "openssl", "qt", "build"})
+    for (const char *key :
+         {"skyseal", "command_line", "processor", "processor_features", "libsodium", "openssl", "qt", "build"})
         QVERIFY2(!report[QLatin1String("setting")][QLatin1String(key)].toString().isEmpty(), key);
     for (const QJsonValue sample : report[QLatin1String("samples")].toArray()) {
         const QJsonObject object = sample.toObject();
@@ -327,8 +335,9 @@ void SweepTest::lossIsThatOfTheLink()
 {
     // Saturated, so that there are records enough for the share to be near the probability.
     const RunResult run = runProgram(
-        "skyseal-cli", sweep("--suites none,aes-256-gcm --load saturated --seconds 2 --repeats 2 --no-noise --impair loss=0.05 "
-                             "--json --expect loss<=0.01"),
+        "skyseal-cli",
+        sweep("--suites none,aes-256-gcm --load saturated --seconds 2 --repeats 2 --no-noise --impair loss=0.05 "
+              "--json --expect loss<=0.01"),
         {}, 240000);
     QCOMPARE(run.status, 1); // and the assertion notices
     QVERIFY(!events(run.out, "expect").at(0)[QLatin1String("holds")].toBool());
@@ -345,8 +354,9 @@ void SweepTest::lossIsThatOfTheLink()
 void SweepTest::radioSetsThePace()
 {
     const RunResult run = runProgram(
-        "skyseal-cli", sweep("--suites chacha20-poly1305,aes-256-gcm --load saturated --seconds 3 --warm-up 2 --repeats 1 "
-                             "--no-noise --impair rate=57600,delay=20 --json"),
+        "skyseal-cli",
+        sweep("--suites chacha20-poly1305,aes-256-gcm --load saturated --seconds 3 --warm-up 2 --repeats 1 "
+              "--no-noise --impair rate=57600,delay=20 --json"),
         {}, 240000);
     // Also the second one, which is switched to through a queue of seconds.
     QVERIFY2(run.status == 0, run.err.constData());
@@ -388,15 +398,15 @@ void SweepTest::nobodyAnswers()
 
 void SweepTest::bothFramings()
 {
-    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm,chacha20 --framing both --load natural "
-                                                          "--seconds 1 --warm-up 0.2 --repeats 1 --json --expect loss<=0.001 "
-                                                          "--expect overhead(chacha20,inline)!=overhead(chacha20,sealed)"),
+    const RunResult run = runProgram("skyseal-cli",
+                                     sweep("--suites none,aes-256-gcm,chacha20 --framing both --load natural "
+                                           "--seconds 1 --warm-up 0.2 --repeats 1 --json --expect loss<=0.001 "
+                                           "--expect overhead(chacha20,inline)!=overhead(chacha20,sealed)"),
                                      {}, 120000);
     QVERIFY2(run.status == 0, run.err.constData());
     QStringList framings;
     for (const QJsonObject &sample : events(run.out, "run")) {
-        framings << sample[QLatin1String("suite")].toString() + QLatin1Char(' ')
-                        + sample[QLatin1String("framing")].toString();
+        framings << sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString();
         QVERIFY(valueOf(sample, "packets") >= 10);
         if (framings.last() != QLatin1String("none plain")) {
             QVERIFY(valueOf(sample, "open_p50") > 0 && valueOf(sample, "seal_p50") > 0);
@@ -416,9 +426,11 @@ void SweepTest::cancelOnALinkRestoresTheSuite()
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments());
     QTemporaryDir folder;
-    Program process(q("skyseal-cli"), onLink(flight, "--allow-research --suites rc4 --seconds 1 --repeats 50 --no-noise "
-                                                     "--json")
-                                          + QStringList{q("--out"), folder.path()});
+    Program process(q("skyseal-cli"),
+                    onLink(flight,
+                           "--allow-research --suites rc4 --seconds 1 --repeats 50 --no-noise "
+                           "--json")
+                        + QStringList{q("--out"), folder.path()});
     QVERIFY2(!process.waitFor(q("run"), 40000).isEmpty(), process.errors().constData());
     process.terminate();
     QCOMPARE(process.waitForExit(20000), 1);
@@ -438,13 +450,15 @@ void SweepTest::refusalsAreTold()
     QVERIFY(flight.ready());
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments()); // consents neither to plain MAVLink nor to inline framing
-    Program process(q("skyseal-cli"), onLink(flight, "--allow-plain --suites none,aes-256-ctr --framing both --seconds 0.5 "
-                                                     "--repeats 1 --seed 3 --json"));
+    Program process(q("skyseal-cli"),
+                    onLink(flight,
+                           "--allow-plain --suites none,aes-256-ctr --framing both --seconds 0.5 "
+                           "--repeats 1 --seed 3 --json"));
     QCOMPARE(process.waitForExit(60000), 1);
     QHash<QString, QString> problems;
     for (const QJsonObject &sample : process.events(q("run")))
-        problems[sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString()]
-            = sample[QLatin1String("problem")].toString();
+        problems[sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString()] =
+            sample[QLatin1String("problem")].toString();
     QCOMPARE(problems.size(), 3);
     QVERIFY2(problems[q("aes-256-ctr sealed")].isEmpty(), qPrintable(problems[q("aes-256-ctr sealed")]));
     QVERIFY(problems[q("aes-256-ctr inline")].contains(q("inline framing")));
@@ -478,8 +492,10 @@ void SweepTest::agentTellsItsCosts()
 /// To and from plain MAVLink at each run, where every third datagram is lost, goodbyes among them.
 void SweepTest::plainComesBackOverABadLink()
 {
-    const RunResult run = runProgram("skyseal-cli", sweep("--suites none,aes-256-gcm --load natural --seconds 0.5 --repeats 8 "
-                                                          "--seed 1 --no-noise --impair loss=0.3 --json"), {}, 200000);
+    const RunResult run = runProgram("skyseal-cli",
+                                     sweep("--suites none,aes-256-gcm --load natural --seconds 0.5 --repeats 8 "
+                                           "--seed 1 --no-noise --impair loss=0.3 --json"),
+                                     {}, 200000);
     QVERIFY2(run.status == 0, run.err.constData());
     for (const QJsonObject &sample : events(run.out, "run"))
         QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));

@@ -12,10 +12,7 @@ class TimeLeftTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void planIsAllThatIsKnownAtFirst()
-    {
-        QCOMPARE(TimeLeft(5.5).of(48, 1), 48 * 5.5);
-    }
+    void planIsAllThatIsKnownAtFirst() { QCOMPARE(TimeLeft(5.5).of(48, 1), 48 * 5.5); }
 
     void startOfABlockIsCountedOncePerBlock()
     {
@@ -34,7 +31,8 @@ private Q_SLOTS:
             // The first run tells about the start of the other blocks, which nobody knew; from then on it only falls.
             if (i > 0)
                 QVERIFY2(now < told, qPrintable(QStringLiteral("run %1: %2 after %3").arg(i).arg(now).arg(told)));
-            QVERIFY2(std::abs(now - ahead) < 0.05 * ahead + 0.01, qPrintable(QStringLiteral("run %1: %2 for %3").arg(i).arg(now).arg(ahead)));
+            QVERIFY2(std::abs(now - ahead) < 0.05 * ahead + 0.01,
+                     qPrintable(QStringLiteral("run %1: %2 for %3").arg(i).arg(now).arg(ahead)));
             told = now;
         }
         QCOMPARE(told, 0.0);
@@ -55,7 +53,7 @@ private Q_SLOTS:
         left.runEnded(6, false);
         QCOMPARE(left.of(10, 0), 50.0);
         QCOMPARE(left.of(10, 1), 50.0); // the first run was no slower than the others
-        left.runEnded(0.1, false); // refused at once; the plan is the least
+        left.runEnded(0.1, false);      // refused at once; the plan is the least
         left.runEnded(0.1, false);
         left.runEnded(0.1, false);
         left.runEnded(0.1, false);

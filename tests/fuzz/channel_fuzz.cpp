@@ -23,8 +23,7 @@ struct Insider
 {
     explicit Insider(RandomSource &random)
         : identity(crypto::X25519KeyPair::generate(random)), agent(crypto::X25519KeyPair::generate(random))
-    {
-    }
+    {}
     crypto::X25519KeyPair identity;
     crypto::X25519KeyPair agent;
     std::unique_ptr<crypto::RecordCipher> writer;

@@ -35,10 +35,10 @@ Key32 counted(std::uint8_t first)
 
 struct Keys
 {
-    std::shared_ptr<const crypto::X25519KeyPair> station =
-        std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::fromSecret(counted(0x00)));
-    std::shared_ptr<const crypto::X25519KeyPair> agent =
-        std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::fromSecret(counted(0x20)));
+    std::shared_ptr<const crypto::X25519KeyPair> station = std::make_shared<crypto::X25519KeyPair>(
+        crypto::X25519KeyPair::fromSecret(counted(0x00)));
+    std::shared_ptr<const crypto::X25519KeyPair> agent = std::make_shared<crypto::X25519KeyPair>(
+        crypto::X25519KeyPair::fromSecret(counted(0x20)));
     std::shared_ptr<const Key32> preshared = std::make_shared<Key32>(counted(0x80));
 };
 
@@ -58,9 +58,7 @@ public:
     {
         Bytes datagram(bytes.begin(), bytes.end());
         switch (operation % 9) {
-        case 0:
-            readPayloads(datagram);
-            return take(std::move(datagram));
+        case 0: readPayloads(datagram); return take(std::move(datagram));
         case 1:
             if (datagram.size() > kMacLength)
                 Mac1(m_own.publicKey).sign(datagram);
@@ -76,9 +74,7 @@ public:
         case 7: // once more, from elsewhere
             m_path.remote.port = operation;
             return take(m_last);
-        default:
-            m_endpoint.setPeers(m_now, bytes.empty() ? std::vector<Peer>() : std::vector<Peer>{m_peer});
-            return pump();
+        default: m_endpoint.setPeers(m_now, bytes.empty() ? std::vector<Peer>() : std::vector<Peer>{m_peer}); return pump();
         }
     }
 
@@ -160,9 +156,9 @@ private:
         noise::HandshakeState noise = peersNoise();
         Bytes datagram(m_agentIsHere ? kFirstLength : answerLength);
         std::size_t head = 1;
-        datagram[0] = firstByte(m_agentIsHere                   ? HandshakeMessage::First
-                                : answerLength == kNumberLength ? HandshakeMessage::Cookie
-                                                                : HandshakeMessage::Answer);
+        datagram[0] = firstByte(m_agentIsHere                       ? HandshakeMessage::First
+                                    : answerLength == kNumberLength ? HandshakeMessage::Cookie
+                                                                    : HandshakeMessage::Answer);
         if (!m_agentIsHere) {
             std::array<std::uint8_t, FirstPayload::kLength> asked{};
             if (m_first.empty() || !noise.readMessage(ByteView(m_first).subspan(1, 110), asked))

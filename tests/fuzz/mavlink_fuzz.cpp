@@ -33,9 +33,9 @@ std::size_t trimmedLength(ByteView payload)
 void encodeAgain(const Frame &frame)
 {
     const ByteView payload = frame.payload();
-    const bool isWhole = frame.version() == 2 ? payload.size() <= frame.info().maxLength && !payload.empty()
-                                                    && trimmedLength(payload) == payload.size()
-                                              : payload.size() == frame.info().minLength;
+    const bool isWhole = frame.version() == 2
+        ? payload.size() <= frame.info().maxLength && !payload.empty() && trimmedLength(payload) == payload.size()
+        : payload.size() == frame.info().minLength;
     if (!isWhole)
         return;
     PayloadBuilder builder(frame.info());

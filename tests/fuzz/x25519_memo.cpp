@@ -61,9 +61,8 @@ Bytes32 copyOf(const unsigned char *bytes)
 int __wrap_crypto_scalarmult(unsigned char *q, const unsigned char *n, const unsigned char *p)
 {
     const Bytes32 secret = copyOf(n), point = copyOf(p);
-    return remembered(q, secret, point, [&](unsigned char *out) {
-        return __real_crypto_scalarmult(out, secret.data(), point.data());
-    });
+    return remembered(q, secret, point,
+                      [&](unsigned char *out) { return __real_crypto_scalarmult(out, secret.data(), point.data()); });
 }
 
 int __wrap_crypto_scalarmult_base(unsigned char *q, const unsigned char *n)
@@ -71,7 +70,5 @@ int __wrap_crypto_scalarmult_base(unsigned char *q, const unsigned char *n)
     const Bytes32 secret = copyOf(n);
     Bytes32 base; // Its own mark: no point of the other function, whose top bit is ignored there.
     base.fill(0xff);
-    return remembered(q, secret, base, [&](unsigned char *out) {
-        return __real_crypto_scalarmult_base(out, secret.data());
-    });
+    return remembered(q, secret, base, [&](unsigned char *out) { return __real_crypto_scalarmult_base(out, secret.data()); });
 }

@@ -19,14 +19,15 @@ using namespace skyseal::test;
 namespace {
 
 /// What a simulated vehicle needs to arm: a frame, calibrated sensors, sticks in the middle.
-const char kParameters[] = "FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\nEK2_ENABLE 1\nFS_THR_ENABLE 1\n"
-                           "RC1_MAX 2000\nRC1_MIN 1000\nRC1_TRIM 1500\nRC2_MAX 2000\nRC2_MIN 1000\nRC2_TRIM 1500\n"
-                           "RC3_MAX 2000\nRC3_MIN 1000\nRC3_TRIM 1500\nRC4_MAX 2000\nRC4_MIN 1000\nRC4_TRIM 1500\n"
-                           "COMPASS_OFS_X 5\nCOMPASS_OFS_Y 13\nCOMPASS_OFS_Z -18\nCOMPASS_OFS2_X 5\nCOMPASS_OFS2_Y 13\nCOMPASS_OFS2_Z -18\n"
-                           "COMPASS_OFS3_X 5\nCOMPASS_OFS3_Y 13\nCOMPASS_OFS3_Z -18\n"
-                           "INS_ACCOFFS_X 0.001\nINS_ACCOFFS_Y 0.001\nINS_ACCOFFS_Z 0.001\nINS_ACCSCAL_X 1.001\nINS_ACCSCAL_Y 1.001\n"
-                           "INS_ACCSCAL_Z 1.001\nINS_ACC2OFFS_X 0.001\nINS_ACC2OFFS_Y 0.001\nINS_ACC2OFFS_Z 0.001\nINS_ACC2SCAL_X 1.001\n"
-                           "INS_ACC2SCAL_Y 1.001\nINS_ACC2SCAL_Z 1.001\n";
+const char kParameters[] =
+    "FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\nEK2_ENABLE 1\nFS_THR_ENABLE 1\n"
+    "RC1_MAX 2000\nRC1_MIN 1000\nRC1_TRIM 1500\nRC2_MAX 2000\nRC2_MIN 1000\nRC2_TRIM 1500\n"
+    "RC3_MAX 2000\nRC3_MIN 1000\nRC3_TRIM 1500\nRC4_MAX 2000\nRC4_MIN 1000\nRC4_TRIM 1500\n"
+    "COMPASS_OFS_X 5\nCOMPASS_OFS_Y 13\nCOMPASS_OFS_Z -18\nCOMPASS_OFS2_X 5\nCOMPASS_OFS2_Y 13\nCOMPASS_OFS2_Z -18\n"
+    "COMPASS_OFS3_X 5\nCOMPASS_OFS3_Y 13\nCOMPASS_OFS3_Z -18\n"
+    "INS_ACCOFFS_X 0.001\nINS_ACCOFFS_Y 0.001\nINS_ACCOFFS_Z 0.001\nINS_ACCSCAL_X 1.001\nINS_ACCSCAL_Y 1.001\n"
+    "INS_ACCSCAL_Z 1.001\nINS_ACC2OFFS_X 0.001\nINS_ACC2OFFS_Y 0.001\nINS_ACC2OFFS_Z 0.001\nINS_ACC2SCAL_X 1.001\n"
+    "INS_ACC2SCAL_Y 1.001\nINS_ACC2SCAL_Z 1.001\n";
 
 } // namespace
 
@@ -60,11 +61,13 @@ void ArduPilotTest::initTestCase()
 
 std::unique_ptr<Program> ArduPilotTest::startSitl(quint16 port) const
 {
-    return std::make_unique<Program>(m_sitl, QStringList{QStringLiteral("--wipe"), QStringLiteral("--synthetic-clock"), QStringLiteral("--disable-fgview"),
-                                                        QStringLiteral("--home"), QStringLiteral("-35.363261,149.165230,584,353"),
-                                                        QStringLiteral("--model"), QStringLiteral("+"), QStringLiteral("--speedup"), QStringLiteral("2"),
-                                                        QStringLiteral("--defaults"), m_folder.filePath(QStringLiteral("copter.parm")),
-                                                        QStringLiteral("--base-port"), QString::number(port), QStringLiteral("-I0")});
+    return std::make_unique<Program>(m_sitl,
+                                     QStringList{QStringLiteral("--wipe"), QStringLiteral("--synthetic-clock"),
+                                                 QStringLiteral("--disable-fgview"), QStringLiteral("--home"),
+                                                 QStringLiteral("-35.363261,149.165230,584,353"), QStringLiteral("--model"),
+                                                 QStringLiteral("+"), QStringLiteral("--speedup"), QStringLiteral("2"),
+                                                 QStringLiteral("--defaults"), m_folder.filePath(QStringLiteral("copter.parm")),
+                                                 QStringLiteral("--base-port"), QString::number(port), QStringLiteral("-I0")});
 }
 
 void ArduPilotTest::fliesSealedWhileCiphersSwitch()
@@ -73,11 +76,12 @@ void ArduPilotTest::fliesSealedWhileCiphersSwitch()
     QVERIFY(flight.ready());
     const quint16 port = freeTcpPort();
     const auto sitl = startSitl(port);
-    Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("2"),
-                                             QStringLiteral("--do"),
-                                             QStringLiteral("wait gps_fix>=3 90; wait ekf_ok==1 90; mode GUIDED; arm; takeoff 10; "
-                                                            "wait alt_rel>=9.5 90; land; wait armed==0 120")}));
+    Program monitor(
+        QStringLiteral("skyseal-cli"),
+        flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
+                                 QStringLiteral("2"), QStringLiteral("--do"),
+                                 QStringLiteral("wait gps_fix>=3 90; wait ekf_ok==1 90; mode GUIDED; arm; takeoff 10; "
+                                                "wait alt_rel>=9.5 90; land; wait armed==0 120")}));
     QStringList arguments = flight.airArguments();
     arguments[arguments.indexOf(QStringLiteral("--vehicle")) + 1] = QStringLiteral("tcp:127.0.0.1:%1").arg(port);
     Program air(QStringLiteral("skyseal-air"), arguments);
@@ -85,12 +89,14 @@ void ArduPilotTest::fliesSealedWhileCiphersSwitch()
     QCOMPARE(monitor.waitForExit(360000), 0);
     QCOMPARE(monitor.events(QStringLiteral("vehicle")).front()[QLatin1String("autopilot")].toInt(), 3);
     for (const QJsonObject &step : monitor.events(QStringLiteral("command")))
-        QVERIFY(step[QLatin1String("result")] == QLatin1String("accepted") || step[QLatin1String("result")] == QLatin1String("reached"));
+        QVERIFY(step[QLatin1String("result")] == QLatin1String("accepted")
+                || step[QLatin1String("result")] == QLatin1String("reached"));
     int committed = 0;
     for (const QJsonObject &change : monitor.events(QStringLiteral("switch")))
         committed += change[QLatin1String("result")] == QLatin1String("committed");
     QVERIFY(committed >= 6);
-    const QJsonObject received = monitor.last(QStringLiteral("summary"))[QLatin1String("channel")][QLatin1String("rx")].toObject();
+    const QJsonObject received =
+        monitor.last(QStringLiteral("summary"))[QLatin1String("channel")][QLatin1String("rx")].toObject();
     QCOMPARE(received[QLatin1String("lost")].toInt(), 0);
     QCOMPARE(received[QLatin1String("forged")].toInt(), 0);
 }
@@ -101,23 +107,25 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
     const auto sitl = startSitl(tcpPort);
     const quint16 udpPort = freeUdpPort();
     Program monitor(QStringLiteral("skyseal-cli"),
-                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(udpPort), QStringLiteral("--secure"),
-                     QStringLiteral("off"), QStringLiteral("--json")});
+                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(udpPort),
+                     QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json")});
     QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
 
     // This SITL speaks TCP only: whole frames are carried to UDP here, as sim_vehicle.py has MAVProxy do.
     QTcpSocket autopilot;
-    QTRY_VERIFY_WITH_TIMEOUT((autopilot.connectToHost(QStringLiteral("127.0.0.1"), tcpPort), autopilot.waitForConnected(500)), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT((autopilot.connectToHost(QStringLiteral("127.0.0.1"), tcpPort), autopilot.waitForConnected(500)),
+                             20000);
     QUdpSocket station;
     QVERIFY(station.bind(QHostAddress::LocalHost, 0));
     mavlink::StreamParser parser(mavlink::Dialect::builtin());
     connect(&autopilot, &QTcpSocket::readyRead, this, [&] {
         const QByteArray bytes = autopilot.readAll();
-        parser.feed({reinterpret_cast<const std::uint8_t *>(bytes.data()), static_cast<std::size_t>(bytes.size())}, [&](const mavlink::ScanItem &item) {
-            if (item.frame)
-                station.writeDatagram(reinterpret_cast<const char *>(item.bytes.data()), static_cast<qint64>(item.bytes.size()),
-                                      QHostAddress::LocalHost, udpPort);
-        });
+        parser.feed({reinterpret_cast<const std::uint8_t *>(bytes.data()), static_cast<std::size_t>(bytes.size())},
+                    [&](const mavlink::ScanItem &item) {
+                        if (item.frame)
+                            station.writeDatagram(reinterpret_cast<const char *>(item.bytes.data()),
+                                                  static_cast<qint64>(item.bytes.size()), QHostAddress::LocalHost, udpPort);
+                    });
     });
     connect(&station, &QUdpSocket::readyRead, this, [&] {
         while (station.hasPendingDatagrams()) {
@@ -128,7 +136,8 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
     });
     QTRY_VERIFY_WITH_TIMEOUT(!monitor.events(QStringLiteral("vehicle")).empty(), 30000);
     QTRY_VERIFY_WITH_TIMEOUT(!monitor.events(QStringLiteral("stats")).empty()
-                                 && !monitor.last(QStringLiteral("stats"))[QLatin1String("vehicles")].toArray().isEmpty(), 15000);
+                                 && !monitor.last(QStringLiteral("stats"))[QLatin1String("vehicles")].toArray().isEmpty(),
+                             15000);
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
 }
 

@@ -46,10 +46,10 @@ inline qint64 number(const QJsonObject &object, const char *key)
 /// A flight over links of the caller's.
 struct Way
 {
-    QString ground;  ///< the agent's --ground
-    QString station; ///< the monitor's --link
-    QString carrier; ///< empty: the default
-    int rate = 20;   ///< Hz of each stream
+    QString ground;       ///< the agent's --ground
+    QString station;      ///< the monitor's --link
+    QString carrier;      ///< empty: the default
+    int rate = 20;        ///< Hz of each stream
     bool spoofed = false; ///< somebody sends clear frames beside it
 };
 
@@ -85,9 +85,9 @@ inline void fly(Flight &flight, const Way &way, const char *carrier)
         QVERIFY2(number(received, counter) == 0, counter);
     QCOMPARE(number(received, "plaintext_dropped") > 0, way.spoofed);
     const auto sessions = monitor.events(QStringLiteral("session"));
-    QCOMPARE(std::count_if(sessions.begin(), sessions.end(), [](const QJsonObject &event) {
-                 return event[QLatin1String("state")] == QLatin1String("up");
-             }), 1);
+    QCOMPARE(std::count_if(sessions.begin(), sessions.end(),
+                           [](const QJsonObject &event) { return event[QLatin1String("state")] == QLatin1String("up"); }),
+             1);
     std::size_t committed = 0;
     for (const QJsonObject &event : monitor.events(QStringLiteral("switch"))) {
         QVERIFY2(event[QLatin1String("result")] == QLatin1String("committed"), QJsonDocument(event).toJson());

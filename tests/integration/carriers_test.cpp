@@ -119,10 +119,10 @@ void CarriersTest::pairing()
                                      QStringLiteral("--identity"), flight.path(QStringLiteral("ground.key")),
                                      QStringLiteral("--peers"), flight.path(QStringLiteral("ground.new")),
                                      QStringLiteral("--expect"), fingerprint("air.key")});
-    Program desk(QStringLiteral("skyseal-air"),
-                 words({"--pair", "--json", "--identity"})
-                     + QStringList{flight.path(QStringLiteral("air.key")), QStringLiteral("--expect"),
-                                   fingerprint("ground.key")});
+    Program desk(
+        QStringLiteral("skyseal-air"),
+        words({"--pair", "--json", "--identity"})
+            + QStringList{flight.path(QStringLiteral("air.key")), QStringLiteral("--expect"), fingerprint("ground.key")});
     QCOMPARE(ground.waitForExit(30000), 0);
     QCOMPARE(desk.waitForExit(30000), 0);
 }

@@ -24,7 +24,7 @@ QStringList shifted(const QString &program, const QStringList &arguments, qint64
 {
     return QStringList{QStringLiteral("LD_PRELOAD=" SKYSEAL_CLOCK_SHIFT), QStringLiteral("CLOCK_SHIFT=%1").arg(by),
                        QStringLiteral("CLOCK_SHIFT_AFTER=%1").arg(after), QStringLiteral(SKYSEAL_BIN_DIR "/") + program}
-        + arguments;
+    + arguments;
 }
 
 const QString kEnv(QStringLiteral("/usr/bin/env"));
@@ -42,8 +42,9 @@ void ClockTest::initTestCase()
     QSKIP("a sanitizer wants to be loaded first");
 #endif
     // The shift works at all.
-    Program date(kEnv, {QStringLiteral("LD_PRELOAD=" SKYSEAL_CLOCK_SHIFT), QStringLiteral("CLOCK_SHIFT=%1").arg(kTenYears),
-                        QStringLiteral("/bin/date"), QStringLiteral("+{\"event\":\"date\",\"now\":%s}")});
+    Program date(kEnv,
+                 {QStringLiteral("LD_PRELOAD=" SKYSEAL_CLOCK_SHIFT), QStringLiteral("CLOCK_SHIFT=%1").arg(kTenYears),
+                  QStringLiteral("/bin/date"), QStringLiteral("+{\"event\":\"date\",\"now\":%s}")});
     const qint64 then = date.waitFor(QStringLiteral("date"), 10000)[QLatin1String("now")].toInteger();
     QVERIFY(qAbs(then - QDateTime::currentSecsSinceEpoch() - kTenYears) < 60);
 }

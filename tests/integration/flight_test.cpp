@@ -21,11 +21,12 @@ void FlightTest::takesOffAndLands()
     QVERIFY(flight.ready());
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments({QStringLiteral("--rate"), QStringLiteral("4")}));
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
-    Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("2"),
-                                             QStringLiteral("--do"),
-                                             QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; "
-                                                            "wait armed==0 90")}));
+    Program monitor(
+        QStringLiteral("skyseal-cli"),
+        flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
+                                 QStringLiteral("2"), QStringLiteral("--do"),
+                                 QStringLiteral("wait ekf_ok==1 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; "
+                                                "wait armed==0 90")}));
     QCOMPARE(monitor.waitForExit(150000), 0);
     const auto steps = monitor.events(QStringLiteral("command"));
     QCOMPARE(steps.size(), std::size_t(7));
@@ -42,7 +43,8 @@ void FlightTest::refusedStepEndsTheScript()
     QVERIFY(flight.ready());
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
-    Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments({QStringLiteral("--do"), QStringLiteral("takeoff 10; land")}));
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--do"), QStringLiteral("takeoff 10; land")}));
     QCOMPARE(monitor.waitForExit(60000), 1);
     const auto steps = monitor.events(QStringLiteral("command"));
     QCOMPARE(steps.size(), std::size_t(1));

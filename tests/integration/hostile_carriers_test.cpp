@@ -136,7 +136,8 @@ void HostileCarriersTest::routersSeeNoMore()
         return true;
     };
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
-    Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("udpout", hub.port(0)))
+    Program agent(QStringLiteral("skyseal-air"),
+                  with(flight.airArguments(), "--ground", loopback("udpout", hub.port(0)))
                       + QStringList{QStringLiteral("--carrier"), QStringLiteral("tunnel")});
     Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments());
     QVERIFY(!monitor.waitFor(QStringLiteral("vehicle"), 20000).isEmpty());
@@ -158,7 +159,8 @@ void HostileCarriersTest::spoofersAtTheHub()
     RouterSpoofers<QUdpSocket> spoofers([&hub](std::size_t i, QUdpSocket &socket) {
         socket.connectToHost(QHostAddress(QHostAddress::LocalHost), hub.port(2 + i));
     });
-    fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true}, "tunnel");
+    fly(flight, {loopback("udpout", hub.port(0)), loopback("udpin", flight.groundPort), QStringLiteral("tunnel"), 20, true},
+        "tunnel");
     QVERIFY(spoofers.copied > 100 && !spoofers.more); // what it gets of them is sealed
 }
 
@@ -170,7 +172,10 @@ void HostileCarriersTest::spoofersAtMavlinkRouter()
     Flight flight;
     const quint16 port = freeUdpPort(), door = freeTcpPort();
     const QString address = QStringLiteral("127.0.0.1:%1");
-    Program router(program, words({"-t"}) + QStringList{QString::number(door), QStringLiteral("-e"), address.arg(flight.groundPort), address.arg(port)});
+    Program router(
+        program,
+        words({"-t"})
+            + QStringList{QString::number(door), QStringLiteral("-e"), address.arg(flight.groundPort), address.arg(port)});
     RouterSpoofers<QTcpSocket> spoofers([door](std::size_t, QTcpSocket &socket) {
         const auto connected = [&] {
             if (socket.state() == QAbstractSocket::ConnectedState)

@@ -88,9 +88,8 @@ void IndependentPeerTest::initTestCase()
 
 QStringList IndependentPeerTest::script(const QStringList &arguments) const
 {
-    return QStringList{QStringLiteral("-B"),
-                       QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/independent_peer/peer.py")}
-           + arguments;
+    return QStringList{QStringLiteral("-B"), QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/independent_peer/peer.py")}
+    + arguments;
 }
 
 bool IndependentPeerTest::introduce(const Flight &flight) const
@@ -112,12 +111,13 @@ bool IndependentPeerTest::introduce(const Flight &flight) const
 QStringList IndependentPeerTest::arguments(const Flight &flight, const char *role, const char *otherKey,
                                            const QStringList &more) const
 {
-    Program show(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("show"),
-                                                 flight.path(QLatin1String(otherKey)), QStringLiteral("--json")});
+    Program show(
+        QStringLiteral("skyseal-cli"),
+        {QStringLiteral("keys"), QStringLiteral("show"), flight.path(QLatin1String(otherKey)), QStringLiteral("--json")});
     const QString other = show.waitFor(QStringLiteral("key"), 10000)[QLatin1String("public")].toString();
     return script({QLatin1String(role), QStringLiteral("--research"), QStringLiteral("--key"),
                    flight.path(QStringLiteral("python.key")), QStringLiteral("--peer"), other})
-           + more;
+        + more;
 }
 
 void IndependentPeerTest::agreesWithTheDocument()
@@ -134,8 +134,8 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
     QVERIFY(flight.ready() && introduce(flight));
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
-    Program station(
-        m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+    Program station(m_python,
+                    arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
     const QJsonObject session = station.waitFor(QStringLiteral("session"), 20000);
     QVERIFY2(!session.isEmpty(), station.errors().constData());
     QCOMPARE(session[QLatin1String("suite")].toInt(), 1);
@@ -149,9 +149,7 @@ void IndependentPeerTest::stationOpensTelemetryUnderEverySuite()
         QVERIFY2(!statusWhere(station, seen).isEmpty(), qPrintable(QString::number(suite)));
     }
     station.notify(QStringLiteral("beat 5"));
-    const auto fiveOpened = [](const QJsonObject &status) {
-        return number(within(status, "peer"), "opened_bytes") == 5 * 21;
-    };
+    const auto fiveOpened = [](const QJsonObject &status) { return number(within(status, "peer"), "opened_bytes") == 5 * 21; };
     const QJsonObject status = statusWhere(station, fiveOpened);
     QVERIFY2(!status.isEmpty(), station.errors().constData());
     for (const char *counter : {"lost", "replayed", "forged", "malformed", "plaintext_dropped"}) {
@@ -181,8 +179,8 @@ void IndependentPeerTest::stationSwitchesOverABadLink()
                     QStringLiteral("--loss"), QStringLiteral("0.2"), QStringLiteral("--jitter"), QStringLiteral("50"),
                     QStringLiteral("--duplicate"), QStringLiteral("0.1"), QStringLiteral("--reorder"), QStringLiteral("0.1"),
                     QStringLiteral("--seed"), QStringLiteral("5"), QStringLiteral("--json")});
-    Program station(
-        m_python, arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
+    Program station(m_python,
+                    arguments(flight, "--station", "air.key", {QStringLiteral("--port"), QString::number(flight.groundPort)}));
     QVERIFY2(!station.waitFor(QStringLiteral("listening"), 20000).isEmpty(), station.errors().constData());
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
@@ -223,9 +221,10 @@ void IndependentPeerTest::stationRoamsClosesAndComesBack()
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"),
                 flight.airArguments(0, {QStringLiteral("--suites"), QStringLiteral("chacha20-poly1305,aes-256-cbc")}));
-    Program station(m_python, arguments(flight, "--station", "air.key",
-                                        {QStringLiteral("--suites"), QStringLiteral("2,4,1"), QStringLiteral("--port"),
-                                         QString::number(flight.groundPort)}));
+    Program station(m_python,
+                    arguments(flight, "--station", "air.key",
+                              {QStringLiteral("--suites"), QStringLiteral("2,4,1"), QStringLiteral("--port"),
+                               QString::number(flight.groundPort)}));
     QCOMPARE(station.waitFor(QStringLiteral("session"), 20000)[QLatin1String("suite")].toInt(), 4);
     const auto enough = [](qint64 frames) {
         return [frames](const QJsonObject &status) { return framesUnder(status, 4) >= frames; };
@@ -260,8 +259,9 @@ void IndependentPeerTest::agentServesTheMonitor()
         flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
                                  QStringLiteral("0.4"), QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
     QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
-    Program agent(m_python, arguments(flight, "--agent", "ground.key",
-                                      {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
+    Program agent(
+        m_python,
+        arguments(flight, "--agent", "ground.key", {QStringLiteral("--announce"), QString::number(flight.groundPort)}));
     const QJsonObject up = monitor.waitFor(QStringLiteral("session"), 20000);
     QCOMPARE(up[QLatin1String("peer")].toString(), QStringLiteral("python"));
     QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());
@@ -334,9 +334,10 @@ void IndependentPeerTest::stationGetsThroughAFlood()
     QVERIFY(flight.ready() && introduce(flight));
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
     // Twice what the agent computes for strangers; without the cookie the station would have to be lucky.
-    Program station(m_python, arguments(flight, "--station", "air.key",
-                                        {QStringLiteral("--flood"), QStringLiteral("100"), QStringLiteral("--port"),
-                                         QString::number(flight.groundPort)}));
+    Program station(m_python,
+                    arguments(flight, "--station", "air.key",
+                              {QStringLiteral("--flood"), QStringLiteral("100"), QStringLiteral("--port"),
+                               QString::number(flight.groundPort)}));
     QVERIFY2(!station.waitFor(QStringLiteral("session"), 30000).isEmpty(), station.errors().constData());
     QVERIFY(!air.waitFor(QStringLiteral("session"), 5000, has("state", "up")).isEmpty());
     if (station.events(QStringLiteral("cookie")).empty())
@@ -350,9 +351,10 @@ void IndependentPeerTest::agentAsksForACookie()
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--record"), flight.path(QStringLiteral("record"))}));
     QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
-    Program agent(m_python, arguments(flight, "--agent", "ground.key",
-                                      {QStringLiteral("--suspicious"), QStringLiteral("--announce"),
-                                       QString::number(flight.groundPort)}));
+    Program agent(
+        m_python,
+        arguments(flight, "--agent", "ground.key",
+                  {QStringLiteral("--suspicious"), QStringLiteral("--announce"), QString::number(flight.groundPort)}));
     QVERIFY2(!agent.waitFor(QStringLiteral("cookie"), 20000).isEmpty(), agent.errors().constData());
     QVERIFY(!monitor.waitFor(QStringLiteral("session"), 10000).isEmpty());
     QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());

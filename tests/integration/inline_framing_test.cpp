@@ -74,10 +74,11 @@ void InlineFramingTest::fourSuitesLoseNothing()
     Tap tap(flight.groundPort);
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(tap.port(), {QStringLiteral("--allow-inline")}));
-    Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--framing"), QStringLiteral("inline"), QStringLiteral("--switch-to"), kFour,
-                                             QStringLiteral("--switch-every"), QStringLiteral("1"), QStringLiteral("--stream-rate"),
-                                             QStringLiteral("50"), QStringLiteral("--duration"), QStringLiteral("10")}));
+    Program monitor(
+        QStringLiteral("skyseal-cli"),
+        flight.monitorArguments({QStringLiteral("--framing"), QStringLiteral("inline"), QStringLiteral("--switch-to"), kFour,
+                                 QStringLiteral("--switch-every"), QStringLiteral("1"), QStringLiteral("--stream-rate"),
+                                 QStringLiteral("50"), QStringLiteral("--duration"), QStringLiteral("10")}));
     QTRY_VERIFY_WITH_TIMEOUT(!monitor.running(), 40000);
     QCOMPARE(monitor.waitForExit(1000), 0);
 
@@ -97,7 +98,8 @@ void InlineFramingTest::fourSuitesLoseNothing()
     const QJsonObject channel = summary[QLatin1String("channel")].toObject();
     const QJsonObject received = channel[QLatin1String("rx")].toObject();
     QCOMPARE(channel[QLatin1String("framing")].toString(), QStringLiteral("inline"));
-    QVERIFY2(mavlink[QLatin1String("frames")].toInt() > 350, qPrintable(QString::number(mavlink[QLatin1String("frames")].toInt())));
+    QVERIFY2(mavlink[QLatin1String("frames")].toInt() > 350,
+             qPrintable(QString::number(mavlink[QLatin1String("frames")].toInt())));
     for (const char *counter : {"lost", "duplicate", "late", "bad_crc"})
         QVERIFY2(mavlink[QLatin1String(counter)].toInt() == 0, counter);
     for (const char *counter : {"lost", "late", "replayed", "forged", "malformed"})
@@ -106,7 +108,8 @@ void InlineFramingTest::fourSuitesLoseNothing()
     for (const char *counter : {"lost", "replayed", "forged", "malformed"})
         QVERIFY2(sent[QLatin1String(counter)].toInt() == 0, counter);
 
-    qInfo("on the wire: %d datagrams of inline frames down, %d up, %d others, %d clear", tap.sealedDown, tap.sealedUp, tap.records, tap.clear);
+    qInfo("on the wire: %d datagrams of inline frames down, %d up, %d others, %d clear", tap.sealedDown, tap.sealedUp,
+          tap.records, tap.clear);
     QVERIFY(tap.sealedDown > 100);
     QVERIFY(tap.sealedUp >= 5); // heartbeats at the least
     QCOMPARE(tap.clear, 0);
@@ -119,8 +122,9 @@ void InlineFramingTest::takesTheAgentsConsent()
     Tap tap(flight.groundPort);
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(tap.port()));
-    Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments({QStringLiteral("--framing"), QStringLiteral("inline"),
-                                                                            QStringLiteral("--duration"), QStringLiteral("4")}));
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    flight.monitorArguments({QStringLiteral("--framing"), QStringLiteral("inline"),
+                                             QStringLiteral("--duration"), QStringLiteral("4")}));
     QTRY_VERIFY_WITH_TIMEOUT(!monitor.running(), 30000);
     QCOMPARE(monitor.waitForExit(1000), 1); // not what was asked for
     QCOMPARE(monitor.events(QStringLiteral("session")).front()[QLatin1String("framing")].toString(), QStringLiteral("sealed"));

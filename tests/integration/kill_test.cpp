@@ -36,8 +36,7 @@ void KillTest::everyLifeHasKeysOfItsOwn()
 
     const auto count = [&tap](bool toGround, int kind) {
         return std::count_if(tap.seen.begin(), tap.seen.end(), [=](const UdpAttacker::Seen &seen) {
-            return seen.toGround == toGround && !seen.bytes.isEmpty()
-                   && (seen.bytes[0] & (kind == 0x50 ? 0xfc : 0xff)) == kind;
+            return seen.toGround == toGround && !seen.bytes.isEmpty() && (seen.bytes[0] & (kind == 0x50 ? 0xfc : 0xff)) == kind;
         });
     };
     for (int life = 0; life < kills; ++life) {

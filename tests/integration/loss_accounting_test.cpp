@@ -69,7 +69,8 @@ QString difference(const QJsonValue &counters, const std::vector<RelayLedger::Fr
     const auto arrived = static_cast<std::size_t>(said.received);
     if (arrived >= books.size())
         return QStringLiteral("%1, but only %2 arrived at all").arg(words(said)).arg(books.size() - 1);
-    return said == books[arrived] ? QString() : QStringLiteral("said %1; the relay did %2").arg(words(said), words(books[arrived]));
+    return said == books[arrived] ? QString()
+                                  : QStringLiteral("said %1; the relay did %2").arg(words(said), words(books[arrived]));
 }
 
 /// Over a link that loses, and one that does everything; in records, and sealed in place.
@@ -109,9 +110,14 @@ private:
 
 QStringList LossAccountingTest::relayArguments(quint16 relay, quint16 ground, const char *impairment)
 {
-    return QStringList{q("impair"), q("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay), q("--to"),
-                       QStringLiteral("udpout:127.0.0.1:%1").arg(ground), q("--json"), q("--datagrams")}
-        + words(impairment);
+    return QStringList{q("impair"),
+                       q("--listen"),
+                       QStringLiteral("udpin:127.0.0.1:%1").arg(relay),
+                       q("--to"),
+                       QStringLiteral("udpout:127.0.0.1:%1").arg(ground),
+                       q("--json"),
+                       q("--datagrams")}
+    + words(impairment);
 }
 
 void LossAccountingTest::drain(Program &impair, Program &monitor)
@@ -139,8 +145,9 @@ void LossAccountingTest::liveCountersAreExact()
     QVERIFY(flight.ready());
     const quint16 relay = freeUdpPort();
     Program impair(q("skyseal-cli"), relayArguments(relay, flight.groundPort, impairment.constData()));
-    Program monitor(q("skyseal-cli"), flight.monitorArguments(words(inPlace ? "--framing inline --stream-rate 20 --no-record"
-                                                                            : "--stream-rate 20 --no-record")));
+    Program monitor(q("skyseal-cli"),
+                    flight.monitorArguments(
+                        words(inPlace ? "--framing inline --stream-rate 20 --no-record" : "--stream-rate 20 --no-record")));
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, inPlace ? words("--allow-inline") : QStringList()));
     QVERIFY2(!monitor.waitFor(q("session"), 20000).isEmpty(), monitor.errors().constData());
@@ -153,7 +160,8 @@ void LossAccountingTest::liveCountersAreExact()
     QCOMPARE(impair.terminate(), 0);
 
     const RelayLedger down(impair.events(), q("forward")), up(impair.events(), q("backward"));
-    QVERIFY2(down.dropped() > 20 && up.dropped() > 0, qPrintable(QStringLiteral("%1, %2").arg(down.dropped()).arg(up.dropped())));
+    QVERIFY2(down.dropped() > 20 && up.dropped() > 0,
+             qPrintable(QStringLiteral("%1, %2").arg(down.dropped()).arg(up.dropped())));
     QCOMPARE(down.duplicated() > 10, impairment.contains("duplicate"));
     QCOMPARE(down.overtaken() > 10, impairment.contains("reorder"));
     int reports = 0;
@@ -178,10 +186,12 @@ void LossAccountingTest::plainFramesAreCountedExactly()
     Flight flight;
     QVERIFY(flight.ready());
     const quint16 relay = freeUdpPort();
-    Program impair(q("skyseal-cli"),
-                   relayArguments(relay, flight.groundPort, "--loss 0.15 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 5"));
-    Program monitor(q("skyseal-cli"), QStringList{q("monitor"), q("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort)}
-                                          + words("--secure off --stream-rate 20 --no-record --json"));
+    Program impair(
+        q("skyseal-cli"),
+        relayArguments(relay, flight.groundPort, "--loss 0.15 --duplicate 0.1 --reorder 0.1 --delay 5 --jitter 10 --seed 5"));
+    Program monitor(q("skyseal-cli"),
+                    QStringList{q("monitor"), q("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort)}
+                        + words("--secure off --stream-rate 20 --no-record --json"));
     // What the relay sends to a port that nobody listens on yet is lost behind its back.
     QVERIFY2(!monitor.waitFor(q("link"), 20000).isEmpty(), monitor.errors().constData());
     Program sim(q("skyseal-sim"), flight.simArguments());
@@ -219,7 +229,8 @@ void LossAccountingTest::sweepsLossIsExact()
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, inPlace ? words("--allow-inline") : QStringList()));
     QStringList arguments = words("sweep --allow-research --seconds 1.5 --warm-up 1 --repeats 2 --no-noise --json --suites")
-        + words(inPlace ? "chacha20,aes-256-ctr,rc4 --framing inline --identity" : "chacha20-poly1305,aes-256-gcm,rc4 --identity");
+        + words(inPlace ? "chacha20,aes-256-ctr,rc4 --framing inline --identity"
+                        : "chacha20-poly1305,aes-256-gcm,rc4 --identity");
     arguments << flight.path(q("ground.key")) << q("--peers") << flight.path(q("ground.peers")) << q("--link")
               << QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort);
     Program sweep(q("skyseal-cli"), arguments);
@@ -239,9 +250,11 @@ void LossAccountingTest::sweepsLossIsExact()
         // And the share that is reported is made of these very counts.
         const auto checkShare = [&](const char *direction, const char *metric) {
             const auto from = sealedOf(begin[QLatin1String(direction)]), to = sealedOf(end[QLatin1String(direction)]);
-            const auto lost = static_cast<double>(std::max<qint64>(0, to.lost - from.lost)), good = static_cast<double>(to.good - from.good);
+            const auto lost = static_cast<double>(std::max<qint64>(0, to.lost - from.lost)),
+                       good = static_cast<double>(to.good - from.good);
             const double share = run[QLatin1String("values")][QLatin1String(metric)].toDouble(-1);
-            QVERIFY2(lost + good > 0 ? std::abs(share - lost / (lost + good)) < 1e-12 : share == -1, // the agent told nothing new
+            QVERIFY2(lost + good > 0 ? std::abs(share - lost / (lost + good)) < 1e-12
+                                     : share == -1, // the agent told nothing new
                      qPrintable(QStringLiteral("%1: %2").arg(q(metric)).arg(share)));
         };
         checkShare("rx", "record_loss");

@@ -38,7 +38,8 @@ QByteArray encrypted(const QByteArray &frame, const QString &cipher, const QStri
     const int header = static_cast<std::uint8_t>(frame[0]) == 0xfd ? 10 : 6;
     const int length = static_cast<std::uint8_t>(frame[1]);
     QProcess openssl;
-    openssl.start(QStringLiteral("openssl"), {QStringLiteral("enc"), QStringLiteral("-") + cipher, QStringLiteral("-K"), kKey, QStringLiteral("-iv"), iv});
+    openssl.start(QStringLiteral("openssl"),
+                  {QStringLiteral("enc"), QStringLiteral("-") + cipher, QStringLiteral("-K"), kKey, QStringLiteral("-iv"), iv});
     openssl.write(frame.mid(header, length));
     openssl.closeWriteChannel();
     openssl.waitForFinished();
@@ -47,7 +48,8 @@ QByteArray encrypted(const QByteArray &frame, const QString &cipher, const QStri
         return {};
     QByteArray out = frame;
     out.replace(header, length, payload);
-    const ByteView covered(reinterpret_cast<const std::uint8_t *>(out.constData()) + 1, static_cast<std::size_t>(header - 1 + length));
+    const ByteView covered(reinterpret_cast<const std::uint8_t *>(out.constData()) + 1,
+                           static_cast<std::size_t>(header - 1 + length));
     const std::uint8_t extra = frame.mid(header == 10 ? 7 : 5, 1)[0] == 30 ? 39 : 50; // ATTITUDE, HEARTBEAT
     const std::uint16_t crc = mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, covered), {&extra, 1});
     out[header + length] = static_cast<char>(crc);
@@ -72,8 +74,12 @@ struct Setting
 
 /// ChaCha20 of openssl takes its block number in front of the nonce, little-endian.
 const Setting kSettings[] = {
-    {QStringLiteral("chacha20"), QStringLiteral("05000000000102030405060708090a0b"), QStringLiteral("000102030405060708090a0b"), QStringLiteral("5")},
-    {QStringLiteral("aes-256-ctr"), QStringLiteral("00112233445566778899aabbffffffff"), QStringLiteral("00112233445566778899aabbffffffff"), {}},
+    {QStringLiteral("chacha20"), QStringLiteral("05000000000102030405060708090a0b"), QStringLiteral("000102030405060708090a0b"),
+     QStringLiteral("5")},
+    {QStringLiteral("aes-256-ctr"),
+     QStringLiteral("00112233445566778899aabbffffffff"),
+     QStringLiteral("00112233445566778899aabbffffffff"),
+     {}},
 };
 
 } // namespace
@@ -129,13 +135,22 @@ void MavsecTest::decodeShowsWhatItWas()
         QVERIFY(!one.isEmpty() && one != bytesOf(hex));
         hidden += one;
     }
-    QStringList arguments{QStringLiteral("decode"), writeFile("hidden.bin", hidden), QStringLiteral("--json"), QStringLiteral("--framing"),
-                          QStringLiteral("mavsec2019"), QStringLiteral("--cipher"), how.cipher, QStringLiteral("--key"), kKey,
-                          QStringLiteral("--nonce"), how.nonce};
+    QStringList arguments{QStringLiteral("decode"),
+                          writeFile("hidden.bin", hidden),
+                          QStringLiteral("--json"),
+                          QStringLiteral("--framing"),
+                          QStringLiteral("mavsec2019"),
+                          QStringLiteral("--cipher"),
+                          how.cipher,
+                          QStringLiteral("--key"),
+                          kKey,
+                          QStringLiteral("--nonce"),
+                          how.nonce};
     if (!how.counter.isEmpty())
         arguments << QStringLiteral("--counter") << how.counter;
     Program inOption(QStringLiteral("skyseal-cli"), arguments);
-    Program unprotected(QStringLiteral("skyseal-cli"), {QStringLiteral("decode"), writeFile("plain.bin", plain), QStringLiteral("--json")});
+    Program unprotected(QStringLiteral("skyseal-cli"),
+                        {QStringLiteral("decode"), writeFile("plain.bin", plain), QStringLiteral("--json")});
     const QList<QJsonObject> expected = messages(unprotected);
     QCOMPARE(expected.size(), 3);
     QCOMPARE(messages(inOption), expected);
@@ -146,7 +161,8 @@ void MavsecTest::decodeShowsWhatItWas()
     Program inFile(QStringLiteral("skyseal-cli"), arguments);
     QCOMPARE(messages(inFile), expected);
 
-    Program asPlain(QStringLiteral("skyseal-cli"), {QStringLiteral("decode"), m_folder.filePath(QStringLiteral("hidden.bin")), QStringLiteral("--json")});
+    Program asPlain(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("decode"), m_folder.filePath(QStringLiteral("hidden.bin")), QStringLiteral("--json")});
     QVERIFY(messages(asPlain) != expected);
 }
 
@@ -154,8 +170,9 @@ void MavsecTest::keyFilesAreForTheirOwner()
 {
     const QString key = writeFile("open.hex", kKey.toLatin1());
     QVERIFY(QFile::setPermissions(key, QFile::ReadOwner | QFile::WriteOwner | QFile::ReadOther));
-    Program decode(QStringLiteral("skyseal-cli"), {QStringLiteral("decode"), writeFile("nothing.bin", {}), QStringLiteral("--framing"),
-                                                   QStringLiteral("mavsec2019"), QStringLiteral("--key-file"), key});
+    Program decode(QStringLiteral("skyseal-cli"),
+                   {QStringLiteral("decode"), writeFile("nothing.bin", {}), QStringLiteral("--framing"),
+                    QStringLiteral("mavsec2019"), QStringLiteral("--key-file"), key});
     QCOMPARE(decode.waitForExit(10000), 3);
     QVERIFY2(decode.errors().contains("open.hex"), decode.errors().constData());
     QVERIFY(!decode.errors().contains(kKey.toLatin1()));
@@ -174,10 +191,19 @@ void MavsecTest::monitorReadsAndNeverSends()
     const QByteArray attitude = encrypted(bytesOf(kAttitude), how.cipher, how.opensslIv);
     QVERIFY(!heartbeat.isEmpty());
     const quint16 port = freeUdpPort();
-    QStringList arguments{QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
-                          QStringLiteral("--framing"), QStringLiteral("mavsec2019"), QStringLiteral("--cipher"), how.cipher,
-                          QStringLiteral("--key-file"), writeFile("key.hex", kKey.toLatin1()), QStringLiteral("--nonce"), how.nonce,
-                          QStringLiteral("--json"), QStringLiteral("--no-record")};
+    QStringList arguments{QStringLiteral("monitor"),
+                          QStringLiteral("--link"),
+                          QStringLiteral("udpin:127.0.0.1:%1").arg(port),
+                          QStringLiteral("--framing"),
+                          QStringLiteral("mavsec2019"),
+                          QStringLiteral("--cipher"),
+                          how.cipher,
+                          QStringLiteral("--key-file"),
+                          writeFile("key.hex", kKey.toLatin1()),
+                          QStringLiteral("--nonce"),
+                          how.nonce,
+                          QStringLiteral("--json"),
+                          QStringLiteral("--no-record")};
     if (!how.counter.isEmpty())
         arguments << QStringLiteral("--counter") << how.counter;
     Program monitor(QStringLiteral("skyseal-cli"), arguments);
@@ -214,9 +240,10 @@ void MavsecTest::neverSendsOverTcp()
 {
     QTcpServer autopilot;
     QVERIFY(autopilot.listen(QHostAddress::LocalHost));
-    Program monitor(QStringLiteral("skyseal-cli"), {QStringLiteral("monitor"), QStringLiteral("--link"),
-                                                    QStringLiteral("tcp:127.0.0.1:%1").arg(autopilot.serverPort()), QStringLiteral("--framing"),
-                                                    QStringLiteral("mavsec2019"), QStringLiteral("--json"), QStringLiteral("--no-record")});
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("monitor"), QStringLiteral("--link"),
+                     QStringLiteral("tcp:127.0.0.1:%1").arg(autopilot.serverPort()), QStringLiteral("--framing"),
+                     QStringLiteral("mavsec2019"), QStringLiteral("--json"), QStringLiteral("--no-record")});
     QTRY_VERIFY_WITH_TIMEOUT(autopilot.hasPendingConnections(), 10000);
     QTcpSocket *link = autopilot.nextPendingConnection();
     QTimer pace;

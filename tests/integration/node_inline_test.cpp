@@ -74,7 +74,8 @@ void NodeInlineTest::findsEveryPlainFrame()
         for (auto &byte : payload)
             byte = static_cast<std::uint8_t>(random());
         Bytes buffer(mavlink::kMaxFrameLength), sealed(kMaxInlineFrame);
-        const auto frame = mavlink::writeFrame(buffer, 2, static_cast<std::uint8_t>(i), 1, 1, info.id, info.crcExtra, info.minLength, payload);
+        const auto frame = mavlink::writeFrame(buffer, 2, static_cast<std::uint8_t>(i), 1, 1, info.id, info.crcExtra,
+                                               info.minLength, payload);
         const auto sealable = SealableFrame::read(frame, facts);
         QVERIFY(sealable);
         const InlinePlace place{0, static_cast<std::uint32_t>(i), Direction::FromResponder, Carrier::Datagram};
@@ -84,7 +85,8 @@ void NodeInlineTest::findsEveryPlainFrame()
     }
 
     QProcess node;
-    node.start(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_inline_reader.cjs"), QString(64, QLatin1Char('5'))});
+    node.start(m_node,
+               {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_inline_reader.cjs"), QString(64, QLatin1Char('5'))});
     node.write(stream);
     node.closeWriteChannel();
     QVERIFY(node.waitForFinished(30000));

@@ -53,8 +53,9 @@ void NodeMavlinkTest::monitorReportsItsTelemetry()
     QFETCH(bool, isSigned);
     const quint16 port = freeUdpPort();
     QTemporaryDir folder;
-    QStringList monitorArguments{QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
-                                 QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json")};
+    QStringList monitorArguments{
+        QStringLiteral("monitor"),  QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
+        QStringLiteral("--secure"), QStringLiteral("off"),    QStringLiteral("--json")};
     QStringList nodeArguments{QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)};
     if (isSigned)
         nodeArguments << QString(64, QLatin1Char('5'));
@@ -91,13 +92,14 @@ void NodeMavlinkTest::itUnderstandsOurCommands()
 {
     const quint16 port = freeUdpPort();
     Program monitor(QStringLiteral("skyseal-cli"),
-                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port), QStringLiteral("--secure"),
-                     QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--do"), QStringLiteral("takeoff 12.5"),
-                     QStringLiteral("--duration"), QStringLiteral("20")});
+                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
+                     QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--do"),
+                     QStringLiteral("takeoff 12.5"), QStringLiteral("--duration"), QStringLiteral("20")});
     QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
     Program vehicle(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)});
     const auto takeOff = [](const QJsonObject &message) {
-        return message[QLatin1String("id")].toInt() == 76 && message[QLatin1String("fields")][QLatin1String("command")].toInt() == 22;
+        return message[QLatin1String("id")].toInt() == 76
+            && message[QLatin1String("fields")][QLatin1String("command")].toInt() == 22;
     };
     const QJsonObject command = vehicle.waitFor(QStringLiteral("message"), 15000, takeOff)[QLatin1String("fields")].toObject();
     QCOMPARE(command[QLatin1String("_param7")].toDouble(), 12.5);

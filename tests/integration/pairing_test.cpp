@@ -71,7 +71,9 @@ private:
 
 QString PairingTest::newKey(const char *name) const
 {
-    Program made(QStringLiteral("skyseal-cli"), {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
+    Program made(
+        QStringLiteral("skyseal-cli"),
+        {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
     return text(made.waitFor(QStringLiteral("key"), 10000), "fingerprint");
 }
 
@@ -93,24 +95,26 @@ std::unique_ptr<Program> PairingTest::agent(const char *key, const char *peers, 
 {
     auto air = std::make_unique<Program>(
         QStringLiteral("skyseal-air"),
-        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort), QStringLiteral("--ground"),
-                    QStringLiteral("udpout:127.0.0.1:%1").arg(ground), QStringLiteral("--identity"), path(key), QStringLiteral("--peers"), path(peers),
-                    QStringLiteral("--json")});
+        QStringList{QStringLiteral("--vehicle"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_vehiclePort),
+                    QStringLiteral("--ground"), QStringLiteral("udpout:127.0.0.1:%1").arg(ground), QStringLiteral("--identity"),
+                    path(key), QStringLiteral("--peers"), path(peers), QStringLiteral("--json")});
     const bool up = !air->waitFor(QStringLiteral("link"), 10000).isEmpty();
     return up ? std::move(air) : nullptr;
 }
 
 std::unique_ptr<Program> PairingTest::window(const char *key, const QStringList &more) const
 {
-    return std::make_unique<Program>(QStringLiteral("skyseal-air"),
-                                     QStringList{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key), QStringLiteral("--json")} + more);
+    return std::make_unique<Program>(
+        QStringLiteral("skyseal-air"),
+        QStringList{QStringLiteral("--pair"), QStringLiteral("--identity"), path(key), QStringLiteral("--json")} + more);
 }
 
 std::unique_ptr<Program> PairingTest::station(const char *key, const char *peers, quint16 port, const QStringList &more) const
 {
     return std::make_unique<Program>(QStringLiteral("skyseal-cli"),
-                                     QStringList{QStringLiteral("keys"), QStringLiteral("pair"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
-                                                 QStringLiteral("--identity"), path(key), QStringLiteral("--peers"), path(peers), QStringLiteral("--json")}
+                                     QStringList{QStringLiteral("keys"), QStringLiteral("pair"), QStringLiteral("--link"),
+                                                 QStringLiteral("udpin:127.0.0.1:%1").arg(port), QStringLiteral("--identity"),
+                                                 path(key), QStringLiteral("--peers"), path(peers), QStringLiteral("--json")}
                                          + more);
 }
 
@@ -140,9 +144,10 @@ void PairingTest::bothConfirmAndASessionFollows()
     QVERIFY2(read("ground.peers").startsWith("heron pilot any skyseal:"), read("ground.peers").constData());
     QVERIFY2(read("air.peers").startsWith("base pilot any skyseal:"), read("air.peers").constData());
 
-    Program monitor(QStringLiteral("skyseal-cli"), {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_port),
-                                                    QStringLiteral("--identity"), path("ground.key"), QStringLiteral("--peers"), path("ground.peers"),
-                                                    QStringLiteral("--no-record"), QStringLiteral("--json")});
+    Program monitor(QStringLiteral("skyseal-cli"),
+                    {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(m_port),
+                     QStringLiteral("--identity"), path("ground.key"), QStringLiteral("--peers"), path("ground.peers"),
+                     QStringLiteral("--no-record"), QStringLiteral("--json")});
     const QJsonObject session = monitor.waitFor(QStringLiteral("session"), 15000, stateIs("up"));
     QCOMPARE(text(session, "peer"), QStringLiteral("heron"));
 }
@@ -203,7 +208,8 @@ void PairingTest::changedKeyIsReplacedKnowingly()
 {
     {
         const auto air = agent("air.key", "air.peers", m_port);
-        const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air) + QStringList{QStringLiteral("--as"), QStringLiteral("heron")});
+        const auto ground = station("ground.key", "ground.peers", m_port,
+                                    expecting(m_air) + QStringList{QStringLiteral("--as"), QStringLiteral("heron")});
         QCOMPARE(window("air.key", expecting(m_ground))->waitForExit(15000), 0);
         QCOMPARE(ground->waitForExit(15000), 0);
     }
@@ -231,7 +237,10 @@ void PairingTest::expectedButChangedKeyIsRefused()
     const QStringList named = {QStringLiteral("--as"), QStringLiteral("base")};
     {
         const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air));
-        QCOMPARE(window("air.key", named + expecting(m_ground) + QStringList{QStringLiteral("--role"), QStringLiteral("observer")})->waitForExit(15000), 0);
+        QCOMPARE(
+            window("air.key", named + expecting(m_ground) + QStringList{QStringLiteral("--role"), QStringLiteral("observer")})
+                ->waitForExit(15000),
+            0);
         QCOMPARE(ground->waitForExit(15000), 0);
     }
     const QByteArray before = read("air.peers");
@@ -270,7 +279,9 @@ void PairingTest::knownRoleStays()
     QVERIFY(air);
     const auto pairAgain = [&](const QStringList &more) {
         const auto ground = station("ground.key", "ground.peers", m_port, expecting(m_air)); // asks to be a pilot
-        QCOMPARE(window("air.key", QStringList{QStringLiteral("--as"), QStringLiteral("tablet")} + expecting(m_ground) + more)->waitForExit(15000), 0);
+        QCOMPARE(window("air.key", QStringList{QStringLiteral("--as"), QStringLiteral("tablet")} + expecting(m_ground) + more)
+                     ->waitForExit(15000),
+                 0);
         QCOMPARE(ground->waitForExit(15000), 0);
     };
     pairAgain({QStringLiteral("--role"), QStringLiteral("observer")});
@@ -289,7 +300,8 @@ void PairingTest::sendHeartbeats(Program &until, const char *event, const Progra
     QJsonObject heard;
     for (int i = 0; i < 100 && heard.isEmpty(); ++i) {
         autopilot.writeDatagram(clearHeartbeat(1, 1, armed), QHostAddress::LocalHost, m_vehiclePort);
-        autopilot.writeDatagram(clearHeartbeat(2, 1, false), QHostAddress::LocalHost, m_vehiclePort); // another one, on the ground
+        autopilot.writeDatagram(clearHeartbeat(2, 1, false), QHostAddress::LocalHost,
+                                m_vehiclePort); // another one, on the ground
         heard = until.waitFor(QLatin1String(event), 100, predicate);
     }
     QVERIFY(!heard.isEmpty());
@@ -299,7 +311,9 @@ void PairingTest::armedVehicleOpensNoWindow()
 {
     const auto air = agent("air.key", "air.peers", m_port);
     QVERIFY(air);
-    const auto heard = [](const QJsonObject &stats) { return stats[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger() > 0; };
+    const auto heard = [](const QJsonObject &stats) {
+        return stats[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger() > 0;
+    };
     sendHeartbeats(*air, "stats", heard, true);
     const auto refused = window("air.key");
     QCOMPARE(refused->waitForExit(10000), 1);
@@ -336,7 +350,8 @@ void PairingTest::nobodyToAnswerIsTold()
 {
     const auto air = agent("air.key", "air.peers", m_port);
     QVERIFY(air);
-    const RunResult ended = runProgram("skyseal-air", {QStringLiteral("--pair"), QStringLiteral("--identity"), path("air.key")});
+    const RunResult ended = runProgram("skyseal-air",
+                                       {QStringLiteral("--pair"), QStringLiteral("--identity"), path("air.key")});
     QCOMPARE(ended.status, 1);
     QVERIFY2(ended.err.contains("standard input has ended") && ended.err.contains("--expect"), ended.err.constData());
 }
@@ -390,7 +405,8 @@ void PairingTest::wrongPassphraseIsTold()
     QVERIFY(air);
     const auto ground = station("ground.key", "ground.peers", m_port,
                                 {QStringLiteral("--pair-passphrase-file"), passphraseFile("right", "blue heron at noon")});
-    const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), passphraseFile("wrong", "grey heron at noon")});
+    const auto desk = window("air.key",
+                             {QStringLiteral("--pair-passphrase-file"), passphraseFile("wrong", "grey heron at noon")});
     QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
     for (Program *program : {ground.get(), desk.get()}) {
@@ -405,7 +421,8 @@ void PairingTest::passphraseAtOneEndIsTold()
     const auto air = agent("air.key", "air.peers", m_port);
     QVERIFY(air);
     const auto ground = station("ground.key", "ground.peers", m_port);
-    const auto desk = window("air.key", {QStringLiteral("--pair-passphrase-file"), passphraseFile("words", "blue heron at noon")});
+    const auto desk = window("air.key",
+                             {QStringLiteral("--pair-passphrase-file"), passphraseFile("words", "blue heron at noon")});
     QVERIFY(!ground->waitFor(QStringLiteral("pairing"), 15000, stateIs("passphrase-differs")).isEmpty());
     QVERIFY(ground->waitFor(QStringLiteral("pairing"), 1500, stateIs("seen")).isEmpty());
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());

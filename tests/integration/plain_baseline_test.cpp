@@ -31,14 +31,19 @@ void PlainBaselineTest::needsConsentOfBothEnds()
     Flight flight;
     QVERIFY(flight.ready());
     // The station that does not consent has no key of this agent: no session comes up that would hide the clear frames.
-    QStringList monitorArguments{QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort),
-                                 QStringLiteral("--secure"), station ? QStringLiteral("off") : QStringLiteral("required"), QStringLiteral("--json")};
+    QStringList monitorArguments{QStringLiteral("monitor"),
+                                 QStringLiteral("--link"),
+                                 QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort),
+                                 QStringLiteral("--secure"),
+                                 station ? QStringLiteral("off") : QStringLiteral("required"),
+                                 QStringLiteral("--json")};
     if (!station)
-        monitorArguments << QStringLiteral("--identity") << flight.path(QStringLiteral("ground.key")) << QStringLiteral("--peers")
-                         << flight.path(QStringLiteral("air.peers"));
+        monitorArguments << QStringLiteral("--identity") << flight.path(QStringLiteral("ground.key"))
+                         << QStringLiteral("--peers") << flight.path(QStringLiteral("air.peers"));
     Program monitor(QStringLiteral("skyseal-cli"), monitorArguments);
     QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
-    Program air(QStringLiteral("skyseal-air"), flight.airArguments(0, agent ? QStringList{QStringLiteral("--allow-plain")} : QStringList()));
+    Program air(QStringLiteral("skyseal-air"),
+                flight.airArguments(0, agent ? QStringList{QStringLiteral("--allow-plain")} : QStringList()));
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
 
     if (agent && station) {

@@ -20,8 +20,8 @@ private Q_SLOTS:
 void PortsTest::secondMonitorOnOnePort()
 {
     const QString link = QStringLiteral("udpin:127.0.0.1:%1").arg(freeUdpPort());
-    const QStringList arguments{QStringLiteral("monitor"), QStringLiteral("--link"), link, QStringLiteral("--secure"), QStringLiteral("off"),
-                                QStringLiteral("--json")};
+    const QStringList arguments{QStringLiteral("monitor"),  QStringLiteral("--link"), link,
+                                QStringLiteral("--secure"), QStringLiteral("off"),    QStringLiteral("--json")};
     Program first(QStringLiteral("skyseal-cli"), arguments);
     QVERIFY(!first.waitFor(QStringLiteral("link"), 10000).isEmpty());
     Program second(QStringLiteral("skyseal-cli"), arguments);
@@ -46,8 +46,9 @@ void PortsTest::badLinksAreNamed()
 {
     QFETCH(QString, url);
     QFETCH(int, status);
-    Program monitor(QStringLiteral("skyseal-cli"),
-                    {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--secure"), QStringLiteral("off")});
+    Program monitor(
+        QStringLiteral("skyseal-cli"),
+        {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--secure"), QStringLiteral("off")});
     QCOMPARE(monitor.waitForExit(10000), status);
     QVERIFY2(!monitor.errors().trimmed().isEmpty(), "no word said");
 }
@@ -56,8 +57,9 @@ void PortsTest::linkThatNeverOpened()
 {
     // Both might have come up later; when the time is over, nothing was reached, and a script should notice.
     for (const QString &url : {QStringLiteral("tcp:127.0.0.1:1"), QStringLiteral("serial:/dev/nonexistent:57600")}) {
-        Program monitor(QStringLiteral("skyseal-cli"),
-                        {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--duration"), QStringLiteral("1")});
+        Program monitor(
+            QStringLiteral("skyseal-cli"),
+            {QStringLiteral("monitor"), QStringLiteral("--link"), url, QStringLiteral("--duration"), QStringLiteral("1")});
         QCOMPARE(monitor.waitForExit(10000), 3);
         QVERIFY2(monitor.errors().contains(url.toUtf8()), monitor.errors().constData());
     }

@@ -40,12 +40,14 @@ private Q_SLOTS:
 private:
     int peers(const QStringList &arguments) const
     {
-        Program program(QStringLiteral("skyseal-cli"), QStringList{QStringLiteral("keys"), QStringLiteral("peers")} + arguments);
+        Program program(QStringLiteral("skyseal-cli"),
+                        QStringList{QStringLiteral("keys"), QStringLiteral("peers")} + arguments);
         return program.waitForExit(10000);
     }
     int revoke(const char *file, const char *name) const
     {
-        return peers({QStringLiteral("revoke"), QStringLiteral("--peers"), m_flight->path(QLatin1String(file)), QLatin1String(name)});
+        return peers(
+            {QStringLiteral("revoke"), QStringLiteral("--peers"), m_flight->path(QLatin1String(file)), QLatin1String(name)});
     }
     QByteArray read(const char *file) const
     {
@@ -94,10 +96,14 @@ void RevocationTest::revokedByTheAgent()
     QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
     // It asks again and is refused; nothing of the vehicle reaches it any more.
-    QVERIFY(!m_air->waitFor(QStringLiteral("refused"), 10000, [](const QJsonObject &e) { return is(e, "reason", "unknown-peer"); }).isEmpty());
+    QVERIFY(
+        !m_air->waitFor(QStringLiteral("refused"), 10000, [](const QJsonObject &e) { return is(e, "reason", "unknown-peer"); })
+             .isEmpty());
     m_monitor->skipWhatCame();
     const QJsonObject before = stats();
-    const auto frames = [](const QJsonObject &event) { return event[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger(); };
+    const auto frames = [](const QJsonObject &event) {
+        return event[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger();
+    };
     QVERIFY(!before.isEmpty());
     QCOMPARE(frames(stats()), frames(before));
     QVERIFY(m_air->running() && m_monitor->running());
@@ -126,12 +132,15 @@ void RevocationTest::badEditChangesNothing()
     write("air.peers", "ground captain any skyseal:nonsense\n");
     const QJsonObject refused = m_air->waitFor(QStringLiteral("peers"), 3000);
     const QString problem = refused[QLatin1String("problem")].toString();
-    QVERIFY2(problem.contains(QLatin1String("air.peers:1: ")) && problem.contains(QLatin1String("captain")), qPrintable(problem));
+    QVERIFY2(problem.contains(QLatin1String("air.peers:1: ")) && problem.contains(QLatin1String("captain")),
+             qPrintable(problem));
     QVERIFY(m_air->events(QStringLiteral("session")).size() == 1); // the one that went up
     QVERIFY(!stats().isEmpty());
 
-    QFile::setPermissions(m_flight->path(QStringLiteral("ground.peers")), QFile::ReadOwner | QFile::WriteOwner | QFile::WriteOther);
-    QVERIFY(m_monitor->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("problem")].toString().contains(QLatin1String("other users")));
+    QFile::setPermissions(m_flight->path(QStringLiteral("ground.peers")),
+                          QFile::ReadOwner | QFile::WriteOwner | QFile::WriteOther);
+    QVERIFY(m_monitor->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("problem")].toString().contains(
+        QLatin1String("other users")));
     QCOMPARE(m_monitor->events(QStringLiteral("session")).size(), std::size_t(1));
 }
 
@@ -156,7 +165,8 @@ void RevocationTest::unusablePresharedKeyKeepsNobodyElse()
     const QJsonObject added = m_air->waitFor(QStringLiteral("peers"), 3000);
     QCOMPARE(added[QLatin1String("count")].toInt(), 1);
     const QString problem = added[QLatin1String("problem")].toString();
-    QVERIFY2(problem.contains(QLatin1String("missing.psk")) && problem.contains(QLatin1String("\"other\"")), qPrintable(problem));
+    QVERIFY2(problem.contains(QLatin1String("missing.psk")) && problem.contains(QLatin1String("\"other\"")),
+             qPrintable(problem));
     QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
 
     QCOMPARE(revoke("air.peers", "ground"), 0);
@@ -166,10 +176,12 @@ void RevocationTest::unusablePresharedKeyKeepsNobodyElse()
 
 void RevocationTest::roleIsObeyedAtOnce()
 {
-    const auto refused = [](const QJsonObject &event) { 
+    const auto refused = [](const QJsonObject &event) {
         return event[QLatin1String("forwarded")].toObject()[QLatin1String("observer_refused")].toInteger() > 0;
-     };
-    QCOMPARE(peers({QStringLiteral("role"), QStringLiteral("--peers"), m_flight->path(QStringLiteral("air.peers")), QStringLiteral("ground"), QStringLiteral("observer")}), 0);
+    };
+    QCOMPARE(peers({QStringLiteral("role"), QStringLiteral("--peers"), m_flight->path(QStringLiteral("air.peers")),
+                    QStringLiteral("ground"), QStringLiteral("observer")}),
+             0);
     QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(), 1);
     // The station's heartbeats are the first that do not pass any more; its session stays.
     QVERIFY(!m_air->waitFor(QStringLiteral("stats"), 5000, refused).isEmpty());

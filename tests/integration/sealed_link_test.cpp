@@ -60,9 +60,9 @@ void SealedLinkTest::walksThroughAllSuitesAndLosesNothing()
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
     Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("1"),
-                                             QStringLiteral("--stream-rate"), QStringLiteral("50"), QStringLiteral("--duration"),
-                                             QString::number(SKYSEAL_SWITCHING_SECONDS)}));
+                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
+                                             QStringLiteral("1"), QStringLiteral("--stream-rate"), QStringLiteral("50"),
+                                             QStringLiteral("--duration"), QString::number(SKYSEAL_SWITCHING_SECONDS)}));
     QCOMPARE(monitor.waitForExit((SKYSEAL_SWITCHING_SECONDS + 30) * 1000), 0);
 
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
@@ -89,13 +89,14 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
     QVERIFY(flight.ready());
     const quint16 relay = freeUdpPort();
     Program impair(QStringLiteral("skyseal-cli"),
-                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay), QStringLiteral("--to"),
-                    QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort), QStringLiteral("--loss"), QStringLiteral("0.2"),
-                    QStringLiteral("--jitter"), QStringLiteral("50"), QStringLiteral("--duplicate"), QStringLiteral("0.1"),
-                    QStringLiteral("--reorder"), QStringLiteral("0.1"), QStringLiteral("--seed"), QStringLiteral("11"), QStringLiteral("--json")});
+                   {QStringLiteral("impair"), QStringLiteral("--listen"), QStringLiteral("udpin:127.0.0.1:%1").arg(relay),
+                    QStringLiteral("--to"), QStringLiteral("udpout:127.0.0.1:%1").arg(flight.groundPort),
+                    QStringLiteral("--loss"), QStringLiteral("0.2"), QStringLiteral("--jitter"), QStringLiteral("50"),
+                    QStringLiteral("--duplicate"), QStringLiteral("0.1"), QStringLiteral("--reorder"), QStringLiteral("0.1"),
+                    QStringLiteral("--seed"), QStringLiteral("11"), QStringLiteral("--json")});
     Program monitor(QStringLiteral("skyseal-cli"),
-                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"), QStringLiteral("1"),
-                                             QStringLiteral("--stream-rate"), QStringLiteral("50")}));
+                    flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
+                                             QStringLiteral("1"), QStringLiteral("--stream-rate"), QStringLiteral("50")}));
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
 
@@ -105,14 +106,17 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
 
     // The sender stops first; what is still in the air arrives before the receiver is asked.
     QCOMPARE(air.terminate(), 0);
-    const auto drained = [](const QJsonObject &stats) { return stats[QLatin1String("forward")][QLatin1String("waiting")].toInt() == 0; };
+    const auto drained = [](const QJsonObject &stats) {
+        return stats[QLatin1String("forward")][QLatin1String("waiting")].toInt() == 0;
+    };
     impair.skipWhatCame();
     QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000, drained).isEmpty());
     QCOMPARE(monitor.terminate(), 0);
     QCOMPARE(impair.terminate(), 0);
 
     const qint64 sent = number(within(air.last(QStringLiteral("summary")), "channel", "tx"), "records");
-    const qint64 dropped = number(impair.last(QStringLiteral("summary"))[QLatin1String("forward")].toObject(), "dropped_records");
+    const qint64 dropped = number(impair.last(QStringLiteral("summary"))[QLatin1String("forward")].toObject(),
+                                  "dropped_records");
     const QJsonObject received = within(monitor.last(QStringLiteral("summary")), "channel", "rx");
     QVERIFY(dropped > 0);
     QCOMPARE(number(received, "good"), sent - dropped);

@@ -21,7 +21,8 @@ void UnreadOutputTest::linkGoesOn()
     // The pipe is full when the agent begins, and its reader never reads. Both end by themselves.
     const QString script = QStringLiteral("(head -c 65536 /dev/zero; exec timeout 25 \"$0\" \"$@\") | sleep 26");
     Program agent(QStringLiteral("/bin/sh"),
-                  QStringList{QStringLiteral("-c"), script, QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-air")} + flight.airArguments());
+                  QStringList{QStringLiteral("-c"), script, QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-air")}
+                      + flight.airArguments());
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--duration"), QStringLiteral("4")}));
     QVERIFY2(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty(), monitor.errors() + agent.errors());

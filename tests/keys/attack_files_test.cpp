@@ -120,7 +120,8 @@ void AttackFilesTest::everyDamagedCharacter()
     for (std::size_t at = keyAt; at < good.size() - 1; ++at) {
         std::string bad = good;
         bad[at] = bad[at] == 'A' ? 'B' : 'A';
-        HOLDS(contains(errorOf(loadIdentity(m_folder.write("bad.key", bad))), ":3: has a damaged key"), "no damaged key is a key");
+        HOLDS(contains(errorOf(loadIdentity(m_folder.write("bad.key", bad))), ":3: has a damaged key"),
+              "no damaged key is a key");
     }
 }
 
@@ -164,7 +165,8 @@ void AttackFilesTest::errorsShowNoKey()
     const std::string text = readText(newKey("secret.key"));
     const std::string key = text.substr(text.size() - 49, 48);
     // A key in a file of the wrong kind, without its header, twice, or with something behind it.
-    for (const std::string &content : {key + "\n", "skyseal-preshared-key-v1\n" + key + "\n", text + key + "\n", text + "x" + key})
+    for (const std::string &content :
+         {key + "\n", "skyseal-preshared-key-v1\n" + key + "\n", text + key + "\n", text + "x" + key})
         HOLDS(!contains(errorOf(loadIdentity(m_folder.write("other.key", content))), key.substr(0, 8)), "no error shows a key");
 }
 

@@ -145,7 +145,8 @@ void CounterFileTest::refusesDamagedFiles()
         const auto cut = Counters::parse(good.substr(0, size), "f");
         QVERIFY2(!cut || good.substr(0, size).ends_with("next 12\n"), std::to_string(size).c_str());
     }
-    for (const char *bad : {"next -1", "next 18446744073709551616", "next 1x", "next ", "next 1\nnext 2", "seen 12 3", "what 1"})
+    for (const char *bad :
+         {"next -1", "next 18446744073709551616", "next 1x", "next ", "next 1\nnext 2", "seen 12 3", "what 1"})
         QVERIFY2(!Counters::parse(std::string("skyseal-counters-v1\n") + bad + "\n", "f"), bad);
     const auto refused = FileCounterStore::open(m_folder.write("damaged", "skyseal-counters-v1\nnext 1\nseen\n"));
     QVERIFY(!refused && refused.error().line == 3);

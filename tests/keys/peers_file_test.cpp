@@ -50,7 +50,8 @@ void PeersFileTest::initTestCase()
 
 void PeersFileTest::readsAList()
 {
-    const auto file = PeersFile::parse(line("scout-1\tpilot  1,2,255", 0) + " psk=/etc/a.psk\r\n" + line("  tablet observer any", 1), "f");
+    const auto file = PeersFile::parse(
+        line("scout-1\tpilot  1,2,255", 0) + " psk=/etc/a.psk\r\n" + line("  tablet observer any", 1), "f");
     QVERIFY(file.has_value());
     const auto entries = file->entries();
     QCOMPARE(entries.size(), std::size_t(2));
@@ -67,13 +68,16 @@ void PeersFileTest::readsAList()
 
 void PeersFileTest::keepsRemarks()
 {
-    const std::string text = "# our vehicles\n\n" + line("scout   pilot  1", 0) + "\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n";
+    const std::string text = "# our vehicles\n\n" + line("scout   pilot  1", 0) + "\n   # the tablet is Ann's\n"
+        + line("tablet observer any", 1) + "\n";
     auto file = PeersFile::parse(text, "f");
     QCOMPARE(file->text(), text);
     QVERIFY(file->add(entry("third", 2)));
     QVERIFY(file->text().starts_with(text));
     QVERIFY(file->remove("scout"));
-    QCOMPARE(file->text(), "# our vehicles\n\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n" + line("third pilot any", 2) + "\n");
+    QCOMPARE(file->text(),
+             "# our vehicles\n\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n" + line("third pilot any", 2)
+                 + "\n");
     // What add wrote is what it reads.
     QCOMPARE(PeersFile::parse(file->text(), "f")->entries()[1].peer.key, m_keys[2]);
 }

@@ -113,7 +113,8 @@ void SealedKeyTest::textReadsBackTheSame()
         key.cost = {1 + std::uint32_t(m_random.number() % 16), 8192 + std::uint32_t(m_random.number() % 1040385)};
         const auto read = SealedKey::parse(key.text(), "test");
         QCOMPARE(errorOf(read), std::string());
-        QVERIFY(read->cost == key.cost && read->salt == key.salt && read->publicKey == key.publicKey && read->sealed == key.sealed);
+        QVERIFY(read->cost == key.cost && read->salt == key.salt && read->publicKey == key.publicKey
+                && read->sealed == key.sealed);
         QCOMPARE(read->text(), key.text());
     }
 }
@@ -157,7 +158,8 @@ void SealedKeyTest::hostileCostsAreRefusedUnseen()
     const SealedKey good = sealed(newPair(), "words");
     QElapsedTimer clock;
     clock.start();
-    const PassphraseCost hostile[] = {{17, 8192}, {4294967295, 8192}, {1, 1048577}, {1, 4294967295}, {0, 8192}, {1, 8191}, {1, 0}};
+    const PassphraseCost hostile[] = {{17, 8192}, {4294967295, 8192}, {1, 1048577}, {1, 4294967295},
+                                      {0, 8192},  {1, 8191},          {1, 0}};
     for (const PassphraseCost &cost : hostile) {
         SealedKey key = good;
         key.cost = cost;
@@ -165,7 +167,8 @@ void SealedKeyTest::hostileCostsAreRefusedUnseen()
         QVERIFY(!key.open(words("words"))); // nor computed when somebody hands it in
     }
     const std::string line = "argon2id 1 8192 ";
-    for (const char *instead : {"argon2id 99999999999 8192 ", "argon2id -1 8192 ", "argon2id 01 8192 ", "argon2i 1 8192 ", "argon2id 1 8192"}) {
+    for (const char *instead :
+         {"argon2id 99999999999 8192 ", "argon2id -1 8192 ", "argon2id 01 8192 ", "argon2i 1 8192 ", "argon2id 1 8192"}) {
         std::string text = good.text();
         QVERIFY(contains(text, line));
         text.replace(text.find(line), line.size(), instead);
@@ -252,9 +255,11 @@ void SealedKeyTest::noErrorShowsASecret()
     const std::string ciphertext = good.substr(good.size() - 65, 64);
     const std::string secret = toHex(pair.secret.view());
     for (std::size_t size = 0; size < good.size(); size += 3) {
-        for (const std::string &text : {good.substr(0, size), good.substr(size), good.substr(0, size) + "!" + good.substr(size)}) {
+        for (const std::string &text :
+             {good.substr(0, size), good.substr(size), good.substr(0, size) + "!" + good.substr(size)}) {
             const std::string error = errorOf(parseIdentity(text, "file", answering({"swordfish"})));
-            QVERIFY2(!contains(error, ciphertext.substr(0, 8)) && !contains(error, "swordfish") && !contains(error, secret.substr(0, 8)),
+            QVERIFY2(!contains(error, ciphertext.substr(0, 8)) && !contains(error, "swordfish")
+                         && !contains(error, secret.substr(0, 8)),
                      error.c_str());
         }
     }

@@ -70,7 +70,8 @@ void SecretFileTest::refusesWhatIsNoKeyFile()
 {
     QVERIFY(contains(errorOf(loadIdentity(m_folder.write("empty", ""))), "not a key file"));
     QVERIFY(contains(errorOf(loadIdentity(m_folder.write("ssh", "-----BEGIN OPENSSH PRIVATE KEY-----\n"))), "not a key file"));
-    QVERIFY(contains(errorOf(loadIdentity(m_folder.write("v2", "skyseal-private-key-v2\nAAAA\n"))), "\"skyseal-private-key-v2\""));
+    QVERIFY(
+        contains(errorOf(loadIdentity(m_folder.write("v2", "skyseal-private-key-v2\nAAAA\n"))), "\"skyseal-private-key-v2\""));
     QVERIFY(contains(errorOf(loadIdentity(m_folder.write("large", std::string(2 << 20, 'x')))), "too large"));
     QVERIFY(contains(errorOf(loadIdentity("/dev/null")), "not a regular file"));
     QVERIFY(contains(errorOf(loadIdentity(m_folder.path("."))), "not a regular file"));

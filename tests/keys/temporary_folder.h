@@ -36,7 +36,8 @@ inline std::string readText(const std::string &path)
 
 inline mode_t modeOf(const std::string &path)
 {
-    struct stat status{};
+    struct stat status
+    {};
     return ::stat(path.c_str(), &status) == 0 ? status.st_mode & 0777 : 0;
 }
 

@@ -125,7 +125,8 @@ void LinkUrlTest::refuses()
 void LinkUrlTest::canonicalTextParsesBack()
 {
     QVERIFY(rc::check("toText() of what was parsed parses to the same", [] {
-        const std::string scheme = *rc::gen::elementOf(std::vector<std::string>{"udpin", "udpout", "tcp", "tcpin", "serial", "tlog"});
+        const std::string scheme = *rc::gen::elementOf(
+            std::vector<std::string>{"udpin", "udpout", "tcp", "tcpin", "serial", "tlog"});
         const std::string rest = *rc::gen::container<std::string>(rc::gen::elementOf(std::string("0123456789.:/[]-abfxyz_")));
         const auto url = LinkUrl::parse(scheme + ":" + rest);
         if (!url)

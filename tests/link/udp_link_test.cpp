@@ -313,8 +313,7 @@ void UdpLinkTest::dearDatagramsLeaveTheOtherLinksTheirTurn()
     };
     // A datagram costs four turns: after the first burst has told so, the other link does not wait for a whole one.
     ground.onReceived = [&](Link &) {
-        for (const TimePoint stop = steadyNow() + 4 * options().turn; steadyNow() < stop;) {
-        }
+        for (const TimePoint stop = steadyNow() + 4 * options().turn; steadyNow() < stop;) {}
         if (ground.blocks.size() == 64) {
             burst(64);
             toBeside->send({}, text("y"));
@@ -388,8 +387,7 @@ void UdpLinkTest::desktopsProxyIsNotAsked()
 {
     QTcpServer proxy;
     QVERIFY(proxy.listen(QHostAddress::LocalHost));
-    QNetworkProxy::setApplicationProxy(
-        {QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
+    QNetworkProxy::setApplicationProxy({QNetworkProxy::Socks5Proxy, QStringLiteral("127.0.0.1"), proxy.serverPort()});
     const auto back = qScopeGuard([] { QNetworkProxy::setApplicationProxy(QNetworkProxy::NoProxy); });
     Recorder station;
     Recorder vehicle;

@@ -62,9 +62,10 @@ void DecodeTest::jsonOfAMessage()
 {
     const auto lines = linesOf(heartbeat(7), {.json = true});
     QCOMPARE(lines.size(), std::size_t(1));
-    QCOMPARE(lines[0], std::string(R"({"event":"message","id":0,"name":"HEARTBEAT","version":2,"sysid":1,"compid":1,"seq":0,)"
-                                   R"("signed":false,"fields":{"type":2,"autopilot":0,"base_mode":0,"custom_mode":7,)"
-                                   R"("system_status":0,"mavlink_version":3}})"));
+    QCOMPARE(lines[0],
+             std::string(R"({"event":"message","id":0,"name":"HEARTBEAT","version":2,"sysid":1,"compid":1,"seq":0,)"
+                         R"("signed":false,"fields":{"type":2,"autopilot":0,"base_mode":0,"custom_mode":7,)"
+                         R"("system_status":0,"mavlink_version":3}})"));
 }
 
 void DecodeTest::badSpotsStandBetweenGoodFrames()
@@ -131,11 +132,11 @@ void DecodeTest::words()
     message.type = mavlink::MAV_TYPE_QUADROTOR;
     message.base_mode = mavlink::MAV_MODE_FLAG_SAFETY_ARMED | mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
     message.system_status = 200;
-    QCOMPARE(linesOf(std::string(asText(writer.write(message, buffer))))[0],
-             std::string(
-                 "9/1 HEARTBEAT type=MAV_TYPE_QUADROTOR autopilot=MAV_AUTOPILOT_GENERIC "
-                 "base_mode=MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|MAV_MODE_FLAG_SAFETY_ARMED custom_mode=0 system_status=200 "
-                 "mavlink_version=3"));
+    QCOMPARE(
+        linesOf(std::string(asText(writer.write(message, buffer))))[0],
+        std::string("9/1 HEARTBEAT type=MAV_TYPE_QUADROTOR autopilot=MAV_AUTOPILOT_GENERIC "
+                    "base_mode=MAV_MODE_FLAG_CUSTOM_MODE_ENABLED|MAV_MODE_FLAG_SAFETY_ARMED custom_mode=0 system_status=200 "
+                    "mavlink_version=3"));
     mavlink::Statustext text;
     mavlink::setText(text.text, "say \"hi\"\n");
     const std::string line = linesOf(std::string(asText(writer.write(text, buffer))))[0];

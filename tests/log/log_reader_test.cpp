@@ -178,8 +178,8 @@ void LogReaderTest::damageCostsOnlyWhatItHits()
         std::string damaged = content;
         damaged.replace(at, removed, noise);
 
-        const Reading reading =
-            readAll(damaged, *rc::gen::inRange<std::size_t>(1, 500), timed ? LogFormat::Tlog : LogFormat::Raw);
+        const Reading reading = readAll(damaged, *rc::gen::inRange<std::size_t>(1, 500),
+                                        timed ? LogFormat::Tlog : LogFormat::Raw);
         for (std::uint32_t i = 0; i < count; ++i) {
             const bool untouched = begins[i + 1] <= at || begins[i] >= at + removed;
             const auto seen = std::count(reading.numbers.begin(), reading.numbers.end(), i);
@@ -203,7 +203,10 @@ void LogReaderTest::longDamageIsOneSpot()
 
 void LogReaderTest::unknownMessagesAreKeptWhole()
 {
-    const std::string strange("\xfd\x03\x00\x00\x00\x01\x01\x00\xff\xff" "abc" "\x12\x34", 15);
+    const std::string strange("\xfd\x03\x00\x00\x00\x01\x01\x00\xff\xff"
+                              "abc"
+                              "\x12\x34",
+                              15);
     const std::string content = entry(kNoon, heartbeat(1)) + entry(kNoon, strange) + entry(kNoon, heartbeat(2));
     std::istringstream input(content);
     LogReader reader(input, Dialect::builtin());

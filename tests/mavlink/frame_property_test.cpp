@@ -26,8 +26,7 @@ Written anyFrame(bool alsoVersion1 = true)
     const auto messages = Dialect::builtin().messages();
     const MessageInfo &info = messages[*rc::gen::inRange<std::size_t>(0, messages.size())];
     Bytes payload = *rc::gen::container<Bytes>(
-        info.maxLength,
-        rc::gen::weightedElement<std::uint8_t>({{4, 0}, {1, 1}, {1, 0xfd}, {1, 0xfe}, {1, 0xff}, {1, 0x40}}));
+        info.maxLength, rc::gen::weightedElement<std::uint8_t>({{4, 0}, {1, 1}, {1, 0xfd}, {1, 0xfe}, {1, 0xff}, {1, 0x40}}));
     const int version = alsoVersion1 && info.id < 256 && *rc::gen::arbitrary<bool>() ? 1 : 2;
     std::array<std::uint8_t, kMaxFrameLength> buffer;
     const auto frame = writeFrame(buffer, version, *rc::gen::arbitrary<std::uint8_t>(), 1, 1, info.id, info.crcExtra,
@@ -158,8 +157,8 @@ void FramePropertyTest::shortAndLongPayloadsAreRead()
     QVERIFY(rc::check("a payload of any length is a valid frame; what it lacks reads as zero", [] {
         const auto messages = Dialect::builtin().messages();
         const MessageInfo &info = messages[*rc::gen::inRange<std::size_t>(0, messages.size())];
-        const Bytes payload =
-            *rc::gen::container<Bytes>(*rc::gen::inRange<std::size_t>(0, 256), rc::gen::nonZero<std::uint8_t>());
+        const Bytes payload = *rc::gen::container<Bytes>(*rc::gen::inRange<std::size_t>(0, 256),
+                                                         rc::gen::nonZero<std::uint8_t>());
         std::array<std::uint8_t, kMaxFrameLength> buffer;
         const auto bytes = writeFrame(buffer, 2, 0, 1, 1, info.id, info.crcExtra, info.minLength, payload);
         const auto frame = readFrame(bytes, Dialect::builtin());

@@ -84,8 +84,7 @@ void FrameTest::unknownIncompatFlagIsSkippedWhole()
 {
     std::array<std::uint8_t, kMaxFrameLength> buffer;
     std::array<std::uint8_t, Heartbeat::kMaxLength> payload{};
-    const auto odd =
-        writeFrame(buffer, 2, 0, 1, 1, Heartbeat::kId, Heartbeat::kCrcExtra, Heartbeat::kMinLength, payload, 0x80);
+    const auto odd = writeFrame(buffer, 2, 0, 1, 1, Heartbeat::kId, Heartbeat::kCrcExtra, Heartbeat::kMinLength, payload, 0x80);
     Bytes stream(odd.begin(), odd.end());
     append(stream, heartbeat());
     FrameScanner scanner(stream, Dialect::builtin());

@@ -73,8 +73,8 @@ Bytes frameFromJson(const QJsonObject &event, const Frame &original)
         }
         for (std::size_t i = 0; i < field.elements(); ++i) {
             const QJsonValue bits = nans[name].toObject()[QString::number(i)];
-            const auto element =
-                fromJson(field.type, field.arrayLength ? value.toArray()[static_cast<qsizetype>(i)] : value, bits);
+            const auto element = fromJson(field.type, field.arrayLength ? value.toArray()[static_cast<qsizetype>(i)] : value,
+                                          bits);
             if (!element || !builder.set(field, i, *element))
                 return {};
         }
@@ -169,9 +169,7 @@ void GoldenFramesTest::factsAreTheReferences()
     const QJsonObject facts = QJsonDocument::fromJson(contentOf(m_facts + QStringLiteral("/ardupilotmega.json"))).object();
     if (facts.isEmpty())
         QSKIP("SKYSEAL_MAVLINK_FACTS names no folder with the full facts: skipped");
-    const auto text = [](std::string_view view) {
-        return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size()));
-    };
+    const auto text = [](std::string_view view) { return QString::fromUtf8(view.data(), static_cast<qsizetype>(view.size())); };
     for (const auto &value : facts[QLatin1String("messages")].toArray()) {
         const MessageInfo *info = Dialect::builtin().find(static_cast<std::uint32_t>(value[QLatin1String("id")].toInt()));
         QVERIFY(info);

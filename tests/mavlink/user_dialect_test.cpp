@@ -107,9 +107,8 @@ void UserDialectTest::includesAreFollowedOnce()
 {
     QVERIFY(load("<mavlink><include>kite.xml</include><include>ring.xml</include></mavlink>", "ring.xml"));
     QVERIFY(load(kOwnMessage));
-    const auto ring =
-        load("<mavlink><include>kite.xml</include><include>ring.xml</include><include>./kite.xml</include></mavlink>",
-             "ring.xml");
+    const auto ring = load(
+        "<mavlink><include>kite.xml</include><include>ring.xml</include><include>./kite.xml</include></mavlink>", "ring.xml");
     QVERIFY(ring && ring->find(60001));
     // The standard's own files may lie beside it.
     const auto whole = loadUserDialect(SKYSEAL_SOURCE_DIR "/resources/dialects/ardupilotmega.xml");
@@ -149,8 +148,8 @@ void UserDialectTest::wrongFilesAreRefused_data()
         "needs a name");
     row("entry no number", "<mavlink><enums><enum name=\"E\"><entry value=\"x\" name=\"X\"/></enum></enums></mavlink>", 1,
         "whole number");
-    row("entry of 2**64", "<mavlink><enums><enum name=\"E\"><entry value=\"2**64\" name=\"X\"/></enum></enums></mavlink>",
-        1, "whole number");
+    row("entry of 2**64", "<mavlink><enums><enum name=\"E\"><entry value=\"2**64\" name=\"X\"/></enum></enums></mavlink>", 1,
+        "whole number");
     row("value with two names",
         "<mavlink><enums><enum name=\"E\"><entry value=\"1\" name=\"X\"/>\n<entry value=\"1\" "
         "name=\"Y\"/></enum></enums></mavlink>",
@@ -182,8 +181,8 @@ void UserDialectTest::anEndlessFileOfEntriesIsRefusedSoon()
     QVERIFY(!load(content + "</enum></enums></mavlink>"));
     content = "<mavlink><messages>";
     for (int i = 0; i < 20'000; ++i)
-        content += "<message id=\"" + QByteArray::number(60'000 + i) + "\" name=\"M" + QByteArray::number(i) + "\">"
-                   + kField + "</message>\n";
+        content += "<message id=\"" + QByteArray::number(60'000 + i) + "\" name=\"M" + QByteArray::number(i) + "\">" + kField
+            + "</message>\n";
     QVERIFY(!load(content + "</messages></mavlink>"));
     content = "<mavlink>";
     for (int i = 0; i < 500'000; ++i)

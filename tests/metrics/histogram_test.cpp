@@ -45,8 +45,8 @@ void HistogramTest::percentilesMatchASortedList()
 {
     QVERIFY(rc::check("a percentile is at least the exact one and at most 1/32 above", [] {
         const auto bits = *rc::gen::inRange(1, 40);
-        const auto values = *rc::gen::nonEmpty(rc::gen::container<std::vector<std::uint64_t>>(
-            rc::gen::inRange<std::uint64_t>(0, std::uint64_t(1) << bits)));
+        const auto values = *rc::gen::nonEmpty(
+            rc::gen::container<std::vector<std::uint64_t>>(rc::gen::inRange<std::uint64_t>(0, std::uint64_t(1) << bits)));
         const double share = *rc::gen::inRange(0, 1001) / 1000.0;
         Histogram histogram;
         for (const std::uint64_t value : values)

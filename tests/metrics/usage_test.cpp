@@ -97,8 +97,7 @@ void UsageTest::cycleClockAgreesWithCpuTime()
     const std::uint64_t begin = CycleClock::now();
     const Duration cpu = threadCpuTime();
     const Duration process = processCpuTime();
-    while (threadCpuTime() - cpu < milliseconds(20)) {
-    }
+    while (threadCpuTime() - cpu < milliseconds(20)) {}
     // The process clock was read a little later than that of the thread.
     QVERIFY(processCpuTime() - process >= milliseconds(15));
     const auto measured = static_cast<double>(clock.between(begin, CycleClock::now()));
@@ -111,7 +110,7 @@ void UsageTest::timeThatWasTakenIsNotWork()
 {
     const auto spin = [](Duration work) {
         const Duration until = threadCpuTime() + work;
-        while (threadCpuTime() < until) { }
+        while (threadCpuTime() < until) {}
     };
     WorkClock clock;
     // Before the first piece and between two, the thread works, and the core is given away as well.

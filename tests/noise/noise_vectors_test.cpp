@@ -64,8 +64,7 @@ Bytes sendBytes(Side &side, const Bytes &payload)
 Bytes receiveBytes(Side &side, const Bytes &message)
 {
     Bytes out(message.size());
-    const auto read =
-        side.handshake ? side.handshake->readMessage(message, out) : side.receive.decryptWithAd({}, message, out);
+    const auto read = side.handshake ? side.handshake->readMessage(message, out) : side.receive.decryptWithAd({}, message, out);
     out.resize(read.value_or(0));
     return out;
 }

@@ -37,11 +37,13 @@ void SimFlightTest::guidedFlightAndReturn()
 
     QVERIFY(!a.goTo({50, 0, -10}));
     double fastest = 0, furthest = 0;
-    const double taken = flight.until([&] {
-        fastest = std::max(fastest, a.estimate().velocity.horizontal());
-        furthest = std::max(furthest, a.estimate().position.x);
-        return std::abs(a.estimate().position.x - 50) < 0.5 && a.estimate().velocity.horizontal() < 0.3;
-    }, 30);
+    const double taken = flight.until(
+        [&] {
+            fastest = std::max(fastest, a.estimate().velocity.horizontal());
+            furthest = std::max(furthest, a.estimate().position.x);
+            return std::abs(a.estimate().position.x - 50) < 0.5 && a.estimate().velocity.horizontal() < 0.3;
+        },
+        30);
     QVERIFY2(taken > 10 && taken < 18, qPrintable(QString::number(taken))); // 50 m at 5 m/s, and braking
     QVERIFY2(fastest > 4.7 && fastest < 5.5, qPrintable(QString::number(fastest)));
     QVERIFY(furthest < 51);
@@ -230,12 +232,14 @@ void SimFlightTest::fliesAMission()
     QVERIFY(!a.startMission());
     std::vector<int> reached;
     double fastest = 0;
-    const double taken = flight.until([&] {
-        if (const auto sequence = a.modes().mission().takeReached())
-            reached.push_back(*sequence);
-        fastest = std::max(fastest, a.estimate().velocity.horizontal());
-        return !a.armed();
-    }, 150);
+    const double taken = flight.until(
+        [&] {
+            if (const auto sequence = a.modes().mission().takeReached())
+                reached.push_back(*sequence);
+            fastest = std::max(fastest, a.estimate().velocity.horizontal());
+            return !a.armed();
+        },
+        150);
     QVERIFY(taken > 0);
     QCOMPARE(reached, (std::vector<int>{1, 3, 4, 5}));
     QVERIFY(fastest > 5.5);
@@ -270,10 +274,13 @@ void SimFlightTest::jumpsEnd()
     a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kWaypoint, a, 0, 5, 10), twice, forever});
     QVERIFY(!a.enterMode(FlightMode::Auto));
     int visits = 0;
-    QVERIFY(flight.until([&] {
-        visits += a.modes().mission().takeReached() ? 1 : 0;
-        return a.modes().mission().finished();
-    }, 120) >= 0);
+    QVERIFY(flight.until(
+                [&] {
+                    visits += a.modes().mission().takeReached() ? 1 : 0;
+                    return a.modes().mission().finished();
+                },
+                120)
+            >= 0);
     QCOMPARE(visits, 3);
     QVERIFY(a.armed());
 }

@@ -74,8 +74,7 @@ void SimHostileTest::randomFlightsStayFinite()
             case 1: a.goTo({dice.normal(200), dice.normal(200), -std::abs(dice.normal(40))}); break;
             case 2: a.move({static_cast<double>(strangeFloat(dice)), dice.normal(10), dice.normal(5)}); break;
             case 3:
-                a.pilot().manual({},
-                                 {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()});
+                a.pilot().manual({}, {dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform() * 2 - 1, dice.uniform()});
                 break;
             case 4: a.parameters().set(dice.next() % a.parameters().count(), strangeFloat(dice)); break;
             case 5: a.face(static_cast<double>(strangeFloat(dice)), dice.normal(1)); break;

@@ -51,8 +51,7 @@ std::vector<mavlink::MissionItemInt> survey(int count)
 class Uploader
 {
 public:
-    Uploader(TestStation &station, std::vector<mavlink::MissionItemInt> items)
-        : m_station(station), m_items(std::move(items))
+    Uploader(TestStation &station, std::vector<mavlink::MissionItemInt> items) : m_station(station), m_items(std::move(items))
     {
         station.onFrame = [this](const Frame &frame) { handle(frame); };
     }

@@ -110,8 +110,8 @@ void SimPartsTest::parametersAreNamedAndGuarded()
         QCOMPARE(parameters.find(info.name), std::optional<std::size_t>(i)); // sorted, and no name twice
     }
     for (const char *name : {"SYSID_THISMAV", "WPNAV_SPEED", "RTL_ALT", "ATC_ANG_RLL_P", "PSC_POSXY_P", "BATT_CAPACITY",
-                             "FS_GCS_ENABLE", "ARMING_CHECK", "SR0_EXTRA1", "INS_USE", "COMPASS_USE", "GPS_TYPE",
-                             "EK3_ENABLE", "RC3_MIN", "SERVO1_FUNCTION", "FLTMODE1"})
+                             "FS_GCS_ENABLE", "ARMING_CHECK", "SR0_EXTRA1", "INS_USE", "COMPASS_USE", "GPS_TYPE", "EK3_ENABLE",
+                             "RC3_MIN", "SERVO1_FUNCTION", "FLTMODE1"})
         QVERIFY2(parameters.find(name), name);
     using R = Parameters::SetResult;
     const unsigned before = parameters.revision();

@@ -20,8 +20,7 @@ class LoadedLink
 public:
     explicit LoadedLink(const impair::Settings &settings)
         : m_up(settings, 0), m_down(settings, 1), m_vehicle({}, TimePoint()), m_station(255, 190)
-    {
-    }
+    {}
 
     void run(Duration time)
     {
@@ -129,7 +128,8 @@ void SaturatorTest::slowLineIsFullAndLosesNothing()
     const impair::Counters before = link.up();
     link.run(20s);
     const double share = static_cast<double>(link.up().deliveredBytes - before.deliveredBytes) / (20.0 * baud / 10);
-    QVERIFY2(link.up().queueFull == 0, qPrintable(QStringLiteral("%1, of these %2 at first").arg(link.up().queueFull).arg(before.queueFull)));
+    QVERIFY2(link.up().queueFull == 0,
+             qPrintable(QStringLiteral("%1, of these %2 at first").arg(link.up().queueFull).arg(before.queueFull)));
     QVERIFY2(share > 0.97, qPrintable(QString::number(share)));
 }
 

@@ -46,20 +46,21 @@ void SimTelemetryTest::parameterListIsComplete()
     QCOMPARE(names.size(), Parameters().count());
     QVERIFY(names.size() >= 100);
     QCOMPARE(std::set<std::string>([&] {
-        std::set<std::string> unique;
-        for (const auto &[index, name] : names)
-            unique.insert(name);
-        return unique;
-    }()).size(), names.size());
+                 std::set<std::string> unique;
+                 for (const auto &[index, name] : names)
+                     unique.insert(name);
+                 return unique;
+             }())
+                 .size(),
+             names.size());
 
     station.forget();
     ParamRequestRead read;
     read.target_system = 1;
     read.param_index = 17;
     station.send(read);
-    QCOMPARE(
-        std::string(station.last<ParamValue>().param_id.data(), strnlen(station.last<ParamValue>().param_id.data(), 16)),
-        names[17]);
+    QCOMPARE(std::string(station.last<ParamValue>().param_id.data(), strnlen(station.last<ParamValue>().param_id.data(), 16)),
+             names[17]);
     read.param_index = -1;
     std::copy_n("WPNAV_SPEED", 11, read.param_id.begin());
     station.send(read);

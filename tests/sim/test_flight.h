@@ -57,8 +57,8 @@ private:
         highest = std::max(highest, autopilot.heightAboveHome());
         const BodyState &truth = autopilot.truth();
         finite = finite && truth.position.finite() && truth.velocity.finite() && truth.rates.finite()
-                 && std::isfinite(truth.attitude.w()) && truth.attitude.vector().finite()
-                 && std::isfinite(autopilot.battery().voltage());
+            && std::isfinite(truth.attitude.w()) && truth.attitude.vector().finite()
+            && std::isfinite(autopilot.battery().voltage());
     }
 };
 

@@ -17,8 +17,7 @@ class TestStation
 public:
     explicit TestStation(const VehicleConfig &config = {}, double loss = 0, std::uint64_t seed = 1)
         : vehicle(config, TimePoint{}), m_loss(loss), m_dice(seed, 99)
-    {
-    }
+    {}
 
     /// Lives on; heartbeats go out once a second unless `silent`.
     void run(double forSeconds)
@@ -95,9 +94,9 @@ public:
         using namespace mavlink;
         run(6);
         return command(MAV_CMD_DO_SET_MODE, {1, 4}) == MAV_RESULT_ACCEPTED
-               && command(MAV_CMD_COMPONENT_ARM_DISARM, {1}) == MAV_RESULT_ACCEPTED
-               && command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}) == MAV_RESULT_ACCEPTED
-               && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
+            && command(MAV_CMD_COMPONENT_ARM_DISARM, {1}) == MAV_RESULT_ACCEPTED
+            && command(MAV_CMD_NAV_TAKEOFF, {0, 0, 0, 0, 0, 0, height}) == MAV_RESULT_ACCEPTED
+            && until([&] { return vehicle.autopilot().heightAboveHome() > static_cast<double>(height) - 0.3; }, 40);
     }
 
     template<typename Message> std::vector<Message> all() const

@@ -155,10 +155,12 @@ void SimVehicleTest::commandIntAndReposition()
     go.param2 = 1;
     station.send(go);
     QCOMPARE(int(station.last<CommandAck>().result), int(MAV_RESULT_ACCEPTED));
-    QVERIFY(station.until([&] {
-        const auto p = station.last<GlobalPositionInt>();
-        return std::abs(p.lon - go.y) < 15 && std::abs(p.relative_alt - 12000) < 500;
-    }, 30));
+    QVERIFY(station.until(
+        [&] {
+            const auto p = station.last<GlobalPositionInt>();
+            return std::abs(p.lon - go.y) < 15 && std::abs(p.relative_alt - 12000) < 500;
+        },
+        30));
     QCOMPARE(station.command(MAV_CMD_CONDITION_YAW, {180, 30, 1, 0}), int(MAV_RESULT_ACCEPTED));
     station.run(8);
     QVERIFY(std::abs(int(station.last<mavlink::VfrHud>().heading) - 180) < 5);

@@ -18,7 +18,8 @@ inline QByteArray clearHeartbeat(std::uint8_t systemId, std::uint8_t componentId
     frame[3] = static_cast<char>(systemId);
     frame[4] = static_cast<char>(componentId);
     frame.append(static_cast<char>(armed ? 0x81 : 0x01)).append('\x04').append('\x03');
-    const ByteView covered(reinterpret_cast<const std::uint8_t *>(frame.constData()) + 1, static_cast<std::size_t>(frame.size()) - 1);
+    const ByteView covered(reinterpret_cast<const std::uint8_t *>(frame.constData()) + 1,
+                           static_cast<std::size_t>(frame.size()) - 1);
     const std::uint16_t crc = mavlink::crcAccumulate(mavlink::crcAccumulate(mavlink::kCrcStart, covered), {&kCrcExtra, 1});
     return frame.append(static_cast<char>(crc & 0xFF)).append(static_cast<char>(crc >> 8));
 }

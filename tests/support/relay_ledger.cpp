@@ -74,8 +74,7 @@ class Replay
 public:
     explicit Replay(std::vector<RelayLedger::Sealed> &sealed, std::vector<RelayLedger::Frames> &frames)
         : m_sealed(sealed), m_frames(frames)
-    {
-    }
+    {}
 
     Datagram takeIn(const QJsonObject &event)
     {
@@ -181,12 +180,20 @@ RelayLedger::RelayLedger(const std::vector<QJsonObject> &events, const QString &
 
 QString words(const RelayLedger::Sealed &sealed)
 {
-    return QStringLiteral("%1 good, %2 lost, %3 late, %4 replayed").arg(sealed.good).arg(sealed.lost).arg(sealed.late).arg(sealed.replayed);
+    return QStringLiteral("%1 good, %2 lost, %3 late, %4 replayed")
+        .arg(sealed.good)
+        .arg(sealed.lost)
+        .arg(sealed.late)
+        .arg(sealed.replayed);
 }
 
 QString words(const RelayLedger::Frames &frames)
 {
-    return QStringLiteral("%1 frames, %2 lost, %3 late, %4 duplicate").arg(frames.received).arg(frames.lost).arg(frames.late).arg(frames.duplicate);
+    return QStringLiteral("%1 frames, %2 lost, %3 late, %4 duplicate")
+        .arg(frames.received)
+        .arg(frames.lost)
+        .arg(frames.late)
+        .arg(frames.duplicate);
 }
 
 } // namespace skyseal::test

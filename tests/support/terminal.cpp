@@ -10,7 +10,8 @@
 
 namespace skyseal::test {
 
-Terminal::Terminal(const QString &program, const QStringList &arguments) : m_master(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC))
+Terminal::Terminal(const QString &program, const QStringList &arguments)
+    : m_master(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC))
 {
     if (m_master < 0 || ::grantpt(m_master) != 0 || ::unlockpt(m_master) != 0)
         return;
@@ -69,7 +70,7 @@ void Terminal::type(const QByteArray &keys)
 int Terminal::waitForExit()
 {
     const bool ended = m_process.state() == QProcess::NotRunning || m_process.waitForFinished(20000);
-    while (readSome(0)) { }
+    while (readSome(0)) {}
     return ended && m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
 }
 

@@ -87,8 +87,8 @@ private Q_SLOTS:
     {
         for (const SuiteId suite :
              {SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::ChaCha20Poly1305}) {
-            auto *row
-                = m_window->findChild<SuiteRow *>(QStringLiteral("row_") + m_window->suites().action(suite)->objectName());
+            auto *row = m_window->findChild<SuiteRow *>(QStringLiteral("row_")
+                                                        + m_window->suites().action(suite)->objectName());
             QTest::mouseClick(row, Qt::LeftButton, {}, QPoint(12, row->height() / 2));
             QTRY_VERIFY_WITH_TIMEOUT(row->isChecked(), 6'000);
             QTRY_VERIFY(m_window->view().session->info.suite == suite);

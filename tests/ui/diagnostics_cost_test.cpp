@@ -27,7 +27,8 @@ public:
     explicit Flight(DiagnosticsPanel &panel) : m_panel(panel)
     {
         // The paper's four ciphers and two more, each for a while.
-        const SuiteId suites[] = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr, SuiteId::Aes256Cbc, SuiteId::ChaCha20, SuiteId::Rc4};
+        const SuiteId suites[] = {SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm, SuiteId::Aes256Ctr,
+                                  SuiteId::Aes256Cbc,        SuiteId::ChaCha20,  SuiteId::Rc4};
         for (std::uint32_t i = 0; i < 12; ++i) {
             const auto part = samplesOf(m_all.size(), kHistory * i / 12, kHistory * (i + 1) / 12, suites[i % 6], i);
             m_all.insert(m_all.end(), part.begin(), part.end());
@@ -114,7 +115,8 @@ void DiagnosticsCostTest::seenAndHidden()
     const double hidden = flight.load(kSeconds);
     const double alone = flight.load(kSeconds, false);
     QVERIFY(panel.history().newest() > kHistory + 1.5 * kSeconds); // nothing was missed meanwhile
-    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%, the snapshots alone %.3f %%", QTest::currentDataTag(), seen, hidden, alone);
+    qInfo("%s: seen %.2f %% of one core, hidden %.3f %%, the snapshots alone %.3f %%", QTest::currentDataTag(), seen, hidden,
+          alone);
     QVERIFY(hidden - alone < 0.1);
 #ifdef NDEBUG
     QVERIFY(seen - alone < kVisibleLimit);

@@ -159,7 +159,8 @@ private Q_SLOTS:
             const auto bytes = experiment::sessionBytes(suites[i]); // measured a second time
             QVERIFY(bytes && *bytes > 1000);
             QVERIFY2(std::abs(memory.bars[i].mean * 1000 / *bytes - 1) < 0.05, qPrintable(QString::number(*bytes)));
-            QVERIFY(std::abs(memory.runs[i].points.front().y() - memory.bars[i].mean) < 1e-9); // the last one is where the next begins
+            QVERIFY(std::abs(memory.runs[i].points.front().y() - memory.bars[i].mean)
+                    < 1e-9); // the last one is where the next begins
         }
     }
 
@@ -324,7 +325,8 @@ private Q_SLOTS:
                         {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{4, 1}, {4.5, 2}}},
                         {Qt::red, Stroke::Dotted, QStringLiteral("next p50"), suite, {{5.2, 3}}}};
         const QStringList words = chartTextAt(content, 4.9, 0.1, 1);
-        const QStringList expected{QStringLiteral("4.9 s"), suite + QStringLiteral(": p50 4.0"), suite + QStringLiteral(": next p50 3.0")};
+        const QStringList expected{QStringLiteral("4.9 s"), suite + QStringLiteral(": p50 4.0"),
+                                   suite + QStringLiteral(": next p50 3.0")};
         QCOMPARE(words, expected);
     }
 

@@ -93,10 +93,10 @@ private Q_SLOTS:
     {
         QFETCH(int, reason);
         QFETCH(QString, words);
-        const QList<QPushButton *> buttons{find<HoldButton>("armButton"), find<HoldButton>("landButton"),
-                                           find<HoldButton>("returnButton"), find<HoldButton>("takeOffButton"),
+        const QList<QPushButton *> buttons{find<HoldButton>("armButton"),     find<HoldButton>("landButton"),
+                                           find<HoldButton>("returnButton"),  find<HoldButton>("takeOffButton"),
                                            find<HoldButton>("setModeButton"), find<QPushButton>("missionRead"),
-                                           find<QPushButton>("missionSend"), find<QPushButton>("parameterFetch")};
+                                           find<QPushButton>("missionSend"),  find<QPushButton>("parameterFetch")};
         const auto enabled = [&buttons](bool wanted) {
             return std::ranges::all_of(buttons, [=](const QPushButton *button) { return button->isEnabled() == wanted; });
         };
@@ -123,7 +123,8 @@ private Q_SLOTS:
 
         auto *menu = find<QMenu>("menuVehicle");
         Q_EMIT menu->aboutToShow();
-        for (const char *name : {"actionArm", "actionDisarm", "actionTakeOff", "actionLand", "actionReturn", "actionStartMission"}) {
+        for (const char *name :
+             {"actionArm", "actionDisarm", "actionTakeOff", "actionLand", "actionReturn", "actionStartMission"}) {
             QVERIFY2(!find<QAction>(name)->isEnabled(), name);
             QVERIFY2(find<QAction>(name)->toolTip().contains(words), name);
         }

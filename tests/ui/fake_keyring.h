@@ -59,8 +59,8 @@ public:
     PeerList list;
     QString fileText;
     std::vector<std::pair<std::string, std::string>> passphrases; ///< the present one and the next; empty = none
-    bool remembers = false; ///< as the last change wanted it
-    QString refusal; ///< what a change meets with; empty = it succeeds
+    bool remembers = false;                                       ///< as the last change wanted it
+    QString refusal;                                              ///< what a change meets with; empty = it succeeds
 
 private:
     template<typename Act> Result<void, InputError> commit(Act act)

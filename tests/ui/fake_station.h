@@ -37,10 +37,7 @@ public:
         return vehicle::CommandId{static_cast<std::uint32_t>(commands.size())};
     }
     void requestParameters(std::uint8_t systemId) override { parameterRequests.push_back(systemId); }
-    void writeParameter(std::uint8_t, std::string name, double value) override
-    {
-        written.emplace_back(std::move(name), value);
-    }
+    void writeParameter(std::uint8_t, std::string name, double value) override { written.emplace_back(std::move(name), value); }
     void readMission(std::uint8_t systemId) override { missionReads.push_back(systemId); }
     void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) override
     {

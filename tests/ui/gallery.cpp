@@ -43,17 +43,17 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
         raised->show();
         raised->raise();
     }
-    const crypto::SuiteId suites[]
-        = {crypto::SuiteId::ChaCha20Poly1305, crypto::SuiteId::Aes256Gcm, crypto::SuiteId::Rc4, crypto::SuiteId::Aes256Ctr};
+    const crypto::SuiteId suites[] = {crypto::SuiteId::ChaCha20Poly1305, crypto::SuiteId::Aes256Gcm, crypto::SuiteId::Rc4,
+                                      crypto::SuiteId::Aes256Ctr};
     std::uint64_t number = 0;
     for (int part = 0; part < 4; ++part) {
         for (double t = part * 12.0; t < (part + 1) * 12.0; t += 0.5) {
             engine::Snapshot snapshot = state == QLatin1String("plain")
-                                            ? plainSnapshot(t)
-                                            : sealedSnapshot(t, suites[part], static_cast<std::uint32_t>(part));
-            snapshot.samples
-                = samplesOf(number, t, t + 0.5, state == QLatin1String("plain") ? crypto::SuiteId::None : suites[part],
-                            static_cast<std::uint32_t>(part));
+                ? plainSnapshot(t)
+                : sealedSnapshot(t, suites[part], static_cast<std::uint32_t>(part));
+            snapshot.samples = samplesOf(number, t, t + 0.5,
+                                         state == QLatin1String("plain") ? crypto::SuiteId::None : suites[part],
+                                         static_cast<std::uint32_t>(part));
             number += snapshot.samples.size();
             if (state == QLatin1String("switching") && t > 46)
                 snapshot.sessions.front().info.pending = crypto::SuiteId::Aes256Cbc;
@@ -75,9 +75,9 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
         }
     }
     station.notify(channel::SwitchDone{channel::SessionId{7}, suites[2], suites[3], channel::Epoch{3}, false, false,
-                                     state == QLatin1String("attack") ? channel::SwitchFailure::NotConfirmed
-                                                                      : channel::SwitchFailure::None,
-                                     std::chrono::milliseconds(84)});
+                                       state == QLatin1String("attack") ? channel::SwitchFailure::NotConfirmed
+                                                                        : channel::SwitchFailure::None,
+                                       std::chrono::milliseconds(84)});
     station.notify(engine::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
     station.notify(engine::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
     station.notify(engine::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
@@ -93,7 +93,7 @@ int main(int argc, char **argv)
         return 2;
     const QDir out(args.at(1));
     out.mkpath(QStringLiteral("."));
-    QStringList states{QStringLiteral("waiting"), QStringLiteral("sealed"), QStringLiteral("plain"),
+    QStringList states{QStringLiteral("waiting"), QStringLiteral("sealed"),  QStringLiteral("plain"),
                        QStringLiteral("attack"),  QStringLiteral("revoked"), QStringLiteral("dialogs")};
     QStringList sizes{QStringLiteral("1280x800")}, themes{QStringLiteral("light"), QStringLiteral("dark")};
     if (args.size() > 2)
@@ -113,9 +113,9 @@ int main(int argc, char **argv)
                 QTemporaryDir folder;
                 QSettings store(folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
                 Settings settings;
-                settings.theme = theme == QLatin1String("dark")       ? Theme::Dark
-                                 : theme == QLatin1String("contrast") ? Theme::HighContrast
-                                                                      : Theme::Light;
+                settings.theme = theme == QLatin1String("dark") ? Theme::Dark
+                    : theme == QLatin1String("contrast")        ? Theme::HighContrast
+                                                                : Theme::Light;
                 storeSettings(store, settings);
                 FakeStation station;
                 ProgramFacts facts;

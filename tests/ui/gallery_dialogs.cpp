@@ -66,44 +66,48 @@ const std::map<QString, Open> &dialogs()
 {
     static const std::map<QString, Open> all{
         {QStringLiteral("keys"), &keysOf},
-        {QStringLiteral("keys-empty"), [](const Stage &stage) {
+        {QStringLiteral("keys-empty"),
+         [](const Stage &stage) {
              stage.keyring.list.peers.clear();
              stage.keyring.own.sealed = false;
              return keysOf(stage);
          }},
-        {QStringLiteral("peer"), [](const Stage &stage) -> QWidget * {
+        {QStringLiteral("peer"),
+         [](const Stage &stage) -> QWidget * {
              return new PeerDialog(stage.keyring, stage.keyring.list.peers[1], &stage.window);
          }},
-        {QStringLiteral("passphrase"), [](const Stage &stage) -> QWidget * {
+        {QStringLiteral("passphrase"),
+         [](const Stage &stage) -> QWidget * {
              return new PassphraseDialog(stage.keyring.own.file, true, stage.keyring.own.keyringProblem, &stage.window);
          }},
-        {QStringLiteral("passphrase-change"), [](const Stage &stage) -> QWidget * {
-             return new ChangePassphraseDialog(stage.keyring, &stage.window);
-         }},
+        {QStringLiteral("passphrase-change"),
+         [](const Stage &stage) -> QWidget * { return new ChangePassphraseDialog(stage.keyring, &stage.window); }},
         {QStringLiteral("pairing"), [](const Stage &stage) { return pairingWith(stage, [](FakePairing &) {}); }},
-        {QStringLiteral("pairing-differs"), [](const Stage &stage) {
+        {QStringLiteral("pairing-differs"),
+         [](const Stage &stage) {
              return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.passphraseDiffers(); });
          }},
-        {QStringLiteral("pairing-compare"), [](const Stage &stage) {
-             return pairingWith(stage, [](FakePairing &pairing) {
-                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")});
-             });
+        {QStringLiteral("pairing-compare"),
+         [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")}); });
          }},
-        {QStringLiteral("pairing-changed"), [](const Stage &stage) {
+        {QStringLiteral("pairing-changed"),
+         [](const Stage &stage) {
              return pairingWith(stage, [](FakePairing &pairing) {
                  Q_EMIT pairing.seen({keyOf(9), QStringLiteral("scout-1")});
              });
          }},
-        {QStringLiteral("pairing-paired"), [](const Stage &stage) {
+        {QStringLiteral("pairing-paired"),
+         [](const Stage &stage) {
              return pairingWith(stage, [](FakePairing &pairing) {
                  Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")});
                  Q_EMIT pairing.paired(QStringLiteral("heron"));
              });
          }},
-        {QStringLiteral("link"), [](const Stage &stage) -> QWidget * {
-             return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);
-         }},
-        {QStringLiteral("link-mavsec"), [](const Stage &stage) -> QWidget * {
+        {QStringLiteral("link"),
+         [](const Stage &stage) -> QWidget * { return new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window); }},
+        {QStringLiteral("link-mavsec"),
+         [](const Stage &stage) -> QWidget * {
              auto *dialog = new LinkDialog(QStringLiteral("udpin:0.0.0.0:14550"), &stage.window);
              auto *protection = dialog->findChild<QComboBox *>(QStringLiteral("linkProtection"));
              protection->setCurrentIndex(1);
@@ -127,7 +131,8 @@ void fillKeyring(FakeKeyring &keyring)
 {
     keyring.own = {keyOf(1), true, QStringLiteral("/home/ann/.local/share/skyseal/skyseal/identity.key"), {}};
     keyring.list = {{peerOf("scout-1", 2), peerOf("tablet", 3), peerOf("survey-wing", 4)},
-                    QStringLiteral("/home/ann/.local/share/skyseal/skyseal/peers"), {}};
+                    QStringLiteral("/home/ann/.local/share/skyseal/skyseal/peers"),
+                    {}};
     keyring.list.peers[0].connected = true;
     keyring.list.peers[0].hasPresharedKey = true;
     keyring.list.peers[1].role = channel::PeerRole::Observer;

@@ -214,11 +214,14 @@ void KeysDialogTest::everyMistakeInWords_data()
     QTest::addColumn<QString>("words");
     const QString good = textOf(key(9));
     QTest::newRow("nothing") << QString() << QString() << QString() << QStringLiteral("Paste the public key");
-    QTest::newRow("no key") << QStringLiteral("ssh-ed25519 AAAA") << QStringLiteral("a") << QString() << QStringLiteral("does not begin with");
-    QTest::newRow("slip") << QString(good).replace(20, 1, QStringLiteral("#")) << QStringLiteral("a") << QString() << QStringLiteral("check does not fit");
+    QTest::newRow("no key") << QStringLiteral("ssh-ed25519 AAAA") << QStringLiteral("a") << QString()
+                            << QStringLiteral("does not begin with");
+    QTest::newRow("slip") << QString(good).replace(20, 1, QStringLiteral("#")) << QStringLiteral("a") << QString()
+                          << QStringLiteral("check does not fit");
     QTest::newRow("no name") << good << QString() << QString() << QStringLiteral("Give it a name");
     QTest::newRow("bad name") << good << QStringLiteral("two words") << QString() << QStringLiteral("is not a peer's name");
-    QTest::newRow("systems") << good << QStringLiteral("a") << QStringLiteral("1,300") << QStringLiteral("not a list of system ids");
+    QTest::newRow("systems") << good << QStringLiteral("a") << QStringLiteral("1,300")
+                             << QStringLiteral("not a list of system ids");
 }
 
 void KeysDialogTest::everyMistakeInWords()
@@ -391,7 +394,8 @@ void KeysDialogTest::everyControlHasANameAndAKey()
 
 void KeysDialogTest::passphraseIsHiddenAndTaken()
 {
-    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true, QStringLiteral("no keyring runs in this desktop session"));
+    PassphraseDialog dialog(QStringLiteral("/home/ann/identity.key"), true,
+                            QStringLiteral("no keyring runs in this desktop session"));
     auto *edit = dialog.findChild<QLineEdit *>(QStringLiteral("passphrase"));
     QCOMPARE(edit->echoMode(), QLineEdit::Password);
     QVERIFY(!okOf(&dialog)->isEnabled());
@@ -476,7 +480,8 @@ void KeysDialogTest::passphraseRefusalIsShown()
     QTest::mouseClick(okOf(dialog), Qt::LeftButton);
     m_keyring->finishPassphrase(QStringLiteral("the passphrase does not open it"));
     QVERIFY(dialog->isVisible());
-    QVERIFY(dialog->findChild<QLabel *>(QStringLiteral("passphraseProblem"))->text().contains(QStringLiteral("does not open it")));
+    QVERIFY(
+        dialog->findChild<QLabel *>(QStringLiteral("passphraseProblem"))->text().contains(QStringLiteral("does not open it")));
     QVERIFY(dialog->findChild<QLineEdit *>(QStringLiteral("presentPassphrase"))->text().isEmpty());
     QVERIFY(!okOf(dialog)->isEnabled());
     QTest::keyClick(dialog, Qt::Key_Escape);

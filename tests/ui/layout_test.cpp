@@ -50,12 +50,11 @@ private Q_SLOTS:
             if (!widget->isVisible() || !needsItsRoom(widget))
                 continue;
             const QSize wanted = qobject_cast<const QLabel *>(widget) && static_cast<const QLabel *>(widget)->wordWrap()
-                                     ? QSize(0, widget->heightForWidth(widget->width()))
-                                     : widget->sizeHint();
-            const QByteArray what
-                = (QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
-                   + QStringLiteral(" \"%1\"").arg(widget->property("text").toString()))
-                      .toUtf8();
+                ? QSize(0, widget->heightForWidth(widget->width()))
+                : widget->sizeHint();
+            const QByteArray what = (QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()
+                                     + QStringLiteral(" \"%1\"").arg(widget->property("text").toString()))
+                                        .toUtf8();
             QVERIFY2(widget->width() + 1 >= wanted.width(), what.constData());
             QVERIFY2(widget->height() + 1 >= wanted.height(), what.constData());
             QVERIFY2(!overlaps(widget), what.constData());
@@ -105,8 +104,11 @@ private Q_SLOTS:
             for (int i = 0; i < panel->chartCount(); ++i)
                 QTRY_VERIFY2(panel->chart(i)->height() <= grid->viewport()->height()
                                  && panel->chart(i)->height() >= grid->viewport()->height() - 2,
-                             qPrintable(QStringLiteral("%1x%2: %3 in %4").arg(size.width()).arg(size.height())
-                                            .arg(panel->chart(i)->height()).arg(grid->viewport()->height())));
+                             qPrintable(QStringLiteral("%1x%2: %3 in %4")
+                                            .arg(size.width())
+                                            .arg(size.height())
+                                            .arg(panel->chart(i)->height())
+                                            .arg(grid->viewport()->height())));
         }
     }
 
@@ -162,11 +164,8 @@ private Q_SLOTS:
                 for (const StripItem *item : items) {
                     if (item->isHidden())
                         continue;
-                    const QByteArray what = QStringLiteral("%1 at %2, %3")
-                                                .arg(item->objectName())
-                                                .arg(width)
-                                                .arg(QLatin1String(state))
-                                                .toUtf8();
+                    const QByteArray what =
+                        QStringLiteral("%1 at %2, %3").arg(item->objectName()).arg(width).arg(QLatin1String(state)).toUtf8();
                     QVERIFY2(item->x() >= right, what.constData());
                     right = item->x() + item->width();
                     QVERIFY2(right <= width, what.constData());
@@ -218,7 +217,7 @@ private:
         const auto *label = qobject_cast<const QLabel *>(widget);
         if (label)
             return !label->text().isEmpty() && label->objectName() != QLatin1String("trafficLinks")
-                   && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored;
+                && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored;
         return qobject_cast<const QPushButton *>(widget) || qobject_cast<const QRadioButton *>(widget);
     }
 
@@ -227,7 +226,7 @@ private:
         const auto siblings = widget->parentWidget()->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly);
         return std::ranges::any_of(siblings, [&](const QWidget *other) {
             return other != widget && other->isVisible() && needsItsRoom(other)
-                   && other->geometry().intersects(widget->geometry());
+                && other->geometry().intersects(widget->geometry());
         });
     }
 

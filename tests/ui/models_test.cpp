@@ -59,9 +59,7 @@ private Q_SLOTS:
 
     void whoSpeaksAsAnothersVehicleIsNamed()
     {
-        const auto words = [](const char *owner) {
-            return eventLine(engine::SystemRefused{1, "air-2", owner, 3})->text;
-        };
+        const auto words = [](const char *owner) { return eventLine(engine::SystemRefused{1, "air-2", owner, 3})->text; };
         QCOMPARE(words(""), QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle and may not"));
         QCOMPARE(words("air-1"),
                  QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle: it is air-1's. Is it a new agent of "
@@ -115,8 +113,8 @@ private Q_SLOTS:
         engine::InspectorRow heartbeat;
         heartbeat.messageId = 0;
         heartbeat.payloadSize = 9;
-        const std::uint8_t payload[]
-            = {4, 0, 0, 0, 2, 3, 0x81, 4, 3}; // custom_mode, quadrotor, ArduPilot, armed, active, version
+        const std::uint8_t payload[] = {4, 0,    0, 0, 2,
+                                        3, 0x81, 4, 3}; // custom_mode, quadrotor, ArduPilot, armed, active, version
         std::ranges::copy(payload, heartbeat.payload.begin());
         model.setMessage(&heartbeat);
         QHash<QString, QString> values;

@@ -139,8 +139,9 @@ private:
 
 QString PairedWindowTest::newKey(const char *name) const
 {
-    Program made(QStringLiteral("skyseal-cli"),
-                 {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
+    Program made(
+        QStringLiteral("skyseal-cli"),
+        {QStringLiteral("keys"), QStringLiteral("new"), QStringLiteral("--out"), path(name), QStringLiteral("--json")});
     return made.waitFor(QStringLiteral("key"), kPatience)[QLatin1String("fingerprint")].toString();
 }
 

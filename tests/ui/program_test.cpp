@@ -52,8 +52,9 @@ private Q_SLOTS:
     {
         QProcess skyseal;
         prepare(skyseal);
-        skyseal.start(program(), {QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("none.key")),
-                                  QStringLiteral("--peers"), m_folder.filePath(QStringLiteral("none.peers"))});
+        skyseal.start(program(),
+                      {QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("none.key")), QStringLiteral("--peers"),
+                       m_folder.filePath(QStringLiteral("none.peers"))});
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitCode(), 3);
         QVERIFY(skyseal.readAllStandardError().contains("none.key"));
@@ -64,8 +65,9 @@ private Q_SLOTS:
         const QString file = m_folder.filePath(QStringLiteral("window.png"));
         QProcess skyseal;
         prepare(skyseal);
-        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"),
-                                  QStringLiteral("--screenshot"), file, QStringLiteral("--after"), QStringLiteral("0.5")});
+        skyseal.start(program(),
+                      {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"), file,
+                       QStringLiteral("--after"), QStringLiteral("0.5")});
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitCode(), 0);
         const QImage picture(file);
@@ -76,9 +78,10 @@ private Q_SLOTS:
     {
         QProcess skyseal;
         prepare(skyseal);
-        skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"),
-                                  QStringLiteral("--screenshot"), m_folder.filePath(QStringLiteral("no/such/folder.png")),
-                                  QStringLiteral("--after"), QStringLiteral("0.2")});
+        skyseal.start(program(),
+                      {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:0"), QStringLiteral("--screenshot"),
+                       m_folder.filePath(QStringLiteral("no/such/folder.png")), QStringLiteral("--after"),
+                       QStringLiteral("0.2")});
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitCode(), 1);
     }
@@ -87,8 +90,7 @@ private Q_SLOTS:
     {
         const QString identity = m_folder.filePath(QStringLiteral("data/skyseal/skyseal/identity.key"));
         QVERIFY(QFile::exists(identity)); // by the pictures above
-        QCOMPARE(QFile::permissions(identity)
-                     & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther),
+        QCOMPARE(QFile::permissions(identity) & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther),
                  QFile::Permissions());
     }
 
@@ -103,8 +105,7 @@ private Q_SLOTS:
         skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
         QVERIFY(skyseal.waitForStarted());
         // It listens once the port can no longer be bound.
-        QTRY_VERIFY_WITH_TIMEOUT(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress),
-                                 20'000);
+        QTRY_VERIFY_WITH_TIMEOUT(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress), 20'000);
         ::kill(static_cast<pid_t>(skyseal.processId()), SIGINT);
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);

@@ -36,9 +36,10 @@ std::shared_ptr<const std::vector<vehicle::Parameter>> parameters()
 {
     static const auto all = [] {
         auto out = std::make_shared<std::vector<vehicle::Parameter>>();
-        const std::pair<const char *, double> some[] = {{"ACRO_YAW_P", 4.5}, {"ARMING_CHECK", 1}, {"BATT_CAPACITY", 3300},
-            {"FENCE_ALT_MAX", 100}, {"FS_GCS_ENABLE", 1}, {"FS_THR_VALUE", 975}, {"LAND_SPEED", 50}, {"PILOT_SPEED_UP", 250},
-            {"RTL_ALT", 1500}, {"SYSID_MYGCS", 255}, {"WPNAV_ACCEL", 100}, {"WPNAV_SPEED", 500}};
+        const std::pair<const char *, double> some[] = {
+            {"ACRO_YAW_P", 4.5},  {"ARMING_CHECK", 1},   {"BATT_CAPACITY", 3300}, {"FENCE_ALT_MAX", 100},
+            {"FS_GCS_ENABLE", 1}, {"FS_THR_VALUE", 975}, {"LAND_SPEED", 50},      {"PILOT_SPEED_UP", 250},
+            {"RTL_ALT", 1500},    {"SYSID_MYGCS", 255},  {"WPNAV_ACCEL", 100},    {"WPNAV_SPEED", 500}};
         for (const auto &[name, value] : some)
             out->push_back({name, value, 9, static_cast<std::uint16_t>(out->size())});
         return out;
@@ -61,8 +62,8 @@ vehicle::VehicleState flyingState(double time)
     s.heading = std::fmod(angle * 180 / pi + 90, 360);
     s.yaw = s.heading * pi / 180;
     const double north = kRadius * std::cos(angle), east = kRadius * std::sin(angle);
-    s.position
-        = {kHomeLatitude + north / 111319.5, kHomeLongitude + east / (111319.5 * std::cos(kHomeLatitude * pi / 180)), 500};
+    s.position = {kHomeLatitude + north / 111319.5, kHomeLongitude + east / (111319.5 * std::cos(kHomeLatitude * pi / 180)),
+                  500};
     s.home = {kHomeLatitude, kHomeLongitude, 488};
     s.altitudeRelative = 12.4 + std::sin(time * 0.2) * 2;
     s.groundSpeed = 5.8 + 0.2 * std::sin(time);
@@ -153,9 +154,12 @@ engine::Snapshot plainSnapshot(double time)
     snapshot.recording = {true, "flight.tlog", 12'300'000, 180'000, 0, {}};
     snapshot.processCpuPercent = 3.1;
     snapshot.residentBytes = 92'000'000;
-    snapshot.inspector = {inspectorRow(0, "HEARTBEAT", 812, 1, 9), inspectorRow(30, "ATTITUDE", 8120, 10, 28),
-                          inspectorRow(33, "GLOBAL_POSITION_INT", 2436, 3, 28), inspectorRow(1, "SYS_STATUS", 1624, 2, 31),
-                          inspectorRow(74, "VFR_HUD", 8120, 10, 20), inspectorRow(24, "GPS_RAW_INT", 1624, 2, 30)};
+    snapshot.inspector = {inspectorRow(0, "HEARTBEAT", 812, 1, 9),
+                          inspectorRow(30, "ATTITUDE", 8120, 10, 28),
+                          inspectorRow(33, "GLOBAL_POSITION_INT", 2436, 3, 28),
+                          inspectorRow(1, "SYS_STATUS", 1624, 2, 31),
+                          inspectorRow(74, "VFR_HUD", 8120, 10, 20),
+                          inspectorRow(24, "GPS_RAW_INT", 1624, 2, 30)};
     return snapshot;
 }
 

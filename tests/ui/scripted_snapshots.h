@@ -16,7 +16,7 @@ engine::Snapshot plainSnapshot(double time);
 engine::Snapshot sealedSnapshot(double time, crypto::SuiteId suite = crypto::SuiteId::ChaCha20Poly1305,
                                 std::uint32_t epoch = 3);
 /// Samples of the diagnostics from `fromTime` to `toTime`, four a second, as one suite.
-std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime,
-                                             crypto::SuiteId suite, std::uint32_t epoch);
+std::vector<engine::MetricsSample> samplesOf(std::uint64_t firstNumber, double fromTime, double toTime, crypto::SuiteId suite,
+                                             std::uint32_t epoch);
 
 } // namespace skyseal::ui

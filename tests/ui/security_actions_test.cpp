@@ -77,8 +77,13 @@ private Q_SLOTS:
         QVERIFY(!change->isEnabled());
         QVERIFY(change->text().contains(QStringLiteral("changing")));
 
-        channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
-                                 channel::Epoch{4}, false, true, channel::SwitchFailure::None,
+        channel::SwitchDone done{channel::SessionId{7},
+                                 SuiteId::ChaCha20Poly1305,
+                                 SuiteId::ChaCha20Poly1305,
+                                 channel::Epoch{4},
+                                 false,
+                                 true,
+                                 channel::SwitchFailure::None,
                                  std::chrono::milliseconds(42)};
         m_station->notify(done);
         QVERIFY(change->isEnabled());
@@ -119,8 +124,13 @@ private Q_SLOTS:
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isEnabled());
         QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_station->switches.size(), std::size_t(1));
-        channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20Poly1305,
-                                 channel::Epoch{4}, false, true, channel::SwitchFailure::None,
+        channel::SwitchDone done{channel::SessionId{7},
+                                 SuiteId::ChaCha20Poly1305,
+                                 SuiteId::ChaCha20Poly1305,
+                                 channel::Epoch{4},
+                                 false,
+                                 true,
+                                 channel::SwitchFailure::None,
                                  std::chrono::milliseconds(42)};
         m_station->notify(done);
         QVERIFY(action(SuiteId::Aes256Gcm)->isEnabled());
@@ -148,8 +158,8 @@ private Q_SLOTS:
         QVERIFY(strip()->text().contains(QStringLiteral("ChaCha20-Poly1305")));
 
         m_station->notify(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm,
-                                            channel::Epoch{4}, false, false, channel::SwitchFailure::None,
-                                            std::chrono::milliseconds(42)});
+                                              channel::Epoch{4}, false, false, channel::SwitchFailure::None,
+                                              std::chrono::milliseconds(42)});
         QVERIFY(gcm->isChecked());
         QVERIFY(!chacha->isChecked());
         QCOMPARE(gcm->text(), QStringLiteral("AES-256-GCM"));
@@ -167,8 +177,14 @@ private Q_SLOTS:
             const bool rekey = to == SuiteId::ChaCha20Poly1305;
             if (rekey)
                 m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"))->trigger();
-            const channel::SwitchDone done{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, to, channel::Epoch{4}, false,
-                                           rekey, channel::SwitchFailure::None, took};
+            const channel::SwitchDone done{channel::SessionId{7},
+                                           SuiteId::ChaCha20Poly1305,
+                                           to,
+                                           channel::Epoch{4},
+                                           false,
+                                           rekey,
+                                           channel::SwitchFailure::None,
+                                           took};
             m_station->notify(done);
             return note()->text() + QLatin1Char('\n') + eventLine(done)->text;
         };
@@ -189,8 +205,8 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         QTest::mouseClick(row(SuiteId::ChaCha20), Qt::LeftButton, {}, QPoint(12, 8));
         m_station->notify(channel::SwitchDone{channel::SessionId{7}, SuiteId::ChaCha20Poly1305, SuiteId::ChaCha20,
-                                            channel::Epoch{4}, false, false, channel::SwitchFailure::NotConfirmed,
-                                            std::chrono::seconds(5)});
+                                              channel::Epoch{4}, false, false, channel::SwitchFailure::NotConfirmed,
+                                              std::chrono::seconds(5)});
         QVERIFY(row(SuiteId::ChaCha20Poly1305)->isChecked());
         QVERIFY(!row(SuiteId::ChaCha20)->isChecked());
         QCOMPARE(row(SuiteId::ChaCha20)->text(), QStringLiteral("ChaCha20"));
@@ -259,8 +275,7 @@ private Q_SLOTS:
             QVERIFY(!action(suite)->isEnabled());
             QVERIFY(!action(suite)->isChecked());
         }
-        QVERIFY(
-            m_window->findChild<QLabel *>(QStringLiteral("secureAdvice"))->text().contains(QStringLiteral("skyseal-air")));
+        QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("secureAdvice"))->text().contains(QStringLiteral("skyseal-air")));
         QVERIFY(m_window->findChild<QWidget *>(QStringLiteral("secureHelp"))->isVisible());
     }
 

@@ -230,8 +230,7 @@ void SweepWindowTest::compareWithFiles(const QString &folder)
     QHash<QString, double> means;
     for (const QJsonValue summary : report[q("summaries")].toArray())
         means[summary[q("suite")].toString() + summary[q("framing")].toString() + summary[q("again")].toVariant().toString()
-              + summary[q("metric")].toString()]
-            = summary[q("mean")].toDouble();
+              + summary[q("metric")].toString()] = summary[q("mean")].toDouble();
     auto *model = qobject_cast<SweepTableModel *>(find<QTableView>("sweepTable")->model());
     const experiment::Plan &plan = page().results()->plan;
     QCOMPARE(model->rowCount(), static_cast<int>(plan.arms.size()));
@@ -243,7 +242,7 @@ void SweepWindowTest::compareWithFiles(const QString &folder)
             const auto place = static_cast<std::size_t>(column - SweepTableModel::FixedColumns);
             const experiment::MetricInfo &metric = experiment::info(model->metrics()[place]);
             const QString key = q(crypto::suiteInfo(arm.suite).name.data()) + q(framingName(arm).data())
-                                + (arm.again ? q("true") : q("false")) + q(metric.key.data());
+                + (arm.again ? q("true") : q("false")) + q(metric.key.data());
             const QModelIndex index = model->index(row, column);
             const QVariant mean = index.data(SweepTableModel::MeanRole);
             QCOMPARE(mean.isValid(), means.contains(key));

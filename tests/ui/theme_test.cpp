@@ -76,9 +76,8 @@ private Q_SLOTS:
                 const QColor pixel = picture.pixelColor(x, field->y() + field->height() / 2);
                 best = std::max(best, std::min(contrast(pixel, around), contrast(pixel, inside)));
             }
-            QVERIFY2(best >= 3, qPrintable(QStringLiteral("%1: %2 to 1")
-                                               .arg(QLatin1String(field->metaObject()->className()))
-                                               .arg(best)));
+            QVERIFY2(best >= 3,
+                     qPrintable(QStringLiteral("%1: %2 to 1").arg(QLatin1String(field->metaObject()->className())).arg(best)));
         }
     }
 };

@@ -434,16 +434,17 @@ private Q_SLOTS:
             QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
         }
         for (const QWidget *widget : m_window->findChildren<QWidget *>()) {
-            const bool control
-                = (qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget)
-                   || qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QAbstractItemView *>(widget))
-                  && !widget->objectName().startsWith(QLatin1String("qt_")) && widget->focusPolicy() != Qt::NoFocus;
+            const bool control = (qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget)
+                                  || qobject_cast<const QAbstractSpinBox *>(widget)
+                                  || qobject_cast<const QAbstractItemView *>(widget))
+                && !widget->objectName().startsWith(QLatin1String("qt_")) && widget->focusPolicy() != Qt::NoFocus;
             const bool part = qobject_cast<QComboBox *>(widget->parentWidget())
-                              || qobject_cast<QAbstractItemView *>(widget->parentWidget()) || isInsideCombo(widget)
-                              || qobject_cast<const QDockWidget *>(widget->parentWidget());
+                || qobject_cast<QAbstractItemView *>(widget->parentWidget()) || isInsideCombo(widget)
+                || qobject_cast<const QDockWidget *>(widget->parentWidget());
             if (control && !part)
-                QVERIFY2(!widget->accessibleName().isEmpty(), qPrintable(QLatin1String(widget->metaObject()->className())
-                                                                         + QLatin1Char(' ') + widget->objectName()));
+                QVERIFY2(
+                    !widget->accessibleName().isEmpty(),
+                    qPrintable(QLatin1String(widget->metaObject()->className()) + QLatin1Char(' ') + widget->objectName()));
         }
         QVERIFY(m_window->menuBar()->actions().size() == 7);
     }

@@ -37,7 +37,7 @@ private Q_SLOTS:
 namespace {
 constexpr std::uint16_t kArm = mavlink::MAV_CMD_COMPONENT_ARM_DISARM, kSetMode = mavlink::MAV_CMD_DO_SET_MODE;
 constexpr std::uint8_t kAccepted = 0, kDenied = 2, kUnsupported = 3, kFailed = 4, kInProgress = 5;
-}
+} // namespace
 
 void CommandTest::repeatsOnceASecondWithARisingConfirmation()
 {
@@ -212,8 +212,7 @@ void CommandTest::takeOffStatesItsPreconditions()
              std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, false));
     h.vehicle.command(h.now, CommandId{2}, TakeOff{10});
-    QCOMPARE(h.vehicle.pollResult()->reason,
-             std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
     h.feed(heartbeat(4, true));
     h.vehicle.command(h.now, CommandId{3}, TakeOff{-1});
     QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Refused);
@@ -377,8 +376,18 @@ void CommandTest::missionItemIsConfirmedByMissionCurrent()
 void CommandTest::everyCommandEndsExactlyOnce()
 {
     Harness h = Harness::copter(4, true);
-    const VehicleCommand all[] = {Arm{}, Disarm{}, TakeOff{}, Land{}, ReturnToLaunch{}, SetMode{"AUTO"}, GoTo{1, 1, 1},
-                                  ChangeSpeed{5}, SetCurrentMissionItem{1}, StartMission{}, Reboot{}, RawCommand{1, {}},
+    const VehicleCommand all[] = {Arm{},
+                                  Disarm{},
+                                  TakeOff{},
+                                  Land{},
+                                  ReturnToLaunch{},
+                                  SetMode{"AUTO"},
+                                  GoTo{1, 1, 1},
+                                  ChangeSpeed{5},
+                                  SetCurrentMissionItem{1},
+                                  StartMission{},
+                                  Reboot{},
+                                  RawCommand{1, {}},
                                   RawCommand{1, {}}};
     std::vector<int> ended(200);
     std::uint32_t id = 0;

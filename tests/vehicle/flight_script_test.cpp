@@ -143,10 +143,10 @@ void FlightScriptTest::conditionsCompare_data()
     QTest::addColumn<QByteArray>("script");
     QTest::addColumn<bool>("expected");
     const std::pair<const char *, bool> rows[] = {
-        {"wait alt_rel>=10", true}, {"wait alt_rel>10", false}, {"wait alt_rel<=10", true}, {"wait alt_rel<10", false},
-        {"wait alt_rel==10", true}, {"wait alt_rel!=10", false}, {"wait mode==rtl", true}, {"wait mode!=RTL", false},
-        {"wait armed==1", true}, {"wait armed!=true", false}, {"wait ekf_ok==1", true}, {"wait climb<1", false},
-        {"wait climb!=1", false}, {"wait gps_fix>=3", true}, {"wait satellites>=0", false}, {"wait sysid==7", true}};
+        {"wait alt_rel>=10", true}, {"wait alt_rel>10", false},  {"wait alt_rel<=10", true},    {"wait alt_rel<10", false},
+        {"wait alt_rel==10", true}, {"wait alt_rel!=10", false}, {"wait mode==rtl", true},      {"wait mode!=RTL", false},
+        {"wait armed==1", true},    {"wait armed!=true", false}, {"wait ekf_ok==1", true},      {"wait climb<1", false},
+        {"wait climb!=1", false},   {"wait gps_fix>=3", true},   {"wait satellites>=0", false}, {"wait sysid==7", true}};
     for (const auto &[script, expected] : rows)
         QTest::newRow(script) << QByteArray(script) << expected;
 }
@@ -191,8 +191,7 @@ void FlightScriptTest::everyFieldCanBeWrittenAndWaitedFor()
     QVERIFY(has("\"gps_fix\":6,"));
     for (const StateField &field : stateFields()) {
         QVERIFY(has(("\"" + std::string(field.name) + "\":").c_str()));
-        QVERIFY(
-            parseFlightScript("wait " + std::string(field.name) + (field.kind == StateField::Kind::Text ? "==x" : "==1")));
+        QVERIFY(parseFlightScript("wait " + std::string(field.name) + (field.kind == StateField::Kind::Text ? "==x" : "==1")));
     }
 }
 
@@ -242,8 +241,8 @@ void FlightScriptTest::stepsRoundTrip()
         case 0: step.action = VehicleCommand(Arm{*rc::gen::arbitrary<bool>()}); break;
         case 1: step.action = VehicleCommand(Disarm{*rc::gen::arbitrary<bool>()}); break;
         case 2:
-            step.action =
-                VehicleCommand(TakeOff{*rc::gen::map(rc::gen::inRange(1, 9999), [](int n) { return n / 7.0 + 0.01; })});
+            step.action = VehicleCommand(
+                TakeOff{*rc::gen::map(rc::gen::inRange(1, 9999), [](int n) { return n / 7.0 + 0.01; })});
             break;
         case 3: step.action = VehicleCommand(GoTo{*milli, *milli, *milli}); break;
         case 4: step.action = VehicleCommand(SetMode{*rc::gen::element<std::string>("RTL", "MODE(17)", "x")}); break;
@@ -251,8 +250,8 @@ void FlightScriptTest::stepsRoundTrip()
         case 6: step.action = Sleep{std::chrono::milliseconds(*rc::gen::inRange(0, 86400000))}; break;
         case 7: step.action = WriteParameter{"WPNAV_SPEED", *milli}; break;
         case 8:
-            step.action =
-                VehicleCommand(RawCommand{*rc::gen::arbitrary<std::uint16_t>(), {1, 2.5f, static_cast<float>(*milli)}});
+            step.action = VehicleCommand(
+                RawCommand{*rc::gen::arbitrary<std::uint16_t>(), {1, 2.5f, static_cast<float>(*milli)}});
             break;
         case 9: step.action = VehicleCommand(ChangeSpeed{*positive}); break;
         default: {
@@ -260,8 +259,8 @@ void FlightScriptTest::stepsRoundTrip()
             WaitUntil wait;
             wait.field = &field;
             const bool isText = field.kind == StateField::Kind::Text;
-            wait.comparison =
-                isText ? Comparison::NotEqual : *rc::gen::element(Comparison::AtLeast, Comparison::Less, Comparison::Equal);
+            wait.comparison = isText ? Comparison::NotEqual
+                                     : *rc::gen::element(Comparison::AtLeast, Comparison::Less, Comparison::Equal);
             wait.text = isText ? "LAND" : "";
             wait.number = isText ? 0 : *milli;
             wait.timeout = std::chrono::milliseconds(*rc::gen::inRange(0, 86400000));

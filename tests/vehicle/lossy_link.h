@@ -34,7 +34,8 @@ class LossyLink
 {
 public:
     LossyLink(Harness &harness, ScriptedPeer &peer, double loss, unsigned seed)
-        : m_harness(harness), m_peer(peer), m_random(seed), m_lost(loss) {}
+        : m_harness(harness), m_peer(peer), m_random(seed), m_lost(loss)
+    {}
 
     /// Runs until `done` or the end of the time; false when it ran out.
     bool run(Duration limit, const std::function<bool()> &done)
@@ -45,8 +46,8 @@ public:
                 carry([this, message](std::vector<ToStation> &out) { m_peer.handle(m_harness.now, message, out); });
             if (done())
                 return true;
-            const TimePoint next = std::min({m_harness.vehicle.nextDeadline(), m_peer.nextDeadline(),
-                                             m_events.empty() ? kNever : m_events.begin()->first});
+            const TimePoint next = std::min(
+                {m_harness.vehicle.nextDeadline(), m_peer.nextDeadline(), m_events.empty() ? kNever : m_events.begin()->first});
             if (next > end)
                 return false;
             m_harness.now = std::max(m_harness.now, next);

@@ -22,8 +22,7 @@ private Q_SLOTS:
 
 namespace {
 
-mavlink::ParamValue value(std::string_view name, float content, std::uint16_t index, std::uint16_t count,
-                          std::uint8_t type = 9)
+mavlink::ParamValue value(std::string_view name, float content, std::uint16_t index, std::uint16_t count, std::uint8_t type = 9)
 {
     mavlink::ParamValue out;
     mavlink::setText(out.param_id, name);

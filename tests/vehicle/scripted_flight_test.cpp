@@ -159,8 +159,8 @@ std::string story(const std::vector<StepReport> &reports)
 {
     std::string out;
     for (const StepReport &report : reports)
-        out += std::to_string(report.systemId) + ": " + report.step + " → " + std::string(stepResultName(report.result))
-               + " " + report.reason + "\n";
+        out += std::to_string(report.systemId) + ": " + report.step + " → " + std::string(stepResultName(report.result)) + " "
+            + report.reason + "\n";
     return out;
 }
 
@@ -180,10 +180,10 @@ void ScriptedFlightTest::wholeFlight()
     QFETCH(double, loss);
     QFETCH(int, seed);
     World world(loss, static_cast<unsigned>(seed));
-    const auto reports =
-        world.fly("wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
-                  "goto -35.3630 149.1655 15; wait distance_home>=25 60; rtl; wait mode==RTL 5; wait armed==0 180",
-                  600);
+    const auto reports = world.fly(
+        "wait ekf_ok==1 60; wait gps_fix>=3 60; mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60;"
+        "goto -35.3630 149.1655 15; wait distance_home>=25 60; rtl; wait mode==RTL 5; wait armed==0 180",
+        600);
     QVERIFY2(!reports.empty() && reports.size() == 11, story(reports).c_str());
     QVERIFY2(reports.back().result == StepResult::Reached, story(reports).c_str());
     const auto state = world.set.find(1)->state(world.now);
@@ -241,8 +241,8 @@ void ScriptedFlightTest::parametersAreReadAndWritten()
     QVERIFY(world.run(60, [&] { return world.set.find(1) != nullptr; }));
     Vehicle &vehicle = *world.set.find(1);
     vehicle.requestParameters(world.now);
-    QVERIFY(world.run(120,
-                      [&] { return vehicle.parameters() && vehicle.parametersExpected() == vehicle.parameters()->size(); }));
+    QVERIFY(
+        world.run(120, [&] { return vehicle.parameters() && vehicle.parametersExpected() == vehicle.parameters()->size(); }));
     QVERIFY(vehicle.parameters()->size() >= 100);
     const auto reports = world.fly("param WPNAV_SPEED 750; param NO_SUCH_THING 1", 60);
     QCOMPARE(reports.size(), std::size_t(2));

@@ -26,7 +26,7 @@ private Q_SLOTS:
 namespace {
 const std::string kFirst(50, 'a');
 const std::string kSecond(50, 'b');
-}
+} // namespace
 
 void StatusTextTest::joinsChunks()
 {

@@ -22,10 +22,8 @@ inline TimePoint at(double s)
 class Sender
 {
 public:
-    explicit Sender(std::uint8_t system = 1, std::uint8_t component = 1, int version = 2)
-        : m_writer(system, component, version)
-    {
-    }
+    explicit Sender(std::uint8_t system = 1, std::uint8_t component = 1, int version = 2) : m_writer(system, component, version)
+    {}
 
     template<typename Message> mavlink::Frame frame(const Message &message)
     {
@@ -45,8 +43,7 @@ template<typename Message> std::optional<Message> as(const OutMessage &out)
     return Message::decode(out.view());
 }
 
-inline mavlink::Heartbeat heartbeat(std::uint32_t mode = 0, bool armed = false,
-                                    std::uint8_t type = mavlink::MAV_TYPE_QUADROTOR,
+inline mavlink::Heartbeat heartbeat(std::uint32_t mode = 0, bool armed = false, std::uint8_t type = mavlink::MAV_TYPE_QUADROTOR,
                                     std::uint8_t autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA)
 {
     mavlink::Heartbeat out;

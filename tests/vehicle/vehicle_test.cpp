@@ -42,12 +42,11 @@ void VehicleTest::onlyAnAutopilotsHeartbeatMakesAVehicle()
     VehicleSet set{VehicleConfig{}};
     Sender one(1);
     QVERIFY(!set.handleFrame(at(1), {}, one.frame(mavlink::Attitude{})));
+    QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GCS, mavlink::MAV_AUTOPILOT_INVALID))));
     QVERIFY(
-        !set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GCS, mavlink::MAV_AUTOPILOT_INVALID))));
-    QVERIFY(!set.handleFrame(at(1), {},
-                             one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GIMBAL, mavlink::MAV_AUTOPILOT_INVALID))));
-    QVERIFY(!set.handleFrame(at(1), {},
-                             one.frame(heartbeat(0, false, mavlink::MAV_TYPE_CAMERA, mavlink::MAV_AUTOPILOT_GENERIC))));
+        !set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_GIMBAL, mavlink::MAV_AUTOPILOT_INVALID))));
+    QVERIFY(
+        !set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_CAMERA, mavlink::MAV_AUTOPILOT_GENERIC))));
     QVERIFY(!set.handleFrame(at(1), {}, one.frame(heartbeat(0, false, mavlink::MAV_TYPE_ONBOARD_CONTROLLER, 0))));
     QVERIFY(set.empty());
     Sender own(255);

@@ -165,7 +165,9 @@ void ProofTest::nothingShippedIsWeakened()
     // The name of the variable that selects weaknesses stands in every file that could be weakened, and in no other.
     const auto mentions = [](const QString &path) {
         QFile file(path);
-        return file.open(QIODevice::ReadOnly) && file.readAll().contains("SKYSEAL_" "WEAKNESS");
+        return file.open(QIODevice::ReadOnly)
+            && file.readAll().contains("SKYSEAL_"
+                                       "WEAKNESS");
     };
     QVERIFY(mentions(QStringLiteral(SKYSEAL_WEAKENED_DIR "/%1_weakened").arg(QLatin1String(kProofs[0].program))));
     int looked = 0;

@@ -20,7 +20,7 @@ struct ChartRun
 {
     QColor color;
     Stroke stroke = Stroke::Solid;
-    QString line;  ///< which of the chart's quantities, for the values under the mouse; empty where there is one only
+    QString line; ///< which of the chart's quantities, for the values under the mouse; empty where there is one only
     QString suite;
     std::vector<QPointF> points; ///< x in seconds, y in the chart's unit
     bool operator==(const ChartRun &) const = default;
@@ -93,8 +93,8 @@ Q_SIGNALS:
 struct ChartTitle
 {
     QString name, unit;
-    QString key;  ///< which stroke is which: "to it dashed"
-    QString note; ///< what is measured and how
+    QString key;         ///< which stroke is which: "to it dashed"
+    QString note;        ///< what is measured and how
     QString remark = {}; ///< why there is nothing to see; empty where there is
 };
 

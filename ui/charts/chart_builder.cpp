@@ -31,8 +31,8 @@ std::vector<QPointF> thinned(const std::vector<QPointF> &points, std::size_t mos
     for (std::size_t bucket = 0; bucket < buckets; ++bucket) {
         const auto first = points.begin() + static_cast<std::ptrdiff_t>(bucket * points.size() / buckets);
         const auto last = points.begin() + static_cast<std::ptrdiff_t>((bucket + 1) * points.size() / buckets);
-        const auto [low, high]
-            = std::minmax_element(first, last, [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
+        const auto [low, high] = std::minmax_element(first, last,
+                                                     [](const QPointF &a, const QPointF &b) { return a.y() < b.y(); });
         out.push_back(low < high ? *low : *high);
         if (low != high)
             out.push_back(low < high ? *high : *low);
@@ -64,8 +64,7 @@ bool sameStretch(const MetricsSample &a, const MetricsSample &b)
     return a.suite == b.suite && a.linkUp == b.linkUp;
 }
 
-void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const QuantityLine &line,
-                const ChartRange &range)
+void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const QuantityLine &line, const ChartRange &range)
 {
     const auto &samples = history.samples();
     const double zero = range.zero(history.newest());
@@ -83,8 +82,11 @@ void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const
             if (!(open && close && sameStretch(*before, sample))) {
                 if (open && close) // the old colour reaches to the first point of the new one, so that the line has no hole
                     runs.back().points.push_back(point);
-                runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None), line.stroke,
-                                line.name, sample.linkUp ? suiteName(sample.suite) : Words::tr("no link"), {}});
+                runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None),
+                                line.stroke,
+                                line.name,
+                                sample.linkUp ? suiteName(sample.suite) : Words::tr("no link"),
+                                {}});
             }
             runs.back().points.push_back(point);
             open = true;
@@ -144,8 +146,7 @@ std::vector<ChartBar> buildBars(const SampleHistory &history, const Quantity &qu
     for (const SuiteUse &use : history.suites().uses()) {
         const Tally &tally = use.tallies[firstTally + quantity.barLine];
         if (tally.count > 0)
-            bars.push_back(
-                {suiteColor(use.suite), suiteName(use.suite), tally.mean(), tally.low, tally.high, tally.count});
+            bars.push_back({suiteColor(use.suite), suiteName(use.suite), tally.mean(), tally.low, tally.high, tally.count});
     }
     return bars;
 }

@@ -83,8 +83,7 @@ void ChartCursor::paintEvent(QPaintEvent *)
     painter.setPen(colors.line);
     painter.drawRect(frame);
     painter.setPen(palette().color(QPalette::ToolTipText));
-    painter.drawText(frame.adjusted(kHalfGrid + 2, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                     m_words.join(QLatin1Char('\n')));
+    painter.drawText(frame.adjusted(kHalfGrid + 2, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, m_words.join(QLatin1Char('\n')));
 }
 
 } // namespace skyseal::ui

@@ -9,7 +9,7 @@
 namespace skyseal::ui {
 
 namespace {
-constexpr int kOneRow = 4;                        ///< so many charts stand in one row where they can
+constexpr int kOneRow = 4;                          ///< so many charts stand in one row where they can
 constexpr int kLeastWidth = 230, kUsualWidth = 320; ///< pixels of a chart
 } // namespace
 

@@ -63,8 +63,8 @@ private:
         }
         m_attackSeen = sample.time;
         m_refused += count;
-        m_marks[static_cast<std::size_t>(m_attack)].text
-            = Words::tr("%1 forged, replayed or clear, refused").arg(grouped(m_refused));
+        m_marks[static_cast<std::size_t>(m_attack)].text =
+            Words::tr("%1 forged, replayed or clear, refused").arg(grouped(m_refused));
     }
 
     double m_zero;
@@ -78,8 +78,7 @@ private:
 
 } // namespace
 
-std::vector<ChartMark> buildMarks(const SampleHistory &history, const ChartRange &range, const QColor &alarm,
-                                  const QColor &dim)
+std::vector<ChartMark> buildMarks(const SampleHistory &history, const ChartRange &range, const QColor &alarm, const QColor &dim)
 {
     const double zero = range.zero(history.newest());
     MarkMaker maker(zero, alarm, dim);

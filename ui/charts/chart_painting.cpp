@@ -85,8 +85,7 @@ void ChartView::drawValueLabels(QPainter &painter, const QRectF &area) const
     for (int i = 0; i <= parts; ++i) {
         const QString text = number(m_frame.top * i / parts, decimals);
         const qreal y = area.bottom() - area.height() * i / parts;
-        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2),
-                    text);
+        drawFigures(painter, QPointF(area.left() - kHalfGrid - figuresWidth(metrics, text), y + metrics.capHeight() / 2), text);
     }
 }
 
@@ -117,9 +116,7 @@ void ChartView::drawBars(QPainter &painter, const QRectF &area) const
         const ChartBar &bar = m_frame.bars[i];
         const QRectF place = barAt(i, area);
         painter.fillRect(place, bar.color);
-        const auto y = [&](double value) {
-            return area.bottom() - std::clamp(value / m_frame.top, 0.0, 1.0) * area.height();
-        };
+        const auto y = [&](double value) { return area.bottom() - std::clamp(value / m_frame.top, 0.0, 1.0) * area.height(); };
         painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
         const qreal x = crisp(place.center().x());
         painter.drawLine(QPointF(x, y(bar.low)), QPointF(x, y(bar.high))); // how far the samples reach

@@ -57,8 +57,7 @@ void ChartView::placePlot()
     const QFontMetrics metrics(labelFont());
     const int left = metrics.horizontalAdvance(QStringLiteral("88888")) + kGrid;
     const int right = kGrid + (m_bars > 0 ? m_bars * kBarStep + kGrid : 0);
-    chart()->setPlotArea(
-        QRectF(left, metrics.height() / 2.0, width() - left - right, height() - 2.0 * metrics.height() - 2));
+    chart()->setPlotArea(QRectF(left, metrics.height() / 2.0, width() - left - right, height() - 2.0 * metrics.height() - 2));
 }
 
 void ChartView::resizeEvent(QResizeEvent *event)

@@ -26,8 +26,7 @@ namespace skyseal::ui {
 DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
     : DockPanel(parent), m_quantities(allQuantities()), m_history(m_quantities), m_tools(new DiagnosticsTools(this)),
       m_pages(new QStackedWidget(this)), m_grid(new ChartGrid(m_pages)), m_table(new QTableView(m_pages)),
-      m_sweep(new SweepPage(m_pages)),
-      m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
+      m_sweep(new SweepPage(m_pages)), m_model(new SuiteTableModel(m_history, m_quantities, this)), m_timer(new QTimer(this))
 {
     setFocusPolicy(Qt::StrongFocus);
     m_table->setModel(m_model);
@@ -198,8 +197,8 @@ void DiagnosticsPanel::draw(std::size_t count)
     }
     const StateColors &colors = stateColors(palette());
     const std::vector<ChartMark> marks = m_tools->view() == DiagnosticsView::TimeLine
-                                             ? buildMarks(m_history, m_range, colors.alarm, colors.dim)
-                                             : std::vector<ChartMark>();
+        ? buildMarks(m_history, m_range, colors.alarm, colors.dim)
+        : std::vector<ChartMark>();
     for (std::size_t i = 0; i < count; ++i) {
         m_next = (m_next + 1) % m_shown.size();
         drawPlot(m_plots[m_shown[m_next]], marks);
@@ -210,8 +209,8 @@ void DiagnosticsPanel::drawPlot(Plot &plot, const std::vector<ChartMark> &marks)
 {
     const auto most = static_cast<std::size_t>(std::max(64, plot.widget->width()));
     ChartContent content = m_tools->view() == DiagnosticsView::Overlay
-                               ? buildOverlay(m_history, *plot.quantity, m_range, most)
-                               : buildTimeLine(m_history, *plot.quantity, m_range, most);
+        ? buildOverlay(m_history, *plot.quantity, m_range, most)
+        : buildTimeLine(m_history, *plot.quantity, m_range, most);
     content.marks = marks;
     content.bars = buildBars(m_history, *plot.quantity, plot.firstTally);
     content.top = plot.scale.update(highestOf(content), m_history.newest());
@@ -240,9 +239,7 @@ void DiagnosticsPanel::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Minus: changeRange([](ChartRange &range) { range.zoom(-1); }); break;
     case Qt::Key_Left: changeRange([&](ChartRange &range) { range.pan(-kPan, newest); }); break;
     case Qt::Key_Right: changeRange([&](ChartRange &range) { range.pan(kPan, newest); }); break;
-    case Qt::Key_Space:
-        changeRange([&](ChartRange &range) { range.frozen() ? range.goLive() : range.freeze(newest); });
-        break;
+    case Qt::Key_Space: changeRange([&](ChartRange &range) { range.frozen() ? range.goLive() : range.freeze(newest); }); break;
     case Qt::Key_Home:
     case Qt::Key_Escape: changeRange([](ChartRange &range) { range.goLive(); }); break;
     default: DockPanel::keyPressEvent(event);

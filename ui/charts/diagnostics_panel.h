@@ -92,7 +92,7 @@ private:
     QTableView *m_table;
     SweepPage *m_sweep;
     SuiteTableModel *m_model;
-    QTimer *m_timer; ///< runs only while the charts can be seen
+    QTimer *m_timer;        ///< runs only while the charts can be seen
     std::size_t m_due = 0;  ///< charts that show less than is known
     std::size_t m_next = 0; ///< whose turn it is, in m_shown
 };

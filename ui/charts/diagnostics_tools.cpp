@@ -49,7 +49,8 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     m_save->setPopupMode(QToolButton::InstantPopup);
     m_save->setFocusPolicy(Qt::StrongFocus);
     auto *menu = new QMenu(m_save);
-    menu->addAction(tr("Samples shown, as &CSV …"), this, &DiagnosticsTools::csvWanted)->setObjectName(QStringLiteral("chartCsv"));
+    menu->addAction(tr("Samples shown, as &CSV …"), this, &DiagnosticsTools::csvWanted)
+        ->setObjectName(QStringLiteral("chartCsv"));
     menu->addAction(tr("&Picture as PNG or SVG …"), this, &DiagnosticsTools::pictureWanted)
         ->setObjectName(QStringLiteral("chartPicture"));
     m_save->setMenu(menu);

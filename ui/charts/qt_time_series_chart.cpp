@@ -131,7 +131,10 @@ ChartContent QtTimeSeriesChart::plotted() const
     out.top = m_value->max();
     for (std::size_t i = 0; i < m_used; ++i) {
         const auto points = m_series[i]->points();
-        out.runs.push_back({m_series[i]->pen().color(), strokeOf(m_series[i]->pen()), m_names[i].first, m_names[i].second,
+        out.runs.push_back({m_series[i]->pen().color(),
+                            strokeOf(m_series[i]->pen()),
+                            m_names[i].first,
+                            m_names[i].second,
                             {points.begin(), points.end()}});
     }
     return out;

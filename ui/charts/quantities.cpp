@@ -59,72 +59,127 @@ double ioCpu(const MetricsSample &s)
 std::vector<Quantity> rates()
 {
     return {
-        {"frameRate", Words::tr("Decryption rate"), Words::tr("frames/s"),
-         Words::tr("MAVLink frames that were opened and believed, over the last second."), 1, 10,
-         {{{}, Stroke::Solid, whileUp<&MetricsSample::openedFramesPerSecond>}}, true},
-        {"byteRate", Words::tr("Bytes"), Words::tr("kB/s"),
+        {"frameRate",
+         Words::tr("Decryption rate"),
+         Words::tr("frames/s"),
+         Words::tr("MAVLink frames that were opened and believed, over the last second."),
+         1,
+         10,
+         {{{}, Stroke::Solid, whileUp<&MetricsSample::openedFramesPerSecond>}},
+         true},
+        {"byteRate",
+         Words::tr("Bytes"),
+         Words::tr("kB/s"),
          Words::tr("Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers)."),
-         2, 1,
+         2,
+         1,
          {{Words::tr("opened"), Stroke::Solid, kilo<&MetricsSample::openedBytesPerSecond>},
-          {Words::tr("received"), Stroke::Dashed, kilo<&MetricsSample::rxBytesPerSecond>}}, true},
-        {"overhead", Words::tr("Wire overhead"), Words::tr("%"),
+          {Words::tr("received"), Stroke::Dashed, kilo<&MetricsSample::rxBytesPerSecond>}},
+         true},
+        {"overhead",
+         Words::tr("Wire overhead"),
+         Words::tr("%"),
          Words::tr("Bytes of the channel's datagrams beyond those of the frames in them: headers, tags, handshakes and "
-                   "reports. 0 on a plain link."), 1, 50,
+                   "reports. 0 on a plain link."),
+         1,
+         50,
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::rxOverheadPercent>},
-          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::txOverheadPercent>}}, true},
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::txOverheadPercent>}},
+         true},
     };
 }
 
 std::vector<Quantity> links()
 {
     return {
-        {"channelLoss", Words::tr("Packet loss, channel"), Words::tr("%"),
+        {"channelLoss",
+         Words::tr("Packet loss, channel"),
+         Words::tr("%"),
          Words::tr("Records that never arrived, by their counters, over the last second; the other end reports its "
-                   "direction once a second. On a plain link: MAVLink's."), 2, 1,
+                   "direction once a second. On a plain link: MAVLink's."),
+         2,
+         1,
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::lossPercent>},
-          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}}, true},
-        {"mavlinkLoss", Words::tr("Packet loss, MAVLink"), Words::tr("%"),
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}},
+         true},
+        {"mavlinkLoss",
+         Words::tr("Packet loss, MAVLink"),
+         Words::tr("%"),
          Words::tr("Frames that never arrived, by their sequence numbers for each sender, over the last second; those to the "
                    "vehicle as its agent counts them and tells once a second. Loss between autopilot and agent counts here and "
-                   "not in the channel."), 2, 1,
+                   "not in the channel."),
+         2,
+         1,
          {{Words::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>},
-          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerMavlinkLossPercent>}}, true},
-        {"latency", Words::tr("Latency"), Words::tr("ms"),
+          {Words::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerMavlinkLossPercent>}},
+         true},
+        {"latency",
+         Words::tr("Latency"),
+         Words::tr("ms"),
          Words::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."),
-         2, 1,
+         2,
+         1,
          {{Words::tr("TIMESYNC"), Stroke::Solid, milli<&MetricsSample::latency>},
-          {Words::tr("channel"), Stroke::Dashed, milli<&MetricsSample::roundTrip>}}, true},
+          {Words::tr("channel"), Stroke::Dashed, milli<&MetricsSample::roundTrip>}},
+         true},
     };
 }
 
 std::vector<Quantity> costs()
 {
     return {
-        {"cpu", Words::tr("CPU"), Words::tr("% of a core"),
+        {"cpu",
+         Words::tr("CPU"),
+         Words::tr("% of a core"),
          Words::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
-                   "seal and open (elapsed time of each call, added up), over the last second."), 2, 5,
+                   "seal and open (elapsed time of each call, added up), over the last second."),
+         2,
+         5,
          {{Words::tr("process"), Stroke::Solid, processCpu},
           {Words::tr("link"), Stroke::Dashed, ioCpu},
-          {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}}, true, {},
+          {Words::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}},
+         true,
+         {},
          2}, // the others hold much that is no suite's
-        {"openCost", Words::tr("Opening a record"), Words::tr("µs"),
+        {"openCost",
+         Words::tr("Opening a record"),
+         Words::tr("µs"),
          Words::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after "
                    "the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records "
-                   "that follow in the same wake-up, which come closer to the suite itself."), 2, 1,
+                   "that follow in the same wake-up, which come closer to the suite itself."),
+         2,
+         1,
          {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::openNsP50>},
           {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::openNsP99>},
-          {Words::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}}, true},
-        {"sealCost", Words::tr("Sealing a record"), Words::tr("µs"),
-         Words::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."), 2, 1,
+          {Words::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}},
+         true},
+        {"sealCost",
+         Words::tr("Sealing a record"),
+         Words::tr("µs"),
+         Words::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."),
+         2,
+         1,
          {{Words::tr("p50"), Stroke::Solid, micro<&MetricsSample::sealNsP50>},
-          {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::sealNsP99>}}, true},
-        {"memory", Words::tr("Memory"), Words::tr("MB resident"),
-         Words::tr("Of the whole process, as the system counts it. It does not belong to a suite."), 1, 50,
-         {{{}, Stroke::Solid, megabytes}}, false},
-        {"sessionMemory", Words::tr("Memory of a session"), Words::tr("kB"),
-         Words::tr("Heap that one end's session takes under the suite in use, its keyed ciphers included: measured once for each "
-                   "suite, with a session of this program's own."), 2, 5,
-         {{{}, Stroke::Solid, kilo<&MetricsSample::sessionBytes>}}, true},
+          {Words::tr("p99"), Stroke::Dashed, micro<&MetricsSample::sealNsP99>}},
+         true},
+        {"memory",
+         Words::tr("Memory"),
+         Words::tr("MB resident"),
+         Words::tr("Of the whole process, as the system counts it. It does not belong to a suite."),
+         1,
+         50,
+         {{{}, Stroke::Solid, megabytes}},
+         false},
+        {"sessionMemory",
+         Words::tr("Memory of a session"),
+         Words::tr("kB"),
+         Words::tr(
+             "Heap that one end's session takes under the suite in use, its keyed ciphers included: measured once for each "
+             "suite, with a session of this program's own."),
+         2,
+         5,
+         {{{}, Stroke::Solid, kilo<&MetricsSample::sessionBytes>}},
+         true},
     };
 }
 
@@ -132,10 +187,18 @@ Quantity power(const std::string &powercap)
 {
     metrics::EnergyMeter meter(powercap);
     const bool readable = meter.microjoules().has_value();
-    return {"power", Words::tr("Power of the processor"), Words::tr("W"),
-            Words::tr("By the kernel's energy counters, over the last second: the whole processor and all that runs on it, not this "
-                      "program alone (%1).").arg(QString::fromStdString(meter.describe())), 1, 5,
-            {{{}, Stroke::Solid, watts}}, true, readable ? QString() : Words::tr("not readable here")};
+    return {"power",
+            Words::tr("Power of the processor"),
+            Words::tr("W"),
+            Words::tr(
+                "By the kernel's energy counters, over the last second: the whole processor and all that runs on it, not this "
+                "program alone (%1).")
+                .arg(QString::fromStdString(meter.describe())),
+            1,
+            5,
+            {{{}, Stroke::Solid, watts}},
+            true,
+            readable ? QString() : Words::tr("not readable here")};
 }
 
 } // namespace

@@ -14,20 +14,20 @@ using SampleValue = double (*)(const engine::MetricsSample &);
 
 struct QuantityLine
 {
-    QString name;    ///< "to us"; empty where the quantity has one line
+    QString name; ///< "to us"; empty where the quantity has one line
     Stroke stroke = Stroke::Solid;
     SampleValue value; ///< NaN where it is not known
 };
 
 struct Quantity
 {
-    const char *key;   ///< for object names, settings and CSV
+    const char *key; ///< for object names, settings and CSV
     QString title, unit, note;
     int decimals = 1;
-    double least = 1;  ///< the least end of its axis
+    double least = 1; ///< the least end of its axis
     std::vector<QuantityLine> lines;
-    bool perSuite = true; ///< false: the figure says nothing about a suite, so that bars would mislead
-    QString remark = {};  ///< in the chart: why there is nothing to see
+    bool perSuite = true;    ///< false: the figure says nothing about a suite, so that bars would mislead
+    QString remark = {};     ///< in the chart: why there is nothing to see
     std::size_t barLine = 0; ///< of which line the bars are
 };
 

@@ -65,7 +65,7 @@ QByteArray samplesCsv(const std::deque<MetricsSample> &samples, double from, dou
                 out += QByteArray::number(value, 'g', 12);
         }
         out += ',' + QByteArray::number(static_cast<qulonglong>(sample.residentBytes)) + ','
-               + QByteArray::number(static_cast<qulonglong>(sample.refused)) + "\r\n";
+            + QByteArray::number(static_cast<qulonglong>(sample.refused)) + "\r\n";
     }
     return out;
 }

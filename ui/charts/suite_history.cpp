@@ -40,7 +40,7 @@ SuiteUse &SuiteHistory::useOf(crypto::SuiteId suite)
 void SuiteHistory::take(const engine::MetricsSample &sample)
 {
     const bool follows = m_before && m_before->linkUp && m_before->suite == sample.suite
-                         && sample.time - m_before->time <= kGapSeconds;
+        && sample.time - m_before->time <= kGapSeconds;
     const double passed = follows ? sample.time - m_before->time : 0;
     m_before = sample;
     m_sinceChange = follows ? m_sinceChange + 1 : 0;

@@ -29,7 +29,7 @@ struct SuiteUse
 
     crypto::SuiteId suite{};
     double inUse = 0;
-    std::deque<Point> points; ///< the last ten minutes of use
+    std::deque<Point> points;   ///< the last ten minutes of use
     std::vector<Tally> tallies; ///< one for each line of each quantity, in the order of allQuantities()
 };
 

@@ -100,8 +100,8 @@ QWidget *SettingsDialog::makeSecurity()
 {
     auto *box = new QGroupBox(tr("Security"), this);
     auto *column = new QVBoxLayout(box);
-    m_required
-        = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired", tr("Show sealed vehicles only"));
+    m_required = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired",
+                       tr("Show sealed vehicles only"));
     m_required->setChecked(m_start.requireSealed);
     m_research = named(new QCheckBox(tr("Allow &insecure research suites (RC4)"), box), "settingResearch",
                        tr("Allow insecure research suites"));
@@ -117,8 +117,7 @@ QWidget *SettingsDialog::makeSecurity()
     level(tr("%1 or stronger").arg(suiteName(crypto::SuiteId::Aes256Cbc)), crypto::SuiteId::Aes256Cbc);
     level(tr("%1, %2 or stronger").arg(suiteName(crypto::SuiteId::Aes256Ctr), suiteName(crypto::SuiteId::ChaCha20)),
           crypto::SuiteId::Aes256Ctr);
-    level(tr("%1 and %2 only")
-              .arg(suiteName(crypto::SuiteId::ChaCha20Poly1305), suiteName(crypto::SuiteId::Aes256Gcm)),
+    level(tr("%1 and %2 only").arg(suiteName(crypto::SuiteId::ChaCha20Poly1305), suiteName(crypto::SuiteId::Aes256Gcm)),
           crypto::SuiteId::ChaCha20Poly1305);
     // One name stands for all that are as strong.
     for (int i = 0; i < m_weakest->count(); ++i) {

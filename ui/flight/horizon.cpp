@@ -40,8 +40,8 @@ void Horizon::setAttitude(const Attitude &attitude)
 {
     const Attitude &old = m_attitude;
     const bool seen = attitude.stale != old.stale || differs(attitude.roll, old.roll, 0.15)
-                      || differs(attitude.pitch, old.pitch, 0.15) || differs(attitude.heading, old.heading, 0.3)
-                      || differs(attitude.speed, old.speed, 0.05) || differs(attitude.altitude, old.altitude, 0.05);
+        || differs(attitude.pitch, old.pitch, 0.15) || differs(attitude.heading, old.heading, 0.3)
+        || differs(attitude.speed, old.speed, 0.05) || differs(attitude.altitude, old.altitude, 0.05);
     if (!seen)
         return;
     m_attitude = attitude;

@@ -71,8 +71,7 @@ void ValuesPanel::showViewState(const ViewState &view)
     put(m_ekf, {!state.ekfOk ? dash() : *state.ekfOk ? tr("good") : tr("bad"), {}});
     m_ekf->setColor(state.ekfOk && !*state.ekfOk ? stateColors(palette()).alarm : QColor());
     const bool stale = view.stale();
-    for (FigureLabel *label :
-         {m_altitude, m_speed, m_climb, m_current, m_ekf, m_heading, m_home, m_time, m_hdop, m_throttle})
+    for (FigureLabel *label : {m_altitude, m_speed, m_climb, m_current, m_ekf, m_heading, m_home, m_time, m_hdop, m_throttle})
         label->setStale(stale);
     const QString age = stale ? tr("Last heard %1 ago").arg(durationText(state.messageAge)) : QString();
     if (m_age->text() != age)

@@ -30,8 +30,8 @@ void InspectorModel::setRows(const std::vector<InspectorRow> &rows)
         const auto at = std::ranges::lower_bound(m_rows, keyOf(row), {}, keyOf);
         const int index = static_cast<int>(at - m_rows.begin());
         if (at != m_rows.end() && keyOf(*at) == keyOf(row)) {
-            const bool changed
-                = at->count != row.count || at->rate != row.rate || (at->age > kOldAfter) != (row.age > kOldAfter);
+            const bool changed = at->count != row.count || at->rate != row.rate
+                || (at->age > kOldAfter) != (row.age > kOldAfter);
             *at = row;
             if (changed)
                 Q_EMIT dataChanged(this->index(index, 0), this->index(index, Columns - 1));
@@ -84,8 +84,7 @@ QVariant InspectorModel::data(const QModelIndex &index, int role) const
     case Qt::TextAlignmentRole:
         return index.column() == Name || index.column() == Version ? QVariant()
                                                                    : QVariant(int(Qt::AlignRight | Qt::AlignVCenter));
-    case Qt::ForegroundRole:
-        return row->age > kOldAfter ? QVariant(stateColors(QGuiApplication::palette()).dim) : QVariant();
+    case Qt::ForegroundRole: return row->age > kOldAfter ? QVariant(stateColors(QGuiApplication::palette()).dim) : QVariant();
     default: return {};
     }
 }

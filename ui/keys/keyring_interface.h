@@ -20,9 +20,9 @@ struct OwnKey
     std::optional<channel::PublicKey> publicKey; ///< none: only plain links
     bool sealed = false;                         ///< with a passphrase
     QString file;
-    QString problem;                             ///< why there is no key, in words
-    bool remembered = false;                     ///< the desktop's keyring has the passphrase
-    QString keyringProblem = {};                 ///< why it cannot, in words; empty when it can
+    QString problem;             ///< why there is no key, in words
+    bool remembered = false;     ///< the desktop's keyring has the passphrase
+    QString keyringProblem = {}; ///< why it cannot, in words; empty when it can
 };
 
 struct KnownPeer

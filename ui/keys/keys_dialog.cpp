@@ -49,9 +49,10 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
     setWindowTitle(tr("Keys and peers"));
     m_own = new OwnKeyBox(keyring, this);
     m_view = makeView(m_model, this);
-    m_empty = new QLabel(tr("No peers yet.\n\nAdd the public key of the agent beside your vehicle: there, skyseal-cli keys show prints it. And "
-                            "the agent needs the key of this station."),
-                         this);
+    m_empty = new QLabel(
+        tr("No peers yet.\n\nAdd the public key of the agent beside your vehicle: there, skyseal-cli keys show prints it. And "
+           "the agent needs the key of this station."),
+        this);
     m_empty->setObjectName(QStringLiteral("noPeers"));
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -120,8 +121,9 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
 void KeysDialog::offerPairing()
 {
     m_pair->show();
-    m_empty->setText(tr("No peers yet.\n\nPair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints "
-                        "it."));
+    m_empty->setText(tr(
+        "No peers yet.\n\nPair with the agent beside your vehicle, or add its public key: there, skyseal-cli keys show prints "
+        "it."));
 }
 
 const KnownPeer *KeysDialog::chosen() const
@@ -182,7 +184,8 @@ void KeysDialog::revokePeer()
     if (!peer || !m_revoke->isEnabled())
         return;
     const QString name = peer->name;
-    const QString end = peer->connected ? tr("Its session ends at once, and it cannot connect any more.") : tr("It cannot connect any more.");
+    const QString end = peer->connected ? tr("Its session ends at once, and it cannot connect any more.")
+                                        : tr("It cannot connect any more.");
     auto *box = new QMessageBox(QMessageBox::Warning, tr("Revoke %1?").arg(name), tr("Revoke %1?").arg(name),
                                 QMessageBox::Yes | QMessageBox::Cancel, this);
     box->setObjectName(QStringLiteral("confirmRevoke"));

@@ -91,7 +91,8 @@ void OwnKeyBox::refresh()
         return;
     }
     const QString text = fromStd(keys::publicKeyText(*own.publicKey));
-    m_intro->setText(tr("The other end needs this public key. It is no secret, but compare its fingerprint there with this one:"));
+    m_intro->setText(
+        tr("The other end needs this public key. It is no secret, but compare its fingerprint there with this one:"));
     m_fingerprint->setText(fingerprintLines(*own.publicKey));
     m_key->setText(text);
     m_file->setText(own.sealed ? tr("%1, sealed with a passphrase").arg(own.file)

@@ -45,7 +45,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
     m_problem->setPalette(colors);
-    auto *ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn", tr("Fingerprint of this station"), this);
+    auto *ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn",
+                                 tr("Fingerprint of this station"), this);
     m_theirs = fixedWidthLabel({}, "pairingTheirs", tr("Fingerprint of the agent"), this);
     m_theirTitle = new QLabel(tr("The agent"), this);
     m_name = new QLineEdit(this);
@@ -115,7 +116,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
             [this](const QString &reason) { showStep(Step::Failed, tr("Not paired: %1.").arg(reason)); });
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting)
-            m_problem->setText(tr("An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there."));
+            m_problem->setText(
+                tr("An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there."));
     });
     connect(m_passphrase, &QLineEdit::textEdited, this, [this] { m_passphraseTyped = true; });
     connect(m_passphrase, &QLineEdit::editingFinished, this, &PairingDialog::applyPassphrase);
@@ -123,7 +125,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(m_differ, &QPushButton::clicked, this, [this] {
         m_question.reset();
         m_pairing.refuse();
-        showStep(Step::Waiting, tr("Refused. If it was not a slip of the eye, somebody is in between. Waiting for the agent …"));
+        showStep(Step::Waiting,
+                 tr("Refused. If it was not a slip of the eye, somebody is in between. Waiting for the agent …"));
     });
     connect(m_again, &QPushButton::clicked, this, &PairingDialog::begin);
     connect(m_name, &QLineEdit::textChanged, this, &PairingDialog::check);
@@ -148,8 +151,9 @@ void PairingDialog::begin()
     m_passphraseTyped = false;
     m_clock.start();
     m_tick.start();
-    showStep(Step::Waiting, tr("Open the window at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair --identity FILE\n\n"
-                               "Waiting for the agent …"));
+    showStep(Step::Waiting,
+             tr("Open the window at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair --identity FILE\n\n"
+                "Waiting for the agent …"));
     m_pairing.open(static_cast<channel::PeerRole>(m_role->currentData().toInt()), m_passphrase->passphrase());
 }
 

@@ -32,7 +32,8 @@ QString systemsOf(const KnownPeer &peer)
 
 PeerDialog::PeerDialog(KeyringInterface &keyring, QWidget *parent) : PeerDialog(keyring, nullptr, parent) {}
 
-PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent) {}
+PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer &peer, QWidget *parent) : PeerDialog(keyring, &peer, parent)
+{}
 
 PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget *parent)
     : QDialog(parent), m_keyring(keyring), m_peers(keyring.peerList().peers)
@@ -116,7 +117,8 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
 
 void PeerDialog::readKeyFile()
 {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Public key of a peer"), {}, tr("Public keys (*.pub);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Public key of a peer"), {},
+                                                      tr("Public keys (*.pub);;All files (*)"));
     if (file.isEmpty())
         return;
     const auto text = m_keyring.readKeyText(file);
@@ -207,7 +209,7 @@ void PeerDialog::accept()
     if (replaces && !m_warning->isAccepted())
         return;
     const auto done = m_changing ? m_keyring.changePeer(m_changing->name, peer)
-                      : replaces ? m_keyring.changePeer(peer.name, peer)
+        : replaces               ? m_keyring.changePeer(peer.name, peer)
                                  : m_keyring.addPeer(peer);
     if (done)
         QDialog::accept();

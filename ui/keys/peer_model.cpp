@@ -86,7 +86,8 @@ QVariant PeerModel::data(const QModelIndex &index, int role) const
         return index.column() == Fingerprint ? QVariant(QFontDatabase::systemFont(QFontDatabase::FixedFont)) : QVariant();
     case Qt::SizeHintRole: return QSize(0, 2 * QFontMetrics(QGuiApplication::font()).lineSpacing() + kGrid);
     case Qt::ForegroundRole:
-        return index.column() == LastSeen && peer->connected ? QVariant(stateColors(QGuiApplication::palette()).good) : QVariant();
+        return index.column() == LastSeen && peer->connected ? QVariant(stateColors(QGuiApplication::palette()).good)
+                                                             : QVariant();
     default: return {};
     }
 }

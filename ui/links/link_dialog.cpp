@@ -215,7 +215,9 @@ void LinkDialog::check()
 {
     const QString wrong = problem();
     const bool insecure = mavsec().has_value();
-    const QString good = insecure ? tr("%1\nINSECURE: anybody can read, change and invent what comes. Nothing is sent.").arg(url()) : url();
+    const QString good = insecure
+        ? tr("%1\nINSECURE: anybody can read, change and invent what comes. Nothing is sent.").arg(url())
+        : url();
     m_result->setText(wrong.isEmpty() ? good : wrong);
     QPalette colors = palette();
     if (!wrong.isEmpty() || insecure)
@@ -233,8 +235,8 @@ void LinkDialog::browseKey()
 
 void LinkDialog::browse()
 {
-    const QString file
-        = QFileDialog::getOpenFileName(this, tr("Replay a log"), {}, tr("Telemetry logs (*.tlog);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), {},
+                                                      tr("Telemetry logs (*.tlog);;All files (*)"));
     if (!file.isEmpty())
         m_path->setText(file);
 }

@@ -26,8 +26,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : QWidget(par
     m_view->setRootIsDecorated(false);
     m_view->setUniformRowHeights(true);
     m_view->setFrameShape(QFrame::NoFrame);
-    const auto room
-        = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
+    const auto room = [this](const char *sample) { return fontMetrics().horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };
     m_view->header()->resizeSection(LinkModel::Url, room("udpin:255.255.255.255:14550"));
     m_view->header()->resizeSection(LinkModel::State, room("waiting to try again"));
     m_view->header()->resizeSection(LinkModel::Local, room("255.255.255.255:65535"));

@@ -72,8 +72,8 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
     connect(m_record, &QCheckBox::clicked, this, [this](bool on) { m_station.setRecording(on); });
     connect(open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
     connect(replay, &QPushButton::clicked, this, [this] {
-        const QString file
-            = QFileDialog::getOpenFileName(this, tr("Replay a log"), m_folder, tr("Telemetry logs (*.tlog);;All files (*)"));
+        const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), m_folder,
+                                                          tr("Telemetry logs (*.tlog);;All files (*)"));
         if (!file.isEmpty())
             Q_EMIT replayWanted(file);
     });

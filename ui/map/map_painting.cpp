@@ -107,8 +107,7 @@ void MapView::paintMission(QPainter &painter) const
     const StateColors &colors = stateColors(palette());
     QPolygonF route;
     for (const vehicle::MissionItem &item : *m_mission) {
-        const bool hasPlace
-            = item.command == kMavCmdWaypoint || item.command == kMavCmdLand || item.command == kMavCmdTakeoff;
+        const bool hasPlace = item.command == kMavCmdWaypoint || item.command == kMavCmdLand || item.command == kMavCmdTakeoff;
         if (!hasPlace || item.sequence == 0 || (item.latitude == 0 && item.longitude == 0))
             continue; // item 0 is home
         route << toPixels(m_frame->toMetres(item.latitude, item.longitude));

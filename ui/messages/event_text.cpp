@@ -30,8 +30,8 @@ public:
     Line operator()(const engine::VehicleFound &e) const
     {
         return EventLine{e.sealed ? tr("Found a %1, sealed").arg(vehicleTypeText(e.type))
-                                      : tr("Found a %1, not sealed").arg(vehicleTypeText(e.type)),
-                             e.sealed ? kInfo : kWarning, e.systemId};
+                                  : tr("Found a %1, not sealed").arg(vehicleTypeText(e.type)),
+                         e.sealed ? kInfo : kWarning, e.systemId};
     }
     Line operator()(const engine::VehicleLost &e) const
     {
@@ -46,23 +46,25 @@ public:
     {
         if (!e.mayBe.empty())
             return EventLine{tr("Held back: this vehicle, at %1, is not sealed and may be an impostor of %2, which was never "
-                                    "heard. Security → Allow plain MAVLink takes it all the same")
-                                     .arg(fromStd(e.remoteAddress), anyOfNames(e.mayBe)), kWarning, e.systemId};
+                                "heard. Security → Allow plain MAVLink takes it all the same")
+                                 .arg(fromStd(e.remoteAddress), anyOfNames(e.mayBe)),
+                             kWarning, e.systemId};
         return EventLine{tr("Refused %1 clear frames from %2 that claim to be this sealed vehicle")
-                                 .arg(e.frames).arg(fromStd(e.remoteAddress)), kError, e.systemId};
+                             .arg(e.frames)
+                             .arg(fromStd(e.remoteAddress)),
+                         kError, e.systemId};
     }
     Line operator()(const engine::SystemRefused &e) const
     {
         const QString peer = fromStd(e.peer), owner = fromStd(e.owner);
         if (e.owner.empty())
-            return EventLine{
-                tr("Refused %1 frames of %2, which speaks as this vehicle and may not").arg(e.frames).arg(peer), kError,
-                e.systemId};
-        return EventLine{tr("Refused %1 frames of %2, which speaks as this vehicle: it is %3's. Is it a new agent of "
-                                "the same vehicle? Then remove %3 from the keys, or bind the system to %2")
-                                 .arg(e.frames)
-                                 .arg(peer, owner),
+            return EventLine{tr("Refused %1 frames of %2, which speaks as this vehicle and may not").arg(e.frames).arg(peer),
                              kError, e.systemId};
+        return EventLine{tr("Refused %1 frames of %2, which speaks as this vehicle: it is %3's. Is it a new agent of "
+                            "the same vehicle? Then remove %3 from the keys, or bind the system to %2")
+                             .arg(e.frames)
+                             .arg(peer, owner),
+                         kError, e.systemId};
     }
     Line operator()(const engine::AgentUnanswering &e) const
     {
@@ -70,8 +72,8 @@ public:
         if (e.over)
             return {}; // the session that is up, or the silence, says enough
         return EventLine{tr("The agent %1 at %2 is there but does not answer: does it know this station's key? %3")
-                                 .arg(name, fromStd(e.agent.remoteAddress), fromStd(e.agent.ownFingerprint)),
-                             kWarning};
+                             .arg(name, fromStd(e.agent.remoteAddress), fromStd(e.agent.ownFingerprint)),
+                         kWarning};
     }
     Line operator()(const engine::RecordingProblem &e) const
     {
@@ -103,27 +105,25 @@ public:
     Line operator()(const channel::SwitchDone &e) const
     {
         if (e.failure != channel::SwitchFailure::None)
-            return EventLine{tr("Switch to %1 rolled back: %2").arg(suiteName(e.to), switchFailureText(e.failure)),
-                                 kWarning};
+            return EventLine{tr("Switch to %1 rolled back: %2").arg(suiteName(e.to), switchFailureText(e.failure)), kWarning};
         if (e.rekey)
-            return EventLine{tr("Fresh keys for %1, epoch %2").arg(suiteName(e.to)).arg(static_cast<quint32>(e.epoch)),
-                                 kInfo};
-        return EventLine{
-            tr("Switched from %1 to %2 in %3").arg(suiteName(e.from), suiteName(e.to), switchTimeText(e.took)), kInfo};
+            return EventLine{tr("Fresh keys for %1, epoch %2").arg(suiteName(e.to)).arg(static_cast<quint32>(e.epoch)), kInfo};
+        return EventLine{tr("Switched from %1 to %2 in %3").arg(suiteName(e.from), suiteName(e.to), switchTimeText(e.took)),
+                         kInfo};
     }
     Line operator()(const channel::HandshakeRefused &e) const
     {
         if (e.reason == channel::RefusalReason::UnknownPeer)
             return EventLine{tr("An agent at %1 announces itself with a key that is not known here. Security → Keys and "
-                                    "peers pairs the two")
-                                     .arg(fromStd(link::toText(e.path.remote))),
-                                 kWarning};
+                                "peers pairs the two")
+                                 .arg(fromStd(link::toText(e.path.remote))),
+                             kWarning};
         return EventLine{tr("Handshake refused: %1").arg(refusalText(e.reason)), kWarning};
     }
     Line operator()(const channel::ForgeryAlarm &e) const
     {
         return EventLine{tr("Under attack: %1 forged and %2 replayed records refused").arg(e.forged).arg(e.replayed),
-                             kCritical};
+                         kCritical};
     }
 };
 

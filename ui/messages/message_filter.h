@@ -31,7 +31,7 @@ protected:
     {
         const QModelIndex text = sourceModel()->index(row, MessageModel::Text, parent);
         return text.data(MessageModel::SeverityRole).toInt() <= m_leastGrave
-               && (m_wanted.isEmpty() || text.data().toString().contains(m_wanted, Qt::CaseInsensitive));
+            && (m_wanted.isEmpty() || text.data().toString().contains(m_wanted, Qt::CaseInsensitive));
     }
 
 private:

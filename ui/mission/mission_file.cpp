@@ -46,7 +46,7 @@ Result<std::vector<vehicle::MissionItem>, InputError> parseMission(std::string_v
                 InputError{"an item has 12 columns, this line has " + std::to_string(cells.size()), source, at});
         const Numbers n = numbersOf(cells);
         const bool inRange = n.ok && n.at[0] == static_cast<double>(items.size()) && n.at[2] >= 0 && n.at[2] <= 255
-                             && n.at[3] >= 0 && n.at[3] <= 65535 && std::abs(n.at[8]) <= 90 && std::abs(n.at[9]) <= 180;
+            && n.at[3] >= 0 && n.at[3] <= 65535 && std::abs(n.at[8]) <= 90 && std::abs(n.at[9]) <= 180;
         if (!inRange)
             return tl::unexpected(InputError{"a column is no number, out of range, or the numbering has a gap", source, at});
         vehicle::MissionItem item;

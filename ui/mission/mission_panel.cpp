@@ -84,16 +84,15 @@ void MissionPanel::askAndSend()
 void MissionPanel::askAndSave()
 {
     const MissionModel::Mission mission = m_mission;
-    const QString file
-        = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"), kinds());
+    const QString file = QFileDialog::getSaveFileName(this, tr("Save the mission"), QStringLiteral("mission.waypoints"),
+                                                      kinds());
     if (!file.isEmpty() && mission)
         saveFile(file, mission);
 }
 
 void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 {
-    const QString otherVehicle
-        = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is shown now");
+    const QString otherVehicle = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is shown now");
     if (const QString reason = otherVehicle.isEmpty() ? m_whyNot : otherVehicle; !reason.isEmpty()) {
         say(tr("Not sent: %1").arg(reason));
         return;
@@ -116,8 +115,8 @@ void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mi
 {
     QSaveFile out(file);
     const std::string text = missionText(*mission);
-    const bool ok
-        = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0 && out.commit();
+    const bool ok = out.open(QIODevice::WriteOnly) && out.write(text.data(), static_cast<qint64>(text.size())) >= 0
+        && out.commit();
     say(ok ? tr("Saved %1").arg(file) : tr("%1: %2").arg(file, out.errorString()));
 }
 

@@ -89,9 +89,9 @@ void CountersTable::showRow(const Row &row, const channel::SessionStats *stats)
 {
     const QColor alarm = stateColors(palette()).alarm;
     const auto put = [&](FigureLabel *label, bool known, const channel::ReceiveCounters &counters) {
-        const std::uint64_t value = row.counter ? counters.*row.counter
-                                                : counters.replayed + counters.forged + counters.malformed
-                                                      + counters.plaintextDropped;
+        const std::uint64_t value = row.counter
+            ? counters.*row.counter
+            : counters.replayed + counters.forged + counters.malformed + counters.plaintextDropped;
         label->setFigure(known ? grouped(value) : dash());
         label->setColor(known && row.alarming && value > 0 ? alarm : QColor());
         if (!row.counter)

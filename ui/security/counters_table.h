@@ -31,7 +31,7 @@ private:
     struct Row
     {
         std::uint64_t channel::ReceiveCounters::*counter; ///< null: the sum of what was refused
-        bool alarming; ///< anything but zero deserves a look
+        bool alarming;                                    ///< anything but zero deserves a look
         QLabel *name;
         FigureLabel *toUs;
         FigureLabel *toIt;

@@ -224,7 +224,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
         break;
     case Security::Switching:
         title = view.session && view.session->info.pending == view.session->info.suite ? tr("Sealed, changing keys…")
-                                                                                         : tr("Sealed, switching…");
+                                                                                       : tr("Sealed, switching…");
         color = colors.good;
         break;
     case Security::UnderAttack:

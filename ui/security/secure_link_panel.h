@@ -47,7 +47,7 @@ private:
     QComboBox *m_sessions;
     CountersTable *m_counters;
     QFrame *m_line;
-    int m_room = 0; ///< 0: as much as it wants
+    int m_room = 0;  ///< 0: as much as it wants
     int m_level = 0; ///< what gave way, see fitHeight()
     bool m_sealed = false;
 };

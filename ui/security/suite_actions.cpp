@@ -14,8 +14,7 @@ namespace skyseal::ui {
 using crypto::SuiteId;
 
 SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
-    : QObject(parent), m_station(station), m_group(new QActionGroup(this)),
-      m_changeKeys(new QAction(this))
+    : QObject(parent), m_station(station), m_group(new QActionGroup(this)), m_changeKeys(new QAction(this))
 {
     for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
         const SuiteId suite = kChoosableSuites[i];
@@ -123,9 +122,7 @@ void SuiteActions::take(const engine::Event &event)
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
             m_info->epoch = done->epoch;
-            setNote(tr("Fresh keys, epoch %1, after %2")
-                        .arg(static_cast<quint32>(done->epoch))
-                        .arg(switchTimeText(done->took)),
+            setNote(tr("Fresh keys, epoch %1, after %2").arg(static_cast<quint32>(done->epoch)).arg(switchTimeText(done->took)),
                     false);
         } else if (done->rekey) {
             setNote(tr("Stays with its keys: %1").arg(switchFailureText(done->failure)), true);

@@ -64,7 +64,7 @@ private:
     QAction *m_changeKeys;
     std::optional<channel::SessionInfo> m_info;
     std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered
-    bool m_keysAsked = false; ///< the same for fresh keys
+    bool m_keysAsked = false;               ///< the same for fresh keys
     bool m_researchAllowed = false;
     crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;
     bool m_plain = false;

@@ -35,23 +35,22 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
                          Words::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
-        return LinkEnded{Words::tr("Revoked · %1").arg(name),
-                         Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
-                                   "shown is what was heard last. Pair it again to go on.").arg(name, ago),
-                         true};
+        return LinkEnded{
+            Words::tr("Revoked · %1").arg(name),
+            Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
+                      "shown is what was heard last. Pair it again to go on.")
+                .arg(name, ago),
+            true};
     case DownReason::TimedOut:
         return LinkEnded{Words::tr("Session lost · %1").arg(name),
-                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago)
-                             + waiting};
+                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:
-    case DownReason::Closed:
-        break;
+    case DownReason::Closed: break;
     }
     return LinkEnded{Words::tr("Session ended · %1").arg(name),
-                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason))
-                         + waiting};
+                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason)) + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const ViewState &view)

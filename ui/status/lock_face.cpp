@@ -45,8 +45,8 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
 
 LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
-    return unsealedFace({Words::tr("Not sealed · vehicle %1 held back").arg(held.systemId),
-                         Words::tr("Not sealed · held back"), Words::tr("Not sealed")},
+    return unsealedFace({Words::tr("Not sealed · vehicle %1 held back").arg(held.systemId), Words::tr("Not sealed · held back"),
+                         Words::tr("Not sealed")},
                         Words::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
                                   "and nothing is sent to it until you allow plain MAVLink for it.")
                             .arg(held.systemId)
@@ -78,9 +78,9 @@ LockFace plainFace(const ViewState &view)
 Security securityOf(const ViewState &view)
 {
     if (!view.session)
-        return view.vehicle    ? view.vehicle->session ? Security::Nothing : Security::Plain
-               : view.snapshot ? view.snapshot->security
-                                : Security::Nothing;
+        return view.vehicle ? view.vehicle->session ? Security::Nothing : Security::Plain
+            : view.snapshot ? view.snapshot->security
+                            : Security::Nothing;
     if (engine::isAttacked(*view.session))
         return view.snapshot->sessions.size() == 1 ? view.snapshot->security : Security::UnderAttack;
     return view.session->info.pending ? Security::Switching : Security::Sealed;
@@ -132,8 +132,8 @@ LockFace lockFaceOf(const ViewState &view)
             break;
         }
         const QString to = suiteName(*session.info.pending);
-        face.variants
-            = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"), suite + dot + Words::tr("switching…")};
+        face.variants = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"),
+                         suite + dot + Words::tr("switching…")};
         face.toolTip += QLatin1Char('\n') + Words::tr("Switching to %1").arg(to);
         break;
     }

@@ -10,7 +10,7 @@ namespace skyseal::ui {
 
 struct OneWay
 {
-    QString title;  ///< a few words
+    QString title; ///< a few words
     QString advice;
     QString whyNot; ///< why no command goes there, in a few words
     bool recorded = false;

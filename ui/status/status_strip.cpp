@@ -74,10 +74,8 @@ void StatusStrip::showVehicle(const ViewState &view)
     }
     const auto &state = view.vehicle->state;
     const QColor aged = view.stale() ? colors.dim : QColor();
-    m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)},
-                          QStringLiteral("vehicle"));
-    m_vehicle->setToolTip(vehicleTypeText(state.type)
-                          + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
+    m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)}, QStringLiteral("vehicle"));
+    m_vehicle->setToolTip(vehicleTypeText(state.type) + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
     m_vehicle->setTextColor(aged);
     m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")},
                         state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));
@@ -148,10 +146,9 @@ void StatusStrip::showLink(const ViewState &view)
         return;
     }
     const double arrived = 100.0 - (view.session ? view.session->lossPercent : view.vehicle->lossPercent);
-    const double latency = std::isfinite(state.latency) ? state.latency
-                           : view.session && view.session->stats.roundTrip.count() > 0
-                               ? seconds(view.session->stats.roundTrip)
-                               : vehicle::kUnknown;
+    const double latency = std::isfinite(state.latency)             ? state.latency
+        : view.session && view.session->stats.roundTrip.count() > 0 ? seconds(view.session->stats.roundTrip)
+                                                                    : vehicle::kUnknown;
     const bool poor = arrived < 90;
     const QString percent = number(arrived, 1) + QStringLiteral(" %");
     const QString word = poor ? tr("Link poor %1") : tr("Link OK %1");

@@ -91,8 +91,8 @@ QFont StripItem::textFont() const
 int StripItem::widthOf(int variant) const
 {
     const QFontMetricsF metrics(textFont());
-    const qreal text
-        = std::max(figuresWidth(metrics, m_variants.value(variant)), figuresWidth(metrics, m_samples.value(variant)));
+    const qreal text = std::max(figuresWidth(metrics, m_variants.value(variant)),
+                                figuresWidth(metrics, m_samples.value(variant)));
     const int iconRoom = m_icon.isEmpty() ? 0 : kIcon + kIconGap;
     return static_cast<int>(std::ceil(text)) + 1 + iconRoom + 2 * kGrid;
 }

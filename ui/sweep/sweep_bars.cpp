@@ -59,7 +59,7 @@ void SweepBars::showChart(experiment::BarChart chart, QStringList labels)
     QStringList words{fromStd(m_chart.axis)};
     for (std::size_t i = 0; i < m_chart.bars.size(); ++i)
         words << m_labels.at(static_cast<qsizetype>(i)) + QStringLiteral(": ")
-                     + (std::isfinite(m_chart.bars[i].mean) ? valueText(m_chart.bars[i]) : fromStd(m_chart.bars[i].missing));
+                + (std::isfinite(m_chart.bars[i].mean) ? valueText(m_chart.bars[i]) : fromStd(m_chart.bars[i].missing));
     setAccessibleName(words.first());
     setAccessibleDescription(words.join(QStringLiteral("; ")));
     setMinimumHeight(sizeHint().height());

@@ -140,8 +140,7 @@ QWidget *SweepDialog::makeHow()
     m_seed = named(new QLineEdit(QStringLiteral("1"), box), "sweepSeed", tr("Seed"));
     m_seed->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]{1,19}")), m_seed));
     m_seed->setToolTip(tr("The same seed gives the same order of runs"));
-    m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise",
-                    tr("Measure the noise"));
+    m_noise = named(new QCheckBox(tr("One suite twice, to see the noise (A/A)"), box), "sweepNoise", tr("Measure the noise"));
     m_noise->setChecked(true);
     auto *left = new QFormLayout;
     left->setVerticalSpacing(kGrid);

@@ -30,9 +30,8 @@ QString framingText(const SweepArm &arm)
 
 QString armText(const SweepArm &arm)
 {
-    const QString name
-        = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite)
-                                             : Words::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
+    const QString name = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite)
+                                                            : Words::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
     return arm.again ? Words::tr("%1 (A/A)").arg(name) : name;
 }
 

@@ -14,8 +14,8 @@ struct SweepSurroundings
 {
     const ViewState &view;
     const SuiteActions &suites;
-    bool requireSealed = false;  ///< by the settings
-    QString noOwnVehicle;        ///< why there can be no simulated vehicle for the sweep alone; empty when there can
+    bool requireSealed = false; ///< by the settings
+    QString noOwnVehicle;       ///< why there can be no simulated vehicle for the sweep alone; empty when there can
 };
 
 /// Each of these is empty when nothing speaks against it.

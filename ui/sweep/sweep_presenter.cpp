@@ -14,8 +14,7 @@ SweepPresenter::SweepPresenter(SweepInterface &port, SweepPage &page, SuiteActio
     : QObject(&window), m_port(port), m_page(page), m_suites(suites), m_window(window)
 {
     connect(&port, &SweepInterface::runBegan, &page, &SweepPage::showRun);
-    connect(&port, &SweepInterface::runBegan, this,
-            [this](const experiment::Run &run) { beginRun(run); });
+    connect(&port, &SweepInterface::runBegan, this, [this](const experiment::Run &run) { beginRun(run); });
     connect(&port, &SweepInterface::sampleTaken, &page, &SweepPage::take);
     connect(&port, &SweepInterface::saved, &page, &SweepPage::showSaved);
     connect(&port, &SweepInterface::finished, this,

@@ -48,9 +48,9 @@ private:
     SuiteActions &m_suites;
     QWidget &m_window;
     std::vector<experiment::SweepArm> m_arms; ///< of the sweep that was started last
-    bool m_holdsLink = false; ///< one runs, on the connected link
-    bool m_plainArm = false;  ///< plain MAVLink is its present run
-    bool m_inClear = false;   ///< or was the one before, and no session is up again
+    bool m_holdsLink = false;                 ///< one runs, on the connected link
+    bool m_plainArm = false;                  ///< plain MAVLink is its present run
+    bool m_inClear = false;                   ///< or was the one before, and no session is up again
 };
 
 } // namespace skyseal::ui

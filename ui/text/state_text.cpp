@@ -65,7 +65,13 @@ QString vehicleTypeText(std::uint8_t type)
     case 13: return Words::tr("hexarotor");
     case 14: return Words::tr("octorotor");
     case 15: return Words::tr("tricopter");
-    case 19: case 20: case 21: case 22: case 23: case 24: case 25: return Words::tr("VTOL");
+    case 19:
+    case 20:
+    case 21:
+    case 22:
+    case 23:
+    case 24:
+    case 25: return Words::tr("VTOL");
     default: return Words::tr("vehicle");
     }
 }
@@ -147,8 +153,7 @@ QString commandOutcomeText(const vehicle::CommandResult &result)
     case vehicle::CommandOutcome::Accepted: return Words::tr("accepted");
     case vehicle::CommandOutcome::Refused:
         return reason.isEmpty() ? Words::tr("refused") : Words::tr("refused: %1").arg(reason);
-    case vehicle::CommandOutcome::TimedOut:
-        return reason.isEmpty() ? Words::tr("no answer") : reason;
+    case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Words::tr("no answer") : reason;
     }
     return {};
 }

@@ -21,8 +21,7 @@ public:
     {
         const QPixmap drawn = draw(qMin(rect.width(), rect.height()), mode, painter->device()->devicePixelRatioF());
         const QSizeF size = drawn.deviceIndependentSize();
-        painter->drawPixmap(QPointF(rect.center()) + QPointF(0.5, 0.5) - QPointF(size.width() / 2, size.height() / 2),
-                            drawn);
+        painter->drawPixmap(QPointF(rect.center()) + QPointF(0.5, 0.5) - QPointF(size.width() / 2, size.height() / 2), drawn);
     }
 
     QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State) override
@@ -36,9 +35,9 @@ private:
     QPixmap draw(int size, QIcon::Mode mode, qreal ratio) const
     {
         const QPalette palette = QGuiApplication::palette();
-        const QColor color = mode == QIcon::Disabled   ? palette.color(QPalette::Disabled, QPalette::ButtonText)
-                             : mode == QIcon::Selected ? palette.color(QPalette::HighlightedText)
-                                                       : palette.color(QPalette::ButtonText);
+        const QColor color = mode == QIcon::Disabled ? palette.color(QPalette::Disabled, QPalette::ButtonText)
+            : mode == QIcon::Selected                ? palette.color(QPalette::HighlightedText)
+                                                     : palette.color(QPalette::ButtonText);
         return iconPixmap(m_name, size, color, ratio);
     }
 

@@ -13,12 +13,12 @@ struct Shades
     QRgb window, base, alternate, button, text, dimText, highlight, highlightText, tipBase, light, mid, dark;
 };
 
-constexpr Shades kLight{0xfff3f4f6, 0xffffffff, 0xfff7f8fa, 0xfffcfcfd, 0xff1b1f24, 0xff6a737d, 0xff2f6fb3, 0xffffffff,
-                        0xffffffff, 0xffffffff, 0xffc9ced6, 0xff9aa2ad};
-constexpr Shades kDark{0xff1e2227, 0xff171a1e, 0xff1b1f24, 0xff2a2f36, 0xffe3e6ea, 0xff8d96a1, 0xff3d84c6, 0xffffffff,
-                       0xff2a2f36, 0xff3a4149, 0xff3a4149, 0xff0d0f12};
-constexpr Shades kContrast{0xff000000, 0xff000000, 0xff0c0c0c, 0xff303030, 0xffffffff, 0xffd6d6d6, 0xffffe100, 0xff000000,
-                           0xff000000, 0xffffffff, 0xffffffff, 0xffffffff};
+constexpr Shades kLight{0xfff3f4f6, 0xffffffff, 0xfff7f8fa, 0xfffcfcfd, 0xff1b1f24, 0xff6a737d,
+                        0xff2f6fb3, 0xffffffff, 0xffffffff, 0xffffffff, 0xffc9ced6, 0xff9aa2ad};
+constexpr Shades kDark{0xff1e2227, 0xff171a1e, 0xff1b1f24, 0xff2a2f36, 0xffe3e6ea, 0xff8d96a1,
+                       0xff3d84c6, 0xffffffff, 0xff2a2f36, 0xff3a4149, 0xff3a4149, 0xff0d0f12};
+constexpr Shades kContrast{0xff000000, 0xff000000, 0xff0c0c0c, 0xff303030, 0xffffffff, 0xffd6d6d6,
+                           0xffffe100, 0xff000000, 0xff000000, 0xffffffff, 0xffffffff, 0xffffffff};
 
 QPalette make(const Shades &s)
 {
@@ -50,15 +50,15 @@ QPalette make(const Shades &s)
     return p;
 }
 
-const StateColors kLightState{QColor(0x1a7f4b), QColor(0x9a5b00), QColor(0xb3261e), QColor(0x6a737d), QColor(0xd5d9df),
-                              QColor(0xffffff), QColor(0x5a97c7), QColor(0x94765a), QColor(0x2f6fb3), QColor(0xe3e6ea),
-                              QColor(0x737b85)};
-const StateColors kDarkState{QColor(0x4cc38a), QColor(0xf0b429), QColor(0xff7b72), QColor(0x8d96a1), QColor(0x343a42),
-                             QColor(0x23282e), QColor(0x2f628f), QColor(0x5f4a37), QColor(0x58a6e8), QColor(0x262b31),
-                             QColor(0x6f7883)};
-const StateColors kContrastState{QColor(0x5cff9d), QColor(0xffe100), QColor(0xff8a80), QColor(0xd6d6d6), QColor(0x8a8a8a),
-                                 QColor(Qt::black), QColor(0x0050a0), QColor(0x5a3c1e), QColor(0xffe100), QColor(0x3a3a3a),
-                                 QColor(0xb4b4b4)};
+const StateColors kLightState{QColor(0x1a7f4b), QColor(0x9a5b00), QColor(0xb3261e), QColor(0x6a737d),
+                              QColor(0xd5d9df), QColor(0xffffff), QColor(0x5a97c7), QColor(0x94765a),
+                              QColor(0x2f6fb3), QColor(0xe3e6ea), QColor(0x737b85)};
+const StateColors kDarkState{QColor(0x4cc38a), QColor(0xf0b429), QColor(0xff7b72), QColor(0x8d96a1),
+                             QColor(0x343a42), QColor(0x23282e), QColor(0x2f628f), QColor(0x5f4a37),
+                             QColor(0x58a6e8), QColor(0x262b31), QColor(0x6f7883)};
+const StateColors kContrastState{QColor(0x5cff9d), QColor(0xffe100),  QColor(0xff8a80), QColor(0xd6d6d6),
+                                 QColor(0x8a8a8a), QColor(Qt::black), QColor(0x0050a0), QColor(0x5a3c1e),
+                                 QColor(0xffe100), QColor(0x3a3a3a),  QColor(0xb4b4b4)};
 
 } // namespace
 

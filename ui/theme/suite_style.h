@@ -13,9 +13,9 @@
 namespace skyseal::ui {
 
 /// The suites an operator can choose, in the order in which they are shown; research suites last.
-inline constexpr std::array kChoosableSuites{
-    crypto::SuiteId::ChaCha20Poly1305, crypto::SuiteId::Aes256Gcm, crypto::SuiteId::Aes256Ctr,
-    crypto::SuiteId::Aes256Cbc, crypto::SuiteId::ChaCha20, crypto::SuiteId::Rc4};
+inline constexpr std::array kChoosableSuites{crypto::SuiteId::ChaCha20Poly1305, crypto::SuiteId::Aes256Gcm,
+                                             crypto::SuiteId::Aes256Ctr,        crypto::SuiteId::Aes256Cbc,
+                                             crypto::SuiteId::ChaCha20,         crypto::SuiteId::Rc4};
 
 QColor suiteColor(crypto::SuiteId suite);
 

@@ -16,8 +16,7 @@ public:
     /// `words` is what stands behind "skyseal-cli keys".
     KeysSubcommand(const char *words, const char *help)
         : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QString::fromUtf8(help))
-    {
-    }
+    {}
 
     /// Declares one positional argument more, all of which must be given.
     void addArgument(const char *name, const char *help)

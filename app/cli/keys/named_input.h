@@ -15,14 +15,15 @@ namespace skyseal::app {
 inline Result<Bytes, InputError> readNamed(const std::string &name)
 {
     QFile file(QString::fromStdString(name));
-    const bool opened =
-        name == "-" ? file.open(stdin, QIODevice::ReadOnly | QIODevice::Unbuffered) : file.open(QIODevice::ReadOnly | QIODevice::Unbuffered);
+    const bool opened = name == "-" ? file.open(stdin, QIODevice::ReadOnly | QIODevice::Unbuffered)
+                                    : file.open(QIODevice::ReadOnly | QIODevice::Unbuffered);
     if (!opened)
         return tl::unexpected(InputError{"cannot be read: " + file.errorString().toStdString(), name});
     Bytes content(keys::kMaxFileSize);
     std::size_t size = 0;
     while (size < content.size()) {
-        const qint64 count = file.read(reinterpret_cast<char *>(content.data() + size), static_cast<qint64>(content.size() - size));
+        const qint64 count = file.read(reinterpret_cast<char *>(content.data() + size),
+                                       static_cast<qint64>(content.size() - size));
         if (count <= 0)
             break;
         size += static_cast<std::size_t>(count);

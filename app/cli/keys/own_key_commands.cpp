@@ -94,7 +94,8 @@ int newKey(const QStringList &arguments)
 
 int showKey(const QStringList &arguments)
 {
-    KeysSubcommand command("show", "Shows the public part of a private key: what other ends need to know. Needs no passphrase.");
+    KeysSubcommand command("show",
+                           "Shows the public part of a private key: what other ends need to know. Needs no passphrase.");
     command.addArgument("FILE", "File of the private key.");
     command.addJsonOption();
     if (canShowQr())
@@ -136,8 +137,9 @@ int exportKey(const QStringList &arguments)
 
 int importKey(const QStringList &arguments)
 {
-    KeysSubcommand command("import", "Takes over a private key from another place, e.g. a USB stick, into a file that only its owner "
-                                     "may read.");
+    KeysSubcommand command("import",
+                           "Takes over a private key from another place, e.g. a USB stick, into a file that only its owner "
+                           "may read.");
     command.addArgument("FROM", "File of the private key, - for standard input. Delete it there afterwards.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
     PassphraseInput::declare(command.options);
@@ -202,8 +204,10 @@ int changePassphrase(const QStringList &arguments)
 
 int newPresharedKey(const QStringList &arguments)
 {
-    KeysSubcommand command("psk", "Makes a pre-shared key: a second secret for one pair of devices. Both need the same file; peers add --psk "
-                                  "names it.");
+    KeysSubcommand command(
+        "psk",
+        "Makes a pre-shared key: a second secret for one pair of devices. Both need the same file; peers add --psk "
+        "names it.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
     if (const auto status = command.parse(arguments))
         return *status;

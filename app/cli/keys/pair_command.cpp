@@ -32,8 +32,8 @@ PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decis
     // For this end it is an agent: what may command is the station.
     peer.name = keys::fitPeerName(decision.name.empty() ? peer.name : decision.name, peer.key);
     peer.role = channel::PeerRole::Pilot;
-    const auto kept =
-        keys::keepPairedPeer(peersFile, peer, decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    const auto kept = keys::keepPairedPeer(peersFile, peer,
+                                           decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
     PairingStatus status;
     status.state = kept ? PairingStatus::State::Paired : PairingStatus::State::Refused;
     status.name = kept ? peer.name : std::string();
@@ -47,8 +47,10 @@ PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decis
 int pairWithAgent(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli keys pair");
-    Options options(name, QStringLiteral("Pairs this station with an agent whose window is open (skyseal-air --pair there). Both sides "
-                                         "compare the fingerprints and confirm."));
+    Options options(
+        name,
+        QStringLiteral("Pairs this station with an agent whose window is open (skyseal-air --pair there). Both sides "
+                       "compare the fingerprints and confirm."));
     options.addValue("link", "URL", "Where the agent calls: as for monitor.", "udpin:0.0.0.0:14550");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);

@@ -75,8 +75,7 @@ struct PeerChange
 };
 
 /// `read` takes the argument apart, or notes a problem and gives nothing; `put` writes it into the entry.
-template<typename Read, typename Put>
-int changePeer(const QStringList &arguments, const PeerChange &change, Read read, Put put)
+template<typename Read, typename Put> int changePeer(const QStringList &arguments, const PeerChange &change, Read read, Put put)
 {
     KeysSubcommand command(change.words, change.help);
     command.addArgument("NAME", "The peer's name.");
@@ -115,10 +114,15 @@ Result<keys::PublicKey, InputError> readPublicKey(Options &options)
 /// As ssh says it: the owner may have made a new key, or somebody stands between.
 InputError changedKey(const PeerEntry &known, const keys::PublicKey &offered)
 {
-    return {"THE KEY OF '" + known.peer.name + "' HAS CHANGED, refused. Either it was made anew there, or somebody pretends to be it.\n"
-                "  known until now " + keys::fingerprint(known.peer.key) + "\n"
-                "  offered         " + keys::fingerprint(offered) + "\n"
-                "Compare the second one at the device itself. If it is right, say --replace",
+    return {"THE KEY OF '" + known.peer.name
+                + "' HAS CHANGED, refused. Either it was made anew there, or somebody pretends to be it.\n"
+                  "  known until now "
+                + keys::fingerprint(known.peer.key)
+                + "\n"
+                  "  offered         "
+                + keys::fingerprint(offered)
+                + "\n"
+                  "Compare the second one at the device itself. If it is right, say --replace",
             {}};
 }
 
@@ -135,8 +139,9 @@ int addPeer(const QStringList &arguments)
     options.addValue("role", "pilot|observer", "What it may do: command, or only look.", "pilot");
     options.addValue("sysids", "LIST", "MAVLink system ids that it may speak as, e.g. 1,2.", "any");
     options.addValue("psk", "FILE", "Pre-shared key of this pair (keys psk), the same file on both ends.");
-    options.addFlag("replace", "Replaces the key of the peer of that name: it has changed, and you know why. What else was noted "
-                               "stays, unless it is given.");
+    options.addFlag("replace",
+                    "Replaces the key of the peer of that name: it has changed, and you know why. What else was noted "
+                    "stays, unless it is given.");
     if (const auto status = options.parse(arguments))
         return *status;
     const std::string file = options.required("peers");

@@ -61,8 +61,7 @@ std::uint32_t messageIdOf(const mavlink::ScanItem &item)
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Tell tell)
     : m_config(std::move(config)), m_secrets(std::move(secrets)), m_notify(std::move(tell)), m_ground(groundOf(m_config)),
-      m_links(*this, [this](link::Link &link) { linkChanged(link); }),
-      m_channel(makeEndpoint(m_config, *m_secrets), m_links),
+      m_links(*this, [this](link::Link &link) { linkChanged(link); }), m_channel(makeEndpoint(m_config, *m_secrets), m_links),
       m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_notify(event); }),
       m_policy(SecureMode::Required, Speakers::MayShareASystem), m_intake(mavlink::Dialect::builtin()),
       m_clear(m_links, kGround), m_timer([this] { handleDeadline(); })
@@ -166,8 +165,7 @@ AgentSnapshot AgentCore::snapshot()
     for (LinkSnapshot &link : m_links.snapshots(now))
         (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
     const metrics::SequenceCounts counts = m_sequences.total();
-    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(),
-                   m_sequences.evicted()};
+    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(), m_sequences.evicted()};
     out.channel = m_channel.totals();
     out.channel.rx.malformed += m_garbage;
     out.channel.rx.plaintextDropped = m_counters.clearRefused;
@@ -180,8 +178,8 @@ AgentSnapshot AgentCore::snapshot()
 void AgentCore::linkChanged(link::Link &link)
 {
     const link::LinkScheme scheme = link.url().scheme();
-    const bool hasOneRemote =
-        scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp
+        || scheme == link::LinkScheme::Serial;
     if (link.id() == kVehicleLink && hasOneRemote)
         m_routes.setFixed({kVehicleLink, {}});
     // Whoever is at the address that we were given comes before strangers when many call at once.

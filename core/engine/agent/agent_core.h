@@ -64,12 +64,12 @@ enum class PairingRefusal : std::uint8_t { Armed, OpenAlready };
 
 struct AgentCounters
 {
-    std::uint64_t toGround = 0, toVehicle = 0;  ///< frames carried
-    std::uint64_t observerRefused = 0;          ///< frames of a peer that may only look, but for harmless questions
+    std::uint64_t toGround = 0, toVehicle = 0; ///< frames carried
+    std::uint64_t observerRefused = 0;         ///< frames of a peer that may only look, but for harmless questions
     std::uint64_t observerUnclear = 0; ///< of these questions, what a line that loses bytes could turn into something else
-    std::uint64_t spoofRefused = 0; ///< frames of a system that their peer may not speak as, or of the vehicle itself
-    std::uint64_t clearRefused = 0;             ///< clear frames from the ground
-    std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
+    std::uint64_t spoofRefused = 0;    ///< frames of a system that their peer may not speak as, or of the vehicle itself
+    std::uint64_t clearRefused = 0;    ///< clear frames from the ground
+    std::uint64_t undelivered = 0;     ///< from the ground while no vehicle is known, from the vehicle without a session
 };
 
 struct AgentSnapshot
@@ -150,7 +150,7 @@ private:
     std::vector<channel::SessionId> m_sessions;
     std::uint64_t m_garbage = 0;
     std::set<std::pair<std::uint8_t, std::uint8_t>> m_armed; ///< systems and components, each as its heartbeat said last
-    TimePoint m_beatDue = kNever; ///< while nobody knows as whom
+    TimePoint m_beatDue = kNever;                            ///< while nobody knows as whom
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };

@@ -48,10 +48,8 @@ bool isQuestion(std::uint16_t command)
     case mavlink::MAV_CMD_GET_HOME_POSITION:
     case mavlink::MAV_CMD_REQUEST_MESSAGE:
     case mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION:
-    case mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES:
-        return true;
-    default:
-        return false;
+    case mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES: return true;
+    default: return false;
     }
 }
 
@@ -66,20 +64,16 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
     case kParamExtRequestList:
     case mavlink::MissionRequestList::kId:
     case mavlink::MissionRequest::kId:
-    case mavlink::MissionRequestInt::kId:
-        return true;
+    case mavlink::MissionRequestInt::kId: return true;
     case mavlink::Timesync::kId: // the question alone: PX4 sets its clock's offset by an answer
         return mavlink::Timesync::decode(frame.payload()).tc1 == 0;
     case mavlink::MissionAck::kId: // the end of a download; any other result would cancel one
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
     case mavlink::RequestDataStream::kId:
         return !pilotThere && mavlink::RequestDataStream::decode(frame.payload()).start_stop == 1;
-    case mavlink::CommandLong::kId:
-        return asks(mavlink::CommandLong::decode(frame.payload()));
-    case mavlink::CommandInt::kId:
-        return asks(mavlink::CommandInt::decode(frame.payload()));
-    default:
-        return false;
+    case mavlink::CommandLong::kId: return asks(mavlink::CommandLong::decode(frame.payload()));
+    case mavlink::CommandInt::kId: return asks(mavlink::CommandInt::decode(frame.payload()));
+    default: return false;
     }
 }
 

@@ -20,9 +20,7 @@ constexpr std::size_t kTunnelRoomOfCbc = kTunnelRoom / 16 * 16 - 1;
 
 } // namespace
 
-ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links)
-{
-}
+ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links) {}
 
 void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 {
@@ -78,8 +76,7 @@ std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
 {
     switch (path.carrier) {
     case Carrier::Datagram: break;
-    case Carrier::Tunnel:
-        return m_sendSuites[session] == crypto::SuiteId::Aes256Cbc ? kTunnelRoomOfCbc : kTunnelRoom;
+    case Carrier::Tunnel: return m_sendSuites[session] == crypto::SuiteId::Aes256Cbc ? kTunnelRoomOfCbc : kTunnelRoom;
     case Carrier::Serial: return kSerialRoom;
     }
     return channel::kMaxRecordPayload;

@@ -43,7 +43,8 @@ private:
 /// True for a whole frame that claims to be sealed in place: no frame for anybody but the channel.
 inline bool isSealedInPlace(const mavlink::ScanItem &item)
 {
-    const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags || item.fault == mavlink::FrameFault::UnknownMessage;
+    const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags
+        || item.fault == mavlink::FrameFault::UnknownMessage;
     return !item.frame && whole && channel::Endpoint::ownsFrame(item.bytes);
 }
 

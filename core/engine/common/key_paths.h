@@ -10,8 +10,8 @@ namespace skyseal::engine {
 /// Where the secrets and the known peers are; empty paths mean a program that can only do plain links.
 struct KeyPaths
 {
-    std::string identity; ///< private key file
-    std::string peers;    ///< known peers
+    std::string identity;                   ///< private key file
+    std::string peers;                      ///< known peers
     keys::AskPassphrase askPassphrase = {}; ///< when the private key is sealed; empty = such a file is refused
 };
 

@@ -29,8 +29,7 @@ LinkPhase phaseOf(link::LinkState state)
 
 LinkPool::LinkPool(link::LinkListener &listener, StateChanged stateChanged, link::LinkOptions options)
     : m_listener(listener), m_stateChanged(std::move(stateChanged)), m_options(std::move(options))
-{
-}
+{}
 
 LinkPool::~LinkPool()
 {
@@ -164,8 +163,7 @@ LinkSnapshot LinkPool::describe(const Entry &entry) const
 
 LinkSnapshot LinkPool::snapshot(const link::Link &link) const
 {
-    const auto found =
-        std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.link.get() == &link; });
+    const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry &e) { return e.link.get() == &link; });
     return found == m_entries.end() ? LinkSnapshot{} : describe(*found);
 }
 

@@ -16,7 +16,9 @@ public:
     using Tell = std::function<void(const channel::PairingEvent &)>;
 
     /// `random` must outlive it.
-    PairingDriver(LinkPool &links, RandomSource &random, Tell tell) : m_links(links), m_random(random), m_notify(std::move(tell)) {}
+    PairingDriver(LinkPool &links, RandomSource &random, Tell tell)
+        : m_links(links), m_random(random), m_notify(std::move(tell))
+    {}
 
     /// Opens a window; one that is open is cancelled without a further event.
     void open(TimePoint now, channel::PairingConfig config);

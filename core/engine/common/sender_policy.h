@@ -103,7 +103,7 @@ private:
     std::vector<channel::Peer> m_peers;
     std::bitset<256> m_pinned;
     SealedSystems m_heard;
-    std::bitset<256> m_sealed; ///< all of m_heard
+    std::bitset<256> m_sealed;  ///< all of m_heard
     std::bitset<256> m_allowed; ///< in clear, by a person
     std::map<channel::SessionId, Speaker> m_speakers;
     std::deque<SealedPlace> m_sealedPlaces;

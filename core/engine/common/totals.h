@@ -46,8 +46,8 @@ struct WireTotals
 /// The sealed link, both directions. `rx` contains what belongs to no session, such as garbage and unknown connections.
 struct ChannelTotals
 {
-    bool up = false;          ///< a session is up now
-    crypto::SuiteId suite{};  ///< of that session; None without one
+    bool up = false;         ///< a session is up now
+    crypto::SuiteId suite{}; ///< of that session; None without one
     std::uint32_t epoch = 0;
     channel::Framing framing{}; ///< how its frames are sent now
     channel::ReceiveCounters rx;
@@ -58,7 +58,7 @@ struct ChannelTotals
     std::optional<channel::FrameCounters> peerFrames;
     SuiteCost cost;
     WireTotals wire;
-    Duration roundTrip{};              ///< of the channel's own reports, smoothed; zero until measured
+    Duration roundTrip{}; ///< of the channel's own reports, smoothed; zero until measured
     std::size_t sessions = 0;
 };
 

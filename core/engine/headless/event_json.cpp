@@ -84,7 +84,10 @@ std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remo
 std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer)
 {
     JsonWriter json = begin("session");
-    json.field("state", "down").field("framing", framingName(down.framing)).field("peer", peer).field("reason", word(down.reason));
+    json.field("state", "down")
+        .field("framing", framingName(down.framing))
+        .field("peer", peer)
+        .field("reason", word(down.reason));
     return end(json);
 }
 
@@ -103,9 +106,7 @@ std::string switchEvent(const channel::SwitchDone &done)
 std::string vehicleEvent(const VehicleFound &found)
 {
     JsonWriter json = begin("vehicle");
-    json.field("sysid", number(found.systemId))
-        .field("type", number(found.type))
-        .field("autopilot", number(found.autopilot));
+    json.field("sysid", number(found.systemId)).field("type", number(found.type)).field("autopilot", number(found.autopilot));
     json.field("sealed", found.sealed);
     return end(json);
 }

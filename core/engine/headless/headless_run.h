@@ -41,12 +41,12 @@ public:
 
 enum class RunOutcome : std::uint8_t {
     Reached,
-    NoSession,      ///< one was required and never came up
-    ScriptFailed,   ///< a step failed
+    NoSession,        ///< one was required and never came up
+    ScriptFailed,     ///< a step failed
     ScriptUnfinished, ///< the run ended before it
-    SuiteNotReached, ///< a suite of the list was refused or not confirmed, and never came into use
+    SuiteNotReached,  ///< a suite of the list was refused or not confirmed, and never came into use
     InlineNotReached, ///< the other end does not allow inline framing
-    CannotOpen      ///< a link that cannot work: its port is taken, its host unknown, its file unreadable
+    CannotOpen        ///< a link that cannot work: its port is taken, its host unknown, its file unreadable
 };
 
 class HeadlessRun : public QObject
@@ -83,7 +83,7 @@ private:
     std::vector<link::LinkUrl> m_urls;
     vehicle::FlightScriptRunner m_script;
     SwitchPlan m_switching;
-    std::map<LinkId, bool> m_links; ///< whether it ever worked
+    std::map<LinkId, bool> m_links;  ///< whether it ever worked
     std::map<LinkId, bool> m_played; ///< logs that have come to their end
     std::shared_ptr<const Snapshot> m_snapshot;
     QElapsedTimer m_clock;

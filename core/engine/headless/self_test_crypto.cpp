@@ -101,10 +101,7 @@ class ChosenRandom final : public RandomSource
 {
 public:
     explicit ChosenRandom(Bytes bytes) : m_bytes(std::move(bytes)) {}
-    void fill(MutableByteView out) override
-    {
-        std::copy_n(m_bytes.begin(), std::min(out.size(), m_bytes.size()), out.begin());
-    }
+    void fill(MutableByteView out) override { std::copy_n(m_bytes.begin(), std::min(out.size(), m_bytes.size()), out.begin()); }
 
 private:
     Bytes m_bytes;
@@ -128,18 +125,16 @@ noise::HandshakeState startHandshake(noise::Role role, std::string_view own)
 /// The vector of the cacophony project for Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b.
 std::optional<std::string> checkHandshake()
 {
-    auto initiator =
-        startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
-    auto responder =
-        startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
+    auto initiator = startHandshake(noise::Role::Initiator, "e61ef9919cde45dd5f82166404bd08e38bceb5dfdfded0a34c8df7ed542214d1");
+    auto responder = startHandshake(noise::Role::Responder, "4a3acbfdb163dec651dfa3194dece676d437029c62a408b4c5ea9114246e4893");
     ChosenRandom first(hex("893e28b9dc6ca8d611ab664754b8ceb7bac5117349a4439a6b0569da977c464a"));
     ChosenRandom second(hex("bbdb4cdbd309f1a1f2e1456967fe288cadd6f712d65dc7b7793d5e63da6b375b"));
     std::array<std::uint8_t, 256> message, payload;
     const auto sent = initiator.writeMessage(asBytes("Ludwig von Mises"), message, first);
-    const Bytes expected =
-        hex("ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c7944b6fe0240b839afac809de1630eaf99d8f9b941394f0512c"
-            "0554633bbb021d1"
-            "5176135c0a20e7fdb9a9ed066f22f054b47625b1d5061cb27d6a17f053273db7c25216a5addc506ee321bc0618feb5849d");
+    const Bytes expected = hex(
+        "ca35def5ae56cec33dc2036731ab14896bc4c75dbb07a61f879f8e3afa4c7944b6fe0240b839afac809de1630eaf99d8f9b941394f0512c"
+        "0554633bbb021d1"
+        "5176135c0a20e7fdb9a9ed066f22f054b47625b1d5061cb27d6a17f053273db7c25216a5addc506ee321bc0618feb5849d");
     if (!sent || !same(ByteView(message).first(*sent), expected))
         return "the first message is another one";
     if (!responder.readMessage(ByteView(message).first(*sent), payload))
@@ -164,16 +159,17 @@ std::vector<SelfTest> primitiveSelfTests()
     };
     const auto hkdf = [] { // RFC 5869, case 1
         std::array<std::uint8_t, 42> out;
-        const bool done = crypto::hkdfExpandSha256(
-            out, hex("077709362c2e32df0ddc3f0dc47bba6390b6c73bb50f9c3122ec844ad7c2b3e5"), hex("f0f1f2f3f4f5f6f7f8f9"));
+        const bool done = crypto::hkdfExpandSha256(out, hex("077709362c2e32df0ddc3f0dc47bba6390b6c73bb50f9c3122ec844ad7c2b3e5"),
+                                                   hex("f0f1f2f3f4f5f6f7f8f9"));
         return expect(
             done && same(out, hex("3cb25f25faacd57a90434f64d0362f2a2d2d0a90cf1a5a4c5db02d56ecc4c5bf34007208d5b887185865")),
             "wrong answer");
     };
     const auto blake = [] { // RFC 7693, appendix A
-        return expect(same(crypto::blake2b({asBytes("abc")}), hex("ba80a53f981c4d0d6a2797b69f12f6e94c212f14685ac4b74b12bb6fd"
-                                                                  "bffa2d17d87c5392aab792dc252d5de4533cc9518d38aa8dbf192"
-                                                                  "5ab92386edd4009923")),
+        return expect(same(crypto::blake2b({asBytes("abc")}),
+                           hex("ba80a53f981c4d0d6a2797b69f12f6e94c212f14685ac4b74b12bb6fd"
+                               "bffa2d17d87c5392aab792dc252d5de4533cc9518d38aa8dbf192"
+                               "5ab92386edd4009923")),
                       "wrong answer");
     };
     const auto x25519 = [] { // RFC 7748, 5.2
@@ -191,8 +187,7 @@ std::vector<SelfTest> suiteSelfTests()
 {
     std::vector<SelfTest> out;
     for (const KnownRecord &known : kRecords)
-        out.push_back(
-            {"suite " + std::string(crypto::suiteInfo(known.suite).name), [&known] { return checkRecord(known); }});
+        out.push_back({"suite " + std::string(crypto::suiteInfo(known.suite).name), [&known] { return checkRecord(known); }});
     return out;
 }
 

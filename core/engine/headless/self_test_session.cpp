@@ -36,8 +36,7 @@ public:
     {
         auto ground = std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
         auto air = std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
-        m_ground =
-            std::make_unique<Endpoint>(config(Role::Station, ground, air->publicKey), m_random, m_groundCounters, m_now);
+        m_ground = std::make_unique<Endpoint>(config(Role::Station, ground, air->publicKey), m_random, m_groundCounters, m_now);
         m_air = std::make_unique<Endpoint>(config(Role::Agent, air, ground->publicKey), m_random, m_airCounters, m_now);
     }
 
@@ -101,8 +100,7 @@ private:
 
     static void drain(Endpoint &endpoint)
     {
-        while (endpoint.pollEvent()) {
-        }
+        while (endpoint.pollEvent()) {}
     }
 
     Bytes seal(Endpoint &from)

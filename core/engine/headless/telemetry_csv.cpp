@@ -74,8 +74,7 @@ std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &diale
         vehicle::Vehicle *vehicle = vehicles.find(item->frame->systemId());
         if (!vehicle)
             continue;
-        while (vehicle->pollOutgoing()) {
-        }
+        while (vehicle->pollOutgoing()) {}
         WallTime &next = due[vehicle->systemId()];
         if (*item->time < next)
             continue;

@@ -14,8 +14,7 @@ public:
     /// `dialect` outlives this.
     MavsecStream(crypto::MavsecCipher cipher, const mavlink::Dialect &dialect)
         : m_cipher(std::move(cipher)), m_dialect(&dialect)
-    {
-    }
+    {}
 
     /// The plain frame of an encrypted one, MAVLink 1 or 2, with a checksum of its own. Nothing tells whether the key was
     /// right, or whether the frame was encrypted at all. Lives until the next call.

@@ -27,7 +27,7 @@ public:
         ChannelTotals channel;
         MavlinkTotals mavlink;
         bool linkUp = false;
-        double latency = vehicle::kUnknown; ///< seconds
+        double latency = vehicle::kUnknown;     ///< seconds
         std::uint64_t rxBytes = 0, txBytes = 0; ///< of all links so far
     };
 

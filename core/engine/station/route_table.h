@@ -16,9 +16,9 @@ struct Route
 {
     std::optional<channel::SessionId> session; ///< empty: clear MAVLink to `path`
     Path path;
-    std::uint8_t sequence = 0; ///< of the next frame
+    std::uint8_t sequence = 0;      ///< of the next frame
     std::optional<TimePoint> heard; ///< a vehicle in clear was taken there, not long ago
-    bool fixed = false;        ///< named by the operator, so it needs no sign of life
+    bool fixed = false;             ///< named by the operator, so it needs no sign of life
 };
 
 class RouteTable

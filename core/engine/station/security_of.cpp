@@ -15,7 +15,8 @@ Security securityOf(const Snapshot &snapshot)
         return Security::Sealed;
     }
     const auto isClear = [](const VehicleSnapshot &vehicle) { return !vehicle.session; };
-    const bool plain = !snapshot.pendingApproval.empty() || std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), isClear);
+    const bool plain = !snapshot.pendingApproval.empty()
+        || std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), isClear);
     return plain ? Security::Plain : Security::Nothing;
 }
 

@@ -23,11 +23,11 @@ namespace skyseal::engine {
 
 /// What the operator must see at one glance.
 enum class Security : std::uint8_t {
-    Nothing,     ///< nobody there
-    Plain,       ///< clear MAVLink: "not sealed"
+    Nothing, ///< nobody there
+    Plain,   ///< clear MAVLink: "not sealed"
     Sealed,
-    Switching,   ///< sealed, another suite is being agreed
-    UnderAttack  ///< sealed, and somebody forges or replays records; see isAttacked()
+    Switching,  ///< sealed, another suite is being agreed
+    UnderAttack ///< sealed, and somebody forges or replays records; see isAttacked()
 };
 
 struct SessionSnapshot
@@ -35,11 +35,11 @@ struct SessionSnapshot
     channel::SessionInfo info;
     channel::SessionStats stats;
     SuiteCost cost;
-    std::string fingerprint;   ///< of the peer's key
+    std::string fingerprint; ///< of the peer's key
     std::string remoteAddress;
-    double age = 0;            ///< seconds since the session is up
+    double age = 0; ///< seconds since the session is up
     std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0, goodLastMinute = 0;
-    double lossPercent = 0;    ///< to us, over the last second
+    double lossPercent = 0;     ///< to us, over the last second
     double peerLossPercent = 0; ///< to the peer, over the last second
 };
 
@@ -66,11 +66,11 @@ struct VehicleSnapshot
     LinkId link{};
     std::optional<channel::SessionId> session; ///< over which it was heard last, also when that ended since; empty: plain
     std::optional<EndedSession> ended;         ///< that session, unless it is up or another one with the same peer is
-    double lossPercent = 0; ///< by MAVLink sequence numbers, over the last second
+    double lossPercent = 0;                    ///< by MAVLink sequence numbers, over the last second
     double framesPerSecond = 0;
     std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until asked for; shared while unchanged
     std::uint32_t parametersExpected = 0;
-    std::shared_ptr<const std::vector<vehicle::MissionItem>> mission;  ///< as last read from the vehicle
+    std::shared_ptr<const std::vector<vehicle::MissionItem>> mission; ///< as last read from the vehicle
 };
 
 /// One row of the inspector: a kind of message of one sender. Filled only while an inspector is watching.
@@ -85,7 +85,7 @@ struct InspectorRow
     bool isSigned = false;
     std::uint8_t payloadSize = 0;
     std::array<std::uint8_t, 255> payload{}; ///< of the newest one, zero-filled
-    double age = 0; ///< seconds
+    double age = 0;                          ///< seconds
 };
 
 /// One point of the diagnostics' time lines, four a second.
@@ -102,20 +102,20 @@ struct MetricsSample
     double peerLossPercent = 0; ///< channel, to the peer
     double mavlinkLossPercent = 0;
     double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, as its agent counts and tells once a second
-    double processCpuPercent = 0; ///< of one core, all threads; over the last second
-    double ioCpuPercent = 0;      ///< of the thread that receives, opens, parses and sends
-    double suiteCpuPercent = 0;   ///< of one core, in seal and open
-    double openNsP50 = 0, openNsP99 = 0; ///< see SuiteCost
+    double processCpuPercent = 0;                      ///< of one core, all threads; over the last second
+    double ioCpuPercent = 0;                           ///< of the thread that receives, opens, parses and sends
+    double suiteCpuPercent = 0;                        ///< of one core, in seal and open
+    double openNsP50 = 0, openNsP99 = 0;               ///< see SuiteCost
     double openNextNsP50 = 0, openNextNsP99 = 0;
     double sealNsP50 = 0, sealNsP99 = 0;
-    double latency = vehicle::kUnknown;   ///< seconds there and back by TIMESYNC, of the vehicle heard last
-    double roundTrip = vehicle::kUnknown; ///< seconds, of the channel's own reports
+    double latency = vehicle::kUnknown;           ///< seconds there and back by TIMESYNC, of the vehicle heard last
+    double roundTrip = vehicle::kUnknown;         ///< seconds, of the channel's own reports
     double rxOverheadPercent = vehicle::kUnknown; ///< datagram bytes beyond the frames in them, over the last second
     double txOverheadPercent = vehicle::kUnknown;
     double rxBytesPerSecond = 0, txBytesPerSecond = 0; ///< all links, datagrams as they are
     std::uint64_t residentBytes = 0;
     double sessionBytes = vehicle::kUnknown; ///< heap of a session under this suite; for whoever shows samples to fill in
-    double powerWatts = vehicle::kUnknown; ///< of the whole processor, by the kernel's counters; over the last second
+    double powerWatts = vehicle::kUnknown;   ///< of the whole processor, by the kernel's counters; over the last second
     /// Signs of an attack so far: forged records, clear frames, and replayed ones where they outnumber the good.
     std::uint64_t refused = 0;
 };
@@ -170,9 +170,9 @@ struct Snapshot
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy; held-back ones included
-    std::uint64_t spoofed = 0; ///< sealed frames that spoke as a system which their peer may not speak as
-    MavlinkTotals mavlink;   ///< since the start, all links
-    ChannelTotals channel;   ///< since the start, ended sessions included
+    std::uint64_t spoofed = 0;          ///< sealed frames that spoke as a system which their peer may not speak as
+    MavlinkTotals mavlink;              ///< since the start, all links
+    ChannelTotals channel;              ///< since the start, ended sessions included
     std::shared_ptr<const Probe> probe; ///< null unless the station is being measured
 };
 

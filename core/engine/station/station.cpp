@@ -39,8 +39,7 @@ public:
 
     StationWorker(StationConfig config, std::unique_ptr<SecretFiles> secrets)
         : m_config(std::move(config)), m_secrets(std::move(secrets))
-    {
-    }
+    {}
 
     void begin()
     {
@@ -289,8 +288,7 @@ void Station::requestParameters(std::uint8_t systemId)
 void Station::writeParameter(std::uint8_t systemId, std::string name, double value)
 {
     d->post([=, name = std::move(name)](StationCore &core) {
-        core.withVehicle(systemId,
-                         [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
+        core.withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
     });
 }
 

@@ -25,7 +25,7 @@ struct StationConfig
     bool lowBandwidth = false; ///< ask vehicles for slower streams
     double streamRate = 0;     ///< Hz for every stream of every vehicle, instead of a profile; 0 = the profile's
     Duration timeSyncEvery = std::chrono::seconds(1); ///< how often latency is measured
-    int snapshotsPerSecond = 30; ///< at most 30
+    int snapshotsPerSecond = 30;                      ///< at most 30
 };
 
 } // namespace skyseal::engine

@@ -223,8 +223,8 @@ void StationCore::noteRemoteOf(link::Link &link)
 {
     const link::LinkState state = link.state();
     const link::LinkScheme scheme = link.url().scheme();
-    const bool hasOneRemote =
-        scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp || scheme == link::LinkScheme::Serial;
+    const bool hasOneRemote = scheme == link::LinkScheme::UdpOut || scheme == link::LinkScheme::Tcp
+        || scheme == link::LinkScheme::Serial;
     const bool listensOnly = m_mavsec.contains(link.id());
     if (state == link::LinkState::Connected && hasOneRemote && !listensOnly && secureMode() != SecureMode::Required)
         m_routes.addFixed({link.id(), link.remote()});

@@ -188,12 +188,12 @@ private:
     void repeatGoodbye(TimePoint now, const Path &from);
 
     StationConfig m_config;
-    std::optional<Protection> m_protection; ///< of a measurement
+    std::optional<Protection> m_protection;         ///< of a measurement
     std::vector<ChannelDriver::Goodbye> m_goodbyes; ///< of the sessions that it ended
     TimePoint m_goodbyeAgain{};
     std::optional<crypto::SuiteId> m_heldSuite; ///< of a measurement: every session begins with it
     std::optional<crypto::SuiteId> m_nextSuite; ///< the next session begins with it
-    std::vector<crypto::SuiteId> m_suites; ///< as they were configured, before the weak ones were taken out
+    std::vector<crypto::SuiteId> m_suites;      ///< as they were configured, before the weak ones were taken out
     StationSinks m_sinks;
     std::unique_ptr<SecretFiles> m_secrets;
     LinkPool m_links;
@@ -220,7 +220,7 @@ private:
     UnansweringAgents m_unanswering{std::string()};
     UnknownAgents m_unknownAgents;
     PendingVehicles m_pendingVehicles;
-    std::uint64_t m_garbage = 0;      ///< datagrams that are neither records nor MAVLink
+    std::uint64_t m_garbage = 0; ///< datagrams that are neither records nor MAVLink
     std::uint64_t m_frameBytes = 0;
     std::uint64_t m_waitingBytes = 0, m_waitingDatagrams = 0; ///< see Probe
     bool m_readerAlive = true;

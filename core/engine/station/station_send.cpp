@@ -39,7 +39,7 @@ void StationCore::serveVehicle(TimePoint now, std::uint8_t systemId, vehicle::Ve
         if (sealed && done->unanswered && done->transfer != vehicle::MissionTransfer::Download)
             done->reason += kMaybeObserver;
         notify(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
-                                 std::move(done->reason)});
+                                   std::move(done->reason)});
     }
     while (auto written = vehicle.pollParameterResult()) {
         if (sealed && written->unanswered)
@@ -76,8 +76,8 @@ bool StationCore::mayBeatAt(const Route &route) const
 void StationCore::send(TimePoint now, Route &route, const vehicle::OutMessage &message)
 {
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-    const ByteView frame = mavlink::writeFrame(buffer, 2, route.sequence, m_config.systemId, m_config.componentId,
-                                               message.id, message.crcExtra, message.minLength, message.view());
+    const ByteView frame = mavlink::writeFrame(buffer, 2, route.sequence, m_config.systemId, m_config.componentId, message.id,
+                                               message.crcExtra, message.minLength, message.view());
     if (frame.empty())
         return;
     ++route.sequence;

@@ -9,8 +9,8 @@ namespace skyseal::engine {
 MavlinkTotals StationCore::mavlinkTotals() const
 {
     const metrics::SequenceCounts counts = m_sequences.total();
-    return {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(),
-            m_sequences.evicted(), m_frameBytes};
+    return {counts.received,     counts.lost,           counts.late, counts.duplicate,
+            m_links.badFrames(), m_sequences.evicted(), m_frameBytes};
 }
 
 ChannelTotals StationCore::channelTotals() const

@@ -58,23 +58,21 @@ std::string typeNameOf(const std::string &message)
 
 void writeTables(const DialectDefinition &dialect, std::ofstream &out)
 {
-    out << kHead
-        << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
+    out << kHead << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
     for (const MessageDefinition &m : dialect.messages) {
         out << "constexpr FieldInfo k" << m.name << "[] = {\n";
         for (const FieldDefinition &f : m.fields) {
-            out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength)
-                << ", " << int(f.offset) << ", " << (f.extension ? "true" : "false") << ", "
-                << (f.isMavlinkVersion ? "true" : "false") << ", " << quoted(f.enumName) << ", " << quoted(f.units) << ", "
-                << quoted(f.printFormat) << ", " << quoted(f.invalid) << "},\n";
+            out << "    {" << quoted(f.name) << ", FieldType::" << enumeratorOf(f.type) << ", " << int(f.arrayLength) << ", "
+                << int(f.offset) << ", " << (f.extension ? "true" : "false") << ", " << (f.isMavlinkVersion ? "true" : "false")
+                << ", " << quoted(f.enumName) << ", " << quoted(f.units) << ", " << quoted(f.printFormat) << ", "
+                << quoted(f.invalid) << "},\n";
         }
         out << "};\n";
     }
     out << "\nconstexpr MessageInfo kMessages[] = {\n";
     for (const MessageDefinition &m : dialect.messages) {
         out << "    {" << m.id << ", " << quoted(m.name) << ", " << int(m.crcExtra) << ", " << int(m.minLength) << ", "
-            << int(m.maxLength) << ", " << m.targetSystemOffset << ", " << m.targetComponentOffset << ", k" << m.name
-            << "},\n";
+            << int(m.maxLength) << ", " << m.targetSystemOffset << ", " << m.targetComponentOffset << ", k" << m.name << "},\n";
     }
     out << "};\n\n";
     for (const EnumDefinition &e : dialect.enums) {
@@ -98,8 +96,8 @@ void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
 {
     out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\n";
     for (const EnumDefinition &e : dialect.enums) {
-        const bool wide =
-            std::any_of(e.entries.begin(), e.entries.end(), [](const auto &entry) { return entry.value > 0xffffffffu; });
+        const bool wide = std::any_of(e.entries.begin(), e.entries.end(),
+                                      [](const auto &entry) { return entry.value > 0xffffffffu; });
         out << "enum " << e.name << " : std::uint" << (wide ? 64 : 32) << "_t {\n";
         for (const EnumEntryDefinition &entry : e.entries)
             out << "    " << entry.name << " = " << entry.value << (entry.value > 0x7fffffffu ? "u" : "") << ",\n";
@@ -116,8 +114,8 @@ void writeMessage(const MessageDefinition &m, std::ofstream &out)
         << ", kMaxLength = " << int(m.maxLength) << ";\n\n";
     for (const FieldDefinition &f : m.fields) {
         const std::string element = cppTypeOf(f.type);
-        const std::string member =
-            f.arrayLength ? "std::array<" + element + ", " + std::to_string(f.arrayLength) + ">" : element;
+        const std::string member = f.arrayLength ? "std::array<" + element + ", " + std::to_string(f.arrayLength) + ">"
+                                                 : element;
         out << "    " << member << ' ' << f.name << (f.isMavlinkVersion ? " = 3" : "{}") << ";";
         if (!f.units.empty())
             out << " ///< " << f.units;
