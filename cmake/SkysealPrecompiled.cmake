@@ -10,8 +10,10 @@ set(ui_headers ${engine_headers} <QtCore/QAbstractItemModel> <QtCore/QSettings> 
   <QtGui/QPainter> <QtWidgets/QApplication> <QtWidgets/QBoxLayout> <QtWidgets/QComboBox> <QtWidgets/QDialog>
   <QtWidgets/QFormLayout> <QtWidgets/QHeaderView> <QtWidgets/QLabel> <QtWidgets/QMainWindow> <QtWidgets/QMenu>
   <QtWidgets/QPushButton> <QtWidgets/QTreeView> <QtWidgets/QWidget>)
+# QtTest's headers depend on the modules of Qt that their target links: Network in all tests, Widgets in those of windows.
 set(tests_headers ${protocol_headers} <QtCore/QCoreApplication> <QtCore/QElapsedTimer> <QtCore/QTemporaryDir> <QtTest/QTest>
   <QtTest/QSignalSpy>)
+set(ui_tests_headers ${ui_headers} <QtTest/QTest> <QtTest/QSignalSpy>)
 
 function(skyseal_precompiled_kind kind)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${kind}.cpp)
@@ -33,7 +35,10 @@ if(SKYSEAL_PCH)
     # QtTest tells each folder's tests where they are (for QFINDTESTDATA, which no test uses), so that no two folders could
     # share a precompiled header.
     set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
-    skyseal_precompiled_kind(tests Qt6::Test)
+    skyseal_precompiled_kind(tests Qt6::Test Qt6::Network)
+    if(SKYSEAL_UI)
+      skyseal_precompiled_kind(ui_tests Qt6::Test Qt6::Network Qt6::Widgets)
+    endif()
   endif()
 endif()
 

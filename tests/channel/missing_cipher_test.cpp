@@ -30,10 +30,10 @@ public:
     void commitNext(TimePoint) override { committed = true; }
     std::uint32_t sentBefore() const override { return 0; }
     void peerSentBefore(std::uint32_t) override {}
-    void notify(const Event &event) override { told.push_back(event); }
+    void notify(const Event &event) override { events.push_back(event); }
 
     std::vector<ControlMessage> said;
-    std::vector<Event> told;
+    std::vector<Event> events;
     bool committed = false;
 };
 
@@ -95,7 +95,7 @@ void MissingCipherTest::answererRefuses()
     QCOMPARE(actions.said.size(), 2u);
     for (const ControlMessage &message : actions.said)
         QVERIFY(std::holds_alternative<Refuse>(message) && std::get<Refuse>(message).id == proposal.id);
-    QVERIFY(actions.notified.empty());
+    QVERIFY(actions.events.empty());
     QVERIFY(!agents.pending());
 }
 
@@ -108,9 +108,9 @@ void MissingCipherTest::proposerGivesUp()
     stations.handle(TimePoint(1h), Accept{std::get<Propose>(actions.said[0]).id, {}}, actions);
     QVERIFY(!actions.committed);
     QVERIFY(!stations.pending());
-    QCOMPARE(actions.notified.size(), 2u);
-    QVERIFY(std::holds_alternative<SwitchDone>(actions.notified[1]));
-    QCOMPARE(std::get<SwitchDone>(actions.notified[1]).failure, SwitchFailure::NotAllowedHere);
+    QCOMPARE(actions.events.size(), 2u);
+    QVERIFY(std::holds_alternative<SwitchDone>(actions.events[1]));
+    QCOMPARE(std::get<SwitchDone>(actions.events[1]).failure, SwitchFailure::NotAllowedHere);
 }
 
 QTEST_GUILESS_MAIN(MissingCipherTest)

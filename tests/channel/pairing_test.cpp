@@ -281,7 +281,7 @@ void PairingTest::namesAreCleaned()
     QCOMPARE(sent(""), std::string());
     QCOMPARE(sent("a b\n\x1b[2Jc"), std::string("a-b---2Jc"));
     QCOMPARE(sent(std::string(40, 'x')), std::string(24, 'x'));
-    QCOMPARE(sent(std::string(23, 'x') + "\xc3\xbc"), std::string(23, 'x')); // Not half of an umlaut.
+    QCOMPARE(sent(std::string(23, 'x').append("\xc3\xbc")), std::string(23, 'x')); // Not half of an umlaut.
     QCOMPARE(sent("K\xc3\xb6ln"), std::string("K\xc3\xb6ln"));
     const auto bytes = PairingAbout{}.write();
     QVERIFY(!PairingAbout::read(ByteView(bytes).first(25)));
