@@ -59,13 +59,13 @@ Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground
 {
     if (!ground)
         return {};
-    const link::LinkScheme scheme = ground->scheme();
-    if (scheme == link::LinkScheme::UdpIn || scheme == link::LinkScheme::Tlog) {
+    const link::LinkTraits traits = ground->traits();
+    if (traits.isDatagramServer() || traits.isRecording) {
         options.fail("--ground " + ground->toText()
                      + ": the agent announces itself to the station, so this is udpout:HOST:PORT, tcp:HOST:PORT or a serial "
                        "line");
     }
-    const bool datagrams = scheme == link::LinkScheme::UdpOut;
+    const bool datagrams = traits.isDatagramClient();
     const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
     if (asked == "tunnel")
         return Carrier::Tunnel;

@@ -19,7 +19,7 @@ app::SimSettings settingsFrom(app::Options &options)
         options.fail("--link is missing");
     settings.links = options.urls("link");
     for (const link::LinkUrl &url : settings.links) {
-        if (url.scheme() == link::LinkScheme::Tlog)
+        if (url.traits().isRecording)
             options.fail("--link '" + url.toText() + "': a vehicle cannot fly on a log");
     }
     settings.vehicles = static_cast<int>(options.wholeNumber("vehicles", 1, kMostVehicles));

@@ -13,7 +13,7 @@ SimLink::SimLink(const link::LinkUrl &url, LinkId id, Receive receive)
 
 void SimLink::send(TimePoint now, ByteView frame)
 {
-    if (m_link->url().scheme() != link::LinkScheme::UdpIn) {
+    if (!m_link->traits().isDatagramServer()) {
         m_link->send(Address{}, frame);
         return;
     }

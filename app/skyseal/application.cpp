@@ -224,7 +224,7 @@ void Application::beginDemo()
     quint16 port = kUsualPort;
     const auto url = m_options.links.empty() ? link::LinkUrl::parse(m_window->settings().defaultLink.toStdString())
                                              : m_options.links.front();
-    if (url && url->scheme() == link::LinkScheme::UdpIn && url->port() != 0)
+    if (url && url->traits().isDatagramServer() && url->port() != 0)
         port = url->port();
     m_demo->start(port);
     m_demoFlight = std::make_unique<DemoFlight>(*m_station);
@@ -233,7 +233,7 @@ void Application::beginDemo()
 void Application::followLink(const link::LinkUrl &url)
 {
     // The operator listens elsewhere because the port was taken: the demo's agent follows.
-    if (m_demo && url.scheme() == link::LinkScheme::UdpIn && url.port() != 0)
+    if (m_demo && url.traits().isDatagramServer() && url.port() != 0)
         m_demo->start(url.port());
 }
 

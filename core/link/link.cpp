@@ -17,7 +17,7 @@ const char *name(LinkState state)
 }
 
 Link::Link(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options)
-    : m_url(std::move(url)), m_id(id), m_listener(listener), m_options(options)
+    : m_url(std::move(url)), m_traits(m_url.traits()), m_id(id), m_listener(listener), m_options(options)
 {}
 
 Link::~Link() = default;

@@ -98,12 +98,13 @@ public:
 
     LinkId id() const { return m_id; }
     const LinkUrl &url() const { return m_url; }
+    /// Fixed from construction on; a member, cheap enough to ask for each block.
+    const LinkTraits &traits() const { return m_traits; }
     LinkState state() const { return m_state; }
     /// Why the state is Waiting, Failed or Ended; code None otherwise.
     const LinkError &error() const { return m_error; }
 
-    /// True when blocks are pieces of a byte stream, false when each is a datagram.
-    virtual bool isStream() const = 0;
+    bool isStream() const { return m_traits.isStream; }
     /// Our own address while one is bound.
     virtual std::optional<Address> localEndpoint() const { return std::nullopt; }
     /// Where the link listens or sends from, for people: "0.0.0.0:14550", the device, the file. Before it is bound, what
@@ -139,6 +140,7 @@ protected:
 
 private:
     const LinkUrl m_url;
+    const LinkTraits m_traits;
     const LinkId m_id;
     LinkListener &m_listener;
     const LinkOptions m_options;

@@ -12,6 +12,7 @@ namespace skyseal::link {
 static constexpr std::array kSchemes{LinkScheme::UdpIn, LinkScheme::UdpOut, LinkScheme::Tcp,
                                      LinkScheme::TcpIn, LinkScheme::Serial, LinkScheme::Tlog};
 static constexpr std::uint32_t kDefaultBaud = 57600; // what telemetry radios come with
+static constexpr std::uint32_t kSlowBaud = 230400;   // telemetry radios; the wire to a companion computer is faster
 static constexpr std::size_t kLongestName = 253;     // RFC 1035 2.3.4, in text
 
 const char *name(LinkScheme scheme)
@@ -193,6 +194,19 @@ private:
 Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text, std::string_view unnamedHost)
 {
     return LinkUrlParser(text, unnamedHost).run();
+}
+
+LinkTraits LinkUrl::traits() const
+{
+    switch (m_scheme) {
+    case LinkScheme::UdpIn: return {.isListening = true};
+    case LinkScheme::UdpOut: return {.hasOneRemote = true};
+    case LinkScheme::Tcp: return {.isStream = true, .hasOneRemote = true};
+    case LinkScheme::TcpIn: return {.isStream = true, .isListening = true};
+    case LinkScheme::Serial: return {.isStream = true, .hasOneRemote = true, .isSlow = m_baud <= kSlowBaud};
+    case LinkScheme::Tlog: return {.isRecording = true};
+    }
+    return {};
 }
 
 LinkUrl LinkUrl::withPort(std::uint16_t port) const

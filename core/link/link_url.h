@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/link/link_traits.h"
 
 #include <cstdint>
 #include <string>
@@ -30,7 +31,8 @@ public:
     static constexpr std::string_view kLoopback = "127.0.0.1";
 
     LinkScheme scheme() const { return m_scheme; }
-    bool isListening() const { return m_scheme == LinkScheme::UdpIn || m_scheme == LinkScheme::TcpIn; }
+    LinkTraits traits() const;
+    bool isListening() const { return traits().isListening; }
     /// Name or address without brackets; empty for serial and tlog.
     const std::string &host() const { return m_host; }
     std::uint16_t port() const { return m_port; }

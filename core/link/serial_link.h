@@ -20,8 +20,6 @@ public:
     SerialLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~SerialLink() override;
 
-    bool isStream() const override { return true; }
-
     void open() override;
     void close() override;
     /// A line has one other end: the address says nothing.

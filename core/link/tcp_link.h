@@ -19,7 +19,6 @@ public:
     TcpLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~TcpLink() override;
 
-    bool isStream() const override { return true; }
     std::optional<Address> localEndpoint() const override;
     std::string localAddress() const override;
     Address remote() const override { return m_peer ? m_peer->path().remote : Address{}; }

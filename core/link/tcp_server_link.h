@@ -27,7 +27,6 @@ public:
     TcpServerLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~TcpServerLink() override;
 
-    bool isStream() const override { return true; }
     std::optional<Address> localEndpoint() const override;
     std::string localAddress() const override;
     std::size_t clients() const { return m_clients.size(); }

@@ -20,8 +20,6 @@ public:
     TlogLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~TlogLink() override;
 
-    bool isStream() const override { return false; }
-
     /// From the beginning, also after Ended.
     void open() override;
     void close() override;

@@ -17,7 +17,6 @@ class UdpLink final : public Link
 public:
     UdpLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
 
-    bool isStream() const override { return false; }
     std::optional<Address> localEndpoint() const override;
     std::string localAddress() const override;
     Address remote() const override { return m_remote; }

@@ -12,7 +12,6 @@ class UnsupportedLink final : public Link
 public:
     using Link::Link;
 
-    bool isStream() const override { return true; }
     void open() override
     {
         setState(LinkState::Failed,

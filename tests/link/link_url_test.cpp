@@ -16,6 +16,8 @@ private Q_SLOTS:
     void accepts_data();
     void accepts();
     void unnamedHostIsTheCallersChoice();
+    void traits_data();
+    void traits();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
@@ -69,6 +71,31 @@ void LinkUrlTest::unnamedHostIsTheCallersChoice()
     QCOMPARE(parsed("udpin::14551"), std::string("udpin:127.0.0.1:14551"));
     QCOMPARE(parsed("tcpin://5760"), std::string("tcpin:127.0.0.1:5760"));
     QCOMPARE(parsed("udpin:0.0.0.0:14551"), std::string("udpin:0.0.0.0:14551"));
+}
+
+void LinkUrlTest::traits_data()
+{
+    QTest::addColumn<std::string>("text");
+    QTest::addColumn<LinkTraits>("traits");
+    const auto row = [](const char *text, LinkTraits traits) { QTest::newRow(text) << std::string(text) << traits; };
+    row("udpin:14550", {.isListening = true});
+    row("udpout:h:1", {.hasOneRemote = true});
+    row("tcp:h:1", {.isStream = true, .hasOneRemote = true});
+    row("tcpin:1", {.isStream = true, .isListening = true});
+    row("serial:/dev/ttyUSB0:57600", {.isStream = true, .hasOneRemote = true, .isSlow = true});
+    row("serial:/dev/ttyUSB0:230400", {.isStream = true, .hasOneRemote = true, .isSlow = true});
+    row("serial:/dev/ttyUSB0:460800", {.isStream = true, .hasOneRemote = true});
+    row("tlog:a.tlog", {.isRecording = true});
+}
+
+void LinkUrlTest::traits()
+{
+    QFETCH(std::string, text);
+    QFETCH(LinkTraits, traits);
+    const LinkUrl url = LinkUrl::parse(text).value();
+    QVERIFY(url.traits() == traits);
+    QCOMPARE(url.traits().isDatagramServer(), text.starts_with("udpin:"));
+    QCOMPARE(url.traits().isDatagramClient(), text.starts_with("udpout:"));
 }
 
 void LinkUrlTest::refuses_data()
