@@ -4,6 +4,7 @@
 
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/station_core.h"
+#include "core/mavlink/frame_intake.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 
@@ -83,7 +84,7 @@ private:
     std::unique_ptr<engine::SecretFiles> m_secrets;
     engine::LinkPool m_links;
     std::unique_ptr<engine::ChannelDriver> m_channel;
-    engine::FrameIntake m_intake;
+    mavlink::FrameIntake m_intake;
     std::unique_ptr<BareEnd> m_air;
     Traffic m_telemetry{kFrames};
     std::size_t m_received = 0;

@@ -281,7 +281,7 @@ void AgentCore::beat(TimePoint now)
 
 void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item)
 {
-    if (isDamagedFrame(item))
+    if (mavlink::isDamagedFrame(item))
         m_links.countBadFrame(from.link);
     if (!isWhole(item))
         return;

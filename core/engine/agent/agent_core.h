@@ -9,7 +9,8 @@
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/agent/clear_packet.h"
 #include "core/engine/common/deadline_timer.h"
-#include "core/engine/common/frame_intake.h"
+#include "core/engine/common/sealed_in_place.h"
+#include "core/mavlink/frame_intake.h"
 #include "core/engine/common/link_pool.h"
 #include "core/engine/common/pairing_driver.h"
 #include "core/engine/common/secret_files.h"
@@ -138,7 +139,7 @@ private:
     ChannelDriver m_channel;
     PairingDriver m_pairing;
     SenderPolicy m_policy;
-    FrameIntake m_intake;
+    mavlink::FrameIntake m_intake;
     CarrierReader m_carriers;
     ClearPacket m_clear; ///< to the ground
     VehicleRoutes m_routes;

@@ -9,7 +9,8 @@
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/channel_driver.h"
 #include "core/engine/common/deadline_timer.h"
-#include "core/engine/common/frame_intake.h"
+#include "core/engine/common/sealed_in_place.h"
+#include "core/mavlink/frame_intake.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/pending_vehicles.h"
 #include "core/engine/station/inspector_table.h"
@@ -200,7 +201,7 @@ private:
     std::unique_ptr<ChannelDriver> m_channel; ///< null without keys or with SecureMode::Off
     std::unique_ptr<PairingDriver> m_pairing; ///< null as well then
     SenderPolicy m_policy;
-    FrameIntake m_intake;
+    mavlink::FrameIntake m_intake;
     CarrierReader m_carriers;
     std::map<LinkId, MavsecStream> m_mavsec;
     RouteTable m_routes;

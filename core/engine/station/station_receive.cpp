@@ -131,7 +131,7 @@ void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Del
     std::uint64_t frames = 0;
     m_intake.takeDatagram(delivery.frames, [&](const mavlink::ScanItem &item) {
         if (!item.frame) {
-            if (isDamagedFrame(item))
+            if (mavlink::isDamagedFrame(item))
                 m_links.countBadFrame(from.link);
             return;
         }
@@ -148,7 +148,7 @@ void StationCore::takeSealed(TimePoint now, const Path &from, const channel::Del
 void StationCore::takeClear(TimePoint now, const Path &from, const mavlink::ScanItem &item)
 {
     if (!item.frame) {
-        if (isDamagedFrame(item))
+        if (mavlink::isDamagedFrame(item))
             m_links.countBadFrame(from.link);
         return;
     }

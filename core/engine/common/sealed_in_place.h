@@ -1,0 +1,18 @@
+// Recognises MAVLink frames that were sealed in place (core/channel/PROTOCOL.md, section 12). Lives here because it needs
+// both the channel and MAVLink. No state.
+#pragma once
+
+#include "core/channel/endpoint.h"
+#include "core/mavlink/frame_scanner.h"
+
+namespace skyseal::engine {
+
+/// True for a whole frame that carries the marks of one sealed in place; only the channel can read it.
+inline bool isSealedInPlace(const mavlink::ScanItem &item)
+{
+    const bool whole = item.fault == mavlink::FrameFault::UnknownIncompatFlags
+        || item.fault == mavlink::FrameFault::UnknownMessage;
+    return !item.frame && whole && channel::Endpoint::ownsFrame(item.bytes);
+}
+
+} // namespace skyseal::engine

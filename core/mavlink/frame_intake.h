@@ -1,0 +1,51 @@
+// Extracts MAVLink frames from the blocks that links deliver: a datagram holds whole frames; a stream is cut anywhere, so
+// each remote end gets a parser of its own. Runs on the thread of its owner; no I/O and no clock.
+#pragma once
+
+#include "core/base/path.h"
+#include "core/mavlink/stream_parser.h"
+
+#include <map>
+#include <memory>
+
+namespace skyseal::mavlink {
+
+class FrameIntake
+{
+public:
+    /// `dialect` must outlive this object.
+    explicit FrameIntake(const Dialect &dialect) : m_dialect(&dialect) {}
+
+    /// Calls `deliver(const ScanItem &)` for every frame and every damaged region of one datagram.
+    template<typename Deliver> void takeDatagram(ByteView bytes, Deliver &&deliver)
+    {
+        FrameScanner scanner(bytes, *m_dialect);
+        while (const auto item = scanner.next())
+            deliver(*item);
+    }
+
+    /// The same for the next piece of the byte stream from `from`. An incomplete frame is kept until its end arrives.
+    template<typename Deliver> void takeStream(const Path &from, ByteView bytes, Deliver &&deliver)
+    {
+        auto &parser = m_streams[from];
+        if (!parser)
+            parser = std::make_unique<StreamParser>(*m_dialect);
+        parser->feed(bytes, deliver);
+    }
+
+    /// Drops the incomplete frame of a stream. Call it when a stream begins or ends.
+    void forget(const Path &from) { m_streams.erase(from); }
+
+private:
+    const Dialect *m_dialect;
+    std::map<Path, std::unique_ptr<StreamParser>> m_streams;
+};
+
+/// True for a frame with a wrong checksum or a truncated one. Noise between frames, such as the console text of an autopilot
+/// that boots, does not count as damage.
+inline bool isDamagedFrame(const ScanItem &item)
+{
+    return !item.frame && (item.fault == FrameFault::BadCrc || item.fault == FrameFault::Truncated);
+}
+
+} // namespace skyseal::mavlink
