@@ -1,7 +1,8 @@
 // What both roles of an endpoint share: its sessions, whom it knows, and how it tells about either.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/counter_store.h"
+#include "core/channel/endpoint_config.h"
 #include "core/channel/handshake.h"
 #include "core/channel/mac1.h"
 #include "core/channel/session_table.h"

@@ -4,15 +4,13 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/channel/policy.h"
+#include "core/channel/session_id.h"
 #include "core/channel/stats.h"
 
 #include <string>
 #include <variant>
 
 namespace skyseal::channel {
-
-/// One session of an endpoint; never reused while the endpoint lives. It survives changes of address and suite.
-enum class SessionId : std::uint32_t {};
 
 /// A session is up: both ends have proven their keys. Sent once per handshake, also when a peer came back after a restart.
 struct SessionUp

@@ -14,7 +14,8 @@
 #pragma once
 
 #include "core/channel/control.h"
-#include "core/channel/endpoint.h"
+#include "core/channel/events.h"
+#include "core/channel/timing.h"
 
 #include <optional>
 

@@ -15,8 +15,9 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/base/random_source.h"
-#include "core/channel/endpoint.h"
+#include "core/channel/delivery.h"
 #include "core/channel/policy.h"
+#include "core/channel/role.h"
 #include "core/crypto/x25519.h"
 
 #include <memory>

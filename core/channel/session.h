@@ -2,7 +2,12 @@
 // everything it has to say by itself goes to the outbox, everything its owner must know to the events.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/base/random_source.h"
+#include "core/channel/cost_source.h"
+#include "core/channel/delivery.h"
+#include "core/channel/events.h"
+#include "core/channel/sealed.h"
+#include "core/channel/session_info.h"
 #include "core/channel/epochs.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/key_chain.h"

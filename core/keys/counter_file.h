@@ -8,7 +8,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/channel/endpoint.h"
+#include "core/channel/counter_store.h"
 
 #include <map>
 #include <memory>

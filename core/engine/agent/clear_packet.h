@@ -2,7 +2,7 @@
 // plain MAVLink, the two shall differ by the sealing and not by how many datagrams they make. I/O thread; nothing is allocated.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/sealed.h"
 #include "core/engine/common/link_pool.h"
 
 #include <algorithm>

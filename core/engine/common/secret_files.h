@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/channel/endpoint.h"
+#include "core/channel/counter_store.h"
 #include "core/crypto/system_random.h"
 #include "core/engine/common/key_paths.h"
 #include "core/engine/common/sealed_systems.h"

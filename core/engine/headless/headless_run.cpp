@@ -1,6 +1,6 @@
 #include "core/engine/headless/headless_run.h"
 
-#include "core/channel/endpoint.h"
+#include "core/channel/timing.h"
 #include "core/link/steady_now.h"
 
 #include <algorithm>

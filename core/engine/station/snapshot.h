@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/path.h"
-#include "core/channel/endpoint.h"
 #include "core/channel/events.h"
+#include "core/channel/session_info.h"
 #include "core/engine/station/probe.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/totals.h"

@@ -2,7 +2,7 @@
 // to notice by itself and say so instead of waiting for ever. No clock and no I/O; asked about once a second.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/session_info.h"
 #include "core/engine/station/event.h"
 
 #include <map>

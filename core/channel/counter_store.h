@@ -1,0 +1,30 @@
+// Persistent handshake counters. A first message carries a counter that must never go back, so that an agent can refuse a
+// replayed one (PROTOCOL.md, section 4). The owner of an endpoint implements this interface, usually with a file.
+#pragma once
+
+#include "core/channel/policy.h"
+
+#include <cstdint>
+
+namespace skyseal::channel {
+
+/// Called on the thread of the endpoint, rarely: once for each handshake.
+class CounterStore
+{
+public:
+    virtual ~CounterStore() = default;
+    /// Returns a counter greater than every earlier one, across restarts.
+    virtual std::uint64_t next() = 0;
+    /// Makes next() return counters greater than `counter` from then on. Returns false if that cannot be stored.
+    virtual bool skipTo(std::uint64_t counter)
+    {
+        static_cast<void>(counter);
+        return false;
+    }
+    /// Returns the greatest counter accepted from `peer`, 0 if there is none.
+    virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
+    /// Stores the counter durably. Returns false on failure; the endpoint then refuses the session.
+    virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
+};
+
+} // namespace skyseal::channel

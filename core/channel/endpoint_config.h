@@ -1,0 +1,31 @@
+// Configuration of an endpoint: plain values that its owner fills in before it makes one.
+#pragma once
+
+#include "core/base/path.h"
+#include "core/channel/policy.h"
+#include "core/channel/role.h"
+#include "core/channel/timing.h"
+#include "core/crypto/x25519.h"
+
+#include <memory>
+#include <vector>
+
+namespace skyseal::channel {
+
+class MessageTraits;
+
+struct Config
+{
+    Role role = Role::Station;
+    std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
+    std::vector<Peer> peers;
+    Policy policy;
+    Timing timing;
+    /// An agent's announcement targets; it adds the addresses of authenticated sessions. An all-zero address stands for the
+    /// single peer of a link that has only one.
+    std::vector<Path> announceTo;
+    /// Layout of MAVLink messages. Null disables inline framing regardless of the policy.
+    std::shared_ptr<const MessageTraits> messageTraits = nullptr;
+};
+
+} // namespace skyseal::channel
