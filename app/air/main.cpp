@@ -25,17 +25,23 @@ namespace {
 
 const QString kName = QStringLiteral("skyseal-air");
 
+/// The agent sends the first message, so it needs a remote end, or a byte stream that a station opens.
+bool leadsToStation(const link::LinkTraits &traits)
+{
+    return !traits.isRecording && !traits.isDatagramServer();
+}
+
 void declare(Options &options)
 {
-    options.addValue("vehicle", "URL",
-                     "Plain MAVLink to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or tcp:127.0.0.1:5760. "
-                     "udpin and tcpin without a host listen on 127.0.0.1: anybody who reaches that port flies the vehicle.");
-    options.addValue("ground", "URL",
-                     "Sealed link to the ground station: udpout:HOST:PORT, tcp:HOST:PORT, serial:/dev/NAME:BAUD.");
+    options.addLink("vehicle",
+                    "Plain MAVLink link to the autopilot, e.g. serial:/dev/ttyAMA0:921600, udpin:14551 or "
+                    "tcp:127.0.0.1:5760. A listening link without a host listens on 127.0.0.1: any program that reaches that "
+                    "port can control the vehicle.");
+    options.addLink("ground", "Sealed link to the ground station; the agent announces itself there.", leadsToStation);
     options.addValue("carrier", "datagram|serial|tunnel",
-                     "In what sealed records travel there: each in a datagram (udpout); in COBS frames, on a line that only "
-                     "the two ends share (tcp, tcpin, serial); in MAVLink TUNNEL messages, through MAVLink routers and "
-                     "radios (on any link). Without it: datagram or serial, as the link is. The station finds out.");
+                     "How sealed records travel on the ground link: one per datagram; in COBS frames, on a byte stream that "
+                     "only the two ends share; or in MAVLink TUNNEL messages, through MAVLink routers and radios (any link). "
+                     "Default: datagram or serial, depending on the link. The station detects the carrier.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
@@ -59,13 +65,7 @@ Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground
 {
     if (!ground)
         return {};
-    const link::LinkTraits traits = ground->traits();
-    if (traits.isDatagramServer() || traits.isRecording) {
-        options.fail("--ground " + ground->toText()
-                     + ": the agent announces itself to the station, so this is udpout:HOST:PORT, tcp:HOST:PORT or a serial "
-                       "line");
-    }
-    const bool datagrams = traits.isDatagramClient();
+    const bool datagrams = !ground->traits().isStream;
     const std::string asked = options.has("carrier") ? options.text("carrier") : datagrams ? "datagram" : "serial";
     if (asked == "tunnel")
         return Carrier::Tunnel;

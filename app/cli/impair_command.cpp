@@ -18,8 +18,8 @@ namespace {
 
 void declare(Options &options)
 {
-    options.addValue("listen", "URL", "Where one side sends to, e.g. udpin:127.0.0.1:14560.");
-    options.addValue("to", "URL", "The other side, e.g. udpout:127.0.0.1:14550.");
+    options.addLink("listen", "The link to one side, e.g. udpin:127.0.0.1:14560.");
+    options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.");
     options.addValue("loss", "P", "Share of datagrams that vanish, 0 to 1.", "0");
     options.addValue("duplicate", "P", "Share that arrives twice.", "0");
     options.addValue("reorder", "P", "Share that is overtaken by later ones.", "0");

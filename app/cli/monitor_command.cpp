@@ -25,8 +25,7 @@ constexpr double kLongestRun = 1e9;
 
 void declare(Options &options)
 {
-    options.addValue("link", "URL",
-                     "Where vehicles or their agents are, e.g. udpin:0.0.0.0:14550. May be given several times.");
+    options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
     options.addValue("secure", "required|off",
                      "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
     options.addValue("identity", "FILE", "Private key of this station.");

@@ -12,8 +12,7 @@ using experiment::Load;
 
 void declare(Options &options)
 {
-    options.addValue("link", "URL",
-                     "Where the vehicle's agent is. Without it a simulator and an agent are started for the sweep.");
+    options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.");
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: vehicles' agents whose keys are confirmed.");
     options.addFlag("allow-research", "With --link: also suites that are not secure.");

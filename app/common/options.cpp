@@ -82,6 +82,12 @@ void Options::addValue(const char *name, const char *placeholder, const char *he
     m_parser.addOption({QLatin1String(name), QString::fromUtf8(help), QLatin1String(placeholder), QLatin1String(preset)});
 }
 
+void Options::addLink(const char *name, const char *help, LinkFilter accepted, const char *preset)
+{
+    m_links[name] = accepted;
+    addValue(name, "URL", (std::string(help) + " Forms: " + link::linkForms(accepted) + ".").c_str(), preset);
+}
+
 void Options::addArgument(const char *name, const char *help)
 {
     m_parser.addPositionalArgument(QLatin1String(name), QString::fromUtf8(help), QLatin1String(name));
@@ -209,6 +215,11 @@ std::optional<link::LinkUrl> Options::parsedUrl(const std::string &option, const
     auto parsedText = link::LinkUrl::parse(text, unnamedHost);
     if (!parsedText) {
         fail("--" + option + " " + quoted(text) + ": " + parsedText.error().message);
+        return std::nullopt;
+    }
+    const LinkFilter accepted = m_links.at(option);
+    if (accepted && !accepted(parsedText->traits())) {
+        fail("--" + option + " " + quoted(text) + ": " + link::linkForms(accepted) + " is expected");
         return std::nullopt;
     }
     return std::move(*parsedText);

@@ -8,6 +8,7 @@
 #include <QtCore/QCommandLineParser>
 #include <QtCore/QStringList>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ public:
 
     void addFlag(const char *name, const char *help);
     void addValue(const char *name, const char *placeholder, const char *help, const char *preset = "");
+    /// An option whose value is a link URL. Its help ends with the forms of the link types that `accepted` admits (all when
+    /// it is null); url() and urls() refuse the others.
+    using LinkFilter = bool (*)(const link::LinkTraits &);
+    void addLink(const char *name, const char *help, LinkFilter accepted = nullptr, const char *preset = "");
     void addArgument(const char *name, const char *help);
 
     /// `arguments` without the program's name. An exit status when there is nothing more to do: help or version was printed,
@@ -45,7 +50,7 @@ public:
     /// Names separated by commas; "all" = every authenticated suite. None may come twice. `plainToo`: an error that lists the
     /// suites names plain MAVLink among them.
     std::vector<crypto::SuiteId> suites(const char *name, bool plainToo = false);
-    /// A listening link whose host was left out listens on `unnamedHost`.
+    /// A link that was declared with addLink(). A listening link whose host was left out listens on `unnamedHost`.
     std::optional<link::LinkUrl> url(const char *name, std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     std::vector<link::LinkUrl> urls(const char *name);
     /// The positional arguments; a problem when there are fewer or more.
@@ -60,6 +65,7 @@ private:
 
     QString m_name;
     QCommandLineParser m_parser;
+    std::map<std::string, LinkFilter> m_links; ///< by the name of their option
     std::string m_problem;
 };
 

@@ -18,10 +18,6 @@ app::SimSettings settingsFrom(app::Options &options)
     if (!options.has("link"))
         options.fail("--link is missing");
     settings.links = options.urls("link");
-    for (const link::LinkUrl &url : settings.links) {
-        if (url.traits().isRecording)
-            options.fail("--link '" + url.toText() + "': a vehicle cannot fly on a log");
-    }
     settings.vehicles = static_cast<int>(options.wholeNumber("vehicles", 1, kMostVehicles));
     settings.systemId = static_cast<int>(options.wholeNumber("sysid", 1, 254));
     if (settings.systemId + settings.vehicles - 1 > 254)
@@ -41,8 +37,8 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
                          QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
-    options.addValue("link", "URL",
-                     "Where to be heard: udpout:HOST:PORT, udpin:…, tcpin:…, tcp:… or serial:/dev/NAME:BAUD; may be repeated.");
+    options.addLink("link", "Link to a ground station or agent; may be given several times.",
+                    [](const link::LinkTraits &traits) { return !traits.isRecording; });
     options.addValue("vehicles", "N", "How many vehicles share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Makes wind and noise repeat.", "1");

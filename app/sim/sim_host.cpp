@@ -112,7 +112,7 @@ void SimHost::report(link::Link &link)
     if ((state == State::Listening || state == State::Connected) && !m_settings.json)
         printLine("skyseal-sim: " + who + " " + verb(link)
                   + (state == State::Listening ? link.localAddress() : link.url().toText()) + " ("
-                  + link::name(link.url().scheme()) + ")");
+                  + link.url().type().scheme + ")");
     else if (state == State::Waiting)
         remark("skyseal-sim: " + link.error().sentence() + "; trying again");
     else if (state == State::Failed) {

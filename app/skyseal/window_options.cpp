@@ -8,8 +8,8 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
 {
     constexpr double kDay = 86400;
     Options options(QStringLiteral("skyseal"), QStringLiteral("Ground control station with a sealed MAVLink link."));
-    options.addValue(
-        "link", "URL",
+    options.addLink(
+        "link",
         "Open this link; may be given several times. Without it: the link of the settings, udpin:0.0.0.0:14550 at first.");
     options.addFlag("demo", "Fly a simulated vehicle behind an agent of its own, with fresh keys.");
     options.addValue("identity", "FILE", "Private key of this station, instead of the user's own.");

@@ -3,78 +3,67 @@
 #include "core/link/address_text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <optional>
 
 namespace skyseal::link {
 
-static constexpr std::array kSchemes{LinkScheme::UdpIn, LinkScheme::UdpOut, LinkScheme::Tcp,
-                                     LinkScheme::TcpIn, LinkScheme::Serial, LinkScheme::Tlog};
-static constexpr std::uint32_t kDefaultBaud = 57600; // what telemetry radios come with
-static constexpr std::uint32_t kSlowBaud = 230400;   // telemetry radios; the wire to a companion computer is faster
-static constexpr std::size_t kLongestName = 253;     // RFC 1035 2.3.4, in text
+static constexpr std::uint32_t kSlowBaud = 230400; // telemetry radios; the wire to a companion computer is faster
+static constexpr std::size_t kLongestName = 253;   // RFC 1035 2.3.4, in text
 
-const char *name(LinkScheme scheme)
-{
-    switch (scheme) {
-    case LinkScheme::UdpIn: return "udpin";
-    case LinkScheme::UdpOut: return "udpout";
-    case LinkScheme::Tcp: return "tcp";
-    case LinkScheme::TcpIn: return "tcpin";
-    case LinkScheme::Serial: return "serial";
-    case LinkScheme::Tlog: return "tlog";
-    }
-    return "";
-}
-
-/// One run over one text; offsets into it become the columns of errors.
+/// Parses one text; offsets into it become the columns of errors.
 class LinkUrlParser
 {
 public:
-    LinkUrlParser(std::string_view text, std::string_view unnamedHost) : m_text(text), m_unnamedHost(unnamedHost) {}
-
-    Result<LinkUrl, InputError> run()
+    static Result<LinkUrl, InputError> parse(std::string_view text, std::string_view unnamedHost,
+                                             std::span<const LinkType> types)
     {
-        if (m_text.size() > 4096)
-            return error(0, "a link URL is at most 4096 characters long");
-        const auto odd = std::find_if(m_text.begin(), m_text.end(),
-                                      [](char c) { return static_cast<unsigned char>(c) < 0x20; });
-        if (odd != m_text.end())
-            return error(static_cast<std::size_t>(odd - m_text.begin()), "a link URL cannot hold control characters");
-        const std::size_t colon = m_text.find(':');
-        const auto scheme = colon == m_text.npos ? std::nullopt : schemeOf(m_text.substr(0, colon));
-        if (!scheme)
-            return error(0, "a link URL starts with udpin:, udpout:, tcp:, tcpin:, serial: or tlog:");
-        m_url.m_scheme = *scheme;
-        std::size_t at = colon + 1;
-        if (m_text.substr(at, 2) == "//")
-            at += 2;
-        switch (*scheme) {
-        case LinkScheme::Serial: return serial(at);
-        case LinkScheme::Tlog: return tlog(at);
-        default: return network(at);
+        if (text.size() > 4096)
+            return errorIn(text, 0, "a link URL is at most 4096 characters long");
+        const auto control = std::find_if(text.begin(), text.end(),
+                                          [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+        if (control != text.end())
+            return errorIn(text, static_cast<std::size_t>(control - text.begin()), "a link URL cannot hold control characters");
+        const std::size_t colon = text.find(':');
+        const LinkType *type = colon == text.npos ? nullptr : findLinkType(text.substr(0, colon), types);
+        if (!type)
+            return errorIn(text, 0, "a link URL starts with " + schemes(types));
+        const std::size_t at = colon + 1 + (text.substr(colon + 1, 2) == "//" ? 2 : 0);
+        LinkUrlParser parser(text, unnamedHost, *type);
+        switch (type->target) {
+        case LinkTarget::HostPort: return parser.network(at);
+        case LinkTarget::DeviceBaud: return parser.device(at);
+        case LinkTarget::File: break;
         }
+        return parser.file(at);
     }
 
 private:
-    static std::optional<LinkScheme> schemeOf(std::string_view word)
+    LinkUrlParser(std::string_view text, std::string_view unnamedHost, const LinkType &type)
+        : m_text(text), m_unnamedHost(unnamedHost), m_url(type)
+    {}
+
+    static std::string schemes(std::span<const LinkType> types)
     {
-        for (const LinkScheme scheme : kSchemes) {
-            const std::string_view known = name(scheme);
-            if (std::equal(word.begin(), word.end(), known.begin(), known.end(),
-                           [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; }))
-                return scheme;
-        }
-        return std::nullopt;
+        std::string out;
+        for (const LinkType &type : types)
+            out.append(out.empty() ? "" : &type == &types.back() ? " or " : ", ").append(type.scheme).append(1, ':');
+        return out;
+    }
+
+    static tl::unexpected<InputError> errorIn(std::string_view text, std::size_t at, std::string message)
+    {
+        return tl::unexpected(InputError{std::move(message), std::string(text.substr(0, 200)), 1, at + 1});
     }
 
     tl::unexpected<InputError> error(std::size_t at, std::string message) const
     {
-        return tl::unexpected(InputError{std::move(message), std::string(m_text.substr(0, 200)), 1, at + 1});
+        return errorIn(m_text, at, std::move(message));
     }
 
-    /// A whole decimal number of `digits`, or nothing.
+    const char *scheme() const { return m_url.type().scheme; }
+
+    /// The value of `digits` if they are one decimal number that fits.
     static std::optional<std::uint32_t> number(std::string_view digits)
     {
         std::uint32_t value = 0;
@@ -83,10 +72,10 @@ private:
         return failure == std::errc() && next == end && !digits.empty() ? std::optional(value) : std::nullopt;
     }
 
-    Result<LinkUrl, InputError> serial(std::size_t at)
+    Result<LinkUrl, InputError> device(std::size_t at)
     {
         std::string_view device = m_text.substr(at);
-        m_url.m_baud = kDefaultBaud;
+        m_url.m_baud = m_url.type().defaultBaud;
         if (const std::size_t colon = device.rfind(':'); colon != device.npos) {
             const auto baud = number(device.substr(colon + 1));
             if (!baud || *baud < 300 || *baud > 12'000'000)
@@ -95,15 +84,15 @@ private:
             device = device.substr(0, colon);
         }
         if (device.empty())
-            return error(at, "the device is missing, as in serial:/dev/ttyUSB0:57600");
+            return error(at, std::string("the device is missing, as in ") + scheme() + ":/dev/ttyUSB0:57600");
         m_url.m_path = device;
         return m_url;
     }
 
-    Result<LinkUrl, InputError> tlog(std::size_t at)
+    Result<LinkUrl, InputError> file(std::size_t at)
     {
         if (at == m_text.size())
-            return error(at, "the file is missing, as in tlog:flight.tlog");
+            return error(at, std::string("the file is missing, as in ") + scheme() + ":flight." + scheme());
         m_url.m_path = m_text.substr(at);
         return m_url;
     }
@@ -141,7 +130,7 @@ private:
         return takePort(at + portAt, rest.substr(portAt));
     }
 
-    std::string missingPort() const { return std::string("the port is missing, as in ") + name(m_url.m_scheme) + ":HOST:PORT"; }
+    std::string missingPort() const { return "the port is missing, as in " + m_url.type().syntax(); }
 
     std::optional<InputError> takeHost(std::size_t at, std::string_view host, bool bracketed)
     {
@@ -153,7 +142,7 @@ private:
                 return error(at, "\"" + std::string(host) + "\" is not an IPv6 address").value();
         } else if (host.empty()) {
             if (!m_url.isListening())
-                return error(at, "the host is missing, as in " + std::string(name(m_url.m_scheme)) + ":HOST:PORT").value();
+                return error(at, "the host is missing, as in " + m_url.type().syntax()).value();
             m_url.m_host = m_unnamedHost;
             return std::nullopt;
         } else if (!literal) {
@@ -191,22 +180,16 @@ private:
     LinkUrl m_url;
 };
 
-Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text, std::string_view unnamedHost)
+Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text, std::string_view unnamedHost, std::span<const LinkType> types)
 {
-    return LinkUrlParser(text, unnamedHost).run();
+    return LinkUrlParser::parse(text, unnamedHost, types);
 }
 
 LinkTraits LinkUrl::traits() const
 {
-    switch (m_scheme) {
-    case LinkScheme::UdpIn: return {.isListening = true};
-    case LinkScheme::UdpOut: return {.hasOneRemote = true};
-    case LinkScheme::Tcp: return {.isStream = true, .hasOneRemote = true};
-    case LinkScheme::TcpIn: return {.isStream = true, .isListening = true};
-    case LinkScheme::Serial: return {.isStream = true, .hasOneRemote = true, .isSlow = m_baud <= kSlowBaud};
-    case LinkScheme::Tlog: return {.isRecording = true};
-    }
-    return {};
+    LinkTraits out = m_type->traits;
+    out.isSlow = m_type->target == LinkTarget::DeviceBaud && m_baud <= kSlowBaud;
+    return out;
 }
 
 LinkUrl LinkUrl::withPort(std::uint16_t port) const
@@ -218,21 +201,16 @@ LinkUrl LinkUrl::withPort(std::uint16_t port) const
 
 std::string LinkUrl::toText() const
 {
-    std::string out = name(m_scheme);
-    out += ':';
-    if (m_scheme == LinkScheme::Serial || m_scheme == LinkScheme::Tlog) {
-        // A path that itself starts with two slashes needs the long spelling, or they would be taken for it.
-        out += m_path.starts_with("//") ? "//" : "";
-        out += m_path;
-        if (m_scheme == LinkScheme::Serial)
-            out.append(1, ':').append(std::to_string(m_baud));
-        return out;
+    const std::string scheme = std::string(m_type->scheme) + ':';
+    // A path that starts with two slashes needs the long spelling, or they would be taken for it.
+    const std::string path = (m_path.starts_with("//") ? "//" : "") + m_path;
+    switch (m_type->target) {
+    case LinkTarget::DeviceBaud: return scheme + path + ':' + std::to_string(m_baud);
+    case LinkTarget::File: return scheme + path;
+    case LinkTarget::HostPort: break;
     }
-    const bool ipv6 = m_host.find(':') != m_host.npos;
-    out += ipv6 ? "[" : "";
-    out += m_host;
-    out += ipv6 ? "]:" : ":";
-    return out.append(std::to_string(m_port));
+    const bool isIpv6 = m_host.find(':') != m_host.npos;
+    return scheme + (isIpv6 ? '[' + m_host + ']' : m_host) + ':' + std::to_string(m_port);
 }
 
 } // namespace skyseal::link

@@ -1,4 +1,4 @@
-// From a URL to the link that serves it.
+// Makes the link that a URL describes.
 #pragma once
 
 #include "core/link/link.h"
@@ -7,7 +7,8 @@
 
 namespace skyseal::link {
 
-/// A closed link; call open(). Must be made on the thread that it will live on. The listener must outlive it.
+/// Returns a closed link of the URL's type; call open(). A type that this build leaves out gives a link that fails on
+/// open(). Call on the thread that the link will live on; `listener` must outlive the link.
 std::unique_ptr<Link> makeLink(const LinkUrl &url, LinkId id, LinkListener &listener, const LinkOptions &options = {});
 
 } // namespace skyseal::link

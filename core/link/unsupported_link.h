@@ -1,4 +1,4 @@
-// Stands for a kind of link that this build leaves out (serial without Qt SerialPort): it fails on open() and says why.
+// Link of a type that this build leaves out (serial without Qt SerialPort): open() fails with NotSupported.
 #pragma once
 
 #include "core/link/link.h"
@@ -16,7 +16,7 @@ public:
     {
         setState(LinkState::Failed,
                  {LinkErrorCode::NotSupported, url().toText(),
-                  std::string("this program was built without ") + name(url().scheme()) + " links"});
+                  std::string("this program was built without ") + url().type().scheme + " links"});
     }
     void close() override { setState(LinkState::Closed); }
     void send(const Address &, ByteView) override { ++m_counters.txDropped; }

@@ -50,7 +50,7 @@ void CommandLineTest::helpAndVersion_data()
     row("skyseal-cli", "keys --help", "peers add");
     row("skyseal-cli", "log --help", "verify");
     row("skyseal-air", "--help", "--allow-plain");
-    row("skyseal-sim", "--help", "udpin:…");
+    row("skyseal-sim", "--help", "udpin:HOST:PORT");
     row("skyseal-air", "--version", "skyseal-air ");
 }
 
@@ -137,7 +137,9 @@ void CommandLineTest::usageErrors_data()
     const QByteArray agent("--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --");
     for (const char *option : {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
         row("skyseal-air", (agent + option).constData(), "goes with --pair");
-    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p", "udpout");
+    row("skyseal-sim", "--link tlog:flight.tlog", "tcpin:HOST:PORT or serial:/dev/NAME:BAUD is expected");
+    row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p",
+        "--ground 'udpin:127.0.0.1:0': udpout:HOST:PORT, ");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites rc4", "secure");
     row("skyseal-air",

@@ -6,6 +6,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtCore/QCoreApplication>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFileDialog>
@@ -17,7 +18,8 @@
 
 namespace skyseal::ui {
 
-using link::LinkScheme;
+using link::LinkTarget;
+using link::LinkType;
 using link::LinkUrl;
 using crypto::MavsecCipher;
 
@@ -33,12 +35,11 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
 
     m_kind = new QComboBox(this);
     m_kind->setObjectName(QStringLiteral("linkKind"));
-    m_kind->addItem(tr("UDP, listen for vehicles"), static_cast<int>(LinkScheme::UdpIn));
-    m_kind->addItem(tr("UDP, send to an address"), static_cast<int>(LinkScheme::UdpOut));
-    m_kind->addItem(tr("TCP, connect to an address"), static_cast<int>(LinkScheme::Tcp));
-    m_kind->addItem(tr("TCP, listen for connections"), static_cast<int>(LinkScheme::TcpIn));
-    m_kind->addItem(tr("Serial radio"), static_cast<int>(LinkScheme::Serial));
-    m_kind->addItem(tr("Recorded log"), static_cast<int>(LinkScheme::Tlog));
+    for (const LinkType &each : link::linkTypes()) {
+        m_kind->addItem(QCoreApplication::translate(LinkType::kTextContext, each.label), QLatin1String(each.scheme));
+        m_kind->setItemData(m_kind->count() - 1, QCoreApplication::translate(LinkType::kTextContext, each.hint),
+                            Qt::ToolTipRole);
+    }
     m_host = new QLineEdit(this);
     m_host->setObjectName(QStringLiteral("linkHost"));
     m_port = new QSpinBox(this);
@@ -122,50 +123,56 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
 
 void LinkDialog::fill(const QString &url)
 {
-    m_host->setText(QStringLiteral("0.0.0.0"));
+    m_host->setText(fromStd(LinkUrl::kAnyHost));
     m_port->setValue(14550);
     const auto parsed = LinkUrl::parse(url.toStdString());
     if (!parsed)
         return;
-    m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(parsed->scheme())));
+    m_kind->setCurrentIndex(m_kind->findData(QLatin1String(parsed->type().scheme)));
     m_path->setText(fromStd(parsed->path()));
-    if (!parsed->host().empty()) {
+    if (parsed->type().target == LinkTarget::HostPort) {
         m_host->setText(fromStd(parsed->host()));
         m_port->setValue(parsed->port());
     }
+    if (parsed->type().target == LinkTarget::DeviceBaud)
+        m_baud->setCurrentText(QString::number(parsed->baud()));
+}
+
+const LinkType &LinkDialog::type() const
+{
+    return *link::findLinkType(m_kind->currentData().toString().toStdString());
 }
 
 void LinkDialog::showKind()
 {
-    const auto kind = static_cast<LinkScheme>(m_kind->currentData().toInt());
-    const bool network = kind != LinkScheme::Serial && kind != LinkScheme::Tlog;
+    const LinkTarget target = type().target;
+    const bool isNetwork = target == LinkTarget::HostPort;
     for (QWidget *widget : std::initializer_list<QWidget *>{m_host, m_hostLabel, m_port, m_portLabel})
-        widget->setVisible(network);
+        widget->setVisible(isNetwork);
     for (QWidget *widget : std::initializer_list<QWidget *>{m_path, m_pathLabel})
-        widget->setVisible(!network);
-    m_browse->setVisible(kind == LinkScheme::Tlog);
-    m_baud->setVisible(kind == LinkScheme::Serial);
-    m_baudLabel->setVisible(kind == LinkScheme::Serial);
-    const bool listens = kind == LinkScheme::UdpIn || kind == LinkScheme::TcpIn;
-    if (network && listens && m_host->text() == QLatin1String("127.0.0.1"))
-        m_host->setText(QStringLiteral("0.0.0.0"));
-    if (network && !listens && m_host->text() == QLatin1String("0.0.0.0"))
-        m_host->setText(QStringLiteral("127.0.0.1"));
-    m_pathLabel->setText(kind == LinkScheme::Serial ? tr("&Device") : tr("&File"));
+        widget->setVisible(!isNetwork);
+    m_browse->setVisible(target == LinkTarget::File);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_baud, m_baudLabel})
+        widget->setVisible(target == LinkTarget::DeviceBaud);
+    const QString any = fromStd(LinkUrl::kAnyHost), loopback = fromStd(LinkUrl::kLoopback);
+    const bool isListening = type().traits.isListening;
+    if (isNetwork && m_host->text() == (isListening ? loopback : any))
+        m_host->setText(isListening ? any : loopback);
+    m_pathLabel->setText(target == LinkTarget::DeviceBaud ? tr("&Device") : tr("&File"));
     check();
 }
 
 QString LinkDialog::url() const
 {
-    const auto kind = static_cast<LinkScheme>(m_kind->currentData().toInt());
-    const QString scheme = QLatin1String(link::name(kind));
-    if (kind == LinkScheme::Serial)
-        return QStringLiteral("%1:%2:%3").arg(scheme, m_path->text(), m_baud->currentText());
-    if (kind == LinkScheme::Tlog)
-        return QStringLiteral("%1:%2").arg(scheme, m_path->text());
-    const bool literal = m_host->text().contains(QLatin1Char(':')) && !m_host->text().startsWith(QLatin1Char('['));
+    const QString scheme = QLatin1String(type().scheme);
+    switch (type().target) {
+    case LinkTarget::DeviceBaud: return QStringLiteral("%1:%2:%3").arg(scheme, m_path->text(), m_baud->currentText());
+    case LinkTarget::File: return QStringLiteral("%1:%2").arg(scheme, m_path->text());
+    case LinkTarget::HostPort: break;
+    }
+    const bool isLiteral = m_host->text().contains(QLatin1Char(':')) && !m_host->text().startsWith(QLatin1Char('['));
     return QStringLiteral("%1:%2:%3")
-        .arg(scheme, literal ? QStringLiteral("[%1]").arg(m_host->text()) : m_host->text())
+        .arg(scheme, isLiteral ? QStringLiteral("[%1]").arg(m_host->text()) : m_host->text())
         .arg(m_port->value());
 }
 

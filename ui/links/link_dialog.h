@@ -1,7 +1,9 @@
-// Asks for a link: its kind, host and port (or device, or file), and shows the URL that comes of it, checked while typing.
+// Dialog to open a link: its type from the table of link types, the fields of that type, and the resulting URL, which is
+// checked while typing. Main thread.
 #pragma once
 
 #include "core/engine/station/mavsec_settings.h"
+#include "core/link/link_type.h"
 
 #include <QtCore/QString>
 #include <QtWidgets/QDialog>
@@ -32,6 +34,7 @@ public:
 
 private:
     void fill(const QString &url);
+    const link::LinkType &type() const;
     void showKind();
     void showProtection();
     void check();

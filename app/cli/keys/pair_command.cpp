@@ -51,7 +51,7 @@ int pairWithAgent(const QStringList &arguments)
         name,
         QStringLiteral("Pairs this station with an agent whose window is open (skyseal-air --pair there). Both sides "
                        "compare the fingerprints and confirm."));
-    options.addValue("link", "URL", "Where the agent calls: as for monitor.", "udpin:0.0.0.0:14550");
+    options.addLink("link", "Link to the agent.", nullptr, "udpin:0.0.0.0:14550");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "File of known peers that the agent is added to; made when it is missing.");
