@@ -150,11 +150,11 @@ std::uint8_t CommandServer::changeSpeed(const Command &command)
 {
     using Kind = Autopilot::SpeedKind;
     const std::uint32_t kind = index(command.parameters[0]);
-    if (kind > 3)
+    if (kind > SPEED_TYPE_DESCENT_SPEED)
         return MAV_RESULT_DENIED;
-    return answer(m_autopilot.changeSpeed(kind == 2       ? Kind::Climb
-                                              : kind == 3 ? Kind::Descent
-                                                          : Kind::Ground,
+    return answer(m_autopilot.changeSpeed(kind == SPEED_TYPE_CLIMB_SPEED         ? Kind::Climb
+                                              : kind == SPEED_TYPE_DESCENT_SPEED ? Kind::Descent
+                                                                                 : Kind::Ground,
                                           static_cast<double>(command.parameters[1])));
 }
 

@@ -11,7 +11,10 @@ using namespace mavlink;
 namespace {
 
 // POSITION_TARGET_TYPEMASK: a set bit means "ignore".
-constexpr std::uint16_t kIgnorePosition = 7, kIgnoreVelocity = 7 << 3, kIgnoreYaw = 1 << 10;
+constexpr std::uint16_t kIgnorePosition = POSITION_TARGET_TYPEMASK_X_IGNORE | POSITION_TARGET_TYPEMASK_Y_IGNORE
+    | POSITION_TARGET_TYPEMASK_Z_IGNORE;
+constexpr std::uint16_t kIgnoreVelocity = POSITION_TARGET_TYPEMASK_VX_IGNORE | POSITION_TARGET_TYPEMASK_VY_IGNORE
+    | POSITION_TARGET_TYPEMASK_VZ_IGNORE;
 
 bool hasPosition(std::uint16_t mask)
 {
@@ -62,7 +65,7 @@ void ControlServer::setMode(ByteView payload)
 
 void ControlServer::face(std::uint16_t mask, double yaw, double offset)
 {
-    if (!(mask & kIgnoreYaw))
+    if (!(mask & POSITION_TARGET_TYPEMASK_YAW_IGNORE))
         report(m_autopilot.face(yaw + offset, 0));
 }
 

@@ -1,5 +1,7 @@
 #include "core/sim/estimator.h"
 
+#include "core/mavlink/enums.h"
+
 namespace skyseal::sim {
 
 namespace {
@@ -7,11 +9,6 @@ namespace {
 constexpr double kTiltAlignment = 1; // s on the ground until the attitude is trusted
 constexpr double kTrustGps = 1;      // s of good fixes until they are used
 constexpr double kDeadReckoning = 3; // s without a fix until the position is given up
-
-// EKF_STATUS_FLAGS of the MAVLink dialect ardupilotmega.
-constexpr std::uint16_t kAttitude = 1, kVelocityHorizontal = 2, kVelocityVertical = 4, kPositionRelative = 8,
-                        kPositionAbsolute = 16, kPositionVertical = 32, kConstantPosition = 128, kPredictedRelative = 256,
-                        kPredictedAbsolute = 512, kUninitialised = 1024;
 
 } // namespace
 
@@ -60,11 +57,12 @@ void Estimator::followGps(double dt, bool fixed)
 std::uint16_t Estimator::flags() const
 {
     if (!m_estimate.attitudeOk)
-        return kUninitialised;
-    const int vertical = kAttitude | kVelocityVertical | kPositionVertical;
+        return mavlink::EKF_UNINITIALIZED;
+    using namespace mavlink;
+    const int vertical = EKF_ATTITUDE | EKF_VELOCITY_VERT | EKF_POS_VERT_ABS;
     const int horizontal = m_estimate.positionOk
-        ? kVelocityHorizontal | kPositionRelative | kPositionAbsolute | kPredictedRelative | kPredictedAbsolute
-        : kConstantPosition;
+        ? EKF_VELOCITY_HORIZ | EKF_POS_HORIZ_REL | EKF_POS_HORIZ_ABS | EKF_PRED_POS_HORIZ_REL | EKF_PRED_POS_HORIZ_ABS
+        : EKF_CONST_POS_MODE;
     return static_cast<std::uint16_t>(vertical | horizontal);
 }
 

@@ -1,6 +1,8 @@
 // The flight modes that the vehicle knows, with ArduCopter's numbers and names.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -8,14 +10,14 @@
 namespace skyseal::sim {
 
 enum class FlightMode : std::uint32_t {
-    Stabilize = 0,
-    AltHold = 2,
-    Auto = 3,
-    Guided = 4,
-    Loiter = 5,
-    Rtl = 6,
-    Land = 9,
-    Brake = 17
+    Stabilize = mavlink::COPTER_MODE_STABILIZE,
+    AltHold = mavlink::COPTER_MODE_ALT_HOLD,
+    Auto = mavlink::COPTER_MODE_AUTO,
+    Guided = mavlink::COPTER_MODE_GUIDED,
+    Loiter = mavlink::COPTER_MODE_LOITER,
+    Rtl = mavlink::COPTER_MODE_RTL,
+    Land = mavlink::COPTER_MODE_LAND,
+    Brake = mavlink::COPTER_MODE_BRAKE
 };
 
 std::optional<FlightMode> flightMode(std::uint32_t number);

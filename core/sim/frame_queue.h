@@ -1,6 +1,7 @@
 // Frames that wait to be sent, encoded once, in a ring that is allocated once.
 #pragma once
 
+#include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
 
 #include <vector>
@@ -10,7 +11,8 @@ namespace skyseal::sim {
 class FrameQueue
 {
 public:
-    explicit FrameQueue(std::uint8_t systemId, std::uint8_t componentId = 1) : m_writer(systemId, componentId), m_slots(kSlots)
+    explicit FrameQueue(std::uint8_t systemId, std::uint8_t componentId = mavlink::MAV_COMP_ID_AUTOPILOT1)
+        : m_writer(systemId, componentId), m_slots(kSlots)
     {}
 
     /// Queues a message as a MAVLink 2 frame. When nobody fetched the last 256 frames, it is dropped and counted: a link

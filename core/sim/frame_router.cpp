@@ -2,19 +2,13 @@
 
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
-#include "core/sim/mission_command.h"
 #include "core/sim/wire_units.h"
 
 namespace skyseal::sim {
 
 namespace {
 
-constexpr std::uint8_t kComponent = 1; // MAV_COMP_ID_AUTOPILOT1
-
-template<std::size_t N> std::string_view text(const std::array<char, N> &field)
-{
-    return {field.data(), static_cast<std::size_t>(std::find(field.begin(), field.end(), '\0') - field.begin())};
-}
+constexpr std::uint8_t kComponent = mavlink::MAV_COMP_ID_AUTOPILOT1;
 
 } // namespace
 
@@ -78,7 +72,7 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     }
     case mavlink::MissionItem::kId: {
         const auto in = mavlink::MissionItem::decode(frame.payload());
-        const double scale = in.command < mission_command::kLastNavigation ? 1e7 : 1;
+        const double scale = in.command < MAV_CMD_NAV_LAST ? 1e7 : 1;
         const sim::MissionItem item{in.frame,
                                     in.command,
                                     in.autocontinue != 0,
@@ -131,12 +125,12 @@ bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) con
     case mavlink::ParamRequestList::kId: parameters.requestList(now); return true;
     case mavlink::ParamRequestRead::kId: {
         const auto in = mavlink::ParamRequestRead::decode(frame.payload());
-        parameters.requestRead(in.param_index, text(in.param_id));
+        parameters.requestRead(in.param_index, mavlink::textOf(in.param_id));
         return true;
     }
     case mavlink::ParamSet::kId: {
         const auto in = mavlink::ParamSet::decode(frame.payload());
-        parameters.set(text(in.param_id), in.param_value);
+        parameters.set(mavlink::textOf(in.param_id), in.param_value);
         return true;
     }
     default: return false;

@@ -1,44 +1,46 @@
 #include "core/sim/mission.h"
 
-#include "core/sim/mission_command.h"
+#include "core/mavlink/enums.h"
 
 namespace skyseal::sim {
 
 namespace {
 
-// MAV_FRAME_GLOBAL and its kin; the terrain frames count as relative, since the ground is flat.
+// Of MAV_FRAME; the terrain frames count as relative, since the ground is flat.
 bool absoluteFrame(std::uint8_t frame)
 {
-    return frame == 0 || frame == 5;
+    return frame == mavlink::MAV_FRAME_GLOBAL || frame == mavlink::MAV_FRAME_GLOBAL_INT;
 }
 bool relativeFrame(std::uint8_t frame)
 {
-    return frame == 3 || frame == 6 || frame == 10 || frame == 11;
+    using namespace mavlink;
+    return frame == MAV_FRAME_GLOBAL_RELATIVE_ALT || frame == MAV_FRAME_GLOBAL_RELATIVE_ALT_INT
+        || frame == MAV_FRAME_GLOBAL_TERRAIN_ALT || frame == MAV_FRAME_GLOBAL_TERRAIN_ALT_INT;
 }
 
 bool hasPlace(std::uint16_t command)
 {
-    using namespace mission_command;
-    return command == kWaypoint || command == kLoiterUnlimited || command == kLoiterTime || command == kLand
-        || command == kTakeOff;
+    using namespace mavlink;
+    return command == MAV_CMD_NAV_WAYPOINT || command == MAV_CMD_NAV_LOITER_UNLIM || command == MAV_CMD_NAV_LOITER_TIME
+        || command == MAV_CMD_NAV_LAND || command == MAV_CMD_NAV_TAKEOFF;
 }
 
 } // namespace
 
 std::optional<ItemError> checkItem(const MissionItem &item)
 {
-    using namespace mission_command;
+    using namespace mavlink;
     switch (item.command) {
-    case kWaypoint:
-    case kLoiterUnlimited:
-    case kLoiterTime:
-    case kReturnToLaunch:
-    case kLand:
-    case kTakeOff:
-    case kDelay:
-    case kConditionYaw:
-    case kJump:
-    case kChangeSpeed: break;
+    case MAV_CMD_NAV_WAYPOINT:
+    case MAV_CMD_NAV_LOITER_UNLIM:
+    case MAV_CMD_NAV_LOITER_TIME:
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH:
+    case MAV_CMD_NAV_LAND:
+    case MAV_CMD_NAV_TAKEOFF:
+    case MAV_CMD_NAV_DELAY:
+    case MAV_CMD_CONDITION_YAW:
+    case MAV_CMD_DO_JUMP:
+    case MAV_CMD_DO_CHANGE_SPEED: break;
     default: return ItemError::Unsupported;
     }
     for (const float parameter : item.parameters) {
@@ -60,7 +62,7 @@ std::optional<ItemError> checkItem(const MissionItem &item)
 
 bool isNavigation(const MissionItem &item)
 {
-    return item.command < mission_command::kLastNavigation;
+    return item.command < mavlink::MAV_CMD_NAV_LAST;
 }
 
 Vector3 placeOf(const MissionItem &item, const LocalFrame &world, const Vector3 &home, const Vector3 &here)

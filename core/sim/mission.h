@@ -1,6 +1,7 @@
 // A mission as MAVLink describes it: a list of items, the first of which is home.
 #pragma once
 
+#include "core/mavlink/enums.h"
 #include "core/sim/geodesy.h"
 
 #include <array>
@@ -26,12 +27,12 @@ struct MissionItem
 
 /// Why an item cannot be part of a mission, numbered as MAV_MISSION_RESULT.
 enum class ItemError : std::uint8_t {
-    UnsupportedFrame = 2,
-    Unsupported = 3,
-    Invalid = 5,
-    InvalidX = 10,
-    InvalidY = 11,
-    InvalidZ = 12
+    UnsupportedFrame = mavlink::MAV_MISSION_UNSUPPORTED_FRAME,
+    Unsupported = mavlink::MAV_MISSION_UNSUPPORTED,
+    Invalid = mavlink::MAV_MISSION_INVALID,
+    InvalidX = mavlink::MAV_MISSION_INVALID_PARAM5_X,
+    InvalidY = mavlink::MAV_MISSION_INVALID_PARAM6_Y,
+    InvalidZ = mavlink::MAV_MISSION_INVALID_PARAM7
 };
 
 /// nullopt when the vehicle can fly it.

@@ -1,10 +1,10 @@
 #include "core/sim/mission_runner.h"
 
-#include "core/sim/mission_command.h"
+#include "core/mavlink/enums.h"
 
 namespace skyseal::sim {
 
-using namespace mission_command;
+using namespace mavlink;
 
 namespace {
 
@@ -50,7 +50,7 @@ const char *MissionRunner::refusal(bool landed) const
         return nullptr;
     for (std::size_t i = std::max<std::size_t>(m_current, 1); i < m_mission.size(); ++i) {
         if (isNavigation(m_mission[i]))
-            return m_mission[i].command == kTakeOff ? nullptr : "Missing Takeoff Cmd";
+            return m_mission[i].command == MAV_CMD_NAV_TAKEOFF ? nullptr : "Missing Takeoff Cmd";
     }
     return "Missing Takeoff Cmd";
 }
@@ -86,11 +86,11 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
         return hold(s);
 
     const MissionItem &item = m_mission[m_current];
-    if (item.command == kTakeOff)
+    if (item.command == MAV_CMD_NAV_TAKEOFF)
         return m_takeOff.update(dt, s);
-    if (item.command == kReturnToLaunch)
+    if (item.command == MAV_CMD_NAV_RETURN_TO_LAUNCH)
         return m_return.update(dt, s);
-    if (item.command == kLand && m_arrived)
+    if (item.command == MAV_CMD_NAV_LAND && m_arrived)
         return m_landing.update(s);
     return hold(s);
 }
@@ -121,7 +121,7 @@ bool MissionRunner::execute(const MissionItem &item, const Situation &s)
     m_arrived = false;
     m_timeAtPlace = 0;
     switch (item.command) {
-    case kJump: {
+    case MAV_CMD_DO_JUMP: {
         const auto [left, first] = m_jumpsLeft.try_emplace(m_current, whole(item.parameters[1], -1, 32767));
         const int target = whole(item.parameters[0], 0, static_cast<int>(m_mission.size()));
         if (left->second == 0 || target == 0 || target >= static_cast<int>(m_mission.size())) {
@@ -132,26 +132,29 @@ bool MissionRunner::execute(const MissionItem &item, const Situation &s)
         }
         return false;
     }
-    case kChangeSpeed:
+    case MAV_CMD_DO_CHANGE_SPEED:
         if (item.parameters[1] > 0) {
             const auto speed = static_cast<double>(std::min(item.parameters[1], 30.0f));
-            const int kind = whole(item.parameters[0], 0, 3);
-            (kind == 2 ? m_climb : kind == 3 ? m_descent : m_speed) = speed;
+            switch (whole(item.parameters[0], SPEED_TYPE_AIRSPEED, SPEED_TYPE_DESCENT_SPEED)) {
+            case SPEED_TYPE_CLIMB_SPEED: m_climb = speed; break;
+            case SPEED_TYPE_DESCENT_SPEED: m_descent = speed; break;
+            default: m_speed = speed;
+            }
         }
         ++m_current;
         return false;
-    case kConditionYaw:
+    case MAV_CMD_CONDITION_YAW:
         m_yaw.fix(radians(static_cast<double>(item.parameters[0]))
                   + (item.parameters[3] == 1 ? s.estimate.attitude.euler().yaw : 0));
         ++m_current;
         return false;
-    case kTakeOff:
+    case MAV_CMD_NAV_TAKEOFF:
         m_place = {s.estimate.position.x, s.estimate.position.y, placeOf(item, m_world, s.home, s.estimate.position).z};
         m_takeOff.begin(s, std::max(s.home.z - m_place.z, 1.0));
         return true;
-    case kReturnToLaunch: m_return.begin(s); return true;
-    case kDelay: return true;
-    case kLand:
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH: m_return.begin(s); return true;
+    case MAV_CMD_NAV_DELAY: return true;
+    case MAV_CMD_NAV_LAND:
         m_place = placeOf(item, m_world, s.home, s.estimate.position);
         m_place.z = s.estimate.position.z; // flies there at the present height, then descends
         return true;
@@ -169,16 +172,16 @@ bool MissionRunner::itemDone(double dt, const Situation &s)
 {
     const MissionItem &item = m_mission[m_current];
     switch (item.command) {
-    case kTakeOff: return m_takeOff.done(s);
-    case kReturnToLaunch: return m_return.phase() == ReturnToLaunch::Phase::Land && s.landed;
-    case kLand:
+    case MAV_CMD_NAV_TAKEOFF: return m_takeOff.done(s);
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return m_return.phase() == ReturnToLaunch::Phase::Land && s.landed;
+    case MAV_CMD_NAV_LAND:
         if (!m_arrived && nearPlace(s)) {
             m_arrived = true;
             m_landing.begin(s, {m_place.x, m_place.y, s.settings.speed});
         }
         return m_arrived && s.landed;
-    case kLoiterUnlimited: return false;
-    case kDelay: return (m_timeAtPlace += dt) >= duration(item.parameters[0]);
+    case MAV_CMD_NAV_LOITER_UNLIM: return false;
+    case MAV_CMD_NAV_DELAY: return (m_timeAtPlace += dt) >= duration(item.parameters[0]);
     default:
         m_arrived = m_arrived || nearPlace(s);
         if (m_arrived)

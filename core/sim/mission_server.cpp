@@ -2,7 +2,7 @@
 
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
-#include "core/sim/mission_command.h"
+#include "core/mavlink/enums.h"
 #include "core/sim/wire_units.h"
 
 namespace skyseal::sim {
@@ -156,7 +156,7 @@ void MissionServer::handleRequest(const Peer &peer, std::uint16_t sequence, std:
     }
     mavlink::MissionItem out;
     fill(out);
-    const bool place = whole.command < mission_command::kLastNavigation;
+    const bool place = whole.command < mavlink::MAV_CMD_NAV_LAST;
     out.x = static_cast<float>(place ? whole.x * 1e-7 : whole.x);
     out.y = static_cast<float>(place ? whole.y * 1e-7 : whole.y);
     m_outbox.send(out);

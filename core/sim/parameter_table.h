@@ -1,6 +1,8 @@
 // The parameters that the vehicle has: names, types, defaults and limits as ArduCopter documents them.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -8,7 +10,12 @@
 namespace skyseal::sim {
 
 /// Numbered as MAV_PARAM_TYPE.
-enum class ParameterType : std::uint8_t { Int8 = 2, Int16 = 4, Int32 = 6, Real32 = 9 };
+enum class ParameterType : std::uint8_t {
+    Int8 = mavlink::MAV_PARAM_TYPE_INT8,
+    Int16 = mavlink::MAV_PARAM_TYPE_INT16,
+    Int32 = mavlink::MAV_PARAM_TYPE_INT32,
+    Real32 = mavlink::MAV_PARAM_TYPE_REAL32
+};
 
 struct ParameterInfo
 {

@@ -1,6 +1,8 @@
 // What the vehicle has to say to people, waiting to be sent.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -9,7 +11,16 @@
 namespace skyseal::sim {
 
 /// Numbered as MAV_SEVERITY.
-enum class Severity : std::uint8_t { Emergency, Alert, Critical, Error, Warning, Notice, Info, Debug };
+enum class Severity : std::uint8_t {
+    Emergency = mavlink::MAV_SEVERITY_EMERGENCY,
+    Alert = mavlink::MAV_SEVERITY_ALERT,
+    Critical = mavlink::MAV_SEVERITY_CRITICAL,
+    Error = mavlink::MAV_SEVERITY_ERROR,
+    Warning = mavlink::MAV_SEVERITY_WARNING,
+    Notice = mavlink::MAV_SEVERITY_NOTICE,
+    Info = mavlink::MAV_SEVERITY_INFO,
+    Debug = mavlink::MAV_SEVERITY_DEBUG
+};
 
 struct StatusText
 {

@@ -1,5 +1,7 @@
 #include "core/sim/stream_scheduler.h"
 
+#include "core/mavlink/messages.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -7,58 +9,60 @@ namespace skyseal::sim {
 
 namespace {
 
+using namespace mavlink;
+
 struct Group
 {
     std::uint8_t stream; // MAV_DATA_STREAM
     std::string_view parameter;
 };
 
-constexpr std::array<Group, 8> kGroups{{{1, "SR0_RAW_SENS"},
-                                        {2, "SR0_EXT_STAT"},
-                                        {3, "SR0_RC_CHAN"},
-                                        {4, "SR0_RAW_CTRL"},
-                                        {6, "SR0_POSITION"},
-                                        {10, "SR0_EXTRA1"},
-                                        {11, "SR0_EXTRA2"},
-                                        {12, "SR0_EXTRA3"}}};
+constexpr std::array<Group, 8> kGroups{{{MAV_DATA_STREAM_RAW_SENSORS, "SR0_RAW_SENS"},
+                                        {MAV_DATA_STREAM_EXTENDED_STATUS, "SR0_EXT_STAT"},
+                                        {MAV_DATA_STREAM_RC_CHANNELS, "SR0_RC_CHAN"},
+                                        {MAV_DATA_STREAM_RAW_CONTROLLER, "SR0_RAW_CTRL"},
+                                        {MAV_DATA_STREAM_POSITION, "SR0_POSITION"},
+                                        {MAV_DATA_STREAM_EXTRA1, "SR0_EXTRA1"},
+                                        {MAV_DATA_STREAM_EXTRA2, "SR0_EXTRA2"},
+                                        {MAV_DATA_STREAM_EXTRA3, "SR0_EXTRA3"}}};
+
+constexpr std::uint8_t kNoGroup = MAV_DATA_STREAM_ALL; // no message is a member of "all"
 
 struct Member
 {
     std::uint32_t message;
-    std::uint8_t stream; // 0: in no group
+    std::uint8_t stream; // MAV_DATA_STREAM, or kNoGroup
 };
-
-constexpr std::uint32_t kHeartbeat = 0;
 
 // Grouped as in ArduCopter's GCS_Mavlink.cpp.
 constexpr std::array<Member, 27> kMembers{{
-    {kHeartbeat, 0}, // 1 Hz by itself
-    {27, 1},         // RAW_IMU
-    {116, 1},        // SCALED_IMU2
-    {29, 1},         // SCALED_PRESSURE
-    {1, 2},          // SYS_STATUS
-    {125, 2},        // POWER_STATUS
-    {152, 2},        // MEMINFO
-    {42, 2},         // MISSION_CURRENT
-    {24, 2},         // GPS_RAW_INT
-    {62, 2},         // NAV_CONTROLLER_OUTPUT
-    {87, 2},         // POSITION_TARGET_GLOBAL_INT
-    {36, 3},         // SERVO_OUTPUT_RAW
-    {65, 3},         // RC_CHANNELS
-    {33, 6},         // GLOBAL_POSITION_INT
-    {32, 6},         // LOCAL_POSITION_NED
-    {30, 10},        // ATTITUDE
-    {74, 11},        // VFR_HUD
-    {163, 12},       // AHRS
-    {2, 12},         // SYSTEM_TIME
-    {168, 12},       // WIND
-    {147, 12},       // BATTERY_STATUS
-    {193, 12},       // EKF_STATUS_REPORT
-    {241, 12},       // VIBRATION
-    {242, 0},        // HOME_POSITION
-    {245, 0},        // EXTENDED_SYS_STATE
-    {148, 0},        // AUTOPILOT_VERSION
-    {49, 0},         // GPS_GLOBAL_ORIGIN
+    {Heartbeat::kId, kNoGroup}, // 1 Hz by itself
+    {RawImu::kId, MAV_DATA_STREAM_RAW_SENSORS},
+    {ScaledImu2::kId, MAV_DATA_STREAM_RAW_SENSORS},
+    {ScaledPressure::kId, MAV_DATA_STREAM_RAW_SENSORS},
+    {SysStatus::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {PowerStatus::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {Meminfo::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {MissionCurrent::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {GpsRawInt::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {NavControllerOutput::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {PositionTargetGlobalInt::kId, MAV_DATA_STREAM_EXTENDED_STATUS},
+    {ServoOutputRaw::kId, MAV_DATA_STREAM_RC_CHANNELS},
+    {RcChannels::kId, MAV_DATA_STREAM_RC_CHANNELS},
+    {GlobalPositionInt::kId, MAV_DATA_STREAM_POSITION},
+    {LocalPositionNed::kId, MAV_DATA_STREAM_POSITION},
+    {Attitude::kId, MAV_DATA_STREAM_EXTRA1},
+    {VfrHud::kId, MAV_DATA_STREAM_EXTRA2},
+    {Ahrs::kId, MAV_DATA_STREAM_EXTRA3},
+    {SystemTime::kId, MAV_DATA_STREAM_EXTRA3},
+    {Wind::kId, MAV_DATA_STREAM_EXTRA3},
+    {BatteryStatus::kId, MAV_DATA_STREAM_EXTRA3},
+    {EkfStatusReport::kId, MAV_DATA_STREAM_EXTRA3},
+    {Vibration::kId, MAV_DATA_STREAM_EXTRA3},
+    {HomePosition::kId, kNoGroup},
+    {ExtendedSysState::kId, kNoGroup},
+    {AutopilotVersion::kId, kNoGroup},
+    {GpsGlobalOrigin::kId, kNoGroup},
 }};
 
 std::optional<std::size_t> find(std::uint32_t message)
@@ -96,7 +100,7 @@ bool StreamScheduler::requestGroup(Parameters &parameters, std::uint8_t stream, 
 {
     bool known = false;
     for (const Group &group : kGroups) {
-        if (stream == 0 || stream == group.stream) {
+        if (stream == MAV_DATA_STREAM_ALL || stream == group.stream) {
             const auto index = parameters.find(group.parameter);
             parameters.set(*index, std::min(static_cast<float>(rate), parameters.info(*index).maximum));
             known = true;
@@ -108,7 +112,7 @@ bool StreamScheduler::requestGroup(Parameters &parameters, std::uint8_t stream, 
 void StreamScheduler::forgetSingles(std::uint8_t stream)
 {
     for (std::size_t i = 0; i < kMembers.size(); ++i) {
-        if (kMembers[i].stream != 0 && (stream == 0 || kMembers[i].stream == stream))
+        if (kMembers[i].stream != kNoGroup && (stream == MAV_DATA_STREAM_ALL || kMembers[i].stream == stream))
             m_slots[i].single = false;
     }
     m_revision = kNoRevision;
@@ -124,7 +128,7 @@ bool StreamScheduler::setInterval(TimePoint now, std::uint32_t message, Duration
     if (slot.single) {
         setPeriod(*index, now, std::max(interval, Duration::zero()));
     } else {
-        const int rate = message == kHeartbeat ? 1 : m_rates[kMembers[*index].stream];
+        const int rate = message == Heartbeat::kId ? 1 : m_rates[kMembers[*index].stream];
         setPeriod(*index, now, period(rate));
     }
     return true;

@@ -6,10 +6,6 @@
 
 namespace skyseal::vehicle {
 
-namespace {
-constexpr std::uint8_t kInProgress = 5; // MAV_RESULT_IN_PROGRESS
-}
-
 CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace, MessageQueue &outbox)
 {
     const auto ticket = CommandTicket{++m_lastTicket};
@@ -37,7 +33,7 @@ bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t
     });
     if (found == m_pending.end())
         return false;
-    if (result == kInProgress) {
+    if (result == mavlink::MAV_RESULT_IN_PROGRESS) {
         found->inProgress = true;
         found->deadline = now + kProgressTimeout;
         return true;

@@ -12,12 +12,17 @@ namespace {
 
 using Plan = Result<CommandPlan, std::string>;
 
-// Numbers of MAV_CMD.
-constexpr std::uint16_t kNavReturnToLaunch = 20, kNavLand = 21, kNavTakeOff = 22, kDoSetMode = 176, kDoChangeSpeed = 178,
-                        kDoReposition = 192, kPreflightReboot = 246, kMissionStart = 300, kArmDisarm = 400;
-constexpr float kForceDisarm = 21196, kForceArm = 21196;
+/// Parameter 2 of MAV_CMD_COMPONENT_ARM_DISARM that overrides checks; no enum of the dialect has it.
+constexpr float kForce = 21196;
 constexpr float kForceArmArduPilot = 2989; // ArduPilot's own number for arming without checks
-constexpr std::uint8_t kFrameGlobal = 0, kFrameRelative = 3, kFrameRelativeInt = 6; // MAV_FRAME
+/// Parameter 1 of MAV_CMD_DO_CHANGE_SPEED.
+constexpr float kAirSpeed = mavlink::SPEED_TYPE_AIRSPEED, kGroundSpeed = mavlink::SPEED_TYPE_GROUNDSPEED;
+/// Of SET_POSITION_TARGET_GLOBAL_INT: only the position counts.
+constexpr std::uint16_t kPositionOnly = mavlink::POSITION_TARGET_TYPEMASK_VX_IGNORE
+    | mavlink::POSITION_TARGET_TYPEMASK_VY_IGNORE | mavlink::POSITION_TARGET_TYPEMASK_VZ_IGNORE
+    | mavlink::POSITION_TARGET_TYPEMASK_AX_IGNORE | mavlink::POSITION_TARGET_TYPEMASK_AY_IGNORE
+    | mavlink::POSITION_TARGET_TYPEMASK_AZ_IGNORE | mavlink::POSITION_TARGET_TYPEMASK_YAW_IGNORE
+    | mavlink::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
 tl::unexpected<std::string> refuse(std::string why)
 {
@@ -50,13 +55,13 @@ public:
 
     Plan operator()(const Arm &arm) const
     {
-        const float force = m_kind.isArduPilot() ? kForceArmArduPilot : kForceArm;
-        return plan(order(kArmDisarm, 1, arm.force ? force : 0), ArmedIs{true});
+        const float force = m_kind.isArduPilot() ? kForceArmArduPilot : kForce;
+        return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1, arm.force ? force : 0), ArmedIs{true});
     }
 
     Plan operator()(const Disarm &disarm) const
     {
-        return plan(order(kArmDisarm, 0, disarm.force ? kForceDisarm : 0), ArmedIs{false});
+        return plan(order(mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 0, disarm.force ? kForce : 0), ArmedIs{false});
     }
 
     Plan operator()(const SetMode &mode) const
@@ -91,7 +96,7 @@ public:
                 return refuse("take-off needs a known position");
             altitude += ground;
         }
-        CommandOrder what = order(kNavTakeOff);
+        CommandOrder what = order(mavlink::MAV_CMD_NAV_TAKEOFF);
         what.parameters[6] = static_cast<float>(altitude);
         if (m_kind.isPx4())
             what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf(""); // here, heading as it is
@@ -102,7 +107,7 @@ public:
     {
         if (m_kind.isArduPilot())
             return firstMode({"LAND", "QLAND", "SURFACE"}, "this kind of vehicle has no mode to land in");
-        CommandOrder what = order(kNavLand);
+        CommandOrder what = order(mavlink::MAV_CMD_NAV_LAND);
         if (m_kind.isPx4())
             what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf("");
         return plan(what);
@@ -112,7 +117,7 @@ public:
     {
         if (m_kind.isArduPilot())
             return firstMode({"RTL"}, "this kind of vehicle has no mode to return in");
-        return plan(order(kNavReturnToLaunch));
+        return plan(order(mavlink::MAV_CMD_NAV_RETURN_TO_LAUNCH));
     }
 
     Plan operator()(const GoTo &place) const
@@ -121,9 +126,9 @@ public:
             return refuse("the place is not on the globe");
         if (m_kind.isArduPilot() && m_state.mode != "GUIDED")
             return refuse("going to a place needs the mode GUIDED, the vehicle is in " + m_state.mode);
-        CommandOrder reposition = order(kDoReposition, -1);
+        CommandOrder reposition = order(mavlink::MAV_CMD_DO_REPOSITION, -1);
         reposition.asInt = true;
-        reposition.frame = kFrameRelative;
+        reposition.frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
         reposition.x = degreesE7(place.latitude);
         reposition.y = degreesE7(place.longitude);
         reposition.parameters[3] = std::nanf(""); // heading as the vehicle likes
@@ -131,8 +136,8 @@ public:
         if (m_kind.isPx4()) {
             if (std::isnan(m_state.home.altitude))
                 return refuse("going to a place needs a known home altitude");
-            reposition.frame = kFrameGlobal;
-            reposition.parameters[1] = 1; // changes to the mode that it needs
+            reposition.frame = mavlink::MAV_FRAME_GLOBAL;
+            reposition.parameters[1] = mavlink::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE;
             reposition.parameters[6] = static_cast<float>(place.altitudeRelative + m_state.home.altitude);
             return plan(reposition);
         }
@@ -148,8 +153,8 @@ public:
     {
         if (!(speed.metresPerSecond > 0))
             return refuse("the speed must be above 0 m/s");
-        const float kind = m_kind.isPlane() ? 0 : 1; // air or ground speed
-        return plan(order(kDoChangeSpeed, kind, static_cast<float>(speed.metresPerSecond), -1));
+        const float kind = m_kind.isPlane() ? kAirSpeed : kGroundSpeed;
+        return plan(order(mavlink::MAV_CMD_DO_CHANGE_SPEED, kind, static_cast<float>(speed.metresPerSecond), -1));
     }
 
     Plan operator()(const SetCurrentMissionItem &item) const
@@ -161,8 +166,8 @@ public:
         return CommandPlan{{RepeatedMessage{pack(message, true), true}}, MissionItemIs{item.index}};
     }
 
-    Plan operator()(const StartMission &) const { return plan(order(kMissionStart)); }
-    Plan operator()(const Reboot &) const { return plan(order(kPreflightReboot, 1)); }
+    Plan operator()(const StartMission &) const { return plan(order(mavlink::MAV_CMD_MISSION_START)); }
+    Plan operator()(const Reboot &) const { return plan(order(mavlink::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, 1)); }
 
     Plan operator()(const RawCommand &raw) const
     {
@@ -186,8 +191,8 @@ private:
     /// DO_SET_MODE, and the old SET_MODE message for firmware that does not know it.
     Plan setMode(std::uint32_t number) const
     {
-        constexpr std::uint8_t kCustomModeEnabled = 1;
-        CommandOrder command = order(kDoSetMode, kCustomModeEnabled, static_cast<float>(number));
+        constexpr std::uint8_t kCustomModeEnabled = mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+        CommandOrder command = order(mavlink::MAV_CMD_DO_SET_MODE, kCustomModeEnabled, static_cast<float>(number));
         if (m_kind.isPx4()) {
             command.parameters[1] = static_cast<float>(number >> 16 & 0xff);
             command.parameters[2] = static_cast<float>(number >> 24);
@@ -205,8 +210,8 @@ private:
         mavlink::SetPositionTargetGlobalInt message;
         message.target_system = m_addressing.system;
         message.target_component = m_addressing.component;
-        message.coordinate_frame = kFrameRelativeInt;
-        message.type_mask = 0x0df8; // only the position counts: no velocity, acceleration, yaw, yaw rate
+        message.coordinate_frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT;
+        message.type_mask = kPositionOnly;
         message.lat_int = degreesE7(place.latitude);
         message.lon_int = degreesE7(place.longitude);
         message.alt = static_cast<float>(place.altitudeRelative);

@@ -1,5 +1,6 @@
 #include "core/vehicle/commander.h"
 
+#include "core/mavlink/enums.h"
 #include "core/vehicle/flight_modes.h"
 #include "core/vehicle/result_text.h"
 
@@ -10,9 +11,6 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint8_t kAccepted = 0, kUnsupported = 3, kInProgress = 5, kLongOnly = 7, kIntOnly = 8,
-                       kNoSuchFrame = 9; // MAV_RESULT
-constexpr std::uint8_t kNotice = 5;      // MAV_SEVERITY; what is chattier gives no reasons
 constexpr std::size_t kLongestText = 300;
 
 bool isTrue(const Sign &sign, const VehicleState &state)
@@ -83,7 +81,8 @@ void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t res
         // Some firmware acknowledges messages as well, by their message id.
         for (Action &action : m_actions) {
             const auto *message = std::get_if<RepeatedMessage>(&action.plan.ways[action.way]);
-            if (action.phase == Phase::Repeating && message && message->message.id == command && result != kInProgress)
+            if (action.phase == Phase::Repeating && message && message->message.id == command
+                && result != mavlink::MAV_RESULT_IN_PROGRESS)
                 answered(now, action, result, state, outbox);
         }
         forgetDone();
@@ -94,7 +93,7 @@ void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t res
 
 void Commander::handleText(TimePoint, std::uint8_t severity, const std::string &text)
 {
-    if (severity > kNotice || text.empty())
+    if (severity > mavlink::MAV_SEVERITY_NOTICE || text.empty())
         return;
     for (Action &action : m_actions) {
         if (action.words.find(text) != std::string::npos || action.words.size() + text.size() > kLongestText)
@@ -232,7 +231,7 @@ void Commander::takeAnswers(TimePoint now, const VehicleState &state, MessageQue
 void Commander::answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, MessageQueue &outbox)
 {
     action.result = result;
-    if (result == kAccepted) {
+    if (result == mavlink::MAV_RESULT_ACCEPTED) {
         if (!comesWithHeartbeats(action.plan.sign, state)) {
             finish(action, CommandOutcome::Accepted, {});
             return;
@@ -242,7 +241,8 @@ void Commander::answered(TimePoint now, Action &action, std::uint8_t result, con
         action.deadline = now + kWatch;
         return;
     }
-    const bool otherWayMayHelp = result == kUnsupported || result == kLongOnly || result == kIntOnly || result == kNoSuchFrame;
+    const bool otherWayMayHelp = result == mavlink::MAV_RESULT_UNSUPPORTED || result == mavlink::MAV_RESULT_COMMAND_LONG_ONLY
+        || result == mavlink::MAV_RESULT_COMMAND_INT_ONLY || result == mavlink::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME;
     if (otherWayMayHelp && action.way + 1 < action.plan.ways.size()) {
         nextWay(now, action, CommandOutcome::Refused, {}, outbox);
     } else if (!action.words.empty()) {

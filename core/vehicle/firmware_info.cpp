@@ -6,9 +6,6 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint16_t kRequestMessage = 512, kRequestCapabilities = 520; // MAV_CMD
-constexpr std::uint32_t kAutopilotVersion = 148;
-
 std::string productName(VehicleKind kind)
 {
     if (kind.isPx4())
@@ -26,16 +23,16 @@ std::string productName(VehicleKind kind)
     return "ArduPilot";
 }
 
-/// FIRMWARE_VERSION_TYPE: 0 development, 64 alpha, 128 beta, 192 candidate, 255 official.
+/// Of a FIRMWARE_VERSION_TYPE; numbers between two entries count as the lower one.
 std::string suffix(std::uint8_t type)
 {
-    if (type == 255)
+    if (type == mavlink::FIRMWARE_VERSION_TYPE_OFFICIAL)
         return {};
-    if (type >= 192)
+    if (type >= mavlink::FIRMWARE_VERSION_TYPE_RC)
         return "-rc";
-    if (type >= 128)
+    if (type >= mavlink::FIRMWARE_VERSION_TYPE_BETA)
         return "-beta";
-    if (type >= 64)
+    if (type >= mavlink::FIRMWARE_VERSION_TYPE_ALPHA)
         return "-alpha";
     return "-dev";
 }
@@ -66,8 +63,8 @@ void FirmwareInfo::handleDeadline(TimePoint now, MessageQueue &outbox)
     request.target_system = m_addressing.system;
     request.target_component = m_addressing.component;
     const bool oldWay = m_attempts % 2 == 1;
-    request.command = oldWay ? kRequestCapabilities : kRequestMessage;
-    request.param1 = oldWay ? 1 : kAutopilotVersion;
+    request.command = oldWay ? mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES : mavlink::MAV_CMD_REQUEST_MESSAGE;
+    request.param1 = oldWay ? 1 : mavlink::AutopilotVersion::kId;
     push(outbox, request);
     ++m_attempts;
     m_next = m_attempts < kAttempts ? now + kInterval : kNever;

@@ -9,37 +9,90 @@ namespace skyseal::vehicle {
 
 namespace {
 
+using namespace mavlink;
+
 struct Mode
 {
     std::uint32_t number;
     std::string_view name;
 };
 
-constexpr Mode kCopterModes[] = {
-    {0, "STABILIZE"},  {1, "ACRO"},      {2, "ALT_HOLD"}, {3, "AUTO"},    {4, "GUIDED"},      {5, "LOITER"},
-    {6, "RTL"},        {7, "CIRCLE"},    {9, "LAND"},     {11, "DRIFT"},  {13, "SPORT"},      {14, "FLIP"},
-    {15, "AUTOTUNE"},  {16, "POSHOLD"},  {17, "BRAKE"},   {18, "THROW"},  {19, "AVOID_ADSB"}, {20, "GUIDED_NOGPS"},
-    {21, "SMART_RTL"}, {22, "FLOWHOLD"}, {23, "FOLLOW"},  {24, "ZIGZAG"}, {25, "SYSTEMID"},   {26, "AUTOROTATE"},
-    {27, "AUTO_RTL"},  {28, "TURTLE"}};
+constexpr Mode kCopterModes[] = {{COPTER_MODE_STABILIZE, "STABILIZE"},
+                                 {COPTER_MODE_ACRO, "ACRO"},
+                                 {COPTER_MODE_ALT_HOLD, "ALT_HOLD"},
+                                 {COPTER_MODE_AUTO, "AUTO"},
+                                 {COPTER_MODE_GUIDED, "GUIDED"},
+                                 {COPTER_MODE_LOITER, "LOITER"},
+                                 {COPTER_MODE_RTL, "RTL"},
+                                 {COPTER_MODE_CIRCLE, "CIRCLE"},
+                                 {COPTER_MODE_LAND, "LAND"},
+                                 {COPTER_MODE_DRIFT, "DRIFT"},
+                                 {COPTER_MODE_SPORT, "SPORT"},
+                                 {COPTER_MODE_FLIP, "FLIP"},
+                                 {COPTER_MODE_AUTOTUNE, "AUTOTUNE"},
+                                 {COPTER_MODE_POSHOLD, "POSHOLD"},
+                                 {COPTER_MODE_BRAKE, "BRAKE"},
+                                 {COPTER_MODE_THROW, "THROW"},
+                                 {COPTER_MODE_AVOID_ADSB, "AVOID_ADSB"},
+                                 {COPTER_MODE_GUIDED_NOGPS, "GUIDED_NOGPS"},
+                                 {COPTER_MODE_SMART_RTL, "SMART_RTL"},
+                                 {COPTER_MODE_FLOWHOLD, "FLOWHOLD"},
+                                 {COPTER_MODE_FOLLOW, "FOLLOW"},
+                                 {COPTER_MODE_ZIGZAG, "ZIGZAG"},
+                                 {COPTER_MODE_SYSTEMID, "SYSTEMID"},
+                                 {COPTER_MODE_AUTOROTATE, "AUTOROTATE"},
+                                 {COPTER_MODE_AUTO_RTL, "AUTO_RTL"},
+                                 {COPTER_MODE_TURTLE, "TURTLE"}};
 
-constexpr Mode kPlaneModes[] = {
-    {0, "MANUAL"},        {1, "CIRCLE"},      {2, "STABILIZE"}, {3, "TRAINING"},    {4, "ACRO"},
-    {5, "FBWA"},          {6, "FBWB"},        {7, "CRUISE"},    {8, "AUTOTUNE"},    {10, "AUTO"},
-    {11, "RTL"},          {12, "LOITER"},     {13, "TAKEOFF"},  {14, "AVOID_ADSB"}, {15, "GUIDED"},
-    {16, "INITIALISING"}, {17, "QSTABILIZE"}, {18, "QHOVER"},   {19, "QLOITER"},    {20, "QLAND"},
-    {21, "QRTL"},         {22, "QAUTOTUNE"},  {23, "QACRO"},    {24, "THERMAL"},    {25, "LOITERALTQLAND"},
-    {26, "AUTOLAND"}};
+constexpr Mode kPlaneModes[] = {{PLANE_MODE_MANUAL, "MANUAL"},
+                                {PLANE_MODE_CIRCLE, "CIRCLE"},
+                                {PLANE_MODE_STABILIZE, "STABILIZE"},
+                                {PLANE_MODE_TRAINING, "TRAINING"},
+                                {PLANE_MODE_ACRO, "ACRO"},
+                                {PLANE_MODE_FLY_BY_WIRE_A, "FBWA"},
+                                {PLANE_MODE_FLY_BY_WIRE_B, "FBWB"},
+                                {PLANE_MODE_CRUISE, "CRUISE"},
+                                {PLANE_MODE_AUTOTUNE, "AUTOTUNE"},
+                                {PLANE_MODE_AUTO, "AUTO"},
+                                {PLANE_MODE_RTL, "RTL"},
+                                {PLANE_MODE_LOITER, "LOITER"},
+                                {PLANE_MODE_TAKEOFF, "TAKEOFF"},
+                                {PLANE_MODE_AVOID_ADSB, "AVOID_ADSB"},
+                                {PLANE_MODE_GUIDED, "GUIDED"},
+                                {PLANE_MODE_INITIALIZING, "INITIALISING"},
+                                {PLANE_MODE_QSTABILIZE, "QSTABILIZE"},
+                                {PLANE_MODE_QHOVER, "QHOVER"},
+                                {PLANE_MODE_QLOITER, "QLOITER"},
+                                {PLANE_MODE_QLAND, "QLAND"},
+                                {PLANE_MODE_QRTL, "QRTL"},
+                                {PLANE_MODE_QAUTOTUNE, "QAUTOTUNE"},
+                                {PLANE_MODE_QACRO, "QACRO"},
+                                {PLANE_MODE_THERMAL, "THERMAL"},
+                                {PLANE_MODE_LOITER_ALT_QLAND, "LOITERALTQLAND"},
+                                {PLANE_MODE_AUTOLAND, "AUTOLAND"}};
 
-constexpr Mode kRoverModes[] = {{0, "MANUAL"}, {1, "ACRO"},       {3, "STEERING"}, {4, "HOLD"},         {5, "LOITER"},
-                                {6, "FOLLOW"}, {7, "SIMPLE"},     {8, "DOCK"},     {9, "CIRCLE"},       {10, "AUTO"},
-                                {11, "RTL"},   {12, "SMART_RTL"}, {15, "GUIDED"},  {16, "INITIALISING"}};
+constexpr Mode kRoverModes[] = {{ROVER_MODE_MANUAL, "MANUAL"},     {ROVER_MODE_ACRO, "ACRO"},
+                                {ROVER_MODE_STEERING, "STEERING"}, {ROVER_MODE_HOLD, "HOLD"},
+                                {ROVER_MODE_LOITER, "LOITER"},     {ROVER_MODE_FOLLOW, "FOLLOW"},
+                                {ROVER_MODE_SIMPLE, "SIMPLE"},     {ROVER_MODE_DOCK, "DOCK"},
+                                {ROVER_MODE_CIRCLE, "CIRCLE"},     {ROVER_MODE_AUTO, "AUTO"},
+                                {ROVER_MODE_RTL, "RTL"},           {ROVER_MODE_SMART_RTL, "SMART_RTL"},
+                                {ROVER_MODE_GUIDED, "GUIDED"},     {ROVER_MODE_INITIALIZING, "INITIALISING"}};
 
-constexpr Mode kSubmarineModes[] = {{0, "STABILIZE"}, {1, "ACRO"},         {2, "ALT_HOLD"}, {3, "AUTO"},
-                                    {4, "GUIDED"},    {7, "CIRCLE"},       {9, "SURFACE"},  {16, "POSHOLD"},
-                                    {19, "MANUAL"},   {20, "MOTORDETECT"}, {21, "SURFTRAK"}};
+constexpr Mode kSubmarineModes[] = {{SUB_MODE_STABILIZE, "STABILIZE"}, {SUB_MODE_ACRO, "ACRO"},
+                                    {SUB_MODE_ALT_HOLD, "ALT_HOLD"},   {SUB_MODE_AUTO, "AUTO"},
+                                    {SUB_MODE_GUIDED, "GUIDED"},       {SUB_MODE_CIRCLE, "CIRCLE"},
+                                    {SUB_MODE_SURFACE, "SURFACE"},     {SUB_MODE_POSHOLD, "POSHOLD"},
+                                    {SUB_MODE_MANUAL, "MANUAL"},       {SUB_MODE_MOTORDETECT, "MOTORDETECT"},
+                                    {SUB_MODE_SURFTRAK, "SURFTRAK"}};
 
-constexpr Mode kTrackerModes[] = {{0, "MANUAL"}, {1, "STOP"},  {2, "SCAN"},         {3, "SERVO_TEST"},
-                                  {4, "GUIDED"}, {10, "AUTO"}, {16, "INITIALISING"}};
+constexpr Mode kTrackerModes[] = {{TRACKER_MODE_MANUAL, "MANUAL"},
+                                  {TRACKER_MODE_STOP, "STOP"},
+                                  {TRACKER_MODE_SCAN, "SCAN"},
+                                  {TRACKER_MODE_SERVO_TEST, "SERVO_TEST"},
+                                  {TRACKER_MODE_GUIDED, "GUIDED"},
+                                  {TRACKER_MODE_AUTO, "AUTO"},
+                                  {TRACKER_MODE_INITIALIZING, "INITIALISING"}};
 
 /// PX4 packs the main mode into bits 16..23 and the sub mode into bits 24..31.
 constexpr std::uint32_t px4(std::uint32_t mainMode, std::uint32_t subMode = 0)
@@ -67,63 +120,60 @@ std::span<const Mode> modesOf(VehicleKind kind)
         return kRoverModes;
     if (kind.isSubmarine())
         return kSubmarineModes;
-    if (kind.type == 5) // MAV_TYPE_ANTENNA_TRACKER
+    if (kind.type == MAV_TYPE_ANTENNA_TRACKER)
         return kTrackerModes;
     return {};
 }
-
-constexpr std::uint8_t kCustomModeEnabled = 1; // MAV_MODE_FLAG_CUSTOM_MODE_ENABLED and its neighbours
-constexpr std::uint8_t kAutoEnabled = 4, kGuidedEnabled = 8, kStabilizeEnabled = 16, kManualInputEnabled = 64;
 
 } // namespace
 
 bool VehicleKind::isCopter() const
 {
     switch (type) {
-    case 2:
-    case 3:
-    case 4:
-    case 13:
-    case 14:
-    case 15:
-    case 29:
-    case 35:
-    case 43: return true; // quad, coaxial, helicopter, hexa, octo, tri, dodeca, deca, any other multirotor
+    case MAV_TYPE_QUADROTOR:
+    case MAV_TYPE_COAXIAL:
+    case MAV_TYPE_HELICOPTER:
+    case MAV_TYPE_HEXAROTOR:
+    case MAV_TYPE_OCTOROTOR:
+    case MAV_TYPE_TRICOPTER:
+    case MAV_TYPE_DODECAROTOR:
+    case MAV_TYPE_DECAROTOR:
+    case MAV_TYPE_GENERIC_MULTIROTOR: return true;
     default: return false;
     }
 }
 
 bool VehicleKind::isPlane() const
 {
-    return type == 1 || (type >= 19 && type <= 25); // fixed wing; the kinds of vertical take-off
+    return type == MAV_TYPE_FIXED_WING || (type >= MAV_TYPE_VTOL_TAILSITTER_DUOROTOR && type <= MAV_TYPE_VTOL_RESERVED5);
 }
 
 bool VehicleKind::isRover() const
 {
-    return type == 10 || type == 11;
+    return type == MAV_TYPE_GROUND_ROVER || type == MAV_TYPE_SURFACE_BOAT;
 }
 
 bool VehicleKind::isSubmarine() const
 {
-    return type == 12;
+    return type == MAV_TYPE_SUBMARINE;
 }
 
 std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode)
 {
-    if (baseMode & kCustomModeEnabled) {
+    if (baseMode & MAV_MODE_FLAG_CUSTOM_MODE_ENABLED) {
         for (const Mode &mode : modesOf(kind)) {
             if (mode.number == customMode)
                 return std::string(mode.name);
         }
         return "MODE(" + std::to_string(customMode) + ")";
     }
-    if (baseMode & kAutoEnabled)
+    if (baseMode & MAV_MODE_FLAG_AUTO_ENABLED)
         return "AUTO";
-    if (baseMode & kGuidedEnabled)
+    if (baseMode & MAV_MODE_FLAG_GUIDED_ENABLED)
         return "GUIDED";
-    if (baseMode & kStabilizeEnabled)
+    if (baseMode & MAV_MODE_FLAG_STABILIZE_ENABLED)
         return "STABILIZE";
-    if (baseMode & kManualInputEnabled)
+    if (baseMode & MAV_MODE_FLAG_MANUAL_INPUT_ENABLED)
         return "MANUAL";
     return "PREFLIGHT";
 }

@@ -2,6 +2,8 @@
 // ArduPilot's mode enums (COPTER_MODE and its siblings) and of PX4's main and sub modes.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,8 +19,8 @@ struct VehicleKind
     std::uint8_t autopilot = 0; ///< MAV_AUTOPILOT
     bool operator==(const VehicleKind &) const = default;
 
-    bool isArduPilot() const { return autopilot == 3; }
-    bool isPx4() const { return autopilot == 12; }
+    bool isArduPilot() const { return autopilot == mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA; }
+    bool isPx4() const { return autopilot == mavlink::MAV_AUTOPILOT_PX4; }
     bool isCopter() const;
     bool isPlane() const; ///< with and without vertical take-off
     bool isRover() const; ///< boats included

@@ -3,13 +3,20 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/enums.h"
 
 #include <cstdint>
 
 namespace skyseal::vehicle {
 
 /// MAV_LANDED_STATE.
-enum class LandedState : std::uint8_t { Undefined, OnGround, InAir, TakeOff, Landing };
+enum class LandedState : std::uint8_t {
+    Undefined = mavlink::MAV_LANDED_STATE_UNDEFINED,
+    OnGround = mavlink::MAV_LANDED_STATE_ON_GROUND,
+    InAir = mavlink::MAV_LANDED_STATE_IN_AIR,
+    TakeOff = mavlink::MAV_LANDED_STATE_TAKEOFF,
+    Landing = mavlink::MAV_LANDED_STATE_LANDING
+};
 
 class FlightTimer
 {

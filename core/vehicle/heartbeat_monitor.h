@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/message_ids.h"
 
 #include <cstdint>
 
@@ -12,15 +13,13 @@ class HeartbeatMonitor
 {
 public:
     static constexpr Duration kLostAfter = std::chrono::milliseconds(3500);
-    static constexpr std::uint32_t kHeartbeat = 0;
-    static constexpr std::uint32_t kRadioStatus = 109;
 
     void handleMessage(TimePoint now, std::uint32_t messageId)
     {
-        if (messageId == kRadioStatus)
+        if (messageId == mavlink::MAVLINK_MSG_ID_RADIO_STATUS)
             return;
         m_lastMessage = now;
-        if (messageId == kHeartbeat)
+        if (messageId == mavlink::MAVLINK_MSG_ID_HEARTBEAT)
             m_lastHeartbeat = now;
     }
 

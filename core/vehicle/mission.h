@@ -1,6 +1,8 @@
 // One item of a mission, as MISSION_ITEM_INT carries it.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 
 namespace skyseal::vehicle {
@@ -8,8 +10,8 @@ namespace skyseal::vehicle {
 struct MissionItem
 {
     std::uint16_t sequence = 0;
-    std::uint16_t command = 16; ///< MAV_CMD
-    std::uint8_t frame = 3;     ///< MAV_FRAME, 3 = relative altitude
+    std::uint16_t command = mavlink::MAV_CMD_NAV_WAYPOINT;       ///< MAV_CMD
+    std::uint8_t frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT; ///< MAV_FRAME
     bool current = false;
     bool autoContinue = true;
     float parameters[4]{};

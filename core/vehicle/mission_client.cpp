@@ -7,10 +7,6 @@
 
 namespace skyseal::vehicle {
 
-namespace {
-constexpr std::uint8_t kAccepted = 0, kInvalidSequence = 13; // MAV_MISSION_RESULT
-}
-
 void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, MessageQueue &outbox)
 {
     if (!begin(MissionTransfer::Upload))
@@ -90,24 +86,25 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &
     case Phase::Idle: return;
     case Phase::Announcing:
         // An answer to an upload before this one, unless the vehicle refuses or there was nothing to send.
-        if (result == kAccepted && !m_items.empty())
+        if (result == mavlink::MAV_MISSION_ACCEPTED && !m_items.empty())
             return;
         break;
     case Phase::Uploading:
         // A duplicated item; the vehicle goes on asking for the one that it needs.
-        if (result == kInvalidSequence) {
+        if (result == mavlink::MAV_MISSION_INVALID_SEQUENCE) {
             m_deadline = now + kRequestTimeout;
             return;
         }
         break;
     case Phase::AskingForCount:
     case Phase::Downloading:
-        if (result == kAccepted)
+        if (result == mavlink::MAV_MISSION_ACCEPTED)
             return;
         break;
     case Phase::Clearing: break;
     }
-    finish(result == kAccepted, result == kAccepted ? std::string() : missionResultText(result));
+    finish(result == mavlink::MAV_MISSION_ACCEPTED,
+           result == mavlink::MAV_MISSION_ACCEPTED ? std::string() : missionResultText(result));
 }
 
 void MissionClient::handleDeadline(TimePoint now, MessageQueue &outbox)
@@ -236,7 +233,7 @@ void MissionClient::sendAck(MessageQueue &outbox) const
     mavlink::MissionAck message;
     message.target_system = m_addressing.system;
     message.target_component = m_addressing.component;
-    message.type = kAccepted;
+    message.type = mavlink::MAV_MISSION_ACCEPTED;
     push(outbox, message, true);
 }
 

@@ -1,6 +1,8 @@
 // One onboard parameter.
 #pragma once
 
+#include "core/mavlink/enums.h"
+
 #include <cstdint>
 #include <string>
 
@@ -8,9 +10,9 @@ namespace skyseal::vehicle {
 
 struct Parameter
 {
-    std::string name;      ///< up to 16 characters
-    double value = 0;      ///< ArduPilot's are floats on the wire whatever their type
-    std::uint8_t type = 9; ///< MAV_PARAM_TYPE
+    std::string name;                                   ///< up to 16 characters
+    double value = 0;                                   ///< ArduPilot's are floats on the wire whatever their type
+    std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
     std::uint16_t index = 0;
 };
 

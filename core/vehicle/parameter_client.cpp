@@ -13,12 +13,11 @@ namespace skyseal::vehicle {
 namespace {
 
 constexpr std::uint16_t kNoIndex = 65535;
-constexpr std::uint8_t kReal32 = 9; // MAV_PARAM_TYPE_REAL32
 
-/// Types 1 to 6 are integers of 8, 16 and 32 bits, odd ones unsigned.
+/// Integers of 8, 16 and 32 bits.
 constexpr bool isInteger(std::uint8_t type)
 {
-    return type >= 1 && type <= 6;
+    return type >= mavlink::MAV_PARAM_TYPE_UINT8 && type <= mavlink::MAV_PARAM_TYPE_INT32;
 }
 
 /// Whether the vehicle has what was asked for, as exactly as a float can say it.
@@ -149,11 +148,11 @@ double ParameterClient::decode(float raw, std::uint8_t type) const
         return raw;
     const auto bits = std::bit_cast<std::uint32_t>(raw);
     switch (type) {
-    case 1: return static_cast<std::uint8_t>(bits);
-    case 2: return static_cast<std::int8_t>(bits);
-    case 3: return static_cast<std::uint16_t>(bits);
-    case 4: return static_cast<std::int16_t>(bits);
-    case 5: return bits;
+    case mavlink::MAV_PARAM_TYPE_UINT8: return static_cast<std::uint8_t>(bits);
+    case mavlink::MAV_PARAM_TYPE_INT8: return static_cast<std::int8_t>(bits);
+    case mavlink::MAV_PARAM_TYPE_UINT16: return static_cast<std::uint16_t>(bits);
+    case mavlink::MAV_PARAM_TYPE_INT16: return static_cast<std::int16_t>(bits);
+    case mavlink::MAV_PARAM_TYPE_UINT32: return bits;
     default: return static_cast<std::int32_t>(bits);
     }
 }
@@ -198,7 +197,7 @@ void ParameterClient::sendWrite(TimePoint now, MessageQueue &outbox)
     mavlink::ParamSet message;
     message.target_system = m_addressing.system;
     message.target_component = m_addressing.component;
-    message.param_type = known == m_values.end() ? kReal32 : known->second.type;
+    message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
     message.param_value = encode(write.value, message.param_type);
     mavlink::setText(message.param_id, write.name);
     push(outbox, message, true);

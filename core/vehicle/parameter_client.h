@@ -24,9 +24,9 @@ struct ParameterValue
 {
     std::string_view name;
     float value = 0;
-    std::uint8_t type = 9;   ///< MAV_PARAM_TYPE
-    std::uint16_t count = 0; ///< of all parameters
-    std::uint16_t index = 0; ///< 65535 where it is an answer to a name
+    std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
+    std::uint16_t count = 0;                            ///< of all parameters
+    std::uint16_t index = 0;                            ///< 65535 where it is an answer to a name
 };
 
 class ParameterClient

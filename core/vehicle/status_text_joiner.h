@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/enums.h"
 
 #include <array>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace skyseal::vehicle {
 
 struct JoinedText
 {
-    std::uint8_t severity = 6;
+    std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     std::string text;
 };
 
@@ -40,7 +41,7 @@ private:
     struct Pending
     {
         std::uint8_t component = 0;
-        std::uint8_t severity = 6;
+        std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
         std::uint16_t id = 0;
         std::uint8_t nextChunk = 0;
         std::string text;

@@ -9,6 +9,8 @@ namespace skyseal::vehicle {
 
 namespace {
 
+using namespace mavlink;
+
 /// A group of ArduPilot's streams, with the messages by which one sees that it comes.
 struct Group
 {
@@ -18,13 +20,13 @@ struct Group
 };
 
 constexpr std::array<Group, 7> kStreamGroups{{
-    {1, 2, 0, {27, 29, 116}},   // RAW_SENSORS: RAW_IMU, SCALED_PRESSURE, SCALED_IMU2
-    {2, 2, 1, {1, 24, 42}},     // EXTENDED_STATUS: SYS_STATUS, GPS_RAW_INT, MISSION_CURRENT
-    {3, 2, 0, {65, 35, 36}},    // RC_CHANNELS: RC_CHANNELS, RC_CHANNELS_RAW, SERVO_OUTPUT_RAW
-    {6, 3, 1, {33, 32, 33}},    // POSITION: GLOBAL_POSITION_INT, LOCAL_POSITION_NED
-    {10, 10, 2, {30, 30, 30}},  // EXTRA1: ATTITUDE
-    {11, 10, 1, {74, 74, 74}},  // EXTRA2: VFR_HUD
-    {12, 3, 1, {193, 241, 147}} // EXTRA3: EKF_STATUS_REPORT, VIBRATION, BATTERY_STATUS
+    {MAV_DATA_STREAM_RAW_SENSORS, 2, 0, {RawImu::kId, ScaledPressure::kId, ScaledImu2::kId}},
+    {MAV_DATA_STREAM_EXTENDED_STATUS, 2, 1, {SysStatus::kId, GpsRawInt::kId, MissionCurrent::kId}},
+    {MAV_DATA_STREAM_RC_CHANNELS, 2, 0, {RcChannels::kId, RcChannelsRaw::kId, ServoOutputRaw::kId}},
+    {MAV_DATA_STREAM_POSITION, 3, 1, {GlobalPositionInt::kId, LocalPositionNed::kId, GlobalPositionInt::kId}},
+    {MAV_DATA_STREAM_EXTRA1, 10, 2, {Attitude::kId, Attitude::kId, Attitude::kId}},
+    {MAV_DATA_STREAM_EXTRA2, 10, 1, {VfrHud::kId, VfrHud::kId, VfrHud::kId}},
+    {MAV_DATA_STREAM_EXTRA3, 3, 1, {EkfStatusReport::kId, Vibration::kId, BatteryStatus::kId}},
 }};
 
 /// Single messages: what is in no group of ArduPilot's, and for other autopilots what the groups give there.
@@ -36,17 +38,15 @@ struct Single
 };
 
 constexpr std::array<Single, 8> kSingleMessages{{
-    {242, 0.5, 0.1, false}, // HOME_POSITION
-    {245, 1, 0.5, false},   // EXTENDED_SYS_STATE
-    {30, 10, 2, true},      // ATTITUDE
-    {33, 3, 1, true},       // GLOBAL_POSITION_INT
-    {74, 10, 1, true},      // VFR_HUD
-    {1, 2, 1, true},        // SYS_STATUS
-    {24, 2, 1, true},       // GPS_RAW_INT
-    {230, 1, 0.5, true}     // ESTIMATOR_STATUS
+    {HomePosition::kId, 0.5, 0.1, false},
+    {ExtendedSysState::kId, 1, 0.5, false},
+    {Attitude::kId, 10, 2, true},
+    {GlobalPositionInt::kId, 3, 1, true},
+    {VfrHud::kId, 10, 1, true},
+    {SysStatus::kId, 2, 1, true},
+    {GpsRawInt::kId, 2, 1, true},
+    {EstimatorStatus::kId, 1, 0.5, true},
 }};
-
-constexpr std::uint16_t kSetMessageInterval = 511; // MAV_CMD_SET_MESSAGE_INTERVAL
 
 } // namespace
 
@@ -112,8 +112,7 @@ void StreamRequester::handleReturn(TimePoint now)
 
 void StreamRequester::handleIntervalResult(std::uint8_t result)
 {
-    constexpr std::uint8_t kUnsupported = 3;
-    if (result == kUnsupported)
+    if (result == MAV_RESULT_UNSUPPORTED)
         m_intervalsUnderstood = false;
     if (!m_intervalsUnderstood)
         m_messages.fill({});
@@ -147,7 +146,7 @@ void StreamRequester::handleDeadline(TimePoint now, MessageQueue &outbox)
         mavlink::CommandLong request;
         request.target_system = m_addressing.system;
         request.target_component = m_addressing.component;
-        request.command = kSetMessageInterval;
+        request.command = MAV_CMD_SET_MESSAGE_INTERVAL;
         request.param1 = static_cast<float>(single.message);
         request.param2 = static_cast<float>(1e6 / rate); // microseconds
         push(outbox, request);

@@ -30,8 +30,9 @@ bool isPlace(std::int32_t latitude, std::int32_t longitude)
 /// The flags of EKF_STATUS_REPORT and ESTIMATOR_STATUS, which agree in these bits.
 bool isEstimateGood(std::uint16_t flags)
 {
-    constexpr std::uint16_t kNeeded = 1 | 2 | 16 | 32;       // attitude, horizontal velocity, absolute position, altitude
-    constexpr std::uint16_t kForbidden = 128 | 1024 | 32768; // constant position mode, not initialised, GPS glitching
+    using namespace mavlink;
+    constexpr std::uint16_t kNeeded = EKF_ATTITUDE | EKF_VELOCITY_HORIZ | EKF_POS_HORIZ_ABS | EKF_POS_VERT_ABS;
+    constexpr std::uint16_t kForbidden = EKF_CONST_POS_MODE | EKF_UNINITIALIZED | EKF_GPS_GLITCHING;
     return (flags & kNeeded) == kNeeded && (flags & kForbidden) == 0;
 }
 
@@ -70,7 +71,7 @@ struct TelemetryReaders
         c.state.gpsFix = m.fix_type;
         c.state.satellites = m.satellites_visible == 255 ? -1 : m.satellites_visible;
         c.state.hdop = m.eph == kNo16 ? kUnknown : m.eph * 0.01;
-        if (c.memory.m_hasGlobalPosition || m.fix_type < 2 || !isPlace(m.lat, m.lon))
+        if (c.memory.m_hasGlobalPosition || m.fix_type < mavlink::GPS_FIX_TYPE_2D_FIX || !isPlace(m.lat, m.lon))
             return;
         c.state.position = {m.lat * 1e-7, m.lon * 1e-7, m.alt * 1e-3};
         if (m.vel != kNo16)
@@ -149,7 +150,8 @@ struct TelemetryReaders
 
     static void read(const mavlink::ExtendedSysState &m, Context &c)
     {
-        c.news.landed = m.landed_state <= 4 ? static_cast<LandedState>(m.landed_state) : LandedState::Undefined;
+        c.news.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
+                                                                            : LandedState::Undefined;
     }
 
     static void read(const mavlink::PositionTargetGlobalInt &m, Context &c)

@@ -6,11 +6,6 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint8_t kArmedFlag = 128; // MAV_MODE_FLAG_SAFETY_ARMED
-constexpr std::uint16_t kSetMessageInterval = 511;
-constexpr std::uint64_t kCapabilityMissionInt = 4, kCapabilityBytewise = 16; // MAV_PROTOCOL_CAPABILITY
-constexpr std::uint8_t kFlightPlan = 0;                                      // MAV_MISSION_TYPE_MISSION
-
 MissionItem toItem(const mavlink::MissionItemInt &m)
 {
     return {m.seq,      m.command,  m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
@@ -102,7 +97,7 @@ void Vehicle::Parts::handleHeartbeat(TimePoint now, const mavlink::Frame &frame)
     state.baseMode = m.base_mode;
     state.customMode = m.custom_mode;
     state.systemStatus = m.system_status;
-    state.armed = (m.base_mode & kArmedFlag) != 0;
+    state.armed = (m.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) != 0;
     home.update(state);
     flightTimer.update(now, state.armed, state.altitudeRelative);
     streams.handleHeartbeat(now, kind);
@@ -137,7 +132,7 @@ void Vehicle::Parts::handleAck(TimePoint now, const mavlink::Frame &frame)
     const auto m = unpack<mavlink::CommandAck>(frame);
     if (!addressing.isForUs(m.target_system, m.target_component))
         return;
-    if (m.command == kSetMessageInterval)
+    if (m.command == mavlink::MAV_CMD_SET_MESSAGE_INTERVAL)
         streams.handleIntervalResult(m.result);
     commander.handleAck(now, m.command, m.result, state, outbox);
 }
@@ -148,8 +143,9 @@ void Vehicle::Parts::handleVersion(const mavlink::Frame &frame)
     firmware.handleVersion(m.flight_sw_version, {state.type, state.autopilot});
     state.firmware = firmware.text();
     state.capabilities = m.capabilities;
-    mission.setTakesIntegers((m.capabilities & kCapabilityMissionInt) != 0);
-    parameters.setBytewise((m.capabilities & kCapabilityBytewise) != 0 || VehicleKind{state.type, state.autopilot}.isPx4());
+    mission.setTakesIntegers((m.capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0);
+    parameters.setBytewise((m.capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE) != 0
+                           || VehicleKind{state.type, state.autopilot}.isPx4());
 }
 
 void Vehicle::Parts::handleParameter(TimePoint now, const mavlink::Frame &frame)
@@ -162,7 +158,7 @@ void Vehicle::Parts::handleParameter(TimePoint now, const mavlink::Frame &frame)
 void Vehicle::Parts::handleMission(TimePoint now, const mavlink::Frame &frame)
 {
     const auto route = [&](const auto &m, auto handle) {
-        if (addressing.isForUs(m.target_system, m.target_component) && m.mission_type == kFlightPlan)
+        if (addressing.isForUs(m.target_system, m.target_component) && m.mission_type == mavlink::MAV_MISSION_TYPE_MISSION)
             handle(m);
     };
     switch (frame.messageId()) {

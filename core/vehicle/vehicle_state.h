@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/enums.h"
 
 #include <cmath>
 #include <cstdint>
@@ -26,8 +27,8 @@ struct Position
 /// One line of the vehicle's own words, long ones joined.
 struct StatusText
 {
-    std::uint64_t number = 0;  ///< rises by one per vehicle, so that a reader sees which are new
-    std::uint8_t severity = 6; ///< MAV_SEVERITY: 0 emergency … 7 debug
+    std::uint64_t number = 0; ///< rises by one per vehicle, so that a reader sees which are new
+    std::uint8_t severity = mavlink::MAV_SEVERITY_INFO;
     std::string text;
     WallTime time{};
 };

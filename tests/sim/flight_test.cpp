@@ -1,7 +1,7 @@
 // Whole flights in simulated time: times, heights and places that a pilot would find believable, and the refusals.
 #include "tests/sim/test_flight.h"
 
-#include "core/sim/mission_command.h"
+#include "core/mavlink/enums.h"
 
 #include <QtTest/QTest>
 
@@ -217,16 +217,16 @@ MissionItem item(std::uint16_t command, const Autopilot &a, double north, double
 
 void SimFlightTest::fliesAMission()
 {
-    using namespace mission_command;
+    using namespace skyseal::mavlink;
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     QVERIFY(flight.until([&] { return a.estimate().positionOk; }, 10) >= 0);
-    MissionItem fast = item(kChangeSpeed, a, 0, 0, 0);
+    MissionItem fast = item(MAV_CMD_DO_CHANGE_SPEED, a, 0, 0, 0);
     fast.parameters = {1, 8, -1, 0};
-    MissionItem wait = item(kLoiterTime, a, 40, 20, 12);
+    MissionItem wait = item(MAV_CMD_NAV_LOITER_TIME, a, 40, 20, 12);
     wait.parameters[0] = 3;
-    a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kTakeOff, a, 0, 0, 12), fast, item(kWaypoint, a, 40, 0, 12),
-                              wait, item(kLand, a, 10, 10, 0)});
+    a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_TAKEOFF, a, 0, 0, 12), fast,
+                              item(MAV_CMD_NAV_WAYPOINT, a, 40, 0, 12), wait, item(MAV_CMD_NAV_LAND, a, 10, 10, 0)});
     QVERIFY(!a.enterMode(FlightMode::Guided));
     QVERIFY(!a.arm(false));
     QVERIFY(!a.startMission());
@@ -248,12 +248,12 @@ void SimFlightTest::fliesAMission()
 
 void SimFlightTest::missionNeedsATakeOff()
 {
-    using namespace mission_command;
+    using namespace skyseal::mavlink;
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     flight.run(6);
     QVERIFY(a.enterMode(FlightMode::Auto)); // none at all
-    a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kWaypoint, a, 40, 0, 12)});
+    a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_WAYPOINT, a, 40, 0, 12)});
     QVERIFY(a.enterMode(FlightMode::Auto)->find("Missing Takeoff") != std::string::npos);
     QVERIFY(flight.airborne(5));
     QVERIFY(!a.enterMode(FlightMode::Auto));
@@ -263,15 +263,15 @@ void SimFlightTest::missionNeedsATakeOff()
 
 void SimFlightTest::jumpsEnd()
 {
-    using namespace mission_command;
+    using namespace skyseal::mavlink;
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     QVERIFY(flight.airborne(10));
-    MissionItem twice = item(kJump, a, 0, 0, 0);
+    MissionItem twice = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
     twice.parameters = {1, 2, 0, 0};
-    MissionItem forever = item(kJump, a, 0, 0, 0);
+    MissionItem forever = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
     forever.parameters = {3, -1, 0, 0};
-    a.modes().mission().load({item(kWaypoint, a, 0, 0, 0), item(kWaypoint, a, 0, 5, 10), twice, forever});
+    a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_WAYPOINT, a, 0, 5, 10), twice, forever});
     QVERIFY(!a.enterMode(FlightMode::Auto));
     int visits = 0;
     QVERIFY(flight.until(

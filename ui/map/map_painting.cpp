@@ -1,6 +1,7 @@
 // How the map looks: the part of MapView that paints.
 #include "ui/map/map_view.h"
 
+#include "core/mavlink/enums.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -29,8 +30,6 @@ QString lengthText(double metres)
 {
     return metres >= 1000 ? QStringLiteral("%1 km").arg(metres / 1000) : QStringLiteral("%1 m").arg(metres);
 }
-
-constexpr int kMavCmdWaypoint = 16, kMavCmdLand = 21, kMavCmdTakeoff = 22;
 
 } // namespace
 
@@ -107,7 +106,8 @@ void MapView::paintMission(QPainter &painter) const
     const StateColors &colors = stateColors(palette());
     QPolygonF route;
     for (const vehicle::MissionItem &item : *m_mission) {
-        const bool hasPlace = item.command == kMavCmdWaypoint || item.command == kMavCmdLand || item.command == kMavCmdTakeoff;
+        const bool hasPlace = item.command == mavlink::MAV_CMD_NAV_WAYPOINT || item.command == mavlink::MAV_CMD_NAV_LAND
+            || item.command == mavlink::MAV_CMD_NAV_TAKEOFF;
         if (!hasPlace || item.sequence == 0 || (item.latitude == 0 && item.longitude == 0))
             continue; // item 0 is home
         route << toPixels(m_frame->toMetres(item.latitude, item.longitude));

@@ -1,5 +1,6 @@
 #include "ui/messages/message_model.h"
 
+#include "core/mavlink/enums.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/palettes.h"
 #include "ui/text/plain_tip.h"
@@ -9,9 +10,7 @@
 
 namespace skyseal::ui {
 
-namespace {
-constexpr std::uint8_t kError = 3, kWarning = 4, kNotice = 5;
-}
+namespace {}
 
 void MessageModel::append(const Message &message)
 {
@@ -60,14 +59,15 @@ QVariant MessageModel::data(const QModelIndex &index, int role) const
     case Qt::ToolTipRole: return index.column() == Text ? QVariant(plainTip(message.text)) : QVariant();
     case Qt::ForegroundRole: {
         const StateColors &colors = stateColors(QGuiApplication::palette());
-        if (message.severity <= kError)
+        if (message.severity <= mavlink::MAV_SEVERITY_ERROR)
             return colors.alarm;
-        if (message.severity <= kNotice)
-            return index.column() == Severity || message.severity == kWarning ? QVariant(colors.warning) : QVariant();
+        if (message.severity <= mavlink::MAV_SEVERITY_NOTICE)
+            return index.column() == Severity || message.severity == mavlink::MAV_SEVERITY_WARNING ? QVariant(colors.warning)
+                                                                                                   : QVariant();
         return index.column() == Text ? QVariant() : QVariant(colors.dim);
     }
     case Qt::FontRole:
-        if (message.severity <= kError) {
+        if (message.severity <= mavlink::MAV_SEVERITY_ERROR) {
             QFont bold;
             bold.setBold(true);
             return bold;

@@ -1,5 +1,6 @@
 #include "ui/status/status_strip.h"
 
+#include "core/mavlink/enums.h"
 #include "ui/status/lock_face.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
@@ -86,7 +87,9 @@ void StatusStrip::showVehicle(const ViewState &view)
     const QString fix = fixText(state.gpsFix);
     const QString satellites = state.satellites < 0 ? QString() : tr("%1 sat").arg(state.satellites);
     m_gps->setContent({satellites.isEmpty() ? fix : fix + kDot + satellites, fix, fix}, QStringLiteral("satellite"));
-    m_gps->setTextColor(view.stale() ? colors.dim : state.gpsFix >= 0 && state.gpsFix < 3 ? colors.warning : QColor());
+    m_gps->setTextColor(view.stale()                                                                ? colors.dim
+                            : state.gpsFix >= 0 && state.gpsFix < int(mavlink::GPS_FIX_TYPE_3D_FIX) ? colors.warning
+                                                                                                    : QColor());
     m_gps->setToolTip(tr("HDOP %1").arg(number(state.hdop, 1)));
 
     const QString volts = number(state.batteryVoltage, 1) + QStringLiteral(" V");

@@ -1,5 +1,6 @@
 #include "ui/text/state_text.h"
 
+#include "core/mavlink/enums.h"
 #include "ui/text/units.h"
 
 #include <QtCore/QCoreApplication>
@@ -37,15 +38,15 @@ QString anyOfNames(std::string_view names)
 QString fixText(int gpsFixType)
 {
     switch (gpsFixType) {
-    case 0: return Words::tr("no GPS");
-    case 1: return Words::tr("no fix");
-    case 2: return Words::tr("2D fix");
-    case 3: return Words::tr("3D fix");
-    case 4: return Words::tr("DGPS");
-    case 5: return Words::tr("RTK float");
-    case 6: return Words::tr("RTK fixed");
-    case 7: return Words::tr("static");
-    case 8: return Words::tr("PPP");
+    case mavlink::GPS_FIX_TYPE_NO_GPS: return Words::tr("no GPS");
+    case mavlink::GPS_FIX_TYPE_NO_FIX: return Words::tr("no fix");
+    case mavlink::GPS_FIX_TYPE_2D_FIX: return Words::tr("2D fix");
+    case mavlink::GPS_FIX_TYPE_3D_FIX: return Words::tr("3D fix");
+    case mavlink::GPS_FIX_TYPE_DGPS: return Words::tr("DGPS");
+    case mavlink::GPS_FIX_TYPE_RTK_FLOAT: return Words::tr("RTK float");
+    case mavlink::GPS_FIX_TYPE_RTK_FIXED: return Words::tr("RTK fixed");
+    case mavlink::GPS_FIX_TYPE_STATIC: return Words::tr("static");
+    case mavlink::GPS_FIX_TYPE_PPP: return Words::tr("PPP");
     default: return dash();
     }
 }
@@ -53,25 +54,25 @@ QString fixText(int gpsFixType)
 QString vehicleTypeText(std::uint8_t type)
 {
     switch (type) {
-    case 1: return Words::tr("plane");
-    case 2: return Words::tr("quadrotor");
-    case 3: return Words::tr("coaxial helicopter");
-    case 4: return Words::tr("helicopter");
-    case 5: return Words::tr("antenna tracker");
-    case 7: return Words::tr("airship");
-    case 10: return Words::tr("rover");
-    case 11: return Words::tr("boat");
-    case 12: return Words::tr("submarine");
-    case 13: return Words::tr("hexarotor");
-    case 14: return Words::tr("octorotor");
-    case 15: return Words::tr("tricopter");
-    case 19:
-    case 20:
-    case 21:
-    case 22:
-    case 23:
-    case 24:
-    case 25: return Words::tr("VTOL");
+    case mavlink::MAV_TYPE_FIXED_WING: return Words::tr("plane");
+    case mavlink::MAV_TYPE_QUADROTOR: return Words::tr("quadrotor");
+    case mavlink::MAV_TYPE_COAXIAL: return Words::tr("coaxial helicopter");
+    case mavlink::MAV_TYPE_HELICOPTER: return Words::tr("helicopter");
+    case mavlink::MAV_TYPE_ANTENNA_TRACKER: return Words::tr("antenna tracker");
+    case mavlink::MAV_TYPE_AIRSHIP: return Words::tr("airship");
+    case mavlink::MAV_TYPE_GROUND_ROVER: return Words::tr("rover");
+    case mavlink::MAV_TYPE_SURFACE_BOAT: return Words::tr("boat");
+    case mavlink::MAV_TYPE_SUBMARINE: return Words::tr("submarine");
+    case mavlink::MAV_TYPE_HEXAROTOR: return Words::tr("hexarotor");
+    case mavlink::MAV_TYPE_OCTOROTOR: return Words::tr("octorotor");
+    case mavlink::MAV_TYPE_TRICOPTER: return Words::tr("tricopter");
+    case mavlink::MAV_TYPE_VTOL_TAILSITTER_DUOROTOR:
+    case mavlink::MAV_TYPE_VTOL_TAILSITTER_QUADROTOR:
+    case mavlink::MAV_TYPE_VTOL_TILTROTOR:
+    case mavlink::MAV_TYPE_VTOL_FIXEDROTOR:
+    case mavlink::MAV_TYPE_VTOL_TAILSITTER:
+    case mavlink::MAV_TYPE_VTOL_TILTWING:
+    case mavlink::MAV_TYPE_VTOL_RESERVED5: return Words::tr("VTOL");
     default: return Words::tr("vehicle");
     }
 }
@@ -79,13 +80,13 @@ QString vehicleTypeText(std::uint8_t type)
 QString severityText(std::uint8_t severity)
 {
     switch (severity) {
-    case 0: return Words::tr("emergency");
-    case 1: return Words::tr("alert");
-    case 2: return Words::tr("critical");
-    case 3: return Words::tr("error");
-    case 4: return Words::tr("warning");
-    case 5: return Words::tr("notice");
-    case 6: return Words::tr("info");
+    case mavlink::MAV_SEVERITY_EMERGENCY: return Words::tr("emergency");
+    case mavlink::MAV_SEVERITY_ALERT: return Words::tr("alert");
+    case mavlink::MAV_SEVERITY_CRITICAL: return Words::tr("critical");
+    case mavlink::MAV_SEVERITY_ERROR: return Words::tr("error");
+    case mavlink::MAV_SEVERITY_WARNING: return Words::tr("warning");
+    case mavlink::MAV_SEVERITY_NOTICE: return Words::tr("notice");
+    case mavlink::MAV_SEVERITY_INFO: return Words::tr("info");
     default: return Words::tr("debug");
     }
 }

@@ -1,5 +1,5 @@
-// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the tables, the enums and the typed messages that core/mavlink
-// compiles.
+// dialectgen ROOT.xml TYPED-LIST OUTPUT-FOLDER: writes the message tables, the enums, the message ids and the typed messages
+// that core/mavlink compiles.
 #include "core/mavlink/dialect_xml.h"
 
 #include <algorithm>
@@ -106,6 +106,14 @@ void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
     out << "} // namespace skyseal::mavlink\n";
 }
 
+void writeMessageIds(const DialectDefinition &dialect, std::ofstream &out)
+{
+    out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\nenum MessageId : std::uint32_t {\n";
+    for (const MessageDefinition &m : dialect.messages)
+        out << "    MAVLINK_MSG_ID_" << m.name << " = " << m.id << ",\n";
+    out << "};\n\n} // namespace skyseal::mavlink\n";
+}
+
 void writeMessage(const MessageDefinition &m, std::ofstream &out)
 {
     const std::string type = typeNameOf(m.name);
@@ -154,9 +162,11 @@ int main(int argc, char **argv)
     const std::string folder = argv[3];
     std::ofstream tables(folder + "/builtin_tables.cpp");
     std::ofstream enums(folder + "/enums.h");
+    std::ofstream ids(folder + "/message_ids.h");
     std::ofstream messages(folder + "/messages.h");
     writeTables(*dialect, tables);
     writeEnums(*dialect, enums);
+    writeMessageIds(*dialect, ids);
     messages << kHead
              << "#pragma once\n\n#include \"core/mavlink/enums.h\"\n#include \"core/mavlink/payload_bytes.h\"\n\nnamespace "
                 "skyseal::mavlink {\n\n";
@@ -169,5 +179,5 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "%s: no message is named %s\n", argv[2], typed.begin()->c_str());
         return 1;
     }
-    return tables.good() && enums.good() && messages.good() ? 0 : 1;
+    return tables.good() && enums.good() && ids.good() && messages.good() ? 0 : 1;
 }
