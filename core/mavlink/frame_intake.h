@@ -10,19 +10,22 @@
 
 namespace skyseal::mavlink {
 
+/// Calls `deliver(const ScanItem &)` for every frame and every damaged region of a buffer of whole frames.
+template<typename Deliver> void scanFrames(ByteView bytes, const Dialect &dialect, Deliver &&deliver)
+{
+    FrameScanner scanner(bytes, dialect);
+    while (const auto item = scanner.next())
+        deliver(*item);
+}
+
 class FrameIntake
 {
 public:
     /// `dialect` must outlive this object.
     explicit FrameIntake(const Dialect &dialect) : m_dialect(&dialect) {}
 
-    /// Calls `deliver(const ScanItem &)` for every frame and every damaged region of one datagram.
-    template<typename Deliver> void takeDatagram(ByteView bytes, Deliver &&deliver)
-    {
-        FrameScanner scanner(bytes, *m_dialect);
-        while (const auto item = scanner.next())
-            deliver(*item);
-    }
+    /// scanFrames() for one datagram.
+    template<typename Deliver> void takeDatagram(ByteView bytes, Deliver &&deliver) { scanFrames(bytes, *m_dialect, deliver); }
 
     /// The same for the next piece of the byte stream from `from`. An incomplete frame is kept until its end arrives.
     template<typename Deliver> void takeStream(const Path &from, ByteView bytes, Deliver &&deliver)
@@ -46,6 +49,12 @@ private:
 inline bool isDamagedFrame(const ScanItem &item)
 {
     return !item.frame && (item.fault == FrameFault::BadCrc || item.fault == FrameFault::Truncated);
+}
+
+/// True for a valid frame, and for one of a message that the dialect does not know, which can be forwarded as it is.
+inline bool isWholeFrame(const ScanItem &item)
+{
+    return item.frame || item.fault == FrameFault::UnknownMessage;
 }
 
 } // namespace skyseal::mavlink

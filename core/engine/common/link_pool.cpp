@@ -3,13 +3,11 @@
 #include "core/link/address_text.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::engine {
 
 namespace {
-
-/// Telemetry radios; a wire to the computer beside it is quicker than that.
-constexpr std::uint32_t kSlowBaud = 230400;
 
 LinkPhase phaseOf(link::LinkState state)
 {
@@ -64,22 +62,30 @@ void LinkPool::remove(LinkId id)
     m_entries.erase(found);
 }
 
-LinkPool::Entry *LinkPool::entry(LinkId id)
+const LinkPool::Entry *LinkPool::entry(LinkId id) const
 {
-    for (Entry &candidate : m_entries) {
+    for (const Entry &candidate : m_entries) {
         if (candidate.link->id() == id)
             return &candidate;
     }
     return nullptr;
 }
 
+LinkPool::Entry *LinkPool::entry(LinkId id)
+{
+    return const_cast<Entry *>(std::as_const(*this).entry(id));
+}
+
 link::Link *LinkPool::find(LinkId id) const
 {
-    for (const Entry &candidate : m_entries) {
-        if (candidate.link->id() == id)
-            return candidate.link.get();
-    }
-    return nullptr;
+    const Entry *found = entry(id);
+    return found ? found->link.get() : nullptr;
+}
+
+bool LinkPool::isListenOnly(LinkId id) const
+{
+    const Entry *found = entry(id);
+    return found && found->use == LinkUse::ListenOnly;
 }
 
 void LinkPool::send(const Path &to, ByteView block)
@@ -96,7 +102,7 @@ bool LinkPool::isSlow(const Path &path) const
     if (path.carrier == Carrier::Tunnel)
         return true;
     const link::Link *link = path.carrier == Carrier::Serial ? find(path.link) : nullptr;
-    return link && link->url().scheme() == link::LinkScheme::Serial && link->url().baud() <= kSlowBaud;
+    return link && link->traits().isSlow;
 }
 
 void LinkPool::flush()

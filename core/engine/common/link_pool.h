@@ -32,6 +32,8 @@ public:
     /// Closes it; the object dies when the event loop comes round, since it may be the caller.
     void remove(LinkId id);
     link::Link *find(LinkId id) const;
+    /// Nothing is ever sent on the link.
+    bool isListenOnly(LinkId id) const;
 
     /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds
     /// nothing); dropped when the link is gone or only listens.
@@ -76,6 +78,7 @@ private:
     };
 
     Entry *entry(LinkId id);
+    const Entry *entry(LinkId id) const;
     LinkSnapshot describe(const Entry &entry) const;
 
     link::LinkListener &m_listener;

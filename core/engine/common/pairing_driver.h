@@ -13,11 +13,11 @@ namespace skyseal::engine {
 class PairingDriver
 {
 public:
-    using Tell = std::function<void(const channel::PairingEvent &)>;
+    using Notify = std::function<void(const channel::PairingEvent &)>;
 
     /// `random` must outlive it.
-    PairingDriver(LinkPool &links, RandomSource &random, Tell tell)
-        : m_links(links), m_random(random), m_notify(std::move(tell))
+    PairingDriver(LinkPool &links, RandomSource &random, Notify notify)
+        : m_links(links), m_random(random), m_notify(std::move(notify))
     {}
 
     /// Opens a window; one that is open is cancelled without a further event.
@@ -38,7 +38,7 @@ public:
 private:
     LinkPool &m_links;
     RandomSource &m_random;
-    Tell m_notify;
+    Notify m_notify;
     std::optional<channel::Pairing> m_pairing;
     bool m_over = false;
 };

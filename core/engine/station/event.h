@@ -5,6 +5,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/vehicle/vehicle_command.h"
 
+#include <functional>
 #include <string>
 #include <variant>
 
@@ -79,5 +80,7 @@ using Event = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, 
                            AgentUnanswering, RecordingProblem, MissionTransferDone, ParameterWritten, vehicle::CommandResult,
                            channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
                            channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
+/// Publishes one event; called on the I/O thread.
+using Notify = std::function<void(Event)>;
 
 } // namespace skyseal::engine

@@ -1,0 +1,99 @@
+#include "core/engine/station/fleet.h"
+
+namespace skyseal::engine {
+
+namespace {
+
+/// The agent's list alone holds the role of this station, and an agent does not answer commands of an observer.
+const std::string kMaybeObserver = "; the agent may know this station as an observer, whose commands it drops";
+
+} // namespace
+
+std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
+                                        std::optional<channel::SessionId> session)
+{
+    const std::uint8_t systemId = frame.systemId();
+    m_frameBytes += frame.bytes().size();
+    m_sequences.note({link, systemId, frame.componentId()}, frame.sequence(), now);
+    m_inspector.note(now, frame);
+    const bool found = m_vehicles.handleFrame(now, wall, frame);
+    const vehicle::Vehicle *vehicle = m_vehicles.find(systemId);
+    if (!vehicle)
+        return std::nullopt;
+    m_watches.heard(systemId, link, session);
+    if (!found)
+        return std::nullopt;
+    return VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()};
+}
+
+void Fleet::publishResults(std::uint8_t systemId, vehicle::Vehicle &vehicle, bool sealed, const Notify &notify)
+{
+    while (auto result = vehicle.pollResult()) {
+        if (sealed && result->unanswered)
+            result->reason += kMaybeObserver;
+        notify(std::move(*result));
+    }
+    while (auto text = vehicle.pollText())
+        notify(TextReceived{systemId, std::move(*text)});
+    while (auto done = vehicle.pollMissionResult()) {
+        if (sealed && done->unanswered && done->transfer != vehicle::MissionTransfer::Download)
+            done->reason += kMaybeObserver;
+        notify(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
+                                   std::move(done->reason)});
+    }
+    while (auto written = vehicle.pollParameterResult()) {
+        if (sealed && written->unanswered)
+            written->reason += kMaybeObserver;
+        notify(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
+    }
+}
+
+bool Fleet::sample(TimePoint now, const Notify &notify)
+{
+    bool anyHeard = false;
+    for (const auto &[systemId, vehicle] : m_vehicles.all()) {
+        const bool lost = vehicle.isLost(now);
+        anyHeard = anyHeard || (!lost && !m_watches.isEnded(systemId));
+        switch (m_watches.sample(systemId, m_sequences.countsOfSystem(systemId), lost)) {
+        case Presence::Unchanged: break;
+        case Presence::Lost: notify(VehicleLost{systemId}); break;
+        case Presence::Back: notify(VehicleBack{systemId}); break;
+        }
+    }
+    return anyHeard;
+}
+
+double Fleet::latency(TimePoint now) const
+{
+    double latency = vehicle::kUnknown;
+    TimePoint heard = TimePoint::min();
+    for (const auto &[systemId, vehicle] : m_vehicles.all()) {
+        const vehicle::VehicleState &state = vehicle.current();
+        if (state.lastMessage >= heard && !vehicle.isLost(now)) {
+            heard = state.lastMessage;
+            latency = state.latency;
+        }
+    }
+    return latency;
+}
+
+MavlinkTotals Fleet::totals() const
+{
+    const metrics::SequenceCounts counts = m_sequences.total();
+    return {counts.received, counts.lost, counts.late, counts.duplicate, 0, m_sequences.evicted(), m_frameBytes};
+}
+
+VehicleSnapshot Fleet::describe(TimePoint now, const vehicle::Vehicle &vehicle) const
+{
+    VehicleSnapshot out;
+    out.state = vehicle.state(now);
+    const metrics::SequenceCounts counts = m_sequences.countsOfSystem(vehicle.systemId());
+    out.state.sequence = {counts.received, counts.lost, counts.late, counts.duplicate};
+    m_watches.describe(now, vehicle.systemId(), out);
+    out.parameters = vehicle.parameters();
+    out.parametersExpected = vehicle.parametersExpected();
+    out.mission = vehicle.mission();
+    return out;
+}
+
+} // namespace skyseal::engine

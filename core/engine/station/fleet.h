@@ -1,0 +1,52 @@
+// The vehicles that a station knows, and all that is counted of the frames it accepted: sequence loss, the inspector's table
+// and what is noted of each vehicle. I/O thread; no I/O itself.
+#pragma once
+
+#include "core/engine/common/totals.h"
+#include "core/engine/station/event.h"
+#include "core/engine/station/inspector_table.h"
+#include "core/engine/station/vehicle_watches.h"
+#include "core/vehicle/vehicle_set.h"
+
+#include <optional>
+
+namespace skyseal::engine {
+
+class Fleet
+{
+public:
+    explicit Fleet(const vehicle::VehicleConfig &config) : m_vehicles(config) {}
+
+    /// Takes an accepted frame; `session` is empty for a clear one. Returns an event if it makes a vehicle known.
+    std::optional<VehicleFound> take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
+                                     std::optional<channel::SessionId> session);
+
+    /// Null if the vehicle is not known.
+    vehicle::Vehicle *find(std::uint8_t systemId) { return m_vehicles.find(systemId); }
+    vehicle::VehicleSet &vehicles() { return m_vehicles; }
+    const vehicle::VehicleSet &vehicles() const { return m_vehicles; }
+    VehicleWatches &watches() { return m_watches; }
+    const VehicleWatches &watches() const { return m_watches; }
+    InspectorTable &inspector() { return m_inspector; }
+    const InspectorTable &inspector() const { return m_inspector; }
+
+    /// Publishes what a vehicle's conversations came to. `sealed`: it is heard over a session.
+    void publishResults(std::uint8_t systemId, vehicle::Vehicle &vehicle, bool sealed, const Notify &notify);
+
+    /// Call four times a second: publishes vehicles that are lost or back. Returns true if at least one is heard.
+    bool sample(TimePoint now, const Notify &notify);
+    /// Seconds there and back, of the vehicle heard last; vehicle::kUnknown without one.
+    double latency(TimePoint now) const;
+    /// Sums over all accepted frames; bad checksums are counted by the links.
+    MavlinkTotals totals() const;
+    VehicleSnapshot describe(TimePoint now, const vehicle::Vehicle &vehicle) const;
+
+private:
+    vehicle::VehicleSet m_vehicles;
+    VehicleWatches m_watches;
+    metrics::SequenceTable m_sequences;
+    InspectorTable m_inspector;
+    std::uint64_t m_frameBytes = 0;
+};
+
+} // namespace skyseal::engine

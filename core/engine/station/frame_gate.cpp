@@ -1,0 +1,84 @@
+#include "core/engine/station/frame_gate.h"
+
+#include "core/link/address_text.h"
+
+namespace skyseal::engine {
+
+void FrameGate::sessionUp(const channel::SessionUp &up)
+{
+    m_policy.sessionUp(up.session, up.peer, up.path);
+    m_peerNames[up.session] = up.peerName;
+}
+
+void FrameGate::sessionDown(channel::SessionId session)
+{
+    namePeerOfRefusal(); // while the session's peer is known
+    m_policy.sessionDown(session);
+    m_peerNames.erase(session);
+}
+
+void FrameGate::allowPlaintext(std::uint8_t systemId)
+{
+    m_policy.allowPlaintext(systemId);
+    m_pending.release(systemId);
+}
+
+FrameGate::Verdict FrameGate::judgeClear(const Path &from, std::uint8_t systemId, FrameOrigin origin, bool wasSealed) const
+{
+    if (m_policy.acceptClear(from, systemId))
+        return Verdict::Accept;
+    if (origin == FrameOrigin::Recording) {
+        const bool isSealed = wasSealed || m_policy.sessionConcerned(from, systemId);
+        return isSealed ? Verdict::Refuse : Verdict::Accept;
+    }
+    if (!m_policy.needsApproval(from, systemId))
+        return Verdict::Refuse;
+    return origin == FrameOrigin::Live ? Verdict::AwaitApproval : Verdict::Accept;
+}
+
+bool FrameGate::acceptSealed(channel::SessionId session, std::uint8_t systemId)
+{
+    if (m_policy.acceptSealed(session, systemId))
+        return true;
+    m_refusals.refuseSystem(systemId, session);
+    return false;
+}
+
+std::optional<channel::SessionId> FrameGate::refuseClear(const Path &from, std::uint8_t systemId)
+{
+    m_refusals.refusePlaintext(systemId, from.remote);
+    return m_policy.sessionConcerned(from, systemId);
+}
+
+std::optional<PlaintextRefused> FrameGate::awaitApproval(TimePoint now, const Path &from, std::uint8_t systemId,
+                                                         bool isHeartbeat)
+{
+    m_pending.count(); // not among the refusals: a vehicle that awaits approval is not a sign of an attack
+    if (!isHeartbeat)
+        return std::nullopt;
+    const std::string address = link::toText(from.remote);
+    if (!m_pending.note(now, systemId, address))
+        return std::nullopt;
+    return PlaintextRefused{systemId, address, 1, m_policy.neverHeard()};
+}
+
+void FrameGate::namePeerOfRefusal()
+{
+    const auto session = m_refusals.unnamedSession();
+    const auto name = session ? m_peerNames.find(*session) : m_peerNames.end();
+    if (name != m_peerNames.end())
+        m_refusals.namePeer(name->second, m_policy.ownerOf(m_refusals.refusedSystem(), *session));
+}
+
+void FrameGate::publishRefusals(TimePoint now, const Notify &notify)
+{
+    if (auto refused = m_refusals.takePlaintext(now))
+        notify(std::move(*refused));
+    if (!m_refusals.isSystemDue(now))
+        return;
+    namePeerOfRefusal();
+    if (auto refused = m_refusals.takeSystem(now))
+        notify(std::move(*refused));
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,67 @@
+// Decides which MAVLink frames the station accepts, by the sender policy, and keeps account of the others: frames that are
+// refused, and vehicles in clear that wait for the operator's approval. No I/O and no clock.
+#pragma once
+
+#include "core/engine/common/sender_policy.h"
+#include "core/engine/station/pending_vehicles.h"
+#include "core/engine/station/refusal_log.h"
+
+#include <map>
+
+namespace skyseal::engine {
+
+/// Where frames come from, as fixed when their link opened.
+enum class FrameOrigin : std::uint8_t {
+    Live,
+    Recording, ///< the replay of a log
+    ListenOnly ///< a stream of MAVSec's published code, which is never sent to
+};
+
+class FrameGate
+{
+public:
+    enum class Verdict : std::uint8_t { Accept, Refuse, AwaitApproval };
+
+    explicit FrameGate(SecureMode mode) : m_policy(mode) {}
+
+    SenderPolicy &policy() { return m_policy; }
+    const SenderPolicy &policy() const { return m_policy; }
+    const RefusalLog &refusals() const { return m_refusals; }
+    const PendingVehicles &pending() const { return m_pending; }
+
+    void sessionUp(const channel::SessionUp &up);
+    void sessionDown(channel::SessionId session);
+    /// The operator accepts clear frames of this system.
+    void allowPlaintext(std::uint8_t systemId);
+
+    /// Judges a clear frame. `wasSealed`: in this run the vehicle has or had a session (used for
+    /// recordings alone). Counts nothing.
+    ///
+    /// Recordings and listen-only streams were opened for what they are. The recorded frames of a sealed vehicle can be
+    /// replayed, but not while that vehicle itself is or was connected.
+    Verdict judgeClear(const Path &from, std::uint8_t systemId, FrameOrigin origin, bool wasSealed) const;
+    /// Judges a frame that came sealed; counts it if it is refused.
+    bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+
+    /// Counts a refused clear frame. Returns the session to which it is charged, if any.
+    std::optional<channel::SessionId> refuseClear(const Path &from, std::uint8_t systemId);
+    /// Counts a frame that awaits approval. `isHeartbeat`: it announces a vehicle. Returns an event for the first heartbeat
+    /// of each system.
+    std::optional<PlaintextRefused> awaitApproval(TimePoint now, const Path &from, std::uint8_t systemId, bool isHeartbeat);
+    /// A frame of this system was accepted from a live link.
+    void heardLive(std::uint8_t systemId) { m_pending.release(systemId); }
+
+    /// Publishes refusals that are due; call after each refusal and once a second.
+    void publishRefusals(TimePoint now, const Notify &notify);
+    void forgetSilent(TimePoint now) { m_pending.forgetSilent(now); }
+
+private:
+    void namePeerOfRefusal();
+
+    SenderPolicy m_policy;
+    RefusalLog m_refusals;
+    PendingVehicles m_pending;
+    std::map<channel::SessionId, std::string> m_peerNames;
+};
+
+} // namespace skyseal::engine

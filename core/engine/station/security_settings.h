@@ -1,0 +1,48 @@
+// Which protection of MAVLink is in force: what the operator configured, and what a measurement puts in its place for a
+// while on links that stay open. Both ends agree on the framing when a session begins, so sessions that no longer fit a
+// changed setting must be ended by the caller. A plain value; no I/O.
+#pragma once
+
+#include "core/channel/policy.h"
+#include "core/engine/common/secure_mode.h"
+#include "core/engine/station/protection.h"
+
+#include <optional>
+#include <vector>
+
+namespace skyseal::engine {
+
+class SecuritySettings
+{
+public:
+    /// `preferred`: sessions begin with this suite where both ends permit it.
+    SecuritySettings(SecureMode mode, channel::Policy policy, std::optional<crypto::SuiteId> preferred);
+
+    SecureMode mode() const;
+    channel::Policy policy() const;
+    /// A measurement of plain MAVLink is in progress.
+    bool isPlain() const { return m_protection == Protection::Plain; }
+
+    void setAllowResearch(bool allow) { m_policy.allowResearch = allow; }
+    /// Suites weaker than this one are not offered.
+    void setWeakestSuite(crypto::SuiteId weakest);
+
+    /// Replaces the configured protection; nullopt restores it. Returns true if sessions that are up must end.
+    bool setProtection(std::optional<Protection> protection);
+    /// Every session begins with this suite, in place of the preferred one; nullopt ends that.
+    void holdSuite(std::optional<crypto::SuiteId> suite) { m_heldSuite = suite; }
+    /// The next session begins with this suite; nullopt: with the preferred one.
+    void setNextSuite(std::optional<crypto::SuiteId> suite) { m_nextSuite = suite; }
+    /// The suite that a session that just came up should use; nullopt: whichever was negotiated.
+    std::optional<crypto::SuiteId> takeFirstSuite();
+
+private:
+    SecureMode m_mode;
+    channel::Policy m_policy;
+    std::vector<crypto::SuiteId> m_configuredSuites; ///< weak ones included
+    std::optional<crypto::SuiteId> m_preferredSuite;
+    std::optional<Protection> m_protection;
+    std::optional<crypto::SuiteId> m_heldSuite, m_nextSuite;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,162 @@
+#include "core/engine/station/station_receiver.h"
+
+#include "core/link/steady_now.h"
+
+namespace skyseal::engine {
+
+namespace {
+
+FrameOrigin originOf(const link::Link &link)
+{
+    return link.traits().isRecording ? FrameOrigin::Recording : FrameOrigin::Live;
+}
+
+} // namespace
+
+IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
+{
+    const bool sealing = isSealing() && !traits.isRecording;
+    IngressRules out;
+    out.isStream = traits.isStream;
+    out.takesDatagrams = !traits.isStream;
+    out.takesCobs = traits.isStream && sealing;
+    out.takesTunnel = sealing;
+    out.dropsNodeHeartbeats = true;
+    out.clear = ClearScan::UnlessCobs;
+    return out;
+}
+
+void StationReceiver::addLink(LinkId id, const link::LinkTraits &traits)
+{
+    m_parts.ingress.addLink(id, rulesFor(traits), *this);
+}
+
+void StationReceiver::addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher)
+{
+    const auto deliver = [this](const link::ReceivedBlock &block, const mavlink::Frame &frame) {
+        takeClearFrame(block.time, block.path, frame, FrameOrigin::ListenOnly);
+    };
+    MavsecStream stream(std::move(cipher), mavlink::Dialect::builtin());
+    MavsecSink &sink = m_mavsec.try_emplace(id, std::move(stream), static_cast<IngressSink &>(*this), deliver).first->second;
+    m_parts.ingress.addLink(id, {.isStream = traits.isStream}, sink);
+}
+
+void StationReceiver::removeLink(LinkId id)
+{
+    m_parts.ingress.removeLink(id);
+    m_mavsec.erase(id);
+}
+
+void StationReceiver::updateRules()
+{
+    m_parts.links.forEach([this](const link::Link &link) {
+        if (!m_mavsec.contains(link.id()))
+            m_parts.ingress.setRules(link.id(), rulesFor(link.traits()));
+    });
+}
+
+bool StationReceiver::takePairing(const link::Link &, const link::ReceivedBlock &message)
+{
+    return m_channel && m_channel->pairing.take(message.time, message.path, message.bytes);
+}
+
+void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
+{
+    if (!isSealing()) {
+        m_datagrams.waitingBytes += message.bytes.size();
+        ++m_datagrams.waitingCount;
+        m_datagrams.garbage += !channel::Endpoint::isAnnouncement(message.bytes); // any agent announces itself
+        if (m_channel)
+            m_channel->goodbyes.recordArrived(message.time, message.path,
+                                              [this](const Path &to, ByteView bytes) { m_parts.links.send(to, bytes); });
+        return;
+    }
+    if (const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes))
+        takeDelivery(link, message, *delivery);
+}
+
+void StationReceiver::takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame)
+{
+    if (!isSealing())
+        return;
+    if (const auto delivery = m_channel->driver.receiveInline(frame.time, frame.path, frame.bytes))
+        takeDelivery(link, frame, *delivery);
+}
+
+void StationReceiver::takeDelivery(const link::Link &link, const link::ReceivedBlock &block, const channel::Delivery &delivery)
+{
+    // The rules of a session must be known before its first frame is judged, and until its last one was, which a goodbye
+    // may have overtaken.
+    m_parts.events.handleEvents(block.time, delivery.session);
+    std::uint64_t frames = 0;
+    mavlink::scanFrames(delivery.frames, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+        if (!item.frame) {
+            if (mavlink::isDamagedFrame(item))
+                m_parts.links.countBadFrame(block.path.link);
+            return;
+        }
+        ++frames;
+        if (m_gate.acceptSealed(delivery.session, item.frame->systemId()))
+            acceptFrame(block.time, block.path, *item.frame, originOf(link), delivery.session);
+        else
+            m_gate.publishRefusals(block.time, m_parts.notify);
+    });
+    m_channel->driver.countFrames(delivery.session, frames);
+    m_parts.links.noteRemote(block.path.link, block.path.remote);
+}
+
+void StationReceiver::takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+{
+    if (item.frame)
+        takeClearFrame(block.time, block.path, *item.frame, originOf(link));
+    else if (mavlink::isDamagedFrame(item))
+        m_parts.links.countBadFrame(block.path.link);
+}
+
+void StationReceiver::takeUnusable(const link::Link &, Unusable what)
+{
+    m_datagrams.garbage += what == Unusable::Garbage;
+}
+
+void StationReceiver::takeClearFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin)
+{
+    const std::uint8_t systemId = frame.systemId();
+    if (systemId == m_self.system && frame.componentId() == m_self.component)
+        return; // our own, looped back
+    const bool wasSealed = origin == FrameOrigin::Recording && m_parts.fleet.watches().isOrWasSealed(systemId);
+    switch (m_gate.judgeClear(from, systemId, origin, wasSealed)) {
+    case FrameGate::Verdict::Accept: return acceptFrame(now, from, frame, origin, std::nullopt);
+    case FrameGate::Verdict::AwaitApproval:
+        if (auto event = m_gate.awaitApproval(now, from, systemId, m_parts.fleet.vehicles().announcesVehicle(frame)))
+            m_parts.notify(std::move(*event));
+        return;
+    case FrameGate::Verdict::Refuse: break;
+    }
+    const auto session = m_gate.refuseClear(from, systemId);
+    if (session && m_channel)
+        m_channel->endpoint().countPlaintextDropped(*session, 1);
+    m_gate.publishRefusals(now, m_parts.notify);
+}
+
+void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
+                                  std::optional<channel::SessionId> session)
+{
+    m_parts.links.noteUse(from);
+    const bool live = origin == FrameOrigin::Live;
+    const std::uint8_t systemId = frame.systemId();
+    if (live)
+        m_gate.heardLive(systemId);
+    const WallTime wall = wallNow();
+    if (m_recorder && origin != FrameOrigin::Recording)
+        m_recorder->record(wall, frame.bytes());
+    if (session) {
+        m_parts.routes.heardSealed(systemId, *session);
+    } else if (frame.messageId() == 0 && live) {
+        m_parts.routes.heardClear(now, systemId, from);
+        m_parts.links.noteRemote(from.link, from.remote);
+    }
+    if (const auto found = m_parts.fleet.take(now, wall, from.link, frame, session))
+        m_parts.notify(*found);
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,92 @@
+// What the station does with received messages: records are opened by the channel, clear frames judged by FrameGate, and
+// accepted frames passed to the fleet, the routes and the recorder. I/O thread.
+#pragma once
+
+#include "core/engine/common/ingress.h"
+#include "core/engine/common/link_pool.h"
+#include "core/engine/station/fleet.h"
+#include "core/engine/station/frame_gate.h"
+#include "core/engine/station/mavsec_sink.h"
+#include "core/engine/station/recorder.h"
+#include "core/engine/station/route_table.h"
+#include "core/engine/station/security_settings.h"
+#include "core/engine/station/station_channel.h"
+
+#include <map>
+#include <optional>
+
+namespace skyseal::engine {
+
+/// Datagrams that led to neither a frame nor a record that was opened.
+struct DatagramCounters
+{
+    std::uint64_t garbage = 0;                        ///< neither records nor MAVLink
+    std::uint64_t waitingBytes = 0, waitingCount = 0; ///< records while plain MAVLink is in use; see Probe
+};
+
+class StationReceiver final : private IngressSink
+{
+public:
+    /// Handles the events of the channel, except the end of the session `speaking` and what follows it.
+    class EventHandler
+    {
+    public:
+        virtual ~EventHandler() = default;
+        virtual void handleEvents(TimePoint now, std::optional<channel::SessionId> speaking) = 0;
+    };
+    /// The parts that a receiver works on; all must outlive it.
+    struct Parts
+    {
+        LinkPool &links;
+        Ingress &ingress;
+        Fleet &fleet;
+        RouteTable &routes;
+        const SecuritySettings &settings;
+        const Notify &notify;
+        EventHandler &events;
+    };
+
+    /// `self`: frames of this system and component are our own, looped back.
+    StationReceiver(Node self, const Parts &parts) : m_self(self), m_parts(parts), m_gate(parts.settings.mode()) {}
+
+    /// The channel, null without keys; it must outlive this object.
+    void setChannel(StationChannel *channel) { m_channel = channel; }
+    /// Null when nothing is recorded.
+    void setRecorder(Recorder *recorder) { m_recorder = recorder; }
+
+    FrameGate &gate() { return m_gate; }
+    const FrameGate &gate() const { return m_gate; }
+    const DatagramCounters &datagrams() const { return m_datagrams; }
+
+    /// Call before the link opens.
+    void addLink(LinkId id, const link::LinkTraits &traits);
+    void addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher);
+    /// Call after the link was closed.
+    void removeLink(LinkId id);
+    /// Call when the protection in force has changed: what is looked for on the links depends on it.
+    void updateRules();
+
+private:
+    bool takePairing(const link::Link &link, const link::ReceivedBlock &message) override;
+    void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
+    void takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame) override;
+    void takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item) override;
+    void takeUnusable(const link::Link &link, Unusable what) override;
+
+    void takeDelivery(const link::Link &link, const link::ReceivedBlock &block, const channel::Delivery &delivery);
+    void takeClearFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin);
+    void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
+                     std::optional<channel::SessionId> session);
+    IngressRules rulesFor(const link::LinkTraits &traits) const;
+    bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
+
+    const Node m_self;
+    const Parts m_parts;
+    StationChannel *m_channel = nullptr;
+    Recorder *m_recorder = nullptr;
+    FrameGate m_gate;
+    std::map<LinkId, MavsecSink> m_mavsec;
+    DatagramCounters m_datagrams;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,33 @@
+// Builds the snapshot of a station from its parts. I/O thread.
+#pragma once
+
+#include "core/engine/common/link_pool.h"
+#include "core/engine/station/fleet.h"
+#include "core/engine/station/station_receiver.h"
+#include "core/engine/station/metrics_sampler.h"
+#include "core/engine/station/recorder.h"
+#include "core/engine/station/snapshot.h"
+#include "core/engine/station/station_channel.h"
+
+#include <memory>
+
+namespace skyseal::engine {
+
+/// The parts that a snapshot shows; references live during the call.
+struct SnapshotSources
+{
+    LinkPool &links;
+    const StationChannel *channel; ///< null without keys
+    const StationReceiver &receiver;
+    const Fleet &fleet;
+    const MetricsSampler &sampler;
+    const Recorder *recorder; ///< null when nothing is recorded
+};
+
+MavlinkTotals mavlinkTotals(const SnapshotSources &from);
+ChannelTotals channelTotals(const SnapshotSources &from);
+
+/// `withProbe`: a measurement is in progress. The caller fills in the number and the time.
+std::shared_ptr<Snapshot> buildSnapshot(const SnapshotSources &from, TimePoint now, bool withProbe);
+
+} // namespace skyseal::engine

@@ -1,0 +1,53 @@
+// What a station notes of each vehicle beside the vehicle's own state: over which link and session it was heard last, how
+// that session ended, whether it is lost, and the loss of its frames. No I/O and no clock.
+#pragma once
+
+#include "core/engine/common/loss_meter.h"
+#include "core/engine/station/session_watches.h"
+#include "core/engine/station/snapshot.h"
+#include "core/metrics/sequence_table.h"
+
+#include <map>
+#include <optional>
+
+namespace skyseal::engine {
+
+/// What four readings a second show of a vehicle.
+enum class Presence : std::uint8_t { Unchanged, Lost, Back };
+
+class VehicleWatches
+{
+public:
+    /// A frame of a known vehicle was accepted; `session` is empty for clear frames.
+    void heard(std::uint8_t systemId, LinkId link, std::optional<channel::SessionId> session);
+    /// Vehicles of this peer whose former session ended belong to the new one.
+    void sessionUp(const channel::SessionUp &up);
+    void sessionDown(channel::SessionId session, const SessionEnd &end);
+
+    /// Call four times a second for each vehicle, with the counts of all its frames and whether its heartbeat is overdue.
+    Presence sample(std::uint8_t systemId, const metrics::SequenceCounts &counts, bool lost);
+    /// The session over which the vehicle was heard ended, and the peer has no other.
+    bool isEnded(std::uint8_t systemId) const;
+    /// The vehicle has a session, or had one when it was heard last.
+    bool isOrWasSealed(std::uint8_t systemId) const;
+
+    /// Fills in what is noted here; leaves the rest as it is.
+    void describe(TimePoint now, std::uint8_t systemId, VehicleSnapshot &out) const;
+
+private:
+    struct Watch
+    {
+        LinkId link{};
+        std::optional<channel::SessionId> session;
+        std::optional<SessionEnd> ended; ///< of `session`
+        LossMeter loss;
+        Growth<4> frames;
+        bool lost = false;
+    };
+
+    const Watch *find(std::uint8_t systemId) const;
+
+    std::map<std::uint8_t, Watch> m_watches;
+};
+
+} // namespace skyseal::engine
