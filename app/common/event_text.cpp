@@ -44,6 +44,7 @@ const char *whyRefused(channel::RefusalReason reason)
         return "it is a replay of an old one, or the station lost its counters and is told where to go on";
     case channel::RefusalReason::CounterBehind:
         return "our counters file was lost or put back; going on from the number that the other end remembers";
+    case channel::RefusalReason::CountersUsedUp: return "all handshake counters of our key are used; make a new key";
     case channel::RefusalReason::NoCommonSuite: return "there is no suite that both ends allow";
     case channel::RefusalReason::OfferTampered: return "its offer was changed on the way";
     case channel::RefusalReason::Version: return "it speaks another version";

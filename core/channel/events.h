@@ -76,6 +76,8 @@ enum class RefusalReason : std::uint8_t {
     /// An agent remembers a greater counter than ours: our file of counters was lost or put back. We go on from its number;
     /// when the event comes again, that could not be kept.
     CounterBehind,
+    /// The station's key has used all handshake counters (2^40 - 1): it needs a new key.
+    CountersUsedUp,
     Flood, ///< many first messages: strangers are asked to prove their address first. At most once in ten seconds
 };
 

@@ -1,16 +1,10 @@
 #include "core/channel/handshake.h"
 
-#include "core/base/byte_reader.h"
-#include "core/base/byte_writer.h"
 #include "core/base/weakness.h"
 
 namespace skyseal::channel {
 
 namespace {
-
-constexpr std::size_t kFirstNoise = kFirstLength - 1 - kMacLength;
-constexpr std::size_t kAnswerNoise = kAnswerLength - 3 - kMacLength;
-constexpr std::size_t kNumberNoise = kNumberLength - 3 - kMacLength;
 
 class Prologue
 {
@@ -63,9 +57,9 @@ std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity,
 
     Initiator out(std::move(*noise), std::move(payload), identity.publicKey);
     out.m_message[0] = firstByte(HandshakeMessage::First);
-    const auto written = out.m_noise.writeMessage(out.m_payload.write(), MutableByteView(out.m_message).subspan(1, kFirstNoise),
-                                                  random);
-    if (!written || *written != kFirstNoise)
+    const auto written = out.m_noise.writeMessage(out.m_payload.write(),
+                                                  MutableByteView(out.m_message).subspan(1, kFirstNoiseLength), random);
+    if (!written || *written != kFirstNoiseLength)
         return std::nullopt;
     Mac1(peer.key).sign(out.m_message);
     return out;
@@ -76,7 +70,7 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
     if (datagram.size() != kAnswerLength || !m_answerMac.verify(datagram))
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, AnswerPayload::kLength> plain;
-    const auto length = m_noise.readMessage(datagram.subspan(3, kAnswerNoise), plain);
+    const auto length = m_noise.readMessage(datagram.subspan(3, kAnswerNoiseLength), plain);
     if (!length)
         return tl::unexpected(RefusalReason::WrongKey);
 
@@ -94,11 +88,11 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
 
 std::optional<std::uint64_t> Initiator::takeNumber(ByteView datagram)
 {
-    std::array<std::uint8_t, 8> plain;
+    std::array<std::uint8_t, NumberPayload::kLength> plain;
     if (datagram.size() != kNumberLength || !m_answerMac.verify(datagram)
-        || !m_noise.readMessage(datagram.subspan(3, kNumberNoise), plain))
+        || !m_noise.readMessage(datagram.subspan(3, kNumberNoiseLength), plain))
         return std::nullopt;
-    return ByteReader(plain).u64();
+    return NumberPayload::read(plain)->lastSeen;
 }
 
 Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &identity, ByteView datagram, Carrier carrier)
@@ -108,7 +102,7 @@ Result<Responder, RefusalReason> Responder::read(const crypto::X25519KeyPair &id
     if (!noise)
         return tl::unexpected(RefusalReason::WrongKey);
     std::array<std::uint8_t, FirstPayload::kLength> plain;
-    const auto length = noise->readMessage(datagram.subspan(1, kFirstNoise), plain);
+    const auto length = noise->readMessage(datagram.subspan(1, kFirstNoiseLength), plain);
     if (!length)
         return tl::unexpected(RefusalReason::WrongKey);
     const auto payload = FirstPayload::read(ByteView(plain).first(*length));
@@ -130,8 +124,8 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
     AnswerMessage message{};
     writeHead(message, HandshakeMessage::Answer, m_payload.connection);
     const AnswerPayload payload{ours, offer, *suite};
-    const auto written = m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoise), random);
-    if (!written || *written != kAnswerNoise)
+    const auto written = m_noise.writeMessage(payload.write(), MutableByteView(message).subspan(3, kAnswerNoiseLength), random);
+    if (!written || *written != kAnswerNoiseLength)
         return tl::unexpected(RefusalReason::WrongKey);
     Mac1(m_peer).sign(message);
 
@@ -148,9 +142,7 @@ std::optional<NumberMessage> Responder::tellNumber(const Peer &known, std::uint6
     m_noise.setPsks(presharedKeyOf(&known));
     NumberMessage message{};
     writeHead(message, HandshakeMessage::Cookie, m_payload.connection);
-    std::array<std::uint8_t, 8> plain;
-    ByteWriter(plain).u64(lastSeen);
-    if (!m_noise.writeMessage(plain, MutableByteView(message).subspan(3, kNumberNoise), random))
+    if (!m_noise.writeMessage(NumberPayload{lastSeen}.write(), MutableByteView(message).subspan(3, kNumberNoiseLength), random))
         return std::nullopt;
     Mac1(m_peer).sign(message);
     return message;

@@ -1,12 +1,12 @@
 // The two messages of Noise_IKpsk2_25519_ChaChaPoly_BLAKE2b in their framing:
 //
 //   first    0x59 | Noise message 110 (e 32, s 48, payload 14 + 16) | mac1 16                                127 bytes
-//   answer   0x5A | connection id of the initiator 2 | Noise message 55 (e 32, payload 7 + 16) | mac1 16      74 bytes
-//   number   0x5B | connection id of the initiator 2 | Noise message 56 (e 32, counter 8 + 16) | mac1 16      75 bytes
+//   answer   0x5A | connection id of the initiator 2 | Noise message 58 (e 32, payload 10 + 16) | mac1 16     77 bytes
+//   number   0x5B | connection id of the initiator 2 | Noise message 53 (e 32, payload 5 + 16) | mac1 16      72 bytes
 //
-// The number comes in place of an answer to a station whose counter is behind the one that the agent remembers.
-// All fit the 128 bytes of a MAVLink TUNNEL. The psk is all zero where the two share none. The prologue holds the
-// protocol's version and carrier, so that ends which differ in these cannot agree.
+// The agent sends the number instead of an answer if the station's counter is behind the one that the agent remembers. Each
+// message fits the 128 bytes of a MAVLink TUNNEL. The psk is all zero if the two ends share none. The prologue holds version
+// and carrier, so that ends which differ in these cannot agree. PROTOCOL.md, section 4.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -19,9 +19,13 @@
 
 namespace skyseal::channel {
 
-inline constexpr std::size_t kFirstLength = 127;
-inline constexpr std::size_t kAnswerLength = 74;
-inline constexpr std::size_t kNumberLength = 75;
+inline constexpr std::size_t kFirstNoiseLength = 32 + 48 + FirstPayload::kLength + 16;
+inline constexpr std::size_t kAnswerNoiseLength = 32 + AnswerPayload::kLength + 16;
+inline constexpr std::size_t kNumberNoiseLength = 32 + NumberPayload::kLength + 16;
+inline constexpr std::size_t kFirstLength = 1 + kFirstNoiseLength + kMacLength;
+inline constexpr std::size_t kAnswerLength = 3 + kAnswerNoiseLength + kMacLength;
+inline constexpr std::size_t kNumberLength = 3 + kNumberNoiseLength + kMacLength;
+static_assert(kFirstLength == 127 && kAnswerLength == 77 && kNumberLength == 72, "as PROTOCOL.md says");
 static_assert(Announcement::kLength >= kFirstLength, "a first message must not be longer than the announcement it answers");
 
 using FirstMessage = std::array<std::uint8_t, kFirstLength>;

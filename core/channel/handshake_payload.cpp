@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
+#include "core/channel/suite_list.h"
 
 #include <algorithm>
 
@@ -11,15 +12,28 @@ namespace {
 
 enum Flag : std::uint8_t { ResearchAllowed = 1, PlainAllowed = 2, InlineAllowed = 4, InlinePreferred = 8 };
 
+void writeCounter(ByteWriter &out, std::uint64_t counter)
+{
+    out.u32(static_cast<std::uint32_t>(counter));
+    out.u8(static_cast<std::uint8_t>(counter >> 32));
+}
+
+std::uint64_t readCounter(ByteReader &in)
+{
+    const std::uint64_t low = in.u32();
+    return low | static_cast<std::uint64_t>(in.u8()) << 32;
+}
+
 void writeHead(ByteWriter &out, ConnectionId connection, const SuiteOffer &offer)
 {
     const int suites = (offer.allowResearch ? ResearchAllowed : 0) | (offer.allowPlain ? PlainAllowed : 0);
     const int framings = (offer.allowInline ? InlineAllowed : 0) | (offer.preferInline ? InlinePreferred : 0);
     out.u8(static_cast<std::uint8_t>(suites | framings));
     out.u16(static_cast<std::uint16_t>(connection));
-    const auto number = [&](std::size_t i) { return i < offer.suites.size() ? static_cast<unsigned>(offer.suites[i]) : 0u; };
-    for (std::size_t i = 0; i < kMaxOfferedSuites; i += 2)
-        out.u8(static_cast<std::uint8_t>(number(i) | number(i + 1) << 4));
+    std::vector<std::uint8_t> numbers;
+    for (const crypto::SuiteId suite : offer.suites)
+        numbers.push_back(static_cast<std::uint8_t>(suite));
+    out.bytes(packSuiteNumbers(numbers).value()); // All suites of the table fit: static_assert in negotiation.cpp.
 }
 
 void readHead(ByteReader &in, ConnectionId &connection, SuiteOffer &offer)
@@ -30,15 +44,13 @@ void readHead(ByteReader &in, ConnectionId &connection, SuiteOffer &offer)
     offer.allowInline = flags & InlineAllowed;
     offer.preferInline = offer.allowInline && (flags & InlinePreferred);
     connection = ConnectionId{in.u16()};
-    for (std::size_t i = 0; i < kMaxOfferedSuites / 2; ++i) {
-        const std::uint8_t pair = in.u8();
-        for (const unsigned number : {pair & 15u, pair >> 4 & 15u}) {
-            // A suite that this build does not know is one that it does not offer, so it may be skipped.
-            const auto suite = crypto::suiteFromNumber(static_cast<std::uint8_t>(number));
-            const bool known = suite && *suite != crypto::SuiteId::None;
-            if (known && std::find(offer.suites.begin(), offer.suites.end(), *suite) == offer.suites.end())
-                offer.suites.push_back(*suite);
-        }
+    SuiteListField field{};
+    const ByteView list = in.bytes(field.size());
+    std::copy(list.begin(), list.end(), field.begin());
+    for (const std::uint8_t number : unpackSuiteNumbers(field)) {
+        // A suite that this build does not know is one that it does not offer, so it can be left out.
+        if (const auto suite = crypto::suiteFromNumber(number))
+            offer.suites.push_back(*suite);
     }
 }
 
@@ -49,7 +61,7 @@ std::array<std::uint8_t, FirstPayload::kLength> FirstPayload::write() const
     std::array<std::uint8_t, kLength> out{};
     ByteWriter writer(out);
     writeHead(writer, connection, offer);
-    writer.u64(counter);
+    writeCounter(writer, counter);
     return out;
 }
 
@@ -58,7 +70,7 @@ std::optional<FirstPayload> FirstPayload::read(ByteView bytes)
     FirstPayload payload;
     ByteReader in(bytes);
     readHead(in, payload.connection, payload.offer);
-    payload.counter = in.u64();
+    payload.counter = readCounter(in);
     if (!in.ok() || !in.atEnd())
         return std::nullopt;
     return payload;
@@ -83,6 +95,21 @@ std::optional<AnswerPayload> AnswerPayload::read(ByteView bytes)
         return std::nullopt;
     payload.chosen = *chosen;
     return payload;
+}
+
+std::array<std::uint8_t, NumberPayload::kLength> NumberPayload::write() const
+{
+    std::array<std::uint8_t, kLength> out{};
+    ByteWriter writer(out);
+    writeCounter(writer, std::min(lastSeen, kGreatestCounter));
+    return out;
+}
+
+std::optional<NumberPayload> NumberPayload::read(ByteView bytes)
+{
+    ByteReader in(bytes);
+    const NumberPayload payload{readCounter(in)};
+    return in.ok() && in.atEnd() ? std::optional(payload) : std::nullopt;
 }
 
 } // namespace skyseal::channel

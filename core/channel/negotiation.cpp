@@ -1,5 +1,7 @@
 #include "core/channel/negotiation.h"
 
+#include "core/channel/suite_list.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -18,6 +20,18 @@ bool isResearch(SuiteId suite)
     return crypto::suiteInfo(suite).research;
 }
 
+/// Half bytes that an offer of all suites of the table takes.
+constexpr std::size_t tableHalves()
+{
+    std::size_t halves = 0;
+    for (std::size_t number = 1; number < crypto::kSuiteCount; ++number)
+        halves += suiteNumberHalves(static_cast<std::uint8_t>(number));
+    return halves;
+}
+
+constexpr std::size_t kSpareHalves = 3; // one more suite, of any number
+static_assert(tableHalves() + kSpareHalves <= kSuiteListHalves, "widen the suite list of an offer before adding a suite");
+
 } // namespace
 
 std::vector<SuiteId> defaultSuites()
@@ -32,7 +46,7 @@ SuiteOffer offerOf(const Policy &policy)
     offer.preferInline = policy.allowInline && policy.preferInline;
     for (const SuiteId suite : policy.suites) {
         const bool wanted = suite != SuiteId::None && (policy.allowResearch || !isResearch(suite));
-        if (wanted && !holds(offer.suites, suite) && offer.suites.size() < kMaxOfferedSuites)
+        if (wanted && !holds(offer.suites, suite))
             offer.suites.push_back(suite);
     }
     return offer;

@@ -1,5 +1,5 @@
-// Which suites two ends share and which one a session begins with: pure functions of the two offers, so that both
-// ends compute the same, and the initiator can check the responder's choice.
+// Suites that two ends have in common, and the first suite of a session (PROTOCOL.md, section 4): pure functions of the two
+// offers, so that both ends compute the same and the initiator can check the responder's choice.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -10,19 +10,17 @@
 
 namespace skyseal::channel {
 
-/// What one end is ready to use, as it travels inside the handshake. At most six sealed suites, best first.
+/// Suites and framings that one end accepts, as the handshake carries them.
 struct SuiteOffer
 {
-    std::vector<crypto::SuiteId> suites; ///< never None; no suite twice
+    std::vector<crypto::SuiteId> suites; ///< best first; without None, no suite twice
     bool allowResearch = false;
     bool allowPlain = false;
     bool allowInline = false;
-    bool preferInline = false; ///< means nothing without `allowInline`
+    bool preferInline = false; ///< ignored without `allowInline`
 
     bool operator==(const SuiteOffer &) const = default;
 };
-
-inline constexpr std::size_t kMaxOfferedSuites = 6;
 
 /// The offer that a policy gives: research suites only with `allowResearch`, None only as `allowPlain`.
 SuiteOffer offerOf(const Policy &policy);

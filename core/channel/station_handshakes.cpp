@@ -13,8 +13,8 @@ constexpr std::size_t kMaxPlaces = 4;
 /// and an answer may take long; announcements that somebody repeats must not make us forget what it is an answer to.
 constexpr unsigned kCopies = 4;
 constexpr Duration kRenewAfter = std::chrono::seconds(5);
-/// Counters beyond are not believed: no peer may use up the numbers that we have for all of them.
-constexpr std::uint64_t kGreatestCounter = std::uint64_t(1) << 48;
+/// A peer that reports a greater counter is not believed: none may use up the counters that we have for all peers.
+constexpr std::uint64_t kGreatestBelieved = kGreatestCounter / 2;
 constexpr Duration kLongestPause = std::chrono::seconds(2);
 /// An agent that was announced and is not heard again is gone.
 constexpr Duration kWantedFor = std::chrono::seconds(10);
@@ -172,7 +172,7 @@ bool StationHandshakes::handleNumber(TimePoint now, const Path &from, ByteView d
     const auto number = attempt->handshake->takeNumber(datagram);
     if (!number)
         return countWrong(now, *attempt);
-    const bool skipped = *number >= attempt->handshake->counter() && *number < kGreatestCounter
+    const bool skipped = *number >= attempt->handshake->counter() && *number <= kGreatestBelieved
         && m_core.counters.skipTo(*number);
     m_core.tellRefused(now, from, RefusalReason::CounterBehind, attempt->peer);
     Place &place = placeAt(*attempt, from);
@@ -359,9 +359,13 @@ bool StationHandshakes::renew(TimePoint now, Attempt &attempt)
     const auto connection = m_core.table.reserve(m_core.around.random, attempt.flooded);
     if (!connection)
         return false;
-    attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
-                                         FirstPayload{*connection, m_core.around.offer, m_core.counters.next()},
-                                         m_core.around.random, attempt.carrier);
+    const std::uint64_t counter = m_core.counters.next();
+    if (counter <= kGreatestCounter)
+        attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
+                                             FirstPayload{*connection, m_core.around.offer, counter}, m_core.around.random,
+                                             attempt.carrier);
+    else // Only a new key has counters left.
+        m_core.tellRefused(now, attempt.places.front().path, RefusalReason::CountersUsedUp, attempt.peer);
     attempt.presharedKey = peer->presharedKey;
     attempt.copies = 0;
     attempt.uncookied = 0;

@@ -7,7 +7,7 @@
 
 namespace skyseal::crypto {
 
-static constexpr std::array kSuites{
+static constexpr std::array<SuiteInfo, kSuiteCount> kSuites{
     SuiteInfo{.id = SuiteId::None, .name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
     SuiteInfo{.id = SuiteId::ChaCha20Poly1305, .name = "chacha20-poly1305", .displayName = "ChaCha20-Poly1305", .aead = true},
     SuiteInfo{.id = SuiteId::Aes256Gcm, .name = "aes-256-gcm", .displayName = "AES-256-GCM", .aead = true},

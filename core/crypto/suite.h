@@ -21,6 +21,9 @@ enum class SuiteId : std::uint8_t {
     Rc4 = 6,
 };
 
+/// Rows of the table, None included. The numbers are consecutive.
+inline constexpr std::size_t kSuiteCount = 7;
+
 struct SuiteInfo
 {
     SuiteId id = SuiteId::None;

@@ -3964,6 +3964,10 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>all handshake counters of this station&apos;s key are used; make a new key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>too many of them; only senders that prove their address get through</source>
         <translation type="unfinished"></translation>
     </message>

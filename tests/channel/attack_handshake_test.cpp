@@ -153,7 +153,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
         pair.pump();
         return thief;
     };
-    const Thief thief = call(UINT64_MAX);
+    const Thief thief = call(kGreatestCounter);
     const Bytes answer = tap.ofKind(0x5a).back().bytes;
     QCOMPARE(tap.ofKind(0x5a).size(), 2u);
     QCOMPARE(pair.air().endpoint->unmatched().forged, std::uint64_t(0));
@@ -176,7 +176,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     pair.start(Ground); // with a counter far below that of the forged one
     QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
     // Nothing else was missing: the same record made with the station's secret as well is taken.
-    const Thief both = call(UINT64_MAX);
+    const Thief both = call(kGreatestCounter);
     const Bytes last = tap.ofKind(0x5a).back().bytes;
     const auto session = both.withGuess(last, crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(last)));
     QVERIFY(session.read && offer(pair, Air, recordUnder(session.session, session.read->connection)));
@@ -311,13 +311,13 @@ void AttackHandshakeTest::weakerChoice()
         auto initiator = begin();
         auto state = noise::HandshakeState::initialize(noiseConfig(noise::Role::Responder, m_agent, asBytes(kPrologueText)));
         std::array<std::uint8_t, FirstPayload::kLength> payload;
-        QVERIFY(state->readMessage(ByteView(initiator.message()).subspan(1, 110), payload));
+        QVERIFY(state->readMessage(ByteView(initiator.message()).subspan(1, kFirstNoiseLength), payload));
         AnswerMessage message{};
         message[0] = firstByte(HandshakeMessage::Answer);
         message[1] = 0x34;
         message[2] = 0x12;
         const auto said = AnswerPayload{ConnectionId{2}, m_offer, suite.id}.write();
-        QVERIFY(state->writeMessage(said, MutableByteView(message).subspan(3, 55), m_random));
+        QVERIFY(state->writeMessage(said, MutableByteView(message).subspan(3, kAnswerNoiseLength), m_random));
         Mac1(m_station.publicKey).sign(message);
         const auto agreement = initiator.takeAnswer(message);
         HOLDS(agreement.has_value() == (suite.id == SuiteId::ChaCha20Poly1305), "no other choice is taken");
@@ -337,7 +337,7 @@ void AttackHandshakeTest::otherVersionOrCarrier()
         FirstMessage message{};
         message[0] = firstByte(HandshakeMessage::First);
         const auto payload = FirstPayload{ConnectionId{1}, m_offer, 1}.write();
-        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(1, 110), m_random));
+        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(1, kFirstNoiseLength), m_random));
         Mac1(m_agent.publicKey).sign(message);
         HOLDS(Responder::read(m_agent, message).has_value() == (prologue == kPrologueText),
               "no message of another version or carrier is read");

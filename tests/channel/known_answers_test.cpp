@@ -6,6 +6,7 @@
 #include "core/channel/inline_frame.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/channel/record.h"
+#include "core/channel/suite_list.h"
 #include "core/channel/tunnel_parts.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
@@ -140,6 +141,7 @@ void KnownAnswersTest::announcement()
 
 void KnownAnswersTest::handshake()
 {
+    COMPARE_WITH("suite list", *packSuiteNumbers(Bytes{2, 200, 1, 15}));
     const FirstPayload first{kStations, m_stationsOffer, 7};
     COMPARE_WITH("first payload", first.write());
     const AnswerPayload answer{kAgents, m_agentsOffer, SuiteId::Aes256Gcm};

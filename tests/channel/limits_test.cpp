@@ -175,12 +175,12 @@ void LimitsTest::agentThatChoosesAnUnknownSuite()
         config.psks.emplace_back();
         auto state = noise::HandshakeState::initialize(std::move(config));
         std::array<std::uint8_t, FirstPayload::kLength> asked;
-        QVERIFY(state->readMessage(ByteView(initiator->message()).subspan(1, 110), asked));
+        QVERIFY(state->readMessage(ByteView(initiator->message()).subspan(1, kFirstNoiseLength), asked));
         auto payload = AnswerPayload{ConnectionId{2}, offer, SuiteId::ChaCha20Poly1305}.write();
         payload.back() = static_cast<std::uint8_t>(suite);
         AnswerMessage message{};
         message[0] = firstByte(HandshakeMessage::Answer);
-        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(3, 55), random));
+        QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(3, kAnswerNoiseLength), random));
         Mac1(station.publicKey).sign(message);
         QCOMPARE(initiator->takeAnswer(message).error(), RefusalReason::OfferTampered);
     }

@@ -2,6 +2,7 @@
 // no way to a choice that the initiator would not compute from the offers it sees.
 #include "core/channel/handshake_payload.h"
 #include "core/channel/negotiation.h"
+#include "core/channel/suite_list.h"
 #include "core/channel/suite_strength.h"
 
 #include <QtTest/QTest>
@@ -24,6 +25,9 @@ private Q_SLOTS:
     void strippingNeverHelpsAnAttacker();
     void offersSurviveTheWire();
     void unknownNumbersAreSkipped();
+    void seventhSuiteTakesPart();
+    void everySuiteOfThePolicyIsOffered();
+    void numberHoldsWhatAMessageCanCarry();
     void payloadsOfOtherLengthsAreRefused();
     void policyWithDuplicatesAndNone();
     void weakestAllowedHoldsWhateverTheOtherEndOffers();
@@ -129,9 +133,9 @@ void NegotiationTest::offersSurviveTheWire()
         const SuiteOffer offer{suites, *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
         const ConnectionId connection{*rc::gen::arbitrary<std::uint16_t>()};
 
-        const auto first = FirstPayload::read(FirstPayload{connection, offer, 0x1122334455667788}.write());
+        const auto first = FirstPayload::read(FirstPayload{connection, offer, kGreatestCounter - 0x1122334455}.write());
         RC_ASSERT(first && first->offer == offer && first->connection == connection);
-        RC_ASSERT(first->counter == 0x1122334455667788u);
+        RC_ASSERT(first->counter == kGreatestCounter - 0x1122334455u);
         const auto answer = AnswerPayload::read(AnswerPayload{connection, offer, SuiteId::Aes256Gcm}.write());
         RC_ASSERT(answer && answer->offer == offer && answer->connection == connection);
         RC_ASSERT(answer->chosen == SuiteId::Aes256Gcm);
@@ -141,14 +145,54 @@ void NegotiationTest::offersSurviveTheWire()
 void NegotiationTest::unknownNumbersAreSkipped()
 {
     auto bytes = FirstPayload{ConnectionId{1}, {{SuiteId::Aes256Gcm}, false, false}, 1}.write();
-    bytes[3] = 0xf9; // two suites of another time
-    bytes[4] = 0x21; // chacha20-poly1305, aes-256-gcm
-    bytes[5] = 0x12; // the same again
+    const SuiteListField field = *packSuiteNumbers(std::vector<std::uint8_t>{9, 1, 255, 2, 14, 15});
+    std::copy(field.begin(), field.end(), bytes.begin() + 3);
     const auto payload = FirstPayload::read(bytes);
     QVERIFY(payload);
     QCOMPARE(payload->offer.suites, (std::vector<SuiteId>{SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}));
-    bytes[0] = 0xfc; // flags of another time
+    bytes[0] = 0xfc; // the four flags without a meaning
     QVERIFY(FirstPayload::read(bytes) && !FirstPayload::read(bytes)->offer.allowResearch);
+    auto answer = AnswerPayload{ConnectionId{1}, {{SuiteId::Aes256Gcm}, false, false}, SuiteId::Aes256Gcm}.write();
+    std::copy(field.begin(), field.end(), answer.begin() + 3);
+    QVERIFY(AnswerPayload::read(answer));
+    QCOMPARE(AnswerPayload::read(answer)->offer.suites, payload->offer.suites);
+}
+
+void NegotiationTest::seventhSuiteTakesPart()
+{
+    // Two ends of a later build share a seventh suite: it passes through this list, wherever it stands.
+    for (const std::uint8_t seventh : {std::uint8_t(7), std::uint8_t(14), std::uint8_t(15), std::uint8_t(255)}) {
+        for (std::size_t at = 0; at <= kAll.size(); ++at) {
+            std::vector<std::uint8_t> numbers;
+            for (const SuiteId suite : kAll)
+                numbers.push_back(static_cast<std::uint8_t>(suite));
+            numbers.insert(numbers.begin() + static_cast<std::ptrdiff_t>(at), seventh);
+            const auto field = packSuiteNumbers(numbers);
+            QVERIFY(field);
+            QCOMPARE(unpackSuiteNumbers(*field), numbers);
+        }
+    }
+}
+
+void NegotiationTest::everySuiteOfThePolicyIsOffered()
+{
+    std::vector<SuiteId> all;
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        if (info.id != SuiteId::None)
+            all.push_back(info.id);
+    }
+    QCOMPARE(all.size() + 1, crypto::kSuiteCount);
+    const SuiteOffer offer = offerOf(Policy{all, true, false});
+    QCOMPARE(offer.suites, all);
+    QCOMPARE(FirstPayload::read(FirstPayload{ConnectionId{1}, offer, 1}.write())->offer.suites, all);
+    QCOMPARE(AnswerPayload::read(AnswerPayload{ConnectionId{1}, offer, all.front()}.write())->offer.suites, all);
+}
+
+void NegotiationTest::numberHoldsWhatAMessageCanCarry()
+{
+    for (const std::uint64_t counter : {std::uint64_t(0), std::uint64_t(41), kGreatestCounter})
+        QCOMPARE(NumberPayload::read(NumberPayload{counter}.write())->lastSeen, counter);
+    QCOMPARE(NumberPayload::read(NumberPayload{UINT64_MAX}.write())->lastSeen, kGreatestCounter);
 }
 
 void NegotiationTest::payloadsOfOtherLengthsAreRefused()
@@ -157,6 +201,7 @@ void NegotiationTest::payloadsOfOtherLengthsAreRefused()
     for (std::size_t length = 0; length <= bytes.size(); ++length) {
         QCOMPARE(FirstPayload::read(ByteView(bytes).first(length)).has_value(), length == FirstPayload::kLength);
         QCOMPARE(AnswerPayload::read(ByteView(bytes).first(length)).has_value(), length == AnswerPayload::kLength);
+        QCOMPARE(NumberPayload::read(ByteView(bytes).first(length)).has_value(), length == NumberPayload::kLength);
     }
 }
 

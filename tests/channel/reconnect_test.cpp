@@ -28,6 +28,7 @@ private Q_SLOTS:
     void numberIsForItsStationAlone();
     void numberThatCannotBeKept();
     void greatestNumberIsNotBelieved();
+    void lastCounterIsTheLast();
     void changedNumberIsRefused();
     void firstsOfAThiefKeepNobodyOut_data();
     void firstsOfAThiefKeepNobodyOut();
@@ -346,11 +347,34 @@ void ReconnectTest::numberThatCannotBeKept()
 void ReconnectTest::greatestNumberIsNotBelieved()
 {
     Pair pair;
-    pair.air().counters.remember(pair.ground().identity->publicKey, UINT64_MAX - 5);
+    pair.air().counters.remember(pair.ground().identity->publicKey, kGreatestCounter - 5);
     pair.run(5s);
     QVERIFY(!pair.bothUp());
     QVERIFY(pair.ground().counters.next() < 100);
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::CounterBehind);
+}
+
+void ReconnectTest::lastCounterIsTheLast()
+{
+    // The last counter still makes a session. After it the station sends no first message, and reports why.
+    Pair pair;
+    QVERIFY(pair.ground().counters.skipTo(kGreatestCounter - 1));
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), kGreatestCounter);
+    pair.kill(Ground);
+    pair.start(Ground);
+    std::size_t firsts = 0;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        firsts += flight.bytes[0] == 0x59;
+        return true;
+    };
+    pair.run(10s);
+    QVERIFY(!pair.ground().up());
+    QCOMPARE(firsts, std::size_t(0));
+    const auto refusals = pair.ground().all<HandshakeRefused>();
+    QVERIFY(!refusals.empty() && refusals.size() <= 11);
+    QCOMPARE(refusals.back().reason, RefusalReason::CountersUsedUp);
+    QCOMPARE(refusals.back().peer, pair.air().identity->publicKey);
 }
 
 void ReconnectTest::changedNumberIsRefused()
@@ -371,7 +395,7 @@ void ReconnectTest::changedNumberIsRefused()
             QVERIFY(!initiator->takeNumber(changed));
         QVERIFY(!initiator->takeAnswer(changed));
     }
-    QVERIFY(!initiator->takeNumber(ByteView(number).first(74)));
+    QVERIFY(!initiator->takeNumber(ByteView(number).first(kNumberLength - 1)));
     QCOMPARE(initiator->takeNumber(number), std::optional<std::uint64_t>(77));
     QVERIFY(!initiator->takeNumber(number));
 }
@@ -380,8 +404,8 @@ void ReconnectTest::firstsOfAThiefKeepNobodyOut_data()
 {
     QTest::addColumn<quint64>("counter");
     QTest::addColumn<bool>("rising");
-    QTest::newRow("greatest") << quint64(UINT64_MAX) << false;
-    QTest::newRow("great") << (quint64(1) << 60) << true;
+    QTest::newRow("greatest") << quint64(kGreatestCounter) << false;
+    QTest::newRow("great") << (quint64(1) << 38) << true;
     QTest::newRow("those that the station is about to use") << quint64(1) << true;
 }
 
@@ -442,7 +466,7 @@ void ReconnectTest::unconfirmedAnswersAreBounded()
     Pair pair;
     pair.kill(Ground);
     for (int i = 0; i < 400; ++i) {
-        Bytes forged = firstOfAThief(pair, UINT64_MAX);
+        Bytes forged = firstOfAThief(pair, kGreatestCounter);
         pair.air().endpoint->handleDatagram(pair.now, elsewhere(pair), forged);
         pair.run(25ms);
     }

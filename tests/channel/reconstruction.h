@@ -56,7 +56,7 @@ public:
             return std::nullopt;
         mix(state, m_agent, m_station.publicKey);
         firstPayloadRead = state.decryptAndHash(payload, plain).has_value();
-        const ByteView re = m_answer.subspan(3, 32), answered = m_answer.subspan(35, 23);
+        const ByteView re = m_answer.subspan(3, 32), answered = m_answer.subspan(35, channel::AnswerPayload::kLength + 16);
         mixEphemeral(state, re);
         if (guess)
             state.mixKey(guess->view());

@@ -60,10 +60,11 @@ public:
         if (se)
             state.mixKey(se->view());
         state.mixKeyAndHash(Key32().view());
+        constexpr std::size_t kSealed = channel::AnswerPayload::kLength + 16;
         std::array<std::uint8_t, channel::AnswerPayload::kLength> plain;
-        const bool opened = state.decryptAndHash(answer.subspan(35, 23), plain).has_value();
+        const bool opened = state.decryptAndHash(answer.subspan(35, kSealed), plain).has_value();
         if (!opened)
-            state.mixHash(answer.subspan(35, 23)); // as the agent does
+            state.mixHash(answer.subspan(35, kSealed)); // as the agent does
         auto [initiators, responders] = state.split();
         return {opened ? channel::AnswerPayload::read(plain) : std::nullopt,
                 {std::move(initiators), std::move(responders), state.handshakeHash()}};

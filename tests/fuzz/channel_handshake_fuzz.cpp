@@ -94,6 +94,7 @@ private:
     {
         static_cast<void>(FirstPayload::read(bytes));
         static_cast<void>(AnswerPayload::read(bytes));
+        static_cast<void>(NumberPayload::read(bytes));
     }
 
     void take(Bytes datagram)
@@ -161,7 +162,7 @@ private:
                                                                     : HandshakeMessage::Answer);
         if (!m_agentIsHere) {
             std::array<std::uint8_t, FirstPayload::kLength> asked{};
-            if (m_first.empty() || !noise.readMessage(ByteView(m_first).subspan(1, 110), asked))
+            if (m_first.empty() || !noise.readMessage(ByteView(m_first).subspan(1, kFirstNoiseLength), asked))
                 return;
             std::copy_n(asked.begin() + 1, 2, datagram.begin() + 1); // its connection id
             head = 3;

@@ -128,6 +128,8 @@ QString refusalText(channel::RefusalReason reason)
     case channel::RefusalReason::Version: return Words::tr("another version of the protocol");
     case channel::RefusalReason::CounterBehind:
         return Words::tr("the file of counters was lost or put back; going on from the number that the other end remembers");
+    case channel::RefusalReason::CountersUsedUp:
+        return Words::tr("all handshake counters of this station's key are used; make a new key");
     case channel::RefusalReason::Flood: return Words::tr("too many of them; only senders that prove their address get through");
     }
     return {};

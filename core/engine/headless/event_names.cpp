@@ -64,6 +64,7 @@ std::string_view word(channel::RefusalReason reason)
     case channel::RefusalReason::OfferTampered: return "offer-tampered";
     case channel::RefusalReason::Version: return "version";
     case channel::RefusalReason::CounterBehind: return "counter-behind";
+    case channel::RefusalReason::CountersUsedUp: return "counters-used-up";
     case channel::RefusalReason::Flood: return "flood";
     }
     return "unknown";

@@ -100,12 +100,14 @@ def _handshake(inputs, station, agent, out):
     number = wire.write_number(responder.copy(), station.public, stations.connection, 41)
     assert wire.read_number(initiator.copy(), number) == 41
     out["number"] = number
+    out["suite list"] = wire.pack_suites([2, 200, 1, 15])
+    assert wire.unpack_numbers(out["suite list"]) == [2, 200, 1, 15]
     chosen = wire.choose(stations, agents)
     answer = wire.write_answer(responder, station.public, stations.connection, agents, chosen)
     assert wire.read_answer(initiator, answer) == (agents, chosen)
     assert initiator.split() == responder.split() and initiator.h == responder.h
     k1, k2 = initiator.split()
-    out.update({"first payload": stations.pack() + (7).to_bytes(8, "little"), "first message": first,
+    out.update({"first payload": stations.pack() + (7).to_bytes(5, "little"), "first message": first,
                 "answer payload": agents.pack() + bytes([chosen]), "answer": answer,
                 "handshake hash": initiator.h, "k1": k1, "k2": k2})
     return initiator

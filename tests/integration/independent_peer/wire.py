@@ -15,9 +15,10 @@ from suites import NAMES, RESEARCH
 
 ANNOUNCEMENT, FIRST, ANSWER, COOKIE = 0x58, 0x59, 0x5A, 0x5B
 ANNOUNCEMENT_LENGTH = FIRST_LENGTH = 127
-ANSWER_LENGTH = 74
-COOKIE_LENGTH, NUMBER_LENGTH = 127, 75
-MOST_BELIEVED = (1 << 48) - 1
+ANSWER_LENGTH = 77
+COOKIE_LENGTH, NUMBER_LENGTH = 127, 72
+GREATEST_COUNTER = (1 << 40) - 1
+MOST_BELIEVED = GREATEST_COUNTER // 2
 PROLOGUE_DATAGRAMS = b"skyseal channel v1\x01"
 NO_PSK = bytes(32)
 FLAG_RESEARCH, FLAG_PLAIN = 1, 2
@@ -55,13 +56,26 @@ def mac1_is_right(addressee_public, datagram):
 
 
 def pack_suites(suites):
-    numbers = (list(suites) + [0] * 6)[:6]
-    return bytes(numbers[i] | numbers[i + 1] << 4 for i in (0, 2, 4))
+    halves = [half for number in suites for half in ([number] if number < 15 else [15, number & 15, number >> 4])]
+    assert len(halves) <= 12
+    halves += [0] * (12 - len(halves))
+    return bytes(low | high << 4 for low, high in zip(halves[::2], halves[1::2]))
+
+
+def unpack_numbers(data):
+    halves, numbers = iter([half for byte in data for half in (byte & 15, byte >> 4)]), []
+    for half in halves:
+        if half < 15:
+            numbers.append(half)
+            continue
+        low, high = next(halves, None), next(halves, None)
+        if high is not None and low + 16 * high >= 15:
+            numbers.append(low + 16 * high)
+    return [number for number in dict.fromkeys(numbers) if number]
 
 
 def unpack_suites(data):
-    numbers = [half for byte in data for half in (byte & 15, byte >> 4)]
-    return list(dict.fromkeys(number for number in numbers if number in NAMES))
+    return [number for number in unpack_numbers(data) if number in NAMES]
 
 
 @dataclass
@@ -76,7 +90,7 @@ class Offer:
 
     @staticmethod
     def unpack(data):
-        return Offer(data[0], int.from_bytes(data[1:3], "little"), unpack_suites(data[3:6]))
+        return Offer(data[0], int.from_bytes(data[1:3], "little"), unpack_suites(data[3:9]))
 
 
 def permitted(station, agent):
@@ -98,14 +112,14 @@ def agent_handshake(static, ephemeral=None, prologue=PROLOGUE_DATAGRAMS):
 
 
 def write_first(handshake, agent_public, offer, counter):
-    message = bytes([FIRST]) + handshake.write_message(offer.pack() + counter.to_bytes(8, "little"))
+    message = bytes([FIRST]) + handshake.write_message(offer.pack() + counter.to_bytes(5, "little"))
     return message + mac1(agent_public, message)
 
 
 def read_first(handshake, datagram):
     """(offer, counter); NoiseError when it does not open. mac1 was checked before."""
     payload = handshake.read_message(datagram[1:-16])
-    return Offer.unpack(payload), int.from_bytes(payload[6:14], "little")
+    return Offer.unpack(payload), int.from_bytes(payload[9:14], "little")
 
 
 def write_answer(handshake, station_public, station_connection, offer, chosen):
@@ -117,13 +131,13 @@ def write_answer(handshake, station_public, station_connection, offer, chosen):
 def read_answer(handshake, datagram):
     """(offer, chosen suite); NoiseError when it does not open. mac1 was checked before."""
     payload = handshake.read_message(datagram[3:-16])
-    return Offer.unpack(payload), payload[6]
+    return Offer.unpack(payload), payload[9]
 
 
 def write_number(handshake, station_public, station_connection, remembered):
     """The greatest counter that the agent remembers, for a station that lost its own."""
     message = bytes([COOKIE]) + station_connection.to_bytes(2, "little")
-    message += handshake.write_message(remembered.to_bytes(8, "little"))
+    message += handshake.write_message(min(remembered, GREATEST_COUNTER).to_bytes(5, "little"))
     return message + mac1(station_public, message)
 
 
