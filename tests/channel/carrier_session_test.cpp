@@ -1,6 +1,7 @@
 // Sessions in each carrier: they come up, switch under loss and lose nothing of their own; what was taken from one carrier
 // is refused in another; and a line that only two share does without connection ids, whoever restarts.
 #include "core/channel/handshake.h"
+#include "core/channel/message_traits.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 
