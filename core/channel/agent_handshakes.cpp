@@ -8,11 +8,11 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr Duration kFloodPause = std::chrono::seconds(10);
-constexpr Duration kNumberPause = std::chrono::milliseconds(200);
+constexpr Duration kFloodEventInterval = std::chrono::seconds(10);
+constexpr Duration kNumberInterval = std::chrono::milliseconds(200);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
-/// Answers that wait for their station, of one peer and in all. One of a peer would do if only it could write first
-/// messages in its name.
+/// Answers not confirmed yet, of one peer and in all. One of a peer would be enough if nobody else could write first messages
+/// in its name.
 constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
 constexpr std::size_t kMostAnswered = 64;
 
@@ -25,8 +25,8 @@ bool holds(const std::vector<Path> &paths, const Path &path)
 
 AgentHandshakes::AgentHandshakes(EndpointCore &core, TimePoint now)
     : m_core(core), m_announcement(core.config.identity->publicKey), m_announced(now - core.config.timing.announceBesideEvery),
-      m_limit(core.around.random, now), m_cookies(core.config.identity->publicKey, core.around.random),
-      m_floodNotified(TimePoint::min()), m_numberNotified(TimePoint::min())
+      m_limit(core.context.random, now), m_cookies(core.config.identity->publicKey, core.context.random),
+      m_floodEvents(kFloodEventInterval, now), m_numbers(kNumberInterval, now)
 {}
 
 bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView datagram)
@@ -34,13 +34,13 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     const bool proven = !m_core.ownMac.verify(datagram);
     if (proven && !m_cookies.verify(now, from, datagram))
         return refuse(now, from, RefusalReason::WrongKey);
-    const ByteView said = datagram.first(kFirstLength - kMacLength);
+    const ByteView content = datagram.first(kFirstLength - kMacLength);
     for (const Answered &answered : m_answered) {
-        // A copy: our answer may have been lost. The same one again, and nothing is computed.
-        if (std::equal(said.begin(), said.end(), answered.first.begin())) {
-            m_core.around.outbox.send(from, answered.answer);
+        // A copy: our answer may have been lost. Send the same one again, without a computation.
+        if (std::equal(content.begin(), content.end(), answered.first.begin())) {
+            m_core.context.outgoing.push(from, answered.answer);
             if (weakened(Weakness::AnswerTwice))
-                m_core.around.outbox.send(from, answered.answer);
+                m_core.context.outgoing.push(from, answered.answer);
             return false;
         }
     }
@@ -53,42 +53,38 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     const Peer *peer = m_core.peer(key);
     if (!peer)
         return refuse(now, from, RefusalReason::UnknownPeer, key);
-    // Written down only once the station has proved itself alive: until then a replay gains nothing, and whoever could
-    // forge a first message (with our own key stolen) must not be able to spend the station's numbers. For the same reason
-    // answers that nobody confirmed have no say in it.
+    // The counter is stored only when the station has confirmed the session: until then a replay gains nothing, and an attacker
+    // with our own key, who can forge first messages, must not be able to use up the station's counters. For the same reason
+    // the counters of unconfirmed answers do not count here.
     const std::uint64_t counter = responder->payload().counter;
     if (counter <= m_core.counters.lastSeen(key) && !weakened(Weakness::AcceptLowerCounter)) {
-        tellNumber(now, from, *peer, std::move(*responder));
+        sendNumber(now, from, *peer, std::move(*responder));
         return refuse(now, from, RefusalReason::ReplayedHandshake, key);
     }
 
-    // A station that still has the old session takes this as its answer; one that has restarted ignores it. It and the answer
-    // are shorter than the message: who repeats one is not given more than he sends.
+    // A station that still has the old session keeps it when it receives this; one that has restarted ignores it. This record
+    // and the answer are together shorter than the first message, so that replaying one yields no amplification.
     if (Session *old = m_core.table.upWith(key))
-        old->showLife(now);
+        old->sendKeepAlive(now);
 
     makeRoomFor(key);
-    const auto connection = m_core.table.reserve(m_core.around.random);
+    const auto connection = m_core.table.reserve(m_core.context.random);
     if (!connection)
         return false;
-    auto answer = std::move(*responder).answer(*peer, *connection, m_core.around.offer, m_core.around.random);
+    auto answer = std::move(*responder).answer(*peer, *connection, m_core.context.offer, m_core.context.random);
     if (!answer) {
         m_core.table.release(*connection);
         return refuse(now, from, answer.error(), key);
     }
     if (SessionTable::Entry *here = m_core.table.upAt(from))
-        here->session->nameRecordsUntil(now + kAnswerKept); // the station may have a new session there before we know it
+        here->session->nameRecordsUntil(now + kAnswerKept); // The station may use a new session there before we know.
     Agreement &agreement = answer->agreement;
-    SessionSetup setup{m_core.table.number(*connection),
-                       false,
-                       *peer,
-                       *connection,
-                       agreement.peerConnection,
+    SessionSetup setup{{m_core.table.number(*connection), false, *peer, *connection, agreement.peerConnection},
                        std::move(agreement.peerOffer),
                        agreement.suite,
                        std::move(agreement.chain),
                        from};
-    auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
+    auto session = std::make_unique<Session>(std::move(setup), m_core.context, now);
     if (!session->usable()) {
         m_core.table.release(*connection);
         return refuse(now, from, RefusalReason::NoCommonSuite, key);
@@ -97,30 +93,29 @@ bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView data
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(answered);
     auto &entry = m_core.table.put(std::move(session), false, now);
-    m_core.around.outbox.send(from, answer->message);
+    m_core.context.outgoing.push(from, answer->message);
     if (weakened(Weakness::AnswerTwice))
-        m_core.around.outbox.send(from, answer->message);
+        m_core.context.outgoing.push(from, answer->message);
     if (weakened(Weakness::NoConfirmation))
         return confirm(now, entry);
     return true;
 }
 
-/// A station that lost its counters would be refused until it has counted up again. Nobody else can read the number, and
-/// nothing changes here, so a replay gains nothing by it.
-void AgentHandshakes::tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder)
+/// Without the number, a station that lost its counters would be refused until it has counted up again. Only that station can
+/// read it, and nothing changes here, so that a replay gains nothing.
+void AgentHandshakes::sendNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder)
 {
-    const std::uint64_t lastSeen = m_core.counters.lastSeen(peer.key);
-    if (now < m_numberNotified + kNumberPause)
+    if (!m_numbers.take(now))
         return;
-    m_numberNotified = now;
-    if (const auto message = std::move(responder).tellNumber(peer, lastSeen, m_core.around.random))
-        m_core.around.outbox.send(from, *message);
+    const std::uint64_t lastSeen = m_core.counters.lastSeen(peer.key);
+    if (const auto message = std::move(responder).writeNumber(peer, lastSeen, m_core.context.random))
+        m_core.context.outgoing.push(from, *message);
 }
 
-template<typename Which> void AgentHandshakes::forgetIf(Which which)
+template<typename Condition> void AgentHandshakes::discardIf(Condition condition)
 {
     std::erase_if(m_answered, [&](const Answered &answered) {
-        if (!which(answered))
+        if (!condition(answered))
             return false;
         m_core.table.erase(answered.session);
         return true;
@@ -134,18 +129,18 @@ bool AgentHandshakes::confirm(TimePoint now, SessionTable::Entry &entry)
     const auto confirmed = std::find_if(m_answered.begin(), m_answered.end(), isIts);
     const std::uint64_t counter = confirmed == m_answered.end() ? 0 : confirmed->counter;
     if (!m_core.counters.remember(peer, counter)) {
-        forgetIf(isIts);
+        discardIf(isIts);
         return false;
     }
     std::erase_if(m_answered, isIts);
-    // Lower ones are old by now: a station's earlier attempts, and replays.
-    forgetIf([&](const Answered &a) { return a.peer == peer && a.counter <= counter; });
+    // Lower counters are those of the station's earlier attempts, or replays.
+    discardIf([&](const Answered &a) { return a.peer == peer && a.counter <= counter; });
     m_core.bringUp(now, entry);
     return true;
 }
 
-/// The one with the peer's greatest counter, and the first of several such.
-const AgentHandshakes::Answered *AgentHandshakes::furthestOf(const PublicKey &peer) const
+/// Returns the answer to the first message with the peer's greatest counter, the oldest of several.
+const AgentHandshakes::Answered *AgentHandshakes::greatestOf(const PublicKey &peer) const
 {
     const Answered *found = nullptr;
     for (const Answered &answered : m_answered) {
@@ -155,8 +150,8 @@ const AgentHandshakes::Answered *AgentHandshakes::furthestOf(const PublicKey &pe
     return found;
 }
 
-/// Who repeats a station's older messages cannot displace the newest, and who has our key and makes up counters cannot
-/// keep the others out: the oldest goes that is not its peer's furthest.
+/// Discards the oldest answer that does not have its peer's greatest counter. So replayed older messages of a station cannot
+/// displace its newest one, and an attacker with our key who invents counters cannot keep others out.
 void AgentHandshakes::makeRoomFor(const PublicKey &peer)
 {
     const bool full = m_answered.size() >= kMostAnswered;
@@ -164,14 +159,14 @@ void AgentHandshakes::makeRoomFor(const PublicKey &peer)
     if (ofPeer < kMostAnsweredOfPeer && !full)
         return;
     const auto found = std::find_if(m_answered.begin(), m_answered.end(),
-                                    [&](const Answered &a) { return (full || a.peer == peer) && &a != furthestOf(a.peer); });
+                                    [&](const Answered &a) { return (full || a.peer == peer) && &a != greatestOf(a.peer); });
     if (found != m_answered.end())
-        forgetIf([session = found->session](const Answered &a) { return a.session == session; });
+        discardIf([session = found->session](const Answered &a) { return a.session == session; });
 }
 
 void AgentHandshakes::peersChanged()
 {
-    forgetIf([this](const Answered &answered) {
+    discardIf([this](const Answered &answered) {
         const SessionTable::Entry *entry = m_core.table.find(answered.session);
         const Peer *peer = m_core.peer(answered.peer);
         return !entry || !peer || !samePresharedKey(peer->presharedKey, entry->session->peer().presharedKey);
@@ -184,7 +179,7 @@ bool AgentHandshakes::refuse(TimePoint now, const Path &from, RefusalReason reas
         ++m_core.unmatched.replayed;
     else
         ++m_core.unmatched.forged;
-    m_core.tellRefused(now, from, reason, peer);
+    m_core.notifyRefused(now, from, reason, peer);
     return false;
 }
 
@@ -194,17 +189,15 @@ bool AgentHandshakes::mayCompute(TimePoint now, const Path &from, ByteView datag
         return true;
     if (proven || !m_limit.underLoad(now) || weakened(Weakness::NoCookie))
         return m_limit.admit(now, from, !proven ? Standing::Claimed : expects(from) ? Standing::Expected : Standing::Proven);
-    // Room is left for what matters more.
-    if (m_core.around.outbox.size() < DatagramQueue::kSlots / 2)
-        m_core.around.outbox.send(from, m_cookies.make(now, from, datagram));
-    if (now >= m_floodNotified) {
-        m_core.around.events.emplace_back(HandshakeRefused{from, RefusalReason::Flood, {}});
-        m_floodNotified = now + kFloodPause;
-    }
+    // Cookies may use half of the queue only.
+    if (m_core.context.outgoing.size() < DatagramQueue::kSlots / 2)
+        m_core.context.outgoing.push(from, m_cookies.make(now, from, datagram));
+    if (m_floodEvents.take(now))
+        m_core.context.events.emplace_back(HandshakeRefused{from, RefusalReason::Flood, {}});
     return false;
 }
 
-/// Whether a station may well be at that host: we announce ourselves there, or have a session with it.
+/// Returns true if a station is expected at this host: the agent announces itself there, or has a session with it.
 bool AgentHandshakes::expects(const Path &from)
 {
     const auto isHostOf = [&from](const Path &path) {
@@ -228,15 +221,15 @@ AgentHandshakes::Targets AgentHandshakes::announceTargets(TimePoint now)
         if (now < session.quietFrom()) {
             served.push_back(session.path());
             served.push_back(session.origin());
-            ++peersServed; // who has one session at most
+            ++peersServed; // a peer has one session at most
         } else if (!holds(out.paths, session.path())) {
             out.paths.push_back(session.path());
         }
     });
     std::erase_if(out.paths, [&](const Path &target) { return holds(served, target); });
 
-    // More stations than the one that is served may be on a link: behind a router, at a listening port, at another address.
-    // Who came first must not keep the others from ever hearing of us.
+    // A link may lead to more stations than the one with a session: behind a router, at a listening port, at another address.
+    // The first station must not prevent the others from finding the agent.
     const auto sharesLink = [&](const Path &target) {
         return std::any_of(served.begin(), served.end(), [&](const Path &path) { return path.link == target.link; });
     };
@@ -249,13 +242,13 @@ AgentHandshakes::Targets AgentHandshakes::announceTargets(TimePoint now)
 
 void AgentHandshakes::handleDeadline(TimePoint now)
 {
-    forgetIf([now](const Answered &answered) { return now >= answered.until; });
+    discardIf([now](const Answered &answered) { return now >= answered.until; });
     const Targets targets = announceTargets(now);
     if (targets.paths.empty() || now < announceDue(targets))
         return;
-    const auto datagram = m_announcement.make(m_core.around.random);
+    const auto datagram = m_announcement.make(m_core.context.random);
     for (const Path &path : targets.paths)
-        m_core.around.outbox.send(path, datagram);
+        m_core.context.outgoing.push(path, datagram);
     m_announced = now;
 }
 
@@ -266,7 +259,7 @@ TimePoint AgentHandshakes::deadline(TimePoint now)
         due = std::min(due, answered.until);
     if (const Targets targets = announceTargets(now); !targets.paths.empty())
         due = std::min(due, announceDue(targets));
-    m_core.table.forEach([&](SessionTable::Entry &entry) { // which is announced to then
+    m_core.table.forEach([&](SessionTable::Entry &entry) { // It is announced to from then on.
         if (entry.up && now < entry.session->quietFrom())
             due = std::min(due, entry.session->quietFrom());
     });

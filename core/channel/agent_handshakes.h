@@ -1,9 +1,11 @@
-// The agent's side of getting sessions: it announces itself where no station listens to it yet, and answers first messages.
+// The agent's handshakes: it announces itself to stations that have no session with it, and answers first messages
+// (PROTOCOL.md, sections 3 and 4).
 #pragma once
 
 #include "core/channel/cookie.h"
 #include "core/channel/endpoint_core.h"
 #include "core/channel/handshake_limit.h"
+#include "core/channel/interval_limit.h"
 
 namespace skyseal::channel {
 
@@ -12,17 +14,19 @@ class AgentHandshakes
 public:
     AgentHandshakes(EndpointCore &core, TimePoint now);
 
-    /// A first message whose length is right. False when it changed nothing: refused, or answered as before.
+    TimePoint deadline(TimePoint now);
+
+    /// Precondition: the datagram has kFirstLength bytes. Returns false if nothing has changed: the message was refused, or
+    /// answered as before.
     bool handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// The first authentic record of a session that was answered: the station is no replay. False when its counter could not
-    /// be written down; the session is gone then.
+    /// The first authentic record came in an answered session, so the station is no replay. Returns false, and discards the
+    /// session, if the station's counter could not be stored.
     bool confirm(TimePoint now, SessionTable::Entry &entry);
     void peersChanged();
     void handleDeadline(TimePoint now);
-    TimePoint deadline(TimePoint now);
 
 private:
-    /// An answered first message whose station has not shown yet that it took the answer.
+    /// An answered first message whose session the station has not confirmed yet.
     struct Answered
     {
         PublicKey peer{};
@@ -32,31 +36,31 @@ private:
         FirstMessage first{};
         AnswerMessage answer{};
     };
-
-    bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
-    void tellNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder);
-    bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
-    bool expects(const Path &from);
-    void makeRoomFor(const PublicKey &peer);
-    const Answered *furthestOf(const PublicKey &peer) const;
-    template<typename Which> void forgetIf(Which which);
-    /// Where to announce ourselves, and how often.
+    /// Addresses of the announcements, and their interval.
     struct Targets
     {
         std::vector<Path> paths;
         Duration every;
     };
+
+    bool refuse(TimePoint now, const Path &from, RefusalReason reason, const PublicKey &peer = {});
+    void sendNumber(TimePoint now, const Path &from, const Peer &peer, Responder &&responder);
+    bool mayCompute(TimePoint now, const Path &from, ByteView datagram, bool proven);
+    bool expects(const Path &from);
+    void makeRoomFor(const PublicKey &peer);
+    const Answered *greatestOf(const PublicKey &peer) const;
+    template<typename Condition> void discardIf(Condition condition);
     Targets announceTargets(TimePoint now);
     TimePoint announceDue(const Targets &targets) const;
 
     EndpointCore &m_core;
     Announcement m_announcement;
-    std::vector<Answered> m_answered; ///< in the order in which they came
-    TimePoint m_announced;            ///< last
+    std::vector<Answered> m_answered; ///< oldest first
+    TimePoint m_announced;            ///< time of the latest announcement
     HandshakeLimit m_limit;
     CookieMaker m_cookies;
-    TimePoint m_floodNotified;
-    TimePoint m_numberNotified;
+    IntervalLimit m_floodEvents;
+    IntervalLimit m_numbers;
 };
 
 } // namespace skyseal::channel

@@ -1,5 +1,5 @@
-// Datagrams of the endpoint's own (handshake, announcements, control records) that wait to be sent. They are few and
-// short, and each is repeated by its sender, so the box has a fixed size and drops the newest when it is full.
+// Queue of the datagrams that an endpoint sends by itself: handshake messages, announcements, control records. They are few
+// and short and their senders repeat them, so the queue has a fixed size and drops new datagrams when it is full.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -28,8 +28,9 @@ public:
     bool empty() const { return m_count == 0; }
     std::size_t size() const { return m_count; }
 
-    /// The slot that `commit` will send, to be filled in place; its content is undefined.
+    /// The slot to fill in place before commit(). Its content is undefined.
     Item &draft() { return m_items[(m_first + m_count) % (kSlots + 1)]; }
+    /// Appends the draft; drops it if the queue is full or the length is 0.
     void commit(const Path &to, std::size_t length)
     {
         if (m_count == kSlots || length == 0)
@@ -39,7 +40,8 @@ public:
         item.length = length;
         ++m_count;
     }
-    void send(const Path &to, ByteView bytes)
+    /// Appends a copy. Drops a datagram longer than kMaxLength.
+    void push(const Path &to, ByteView bytes)
     {
         if (bytes.size() > kMaxLength)
             return;
@@ -47,8 +49,8 @@ public:
         commit(to, bytes.size());
     }
 
-    /// The oldest; lives until the next call that adds. nullptr when there is none.
-    const Item *take()
+    /// Removes the oldest datagram; nullptr if the queue is empty. Valid until the next draft is committed.
+    const Item *pop()
     {
         if (m_count == 0)
             return nullptr;
@@ -59,7 +61,7 @@ public:
     }
 
 private:
-    // One more than the box holds: the slot given out last stays intact while the next one is drafted.
+    // One slot more than the queue holds: the popped datagram stays intact while the next one is drafted.
     std::array<Item, kSlots + 1> m_items{};
     std::size_t m_first = 0;
     std::size_t m_count = 0;

@@ -21,7 +21,7 @@ struct Endpoint::State
         refresh(now);
     }
 
-    /// After anything that may have changed a timer or ended a session.
+    /// Call after each change of a timer and each end of a session.
     void refresh(TimePoint at);
     void handleDeadline(TimePoint at);
     std::optional<Delivery> handleRecord(TimePoint at, const Path &from, MutableByteView datagram);
@@ -39,7 +39,7 @@ struct Endpoint::State
 void Endpoint::State::refresh(TimePoint at)
 {
     now = at;
-    core.reap(now);
+    core.endFinished(now);
     deadline = station ? station->deadline(now) : agent->deadline(now);
     core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up)
@@ -54,7 +54,7 @@ void Endpoint::State::handleDeadline(TimePoint at)
         if (entry.up)
             entry.session->handleDeadline(now);
     });
-    core.reap(now);
+    core.endFinished(now);
     if (station)
         station->handleDeadline(now);
     else
@@ -65,7 +65,7 @@ void Endpoint::State::handleDeadline(TimePoint at)
 std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &from, MutableByteView datagram)
 {
     now = at;
-    std::optional<Delivery> delivery; // the only thing returned: it is made where the caller has it
+    std::optional<Delivery> delivery; // named return value: constructed in place in the caller
     const auto header = RecordHeader::read(datagram);
     SessionTable::Entry *entry = nullptr;
     if (header && header->kind == DatagramKind::Record)
@@ -89,8 +89,8 @@ std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const P
 {
     now = at;
     std::optional<Delivery> delivery;
-    const MessageTraits *facts = core.around.facts;
-    const auto frame = facts ? InlineFrame::read(bytes, *facts) : std::nullopt;
+    const MessageTraits *traits = core.context.traits;
+    const auto frame = traits ? InlineFrame::read(bytes, *traits) : std::nullopt;
     SessionTable::Entry *entry = core.table.upAt(from);
     if (!entry)
         ++core.unmatched.malformed;
@@ -115,13 +115,13 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
     const auto message = static_cast<HandshakeMessage>(datagram[0] & 3);
     if (message == HandshakeMessage::First && agent && datagram.size() == kFirstLength) {
         if (!agent->handleFirst(now, from, datagram))
-            return; // Refused, perhaps one of a flood: nothing has changed.
+            return; // refused, perhaps one of a flood: no timer has changed
     } else if (message == HandshakeMessage::Answer && station) {
         if (!station->handleAnswer(now, from, datagram))
             return;
     } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kCookieLength) {
         station->handleCookie(now, from, datagram);
-        return; // No timer has changed.
+        return; // no timer has changed
     } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kNumberLength) {
         if (!station->handleNumber(now, from, datagram))
             return;
@@ -212,7 +212,7 @@ std::optional<Delivery> Endpoint::handleDatagram(TimePoint now, const Path &from
     }
     if (versionOf(datagram[0]) != kProtocolVersion) {
         ++m_state->core.unmatched.malformed;
-        m_state->core.tellRefused(now, from, RefusalReason::Version);
+        m_state->core.notifyRefused(now, from, RefusalReason::Version);
         return std::nullopt;
     }
     if (kindOf(datagram[0]) == DatagramKind::Record || kindOf(datagram[0]) == DatagramKind::SingleRecord)
@@ -238,7 +238,7 @@ void Endpoint::handleStreamBegan(TimePoint now, LinkId link)
 {
     m_state->core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up && entry.session->path().link == link)
-            entry.session->lineBegan(now);
+            entry.session->handleReconnect(now);
     });
     m_state->refresh(now);
 }
@@ -259,14 +259,14 @@ void Endpoint::noteFrames(SessionId session, const FrameCounters &frames)
 
 void Endpoint::setCostSource(CostSource source)
 {
-    m_state->core.around.costs = std::move(source);
+    m_state->core.context.costs = std::move(source);
 }
 
 // ---- command
 
 void Endpoint::askCosts(bool ask)
 {
-    m_state->core.around.askCosts = ask;
+    m_state->core.context.askCosts = ask;
 }
 
 Sealed Endpoint::seal(TimePoint now, SessionId session, ByteView frames, MutableByteView out)
@@ -346,7 +346,7 @@ void Endpoint::setPolicy(TimePoint now, Policy policy)
 {
     State &state = *m_state;
     state.core.config.policy = std::move(policy);
-    state.core.offerPolicy();
+    state.core.updateOffer();
     state.core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up)
             entry.session->policyChanged(now);
@@ -366,7 +366,7 @@ void Endpoint::setAnnounceTo(TimePoint now, std::vector<Path> paths)
 
 std::optional<Transmit> Endpoint::pollTransmit()
 {
-    const DatagramQueue::Item *item = m_state->core.around.outbox.take();
+    const DatagramQueue::Item *item = m_state->core.context.outgoing.pop();
     if (!item)
         return std::nullopt;
     return Transmit{item->to, item->view()};
@@ -374,7 +374,7 @@ std::optional<Transmit> Endpoint::pollTransmit()
 
 std::optional<Event> Endpoint::pollEvent()
 {
-    auto &events = m_state->core.around.events;
+    auto &events = m_state->core.context.events;
     if (events.empty())
         return std::nullopt;
     Event event = std::move(events.front());

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Duration kRefusalPause = std::chrono::seconds(1);
 
-bool sayGoodbyeFor(DownReason reason)
+bool sendsClose(DownReason reason)
 {
     return reason == DownReason::Closed || reason == DownReason::Revoked;
 }
@@ -23,18 +23,18 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 }
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
-    : config(std::move(configuration)), counters(store), around{random, {}, {}, {}, config.timing, config.messageTraits.get()},
+    : config(std::move(configuration)), counters(store), context{random, {}, {}, {}, config.timing, config.messageTraits.get()},
       ownMac(config.identity->publicKey)
 {
-    offerPolicy();
+    updateOffer();
 }
 
-void EndpointCore::offerPolicy()
+void EndpointCore::updateOffer()
 {
-    around.offer = offerOf(config.policy);
-    std::erase_if(around.offer.suites, [](crypto::SuiteId suite) { return !crypto::suiteAvailable(suite); });
-    around.offer.allowInline = around.offer.allowInline && around.facts;
-    around.offer.preferInline = around.offer.preferInline && around.offer.allowInline;
+    context.offer = offerOf(config.policy);
+    std::erase_if(context.offer.suites, [](crypto::SuiteId suite) { return !crypto::suiteAvailable(suite); });
+    context.offer.allowInline = context.offer.allowInline && context.traits;
+    context.offer.preferInline = context.offer.preferInline && context.offer.allowInline;
 }
 
 const Peer *EndpointCore::peer(const PublicKey &key) const
@@ -45,22 +45,22 @@ const Peer *EndpointCore::peer(const PublicKey &key) const
     return found == config.peers.end() ? nullptr : &*found;
 }
 
-void EndpointCore::tellRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
+void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key)
 {
     if (weakened(Weakness::TellEverything))
-        return around.events.push_back(HandshakeRefused{path, reason, key});
-    std::optional<Told> *slot = nullptr;
-    for (auto &told : m_notified) {
-        const bool current = told && now < told->at + kRefusalPause;
-        if (current && told->path == path)
+        return context.events.push_back(HandshakeRefused{path, reason, key});
+    std::optional<Notified> *slot = nullptr;
+    for (auto &notified : m_notified) {
+        const bool current = notified && now < notified->at + kRefusalPause;
+        if (current && notified->path == path)
             return;
         if (!current)
-            slot = &told;
+            slot = &notified;
     }
     if (!slot)
         return;
-    *slot = Told{path, now};
-    around.events.push_back(HandshakeRefused{path, reason, key});
+    *slot = Notified{path, now};
+    context.events.push_back(HandshakeRefused{path, reason, key});
 }
 
 void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
@@ -68,28 +68,28 @@ void EndpointCore::bringUp(TimePoint now, SessionTable::Entry &entry)
     Session &session = *entry.session;
     table.forEach([&](SessionTable::Entry &other) {
         const bool samePeer = other.session->peer().key == session.peer().key;
-        // A line that only two share has one session: records on it need not name theirs.
+        // A serial carrier has one session, since its records need not name theirs.
         const bool sameLine = session.path().carrier == Carrier::Serial && other.session->path() == session.path();
         if (other.session.get() != &session && (samePeer || sameLine) && other.up)
             end(now, *other.session, DownReason::PeerRestarted);
     });
     entry.up = true;
     const SessionInfo info = session.info(now);
-    around.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path, session.agreedFraming()});
-    session.policyChanged(now); // which may have been made stricter while the handshake was on its way
+    context.events.push_back(SessionUp{info.session, info.peer, info.peerName, info.suite, info.path, session.agreedFraming()});
+    session.policyChanged(now); // The policy may have become stricter during the handshake.
 }
 
 void EndpointCore::end(TimePoint now, Session &session, DownReason reason)
 {
     const SessionTable::Entry *entry = table.find(session.id());
     if (entry && entry->up) {
-        session.end(now, sayGoodbyeFor(reason));
-        around.events.push_back(SessionDown{session.id(), reason, session.stats(), session.agreedFraming()});
+        session.end(now, sendsClose(reason));
+        context.events.push_back(SessionDown{session.id(), reason, session.stats(), session.agreedFraming()});
     }
     table.erase(session.id());
 }
 
-void EndpointCore::reap(TimePoint now)
+void EndpointCore::endFinished(TimePoint now)
 {
     table.forEach([&](SessionTable::Entry &entry) {
         if (const auto reason = entry.session->finished())

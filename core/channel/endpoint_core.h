@@ -1,4 +1,4 @@
-// What both roles of an endpoint share: its sessions, whom it knows, and how it tells about either.
+// Parts of an endpoint that both roles share: configuration, session table, counters and refusal events.
 #pragma once
 
 #include "core/channel/counter_store.h"
@@ -9,7 +9,7 @@
 
 namespace skyseal::channel {
 
-/// Of two peers or attempts: the same secret, or none for both.
+/// Returns true if both are the same secret, or both are null.
 bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared_ptr<const Key32> &other);
 
 struct EndpointCore
@@ -17,31 +17,31 @@ struct EndpointCore
     EndpointCore(Config configuration, RandomSource &random, CounterStore &store);
 
     const Peer *peer(const PublicKey &key) const;
-    /// Counts nothing; tells the owner, at most once a second and path.
-    void tellRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key = {});
-    /// What our policy offers, and this build can do.
-    void offerPolicy();
-    /// The session becomes the one with its peer: an earlier one ends as PeerRestarted.
+    /// Notifies the owner of a refused handshake, at most once a second and path. Does not count it.
+    void notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key = {});
+    /// Sets the offer of the context to the suites and framings of our policy that this machine provides.
+    void updateOffer();
+    /// Makes the session the one with its peer and notifies the owner. An earlier session with the peer ends (PeerRestarted).
     void bringUp(TimePoint now, SessionTable::Entry &entry);
     void end(TimePoint now, Session &session, DownReason reason);
-    /// Ends those sessions that cannot go on.
-    void reap(TimePoint now);
+    /// Ends the sessions that have finished.
+    void endFinished(TimePoint now);
 
     Config config;
     CounterStore &counters;
-    Surroundings around;
+    SessionContext context;
     SessionTable table;
     ReceiveCounters unmatched;
     Mac1 ownMac;
 
 private:
-    struct Told
+    struct Notified
     {
         Path path;
         TimePoint at{};
     };
-    // A flood from many addresses shares these few slots, so that it can neither fill memory nor the owner's log.
-    std::array<std::optional<Told>, 8> m_notified;
+    // A flood from many addresses shares these few slots, so that it fills neither memory nor the owner's log.
+    std::array<std::optional<Notified>, 8> m_notified;
 };
 
 } // namespace skyseal::channel

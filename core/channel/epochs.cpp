@@ -1,8 +1,7 @@
 #include "core/channel/epochs.h"
 
-#include "core/channel/counter_sums.h"
-
 #include "core/base/weakness.h"
+#include "core/channel/counter_sums.h"
 
 namespace skyseal::channel {
 
@@ -37,6 +36,33 @@ LiveEpoch *Epochs::byLowByte(std::uint8_t lowByte)
     return epoch && static_cast<std::uint8_t>(epoch->number) == lowByte ? epoch : nullptr;
 }
 
+bool Epochs::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
+{
+    LiveEpoch epoch;
+    epoch.number = m_current ? Epoch{static_cast<std::uint32_t>(m_current->number) + 1} : Epoch{0};
+    epoch.suite = suite;
+    EpochSecrets secrets = m_chain.derive(epoch.number, suite, proposal, answer);
+    Key32 &ours = m_initiator ? secrets.fromInitiator : secrets.fromResponder;
+    Key32 &theirs = m_initiator ? secrets.fromResponder : secrets.fromInitiator;
+    if (m_withInline) {
+        epoch.inlineWriter = crypto::makeInlineCipher(suite, ours);
+        epoch.inlineReader = crypto::makeInlineCipher(suite, theirs);
+    }
+    epoch.writer = crypto::makeRecordCipher(suite, std::move(ours));
+    epoch.reader = crypto::makeRecordCipher(suite, std::move(theirs));
+    if (!epoch.writer || !epoch.reader)
+        return false;
+    m_chainAfterNext = std::move(secrets.next);
+    m_next = std::make_unique<LiveEpoch>(std::move(epoch));
+    return true;
+}
+
+void Epochs::dropNext()
+{
+    m_next.reset();
+    m_chainAfterNext.reset();
+}
+
 void Epochs::advance()
 {
     retirePrevious();
@@ -44,6 +70,8 @@ void Epochs::advance()
     if (m_previous)
         m_previous->writer.reset(), m_previous->inlineWriter.reset();
     m_current = std::move(m_next);
+    m_chain = std::move(*m_chainAfterNext);
+    m_chainAfterNext.reset();
 }
 
 void Epochs::retirePrevious()
@@ -71,6 +99,11 @@ void Epochs::expectBeforeCurrent(std::uint32_t records)
         m_last->window.expect(records);
         m_last->stats.rx.lost = m_last->window.missing();
     }
+}
+
+bool Epochs::nothingMissing() const
+{
+    return m_current->window.missing() == 0 && (!m_previous || m_previous->window.missing() == 0);
 }
 
 ReceiveCounters Epochs::received() const

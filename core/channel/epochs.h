@@ -1,7 +1,9 @@
-// The live epochs of one session: previous, current, next, and nothing else. What an epoch counted outlives its keys.
+// The live epochs of one session, at most previous, current and next, and the key chain from which the next one is derived
+// (PROTOCOL.md, sections 5 and 8). The counters of an epoch outlive its keys.
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/channel/key_chain.h"
 #include "core/channel/replay_window.h"
 #include "core/channel/stats.h"
 #include "core/crypto/inline_cipher.h"
@@ -13,20 +15,20 @@
 
 namespace skyseal::channel {
 
-/// One epoch with its keys. A next epoch has a writer that is not used yet, a previous one has none any more.
+/// One epoch with its keys. The writer of the next epoch is not used yet; the previous epoch has none.
 struct LiveEpoch
 {
     Epoch number{};
     crypto::SuiteId suite{};
     std::unique_ptr<crypto::RecordCipher> reader;
     std::unique_ptr<crypto::RecordCipher> writer;
-    /// For frames sealed in place; null unless both ends allow it and the suite can do it. Keys of their own, but counter
-    /// and window are those of the records: one account of what is missing.
+    /// For inline framing; null unless both ends agreed to it and the suite has it. The keys differ from those of the records;
+    /// counter and window are shared, so that one counter accounts for all losses.
     std::unique_ptr<crypto::InlineCipher> inlineReader;
     std::unique_ptr<crypto::InlineCipher> inlineWriter;
     ReplayWindow window;
-    std::uint32_t sent = 0; ///< records and frames sealed under it = the counter of the next one
-    ReceiveCounters rx;     ///< `lost` is not kept here, the window knows it
+    std::uint32_t sent = 0; ///< records and inline frames sealed so far; the counter of the next one
+    ReceiveCounters rx;     ///< without `lost`, which the window computes
     SendCounters tx;
 
     EpochStats stats() const;
@@ -35,28 +37,37 @@ struct LiveEpoch
 class Epochs
 {
 public:
+    /// `chain`: for epoch 0. `initiator`: this end is Noise's initiator. `withInline`: make the keys of inline framing too.
+    Epochs(KeyChain chain, bool initiator, bool withInline)
+        : m_chain(std::move(chain)), m_initiator(initiator), m_withInline(withInline)
+    {}
+
     bool begun() const { return m_current != nullptr; }
-    /// Precondition of this and of all sums: the first epoch was prepared, and `advance` called.
+    /// Precondition of this and of all sums: begun().
     LiveEpoch &current() { return *m_current; }
     const LiveEpoch &current() const { return *m_current; }
     LiveEpoch *previous() { return m_previous.get(); }
     const LiveEpoch *previous() const { return m_previous.get(); }
-    bool hasNext() const { return m_next != nullptr; }
-    /// The live epoch with these low bits; nullptr when its keys are gone or were never there.
+    /// Returns the live epoch with these two low bits, nullptr if there are no keys for it.
     LiveEpoch *byBits(std::uint8_t bits);
-    /// The same by the low byte of its number, as frames sealed in place carry it.
+    /// The same by the low byte of the number, which inline frames carry.
     LiveEpoch *byLowByte(std::uint8_t lowByte);
     bool isNext(const LiveEpoch &epoch) const { return &epoch == m_next.get(); }
 
-    void prepareNext(LiveEpoch next) { m_next = std::make_unique<LiveEpoch>(std::move(next)); }
-    void dropNext() { m_next.reset(); }
-    /// next becomes current, current previous; the old previous dies, and the writer of the new one with it.
+    /// Derives the keys of the epoch after the current one (epoch 0 if there is none), in place of one prepared before. Returns
+    /// false, and changes nothing, if this machine lacks the cipher. Nonces are zero for epoch 0.
+    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
+    void dropNext();
+    /// The next epoch becomes the current one and the current one the previous; wipes the keys of the former previous one.
+    /// Precondition: prepareNext() succeeded.
     void advance();
     void retirePrevious();
-    /// The peer says how many records it sealed under the epoch before the current one.
+    /// The peer reported how many records it sealed under the epoch before the current one.
     void expectBeforeCurrent(std::uint32_t records);
 
-    /// Sums over the whole session, and the newest epochs one by one.
+    /// No record of the live epochs is missing so far.
+    bool nothingMissing() const;
+    /// Sums over the whole session, and the latest epochs one by one.
     ReceiveCounters received() const;
     SendCounters sent() const;
     std::vector<EpochStats> history() const;
@@ -68,12 +79,16 @@ private:
         ReplayWindow window;
     };
 
+    KeyChain m_chain; ///< for the epoch after the current one
+    std::optional<KeyChain> m_chainAfterNext;
+    bool m_initiator;
+    bool m_withInline;
     std::unique_ptr<LiveEpoch> m_previous;
     std::unique_ptr<LiveEpoch> m_current;
     std::unique_ptr<LiveEpoch> m_next;
-    std::optional<Retired> m_last; ///< the last that was retired: its loss may still be learned
+    std::optional<Retired> m_last; ///< the latest retired epoch, whose final loss may still become known
     std::deque<EpochStats> m_history;
-    ReceiveCounters m_receivedBefore; ///< sums of all retired epochs but the last
+    ReceiveCounters m_receivedBefore; ///< sums of all retired epochs except the latest
     SendCounters m_sentBefore;
 };
 

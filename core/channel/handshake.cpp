@@ -65,7 +65,7 @@ std::optional<Initiator> Initiator::begin(const crypto::X25519KeyPair &identity,
     return out;
 }
 
-Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
+Result<Agreement, RefusalReason> Initiator::readAnswer(ByteView datagram)
 {
     if (datagram.size() != kAnswerLength || !m_answerMac.verify(datagram))
         return tl::unexpected(RefusalReason::WrongKey);
@@ -86,7 +86,7 @@ Result<Agreement, RefusalReason> Initiator::takeAnswer(ByteView datagram)
                      KeyChain(secrets->send, secrets->receive, secrets->handshakeHash)};
 }
 
-std::optional<std::uint64_t> Initiator::takeNumber(ByteView datagram)
+std::optional<std::uint64_t> Initiator::readNumber(ByteView datagram)
 {
     std::array<std::uint8_t, NumberPayload::kLength> plain;
     if (datagram.size() != kNumberLength || !m_answerMac.verify(datagram)
@@ -137,7 +137,7 @@ Result<Responder::Answer, RefusalReason> Responder::answer(const Peer &known, Co
                             KeyChain(secrets->receive, secrets->send, secrets->handshakeHash)}};
 }
 
-std::optional<NumberMessage> Responder::tellNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&
+std::optional<NumberMessage> Responder::writeNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&
 {
     m_noise.setPsks(presharedKeyOf(&known));
     NumberMessage message{};

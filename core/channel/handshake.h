@@ -52,9 +52,9 @@ public:
     const FirstMessage &message() const { return m_message; }
     ConnectionId connection() const { return m_payload.connection; }
     std::uint64_t counter() const { return m_payload.counter; }
-    Result<Agreement, RefusalReason> takeAnswer(ByteView datagram);
+    Result<Agreement, RefusalReason> readAnswer(ByteView datagram);
     /// The greatest counter that the agent remembers of us. The handshake is of no more use then.
-    std::optional<std::uint64_t> takeNumber(ByteView datagram);
+    std::optional<std::uint64_t> readNumber(ByteView datagram);
 
 private:
     Initiator(noise::HandshakeState noise, FirstPayload payload, const PublicKey &identity)
@@ -87,7 +87,7 @@ public:
     Result<Answer, RefusalReason> answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                          RandomSource &random) &&;
     /// In place of an answer; only the station that wrote the first message can read it.
-    std::optional<NumberMessage> tellNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&;
+    std::optional<NumberMessage> writeNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&;
 
 private:
     Responder(noise::HandshakeState noise, const PublicKey &peer, FirstPayload payload)

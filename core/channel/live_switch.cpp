@@ -23,7 +23,7 @@ std::optional<crypto::SuiteId> LiveSwitch::pending() const
 {
     if (m_own)
         return m_own->to;
-    if (m_theirs && !m_theirs->toldFailed)
+    if (m_theirs && !m_theirs->failureNotified)
         return m_theirs->to;
     return std::nullopt;
 }
@@ -33,7 +33,7 @@ TimePoint LiveSwitch::deadline() const
     TimePoint due = kNever;
     if (m_own)
         due = std::min({due, m_own->repeatAt, m_own->since + m_timing.switchConfirm});
-    if (m_theirs && !m_theirs->toldFailed)
+    if (m_theirs && !m_theirs->failureNotified)
         due = std::min(due, m_theirs->since + m_timing.switchConfirm);
     if (m_confirming)
         due = std::min(due, m_confirming->repeatAt);
@@ -53,7 +53,7 @@ void LiveSwitch::request(TimePoint now, crypto::SuiteId suite, bool rekey, Switc
     own.since = now;
     own.repeatAt = now;
     m_own = own;
-    tellPending(own, false, actions);
+    notifyPending(own, false, actions);
     if (!actions.permittedHere(suite))
         return finishOwn(now, SwitchFailure::NotAllowedHere, actions);
     if (!actions.permittedByPeer(suite))
@@ -63,7 +63,7 @@ void LiveSwitch::request(TimePoint now, crypto::SuiteId suite, bool rekey, Switc
 
 void LiveSwitch::proposeIfReady(TimePoint now, SwitchActions &actions)
 {
-    const bool peersTurn = m_theirs && !m_theirs->toldFailed;
+    const bool peersTurn = m_theirs && !m_theirs->failureNotified;
     if (!m_own->proposed && (!m_settled || peersTurn || !actions.previousDispensable(now))) {
         m_own->repeatAt = now + m_timing.switchRetry;
         return;
@@ -89,20 +89,20 @@ void LiveSwitch::handle(TimePoint now, const Propose &message, SwitchActions &ac
             actions.send(now, Accept{message.id, m_theirs->answer});
         return;
     }
-    // Two proposals that cross: the initiator's stands, so it does not answer the responder's.
+    // Crossing proposals: the initiator's is valid, so it does not answer the responder's.
     if (m_own && m_own->proposed && m_initiator)
         return;
     const bool allowed = actions.permittedHere(message.suite);
     if (allowed && (!m_settled || !actions.previousDispensable(now)))
-        return; // It is repeated, and by then the last switch is settled.
+        return; // The peer repeats it until the last switch is settled.
 
     m_newestOfPeer = message.id;
     m_refusedNewest = !allowed;
     if (m_own && m_own->proposed)
         finishOwn(now, SwitchFailure::Superseded, actions);
-    if (m_theirs) { // The peer has given that one up, or it would not propose again for the same epoch.
-        if (!m_theirs->toldFailed)
-            tellDone(now, *m_theirs, true, SwitchFailure::Superseded, actions);
+    if (m_theirs) { // The peer has given it up, or it would not propose the same epoch again.
+        if (!m_theirs->failureNotified)
+            notifyDone(now, *m_theirs, true, SwitchFailure::Superseded, actions);
         m_theirs.reset();
         actions.dropNext();
     }
@@ -127,7 +127,7 @@ void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &ac
         return actions.send(now, Refuse{message.id});
     }
     m_theirs = theirs;
-    tellPending(theirs, true, actions);
+    notifyPending(theirs, true, actions);
     actions.send(now, Accept{message.id, theirs.answer});
     if (weakened(Weakness::CommitEarly))
         handleRecordUnderNext(now, actions);
@@ -137,7 +137,7 @@ void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &act
 {
     if (!m_own || !m_own->proposed || m_own->id != message.id)
         return;
-    // An in-doubt proposal of the peer is void now: it would not have accepted ours had it committed its own.
+    // The peer has given up its own proposal: it would not have accepted ours if it had committed.
     m_theirs.reset();
     if (!actions.prepareNext(m_own->to, m_own->nonce, message.nonce)) {
         actions.dropNext();
@@ -164,9 +164,9 @@ void LiveSwitch::handleRecordUnderNext(TimePoint now, SwitchActions &actions)
     m_theirs.reset();
     actions.commitNext(now);
     m_settled = false;
-    if (theirs.toldFailed)
-        tellPending(theirs, true, actions);
-    tellDone(now, theirs, true, SwitchFailure::None, actions);
+    if (theirs.failureNotified)
+        notifyPending(theirs, true, actions);
+    notifyDone(now, theirs, true, SwitchFailure::None, actions);
     if (m_own && m_own->proposed)
         finishOwn(now, SwitchFailure::Superseded, actions);
 }
@@ -198,9 +198,9 @@ void LiveSwitch::handleDeadline(TimePoint now, SwitchActions &actions)
         m_confirming->repeatAt = now + std::max(pause, actions.answerTime());
         actions.send(now, Confirm{m_confirming->epoch, actions.sentBefore()});
     }
-    if (m_theirs && !m_theirs->toldFailed && now >= m_theirs->since + m_timing.switchConfirm) {
-        m_theirs->toldFailed = true;
-        tellDone(now, *m_theirs, true, SwitchFailure::NotConfirmed, actions);
+    if (m_theirs && !m_theirs->failureNotified && now >= m_theirs->since + m_timing.switchConfirm) {
+        m_theirs->failureNotified = true;
+        notifyDone(now, *m_theirs, true, SwitchFailure::NotConfirmed, actions);
     }
     if (m_own && now >= m_own->since + m_timing.switchConfirm)
         finishOwn(now, SwitchFailure::NotConfirmed, actions);
@@ -212,8 +212,8 @@ void LiveSwitch::end(TimePoint now, SwitchActions &actions)
 {
     if (m_own)
         finishOwn(now, SwitchFailure::SessionEnded, actions);
-    if (m_theirs && !m_theirs->toldFailed)
-        tellDone(now, *m_theirs, true, SwitchFailure::SessionEnded, actions);
+    if (m_theirs && !m_theirs->failureNotified)
+        notifyDone(now, *m_theirs, true, SwitchFailure::SessionEnded, actions);
     m_theirs.reset();
     m_confirming.reset();
 }
@@ -222,15 +222,15 @@ void LiveSwitch::finishOwn(TimePoint now, SwitchFailure failure, SwitchActions &
 {
     const Own own = *m_own;
     m_own.reset();
-    tellDone(now, own, false, failure, actions);
+    notifyDone(now, own, false, failure, actions);
 }
 
-void LiveSwitch::tellPending(const Switch &s, bool byPeer, SwitchActions &actions) const
+void LiveSwitch::notifyPending(const Switch &s, bool byPeer, SwitchActions &actions) const
 {
     actions.notify(SwitchPending{m_session, s.from, s.to, s.epoch, byPeer, s.rekey});
 }
 
-void LiveSwitch::tellDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure, SwitchActions &actions) const
+void LiveSwitch::notifyDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure, SwitchActions &actions) const
 {
     actions.notify(SwitchDone{m_session, s.from, s.to, s.epoch, byPeer, s.rekey, failure, now - s.since});
 }

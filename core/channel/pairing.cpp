@@ -155,7 +155,7 @@ void Pairing::State::handleDeadline(TimePoint at)
     for (Farewell &farewell : farewells) {
         if (at < farewell.due)
             continue;
-        core.outbox.send(farewell.path, farewell.word);
+        core.outgoing.push(farewell.path, farewell.word);
         --farewell.left;
         farewell.due = at + core.jittered(kFarewellEvery);
     }
@@ -279,7 +279,7 @@ void Pairing::cancel(TimePoint now, PairingEnd reason)
 
 std::optional<Transmit> Pairing::pollTransmit()
 {
-    const DatagramQueue::Item *item = m_state->core.outbox.take();
+    const DatagramQueue::Item *item = m_state->core.outgoing.pop();
     if (!item)
         return std::nullopt;
     return Transmit{item->to, item->view()};

@@ -31,7 +31,7 @@ void PairingAgent::call(TimePoint now)
         return;
     const PairingDatagram datagram = pairingCall(m_token);
     for (const Path &path : m_core.config.callTo)
-        m_core.outbox.send(path, datagram);
+        m_core.outgoing.push(path, datagram);
     m_callDue = now + m_core.jittered(kCallEvery);
 }
 
@@ -58,7 +58,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     forgetOldAnswers(now);
     for (const Answered &answered : m_answered) {
         if (answered.path == from && std::equal(datagram.begin(), datagram.end(), answered.first.begin())) {
-            m_core.outbox.send(from, answered.answer);
+            m_core.outgoing.push(from, answered.answer);
             return;
         }
     }
@@ -76,7 +76,7 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     Answered answered{std::move(*handshake), from, {}, *answer, now, {}};
     std::copy(datagram.begin(), datagram.end(), answered.first.begin());
     m_answered.push_back(std::move(answered));
-    m_core.outbox.send(from, *answer);
+    m_core.outgoing.push(from, *answer);
 }
 
 std::optional<PairingConfirmation> PairingAgent::handleThird(TimePoint now, const Path &from, ByteView datagram)

@@ -67,7 +67,7 @@ void PairingConfirmation::handleDeadline(TimePoint now, PairingCore &core)
 {
     if (now < m_due || silent(now) || settled(now))
         return;
-    core.outbox.send(m_peer.path, word());
+    core.outgoing.push(m_peer.path, word());
     const bool heard = heardByPeer();
     if (paired() && heard)
         m_due = kNever; // From now on only in answer.

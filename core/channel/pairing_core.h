@@ -15,7 +15,7 @@ struct PairingCore
 {
     PairingConfig config;
     RandomSource &random;
-    DatagramQueue outbox;
+    DatagramQueue outgoing;
     std::deque<PairingEvent> events;
     std::vector<PublicKey> turnedDown; ///< in this window, which computes 15 handshakes a second for two minutes at the most
     TimePoint hintTold = TimePoint::min();

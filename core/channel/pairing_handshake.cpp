@@ -178,7 +178,7 @@ std::optional<PairingDatagram> PairingHandshake::answer(const PairingAbout &abou
     return out;
 }
 
-std::optional<PairingAbout> PairingHandshake::takeAnswer(ByteView datagram)
+std::optional<PairingAbout> PairingHandshake::readAnswer(ByteView datagram)
 {
     std::array<std::uint8_t, PairingAbout::kLength> about;
     if (answeredPairing(datagram) != m_id || !m_noise.readMessage(datagram.subspan(kAnswerHead), about))

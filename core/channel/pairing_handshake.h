@@ -96,7 +96,7 @@ public:
 
     // the station's
     std::optional<PairingDatagram> first(RandomSource &random);
-    std::optional<PairingAbout> takeAnswer(ByteView datagram);
+    std::optional<PairingAbout> readAnswer(ByteView datagram);
     std::optional<ThirdDatagram> third(const PairingAbout &about, RandomSource &random);
     // the agent's
     bool takeFirst(ByteView datagram);

@@ -44,7 +44,7 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
     const bool answered = m_attempt->voice.has_value();
     if (m_attempt->path == from && !answered && now >= m_attempt->sentAt + kFirstPause) {
         m_attempt->sentAt = now;
-        m_core.outbox.send(from, m_attempt->first);
+        m_core.outgoing.push(from, m_attempt->first);
     }
 }
 
@@ -69,7 +69,7 @@ void PairingStation::begin(TimePoint now)
     if (!first)
         return;
     m_attempt.emplace(Attempt{std::move(*handshake), next->path, *first, now + kAttempt, now});
-    m_core.outbox.send(next->path, *first);
+    m_core.outgoing.push(next->path, *first);
 }
 
 void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
@@ -81,7 +81,7 @@ void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView data
         m_nextFrom = now + kPauseAfterFlood;
         return;
     }
-    const auto about = m_attempt->handshake.takeAnswer(datagram);
+    const auto about = m_attempt->handshake.readAnswer(datagram);
     if (!about)
         return;
     const PublicKey key = m_attempt->handshake.peer();
@@ -109,7 +109,7 @@ void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView data
 void PairingStation::sendThird(TimePoint now)
 {
     Attempt &attempt = *m_attempt;
-    m_core.outbox.send(attempt.path, attempt.third);
+    m_core.outgoing.push(attempt.path, attempt.third);
     attempt.due = now + m_core.jittered(kThirdRepeat * (1 << std::min(attempt.sent++, 3u)));
 }
 

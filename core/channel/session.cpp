@@ -8,35 +8,153 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr Duration kEventPause = std::chrono::seconds(1);
+constexpr Duration kKeepAliveInterval = std::chrono::seconds(1);
+constexpr Duration kReconnectInterval = std::chrono::seconds(1);
 
-/// What the cipher makes its nonce of.
+/// Inline frames exist on this carrier only: no other carries frames unchanged, without a router or stream in between that
+/// takes them apart.
+constexpr Carrier kInlineCarrier = Carrier::Datagram;
+
+/// Input of the cipher's nonce.
 std::uint64_t nonceOf(std::uint32_t counter)
 {
     return weakened(Weakness::SharedNonce) ? 0 : counter;
 }
 
-bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
+Permissions permissionsOf(SessionSetup &setup, const SessionContext &context)
 {
-    return std::find(suites.begin(), suites.end(), wanted) != suites.end();
+    const bool inlineAgreed = setup.path.carrier == kInlineCarrier && context.traits && context.offer.allowInline
+        && setup.peerOffer.allowInline;
+    return Permissions(context.offer, std::move(setup.peerOffer), setup.identity.initiator, inlineAgreed);
 }
 
 } // namespace
 
-Session::Session(SessionSetup setup, Surroundings &around, TimePoint now)
-    : m_setup(std::move(setup)), m_around(around), m_origin(m_setup.path), m_chain(std::move(m_setup.chain)),
-      m_switch(m_setup.id, m_setup.initiator, around.timing),
-      m_inlineAgreed(m_setup.path.carrier == Carrier::Datagram && around.facts && around.offer.allowInline
-                     && m_setup.peerOffer.allowInline),
-      m_since(now), m_lastReceived(now), m_lastSent(now), m_reportDue(m_setup.initiator ? now : kNever), m_epochSince(now),
-      m_rekeyNotBefore(now), m_peerReportAt(now), m_toldPath(m_setup.path), m_moveNotified(now - kEventPause),
-      m_alarmNotified(now - kEventPause), m_lifeShown(now - kEventPause), m_lineBegan(now - kEventPause), m_heardHere(now)
+Session::Session(SessionSetup setup, SessionContext &context, TimePoint now)
+    : m_identity(std::move(setup.identity)), m_context(context), m_permissions(permissionsOf(setup, context)),
+      m_epochs(std::move(setup.chain), m_identity.initiator, m_permissions.inlineAgreed()),
+      m_switch(m_identity.id, m_identity.initiator, context.timing), m_rekeys(context.timing, m_identity.initiator, now),
+      m_reports(now, m_identity.initiator ? now : kNever), m_path(setup.path, now, context.timing.peerSilentAfter),
+      m_forgeries(now), m_keepAlives(kKeepAliveInterval, now), m_reconnects(kReconnectInterval, now), m_lastReceived(now)
 {
-    if (!prepare(Epoch{0}, m_setup.suite, {}, {}))
+    if (m_epochs.prepareNext(setup.suite, {}, {}))
+        m_epochs.advance();
+}
+
+// ---- query
+
+SessionInfo Session::info(TimePoint now) const
+{
+    SessionInfo info;
+    info.session = id();
+    info.peer = peer().key;
+    info.peerName = peer().name;
+    info.role = peer().role;
+    info.path = path();
+    info.suite = currentSuite();
+    info.epoch = currentEpoch();
+    info.framing = framing();
+    info.pending = m_switch.pending();
+    info.permitted = m_permissions.suites();
+    info.peerOffered = m_permissions.offeredByPeer().suites;
+    if (m_permissions.offeredByPeer().allowPlain)
+        info.peerOffered.push_back(crypto::SuiteId::None);
+    info.silent = silent(now);
+    info.since = m_reports.start();
+    info.lastReceived = m_lastReceived;
+    return info;
+}
+
+SessionStats Session::stats() const
+{
+    SessionStats stats;
+    stats.rx = m_epochs.received();
+    stats.tx = m_epochs.sent();
+    stats.epochs = m_epochs.history();
+    m_reports.addTo(stats);
+    return stats;
+}
+
+Framing Session::framing() const
+{
+    // A peer from which nothing came yet cannot find the session by our address, and an agent has no proof yet that we are no
+    // replay: both need a record.
+    return m_confirmed && m_epochs.current().inlineWriter ? agreedFraming() : Framing::Sealed;
+}
+
+// ---- timers
+
+TimePoint Session::retirePreviousAt() const
+{
+    return m_epochs.previous() ? m_handover.retireAt(m_context.timing.oldKeysLinger, roundTrip()) : kNever;
+}
+
+TimePoint Session::deadline() const
+{
+    if (m_finished)
+        return TimePoint::min();
+    return std::min({m_reports.due(), m_switch.deadline(), m_lastReceived + m_context.timing.forgetAfter,
+                     m_leaveBy.value_or(kNever), m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
+                     knownToOwner() ? m_forgeries.deadline() : kNever});
+}
+
+void Session::handleDeadline(TimePoint now)
+{
+    const Timing &timing = m_context.timing;
+    if (m_finished)
         return;
-    m_epochs.advance();
-    m_chain = std::move(*m_chainAfterNext);
-    m_chainAfterNext.reset();
+    if (now >= m_lastReceived + timing.forgetAfter) {
+        m_finished = DownReason::TimedOut;
+        return;
+    }
+    if (m_leaveBy && now >= *m_leaveBy) {
+        m_leaveBy.reset();
+        if (!permittedHere(currentSuite())) {
+            m_finished = DownReason::Closed;
+            return;
+        }
+    }
+    if (m_closingUntil && now >= *m_closingUntil) {
+        m_finished = DownReason::PeerClosed;
+        return;
+    }
+    if (now >= retirePreviousAt())
+        m_epochs.retirePrevious();
+    m_switch.handleDeadline(now, *this);
+    if (m_rekeys.due(now, m_epochs.current().sent) && !m_switch.pending() && !silent(now)) {
+        m_rekeys.started(now);
+        rekey(now);
+    }
+    if (now >= m_reports.due()) {
+        // More often until both ends have confirmed the session and know the round trip, by which a switch is timed.
+        const bool settled = m_confirmed && roundTrip().settled();
+        m_reports.schedule(now + (settled ? std::min(timing.statsEvery, timing.keepAliveAfter) : timing.handshakeRetry));
+        sendReport(now, !m_confirmed);
+    }
+    m_path.handleDeadline(now);
+    notifyMove(now);
+    notifyForgeries(now);
+}
+
+void Session::notifyMove(TimePoint now)
+{
+    if (const auto move = m_path.takeMove(now))
+        notify(PeerMoved{id(), move->from, move->to});
+}
+
+void Session::notifyForgeries(TimePoint now)
+{
+    if (!knownToOwner())
+        return;
+    if (const auto counts = m_forgeries.take(now))
+        notify(ForgeryAlarm{id(), counts->forged, counts->replayed});
+}
+
+void Session::end(TimePoint now, bool sendClose)
+{
+    m_switch.end(now, *this);
+    if (sendClose)
+        send(now, Close{});
 }
 
 // ---- records
@@ -53,32 +171,38 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
 Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     LiveEpoch &epoch = m_epochs.current();
-    if (epoch.sent >= m_around.timing.hardStopRecords && !weakened(Weakness::NoHardStop)) {
-        m_finished = DownReason::Exhausted;
+    if (exhausted(epoch) && !weakened(Weakness::NoHardStop))
         return SealError::Exhausted;
-    }
     if (out.size() < kRecordHeaderLength + epoch.writer->sealedSize(plaintext.size()))
         return SealError::NoRoom;
 
     const std::uint32_t counter = epoch.sent++;
-    const RecordHeader header{kindFor(now, plaintext), static_cast<std::uint8_t>(epoch.number), m_setup.theirs, counter};
+    const RecordHeader header{kindFor(now, plaintext), static_cast<std::uint8_t>(epoch.number), m_identity.theirs, counter};
     const std::size_t head = header.length();
     header.write(out);
-    const AssociatedData associated(header, epoch.suite, ourDirection(), m_setup.path.carrier);
+    const AssociatedData associated(header, epoch.suite, m_identity.direction(), path().carrier);
     const std::size_t sealed = epoch.writer->seal(nonceOf(counter), associated.view(), plaintext, out.subspan(head));
     if (sealed == 0)
         return SealError::NoRoom;
     ++epoch.tx.records;
     epoch.tx.sealedBytes += head + sealed;
-    m_lastSent = now;
     return head + sealed;
 }
 
-/// A record without a connection id is taken for one of the session that is up at the other end of the line. Control
-/// messages name theirs, so that a line that was cut and joined anew finds its session again.
+/// Hard limit of an epoch: its counter must not wrap.
+bool Session::exhausted(const LiveEpoch &epoch)
+{
+    if (epoch.sent < m_context.timing.hardStopRecords)
+        return false;
+    m_finished = DownReason::Exhausted;
+    return true;
+}
+
+/// A record without a connection id belongs to the session that is up at the other end of the line. Control messages always
+/// carry the id, so that a reconnected line finds its session again.
 DatagramKind Session::kindFor(TimePoint now, ByteView plaintext) const
 {
-    const bool alone = m_setup.path.carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
+    const bool alone = path().carrier == Carrier::Serial && m_confirmed && now >= m_namedUntil;
     return alone && !isControl(plaintext) ? DatagramKind::SingleRecord : DatagramKind::Record;
 }
 
@@ -86,99 +210,134 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
                               std::optional<Delivery> &delivery)
 {
     LiveEpoch *epoch = m_epochs.byBits(header.epochBits);
-    if (!epoch) {
-        // No keys: either of an epoch that is over, or of one that nobody has agreed on.
-        const auto ahead = (header.epochBits - static_cast<unsigned>(currentEpoch())) & 3;
-        return refuse(now, ahead == 1 ? &ReceiveCounters::forged : &ReceiveCounters::replayed, m_epochs.current());
-    }
+    if (!epoch)
+        return refuseEpoch(now, (header.epochBits - static_cast<unsigned>(currentEpoch())) & 3);
     if (!epoch->window.fresh(header.counter))
         return refuse(now, &ReceiveCounters::replayed, *epoch);
 
-    const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(ourDirection()), from.carrier);
+    const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(m_identity.direction()),
+                                    from.carrier);
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
     const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
     if (!plaintext && weakened(Weakness::RoamOnForged))
-        m_setup.path = from;
+        m_path.moveTo(from, now, m_reports.stamp(now));
     if (!plaintext)
         return refuse(now, &ReceiveCounters::forged, *epoch);
-    return opened(now, from, header, *epoch, *plaintext, delivery);
+    return opened(now, from, header.counter, *epoch, *plaintext, delivery);
 }
 
-Session::Opened Session::opened(TimePoint now, const Path &from, const RecordHeader &header, LiveEpoch &epoch,
+Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t counter, LiveEpoch &epoch,
                                 MutableByteView plaintext, std::optional<Delivery> &delivery)
 {
-    bool routine = m_confirmed && m_peerMovedOn;
+    bool routine = m_confirmed && m_handover.peerMoved();
     if (m_epochs.isNext(epoch)) {
         m_switch.handleRecordUnderNext(now, *this);
         routine = false;
     }
-    const bool newest = epoch.window.mark(header.counter) == ReplayWindow::Arrival::Newest;
+    const bool newest = epoch.window.mark(counter) == ReplayWindow::Arrival::Newest;
     ++epoch.rx.good;
     epoch.rx.late += newest ? 0 : 1;
     m_lastReceived = now;
     if (!m_confirmed) {
         m_confirmed = true;
-        m_reportDue = now;
+        m_reports.schedule(now);
     }
     if (&epoch == &m_epochs.current()) {
-        if (!m_peerMovedOn)
-            m_peerMovedOn = now;
-        // Only the newest record moves the address: a late or withheld one says where the peer was.
-        if (newest || weakened(Weakness::RoamOnLate)) {
-            routine = routine && from == m_setup.path;
-            follow(now, from);
-        }
+        m_handover.peerSends(now);
+        // Only the newest record moves the path: a late or withheld one tells where the peer was before.
+        if (newest || weakened(Weakness::RoamOnLate))
+            routine = follow(now, from) && routine;
     }
-    if (isControl(plaintext))
+    const bool control = isControl(plaintext);
+    if (control)
         handleControl(now, from, plaintext);
     if (m_closingUntil) {
         routine = false;
-        if (nothingMissing())
+        if (m_epochs.nothingMissing())
             m_finished = DownReason::PeerClosed;
     }
-    if (isControl(plaintext))
+    if (control)
         return {true, false};
     epoch.rx.openedBytes += plaintext.size();
     delivery.emplace(Delivery{id(), epoch.number, epoch.suite, plaintext});
     return {true, routine};
 }
 
-/// A record that was kept from us says no more than that its writer was somewhere: whoever kept it could give it to us from
-/// his own address. So a new path is on trial until the peer has heard us there.
-void Session::follow(TimePoint now, const Path &from)
+/// Returns true if the path has not changed.
+bool Session::follow(TimePoint now, const Path &from)
 {
-    m_heardHere = now;
-    if (from == m_setup.path)
-        return;
-    if (from == m_former)
-        m_former.reset();
-    else if (!m_former && from.carrier != Carrier::Serial) // Of a line that was joined anew the former end is gone.
-        m_former = m_setup.path;
-    m_trialStamp = stamp(now);
-    m_setup.path = from;
-    tellMove(now);
-}
-
-bool Session::nothingMissing() const
-{
-    const LiveEpoch *previous = m_epochs.previous();
-    return m_epochs.current().window.missing() == 0 && (!previous || previous->window.missing() == 0);
+    if (from == path()) {
+        m_path.stay(now);
+        return true;
+    }
+    m_path.moveTo(from, now, m_reports.stamp(now));
+    notifyMove(now);
+    return false;
 }
 
 Session::Opened Session::refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch)
 {
     ++(epoch.rx.*counter);
     if (counter != &ReceiveCounters::forged) {
-        ++m_replayedPending;
+        m_forgeries.addReplayed();
         return {false, true};
     }
-    ++m_forgedPending;
-    alarmWhenDue(now);
-    return {false, m_forgedPending > 1};
+    m_forgeries.addForged();
+    notifyForgeries(now);
+    return {false, m_forgeries.pendingForged() > 1};
 }
 
-// ---- control
+/// There are no keys for the epoch: it is over, or (one ahead of the current) both ends have not agreed on it.
+Session::Opened Session::refuseEpoch(TimePoint now, unsigned ahead)
+{
+    return refuse(now, ahead == 1 ? &ReceiveCounters::forged : &ReceiveCounters::replayed, m_epochs.current());
+}
+
+// ---- inline frames
+
+Sealed Session::sealInline(TimePoint, ByteView frame, MutableByteView out)
+{
+    if (framing() != Framing::Inline)
+        return SealError::NotInline;
+    const auto sealable = SealableFrame::read(frame, *m_context.traits);
+    if (!sealable)
+        return SealError::NotInline;
+    if (out.size() < sealable->sealedSize())
+        return SealError::NoRoom;
+    LiveEpoch &epoch = m_epochs.current();
+    if (exhausted(epoch))
+        return SealError::Exhausted;
+    const InlinePlace place{static_cast<std::uint8_t>(epoch.number), epoch.sent++, m_identity.direction(), kInlineCarrier};
+    if (!sealable->seal(place, *epoch.inlineWriter, out))
+        return SealError::NoRoom;
+    ++epoch.tx.records;
+    epoch.tx.sealedBytes += sealable->sealedSize();
+    return sealable->sealedSize();
+}
+
+Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame, std::optional<Delivery> &delivery)
+{
+    if (!m_permissions.inlineAllowed()) {
+        countMalformed();
+        return {false, true};
+    }
+    LiveEpoch *epoch = m_epochs.byLowByte(frame.epochByte());
+    if (!epoch)
+        return refuseEpoch(now, static_cast<std::uint8_t>(frame.epochByte() - static_cast<std::uint32_t>(currentEpoch())));
+    if (!epoch->inlineReader) { // The suite of this epoch has no inline framing.
+        ++epoch->rx.malformed;
+        return {false, true};
+    }
+    if (!epoch->window.fresh(frame.counter()))
+        return refuse(now, &ReceiveCounters::replayed, *epoch);
+    const auto plain = frame.open(opposite(m_identity.direction()), kInlineCarrier, *epoch->inlineReader);
+    if (!plain)
+        return refuse(now, &ReceiveCounters::forged, *epoch);
+    return opened(now, path(), frame.counter(), *epoch, *plain, delivery); // Only records move the path.
+}
+
+// ---- control messages
 
 void Session::send(TimePoint now, const ControlMessage &message)
 {
@@ -190,22 +349,34 @@ void Session::send(TimePoint now, const ControlMessage &message)
 
 void Session::sendControl(TimePoint now, ByteView plaintext)
 {
-    DatagramQueue::Item &draft = m_around.outbox.draft();
+    DatagramQueue::Item &draft = m_context.outgoing.draft();
     if (const auto sealed = sealRecord(now, plaintext, draft.bytes))
-        m_around.outbox.commit(m_setup.path, *sealed);
+        m_context.outgoing.commit(path(), *sealed);
+}
+
+void Session::sendKeepAlive(TimePoint now)
+{
+    if (!m_closingUntil && m_keepAlives.take(now))
+        sendControl(now, {});
+}
+
+void Session::handleReconnect(TimePoint now)
+{
+    if (m_reconnects.take(now)) // Otherwise the next report is soon enough.
+        sendReport(now, true);
 }
 
 void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
 {
     if (plaintext.empty())
-        return; // a sign of life, and no more
+        return; // keep-alive
     const auto message = readControl(plaintext);
     if (!message)
         return countMalformed();
     if (const auto *report = std::get_if<Report>(&*message))
         handleReport(now, from, *report);
     else if (std::holds_alternative<Close>(*message))
-        m_closingUntil = now + std::max(m_roundTrip.generous(), m_around.timing.oldKeysLinger);
+        m_closingUntil = now + std::max(roundTrip().generous(), m_context.timing.oldKeysLinger);
     else if (const auto *propose = std::get_if<Propose>(&*message))
         m_switch.handle(now, *propose, *this);
     else if (const auto *accept = std::get_if<Accept>(&*message))
@@ -218,44 +389,22 @@ void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
         m_switch.handle(now, *confirmed, *this);
 }
 
-std::uint32_t Session::stamp(TimePoint now) const
-{
-    // Never 0, which means "none" in an echo; the microsecond that this costs does not matter.
-    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(now - m_since).count()) | 1u;
-}
-
 void Session::sendReport(TimePoint now, bool answerAtOnce)
 {
-    Report report;
-    report.stamp = stamp(now);
+    Report report = m_reports.make(now);
     report.answerAtOnce = answerAtOnce;
-    if (m_peerReport) {
-        report.echo = m_peerReport->stamp;
-        const auto held = std::chrono::duration_cast<std::chrono::microseconds>(now - m_peerReportAt);
-        report.held = static_cast<std::uint32_t>(std::min<std::int64_t>(held.count(), UINT32_MAX));
-    }
+    report.asksCosts = m_context.askCosts;
     report.rx = m_epochs.received();
     report.tx = m_epochs.sent();
-    report.frames = m_frames;
-    report.asksCosts = m_around.askCosts;
-    if (m_peerReport && m_peerReport->asksCosts && m_around.costs)
-        report.costs = m_around.costs(id());
+    if (m_reports.peerAsksCosts() && m_context.costs)
+        report.costs = m_context.costs(id());
     send(now, report);
 }
 
 void Session::handleReport(TimePoint now, const Path &from, const Report &report)
 {
-    const bool newer = !m_peerReport || static_cast<std::int32_t>(report.stamp - m_peerReport->stamp) > 0;
-    if (newer) {
-        m_peerReport = report;
-        m_peerReportAt = now;
-        if (report.echo != 0) {
-            const std::uint32_t passed = stamp(now) - report.echo;
-            m_roundTrip.add(std::chrono::microseconds(static_cast<std::int32_t>(passed - report.held)));
-            if (from == m_setup.path && static_cast<std::int32_t>(report.echo - m_trialStamp) > 0)
-                m_former.reset();
-        }
-    }
+    if (m_reports.handle(now, report) && report.echo != 0)
+        m_path.confirm(from, report.echo);
     if (report.answerAtOnce)
         sendReport(now, false);
 }
@@ -272,47 +421,15 @@ void Session::rekey(TimePoint now)
     m_switch.request(now, currentSuite(), true, *this);
 }
 
-void Session::rekeyWhenDue(TimePoint now)
-{
-    // The initiator is a little earlier, so that the two do not propose the same at the same time.
-    const Timing &timing = m_around.timing;
-    const Duration age = m_setup.initiator ? timing.rekeyAfter : timing.rekeyAfter + timing.rekeyAfter / 10;
-    const bool due = now >= m_epochSince + age || m_epochs.current().sent >= timing.rekeyAfterRecords;
-    if (!due || now < m_rekeyNotBefore || m_switch.pending() || silent(now))
-        return;
-    m_rekeyNotBefore = now + 2 * timing.switchConfirm;
-    rekey(now);
-}
-
-std::vector<crypto::SuiteId> Session::permitted() const
-{
-    auto suites = m_setup.initiator ? permittedSuites(m_around.offer, m_setup.peerOffer)
-                                    : permittedSuites(m_setup.peerOffer, m_around.offer);
-    // Clear frames inside a session have no format yet; the suite's number is reserved for them.
-    std::erase(suites, crypto::SuiteId::None);
-    return suites;
-}
-
-bool Session::permittedHere(crypto::SuiteId suite) const
-{
-    const bool research = crypto::suiteInfo(suite).research;
-    return suite != crypto::SuiteId::None && holds(m_around.offer.suites, suite) && (!research || m_around.offer.allowResearch);
-}
-
-bool Session::permittedByPeer(crypto::SuiteId suite) const
-{
-    return holds(permitted(), suite);
-}
-
 void Session::policyChanged(TimePoint now)
 {
-    const auto suites = permitted();
+    const auto suites = m_permissions.suites();
     m_leaveBy.reset();
     if (suites.empty()) {
         m_finished = DownReason::Closed;
-    } else if (!holds(suites, currentSuite())) {
-        // No session is better than one that goes on for ever under what is no longer allowed.
-        m_leaveBy = now + 2 * m_around.timing.switchConfirm;
+    } else if (!m_permissions.permits(currentSuite())) {
+        // A session must not go on for ever under a suite that is not allowed any more.
+        m_leaveBy = now + 2 * m_context.timing.switchConfirm;
         switchSuite(now, suites.front());
     }
 }
@@ -320,71 +437,34 @@ void Session::policyChanged(TimePoint now)
 bool Session::previousDispensable(TimePoint now) const
 {
     const LiveEpoch *previous = m_epochs.previous();
-    if (!previous)
-        return true;
-    if (m_previousComplete && previous->window.missing() == 0)
-        return true;
-    return m_peerMovedOn && m_roundTrip.settled() && now >= *m_peerMovedOn + m_roundTrip.generous();
+    return !previous || m_handover.complete(now, previous->window.missing(), roundTrip());
 }
 
 EpochNonce Session::freshNonce()
 {
     EpochNonce nonce;
-    m_around.random.fill(nonce);
+    m_context.random.fill(nonce);
     return nonce;
-}
-
-/// False, and nothing has changed, when this machine cannot make the ciphers.
-bool Session::prepare(Epoch number, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
-{
-    EpochSecrets secrets = m_chain.derive(number, suite, proposal, answer);
-    Key32 &ours = m_setup.initiator ? secrets.fromInitiator : secrets.fromResponder;
-    Key32 &theirs = m_setup.initiator ? secrets.fromResponder : secrets.fromInitiator;
-    LiveEpoch epoch;
-    epoch.number = number;
-    epoch.suite = suite;
-    if (m_inlineAgreed) {
-        epoch.inlineWriter = crypto::makeInlineCipher(suite, ours);
-        epoch.inlineReader = crypto::makeInlineCipher(suite, theirs);
-    }
-    epoch.writer = crypto::makeRecordCipher(suite, std::move(ours));
-    epoch.reader = crypto::makeRecordCipher(suite, std::move(theirs));
-    if (!epoch.writer || !epoch.reader)
-        return false;
-    m_chainAfterNext = std::move(secrets.next);
-    m_epochs.prepareNext(std::move(epoch));
-    return true;
 }
 
 bool Session::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
 {
-    return prepare(Epoch{static_cast<std::uint32_t>(currentEpoch()) + 1}, suite, proposal, answer);
-}
-
-void Session::dropNext()
-{
-    m_epochs.dropNext();
-    m_chainAfterNext.reset();
+    return m_epochs.prepareNext(suite, proposal, answer);
 }
 
 void Session::commitNext(TimePoint now)
 {
-    m_sentBefore = m_epochs.current().sent;
+    m_handover.epochBegan(m_epochs.current().sent);
+    m_rekeys.epochBegan(now);
     m_epochs.advance();
-    m_chain = std::move(*m_chainAfterNext);
-    m_chainAfterNext.reset();
-    m_epochSince = now;
     if (!permittedHere(currentSuite()))
-        m_leaveBy = now + 2 * m_around.timing.switchConfirm; // It was agreed before the policy changed.
-    m_rekeyNotBefore = now;
-    m_peerMovedOn.reset();
-    m_previousComplete = false;
+        m_leaveBy = now + 2 * m_context.timing.switchConfirm; // It was agreed before the policy changed.
 }
 
 void Session::peerSentBefore(std::uint32_t records)
 {
     m_epochs.expectBeforeCurrent(std::min(records, 1u << 24));
-    m_previousComplete = true;
+    m_handover.countReported();
 }
 
 } // namespace skyseal::channel

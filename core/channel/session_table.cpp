@@ -16,7 +16,7 @@ std::optional<ConnectionId> SessionTable::reserve(RandomSource &random, bool any
         Slot &slot = m_slots[i];
         if (slot.taken)
             continue;
-        // Another high byte than the last session of this slot had, so that its late records do not find the new one.
+        // The high byte differs from that of the slot's last session, so that late records do not reach the new one.
         std::uint8_t high = 0;
         random.fill({&high, 1});
         if (high == static_cast<std::uint16_t>(slot.connection) >> 8)

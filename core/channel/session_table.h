@@ -1,5 +1,5 @@
-// The sessions of an endpoint, found in one step by the connection id of a record and by the number that the owner uses:
-// the low byte of both is the slot.
+// The sessions of an endpoint. The low byte of a connection id and of a SessionId is the slot, so that both lookups take
+// constant time.
 #pragma once
 
 #include "core/channel/session.h"
@@ -17,15 +17,15 @@ public:
     struct Entry
     {
         std::unique_ptr<Session> session;
-        bool up = false; ///< the owner knows of it
+        bool up = false; ///< the owner was notified of it
         TimePoint since{};
     };
 
-    /// A connection id that no session has, kept for one; nullopt when all slots are taken. `anywhere`: any of the free
-    /// ones, for who must not guess it; otherwise in the lowest free slot, which keeps the table short.
+    /// Reserves a connection id that no session has; nullopt if all slots are taken. `anywhere`: an unpredictable slot, for ids
+    /// that an attacker must not guess; otherwise the lowest free slot, which keeps the table short.
     std::optional<ConnectionId> reserve(RandomSource &random, bool anywhere = false);
     void release(ConnectionId connection);
-    /// The number of the session that will live under a reserved id.
+    /// Makes the SessionId of a session with a reserved connection id.
     SessionId number(ConnectionId connection);
     Entry &put(std::unique_ptr<Session> session, bool up, TimePoint now);
     void erase(SessionId session);
@@ -40,13 +40,13 @@ public:
         Slot &slot = m_slots[static_cast<std::uint32_t>(session) % kSlots];
         return slot.entry.session && slot.entry.session->id() == session ? &slot.entry : nullptr;
     }
-    /// A session with that key that is up; nullptr when there is none.
+    /// Returns the session with this peer that is up, nullptr if there is none.
     Session *upWith(const PublicKey &peer);
 
-    /// The session that is up and whose records come from there, the one heard last of several; nullptr when there is none.
+    /// Returns the session on this path that is up, the most recently heard of several; nullptr if there is none.
     Entry *upAt(const Path &path);
 
-    /// Calls `visit(Entry &)` for each session; it may erase the one it is called with.
+    /// Calls `visit(Entry &)` for each session. It may erase the session that it is called with.
     template<typename Visit> void forEach(Visit visit)
     {
         for (std::size_t i = 0; i < m_everTaken; ++i) {
@@ -64,7 +64,7 @@ private:
     };
 
     std::array<Slot, kSlots> m_slots;
-    std::size_t m_everTaken = 0; ///< the slots beyond were never used: low ones are taken first
+    std::size_t m_everTaken = 0; ///< slots from here on were never used
     std::uint32_t m_serial = 0;
 };
 

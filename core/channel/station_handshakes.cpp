@@ -8,20 +8,20 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr std::size_t kMaxPlaces = 4;
-/// The same first message goes out so often, and for so long, before a fresh one is made. Copies are answered idempotently,
-/// and an answer may take long; announcements that somebody repeats must not make us forget what it is an answer to.
+/// A first message is replaced after so many copies and so long. Copies are answered idempotently, and an answer may take long:
+/// replayed announcements must not make us discard the message that it answers.
 constexpr unsigned kCopies = 4;
 constexpr Duration kRenewAfter = std::chrono::seconds(5);
+constexpr unsigned kMostUncookied = kCopies * HandshakeAttempt::kMaxPlaces;
 /// A peer that reports a greater counter is not believed: none may use up the counters that we have for all peers.
 constexpr std::uint64_t kGreatestBelieved = kGreatestCounter / 2;
 constexpr Duration kLongestPause = std::chrono::seconds(2);
-/// An agent that was announced and is not heard again is gone.
+/// Lifetime of an attempt after the last announcement.
 constexpr Duration kWantedFor = std::chrono::seconds(10);
 constexpr Duration kAnnouncementPause = std::chrono::milliseconds(50);
-/// Each answer costs two Diffie-Hellmans before it is known to be false, and who hears the link can make such: the
-/// connection id stands clear in an answer. So a first message with so many wrong ones is given up, and with it the number
-/// that they were sent to, and no more are computed on than an agent does.
+/// An answer costs two Diffie-Hellman computations before it is known to be false, and an eavesdropper can forge such answers:
+/// the connection id of an answer is clear. Therefore a first message is given up, with its connection id, after so many wrong
+/// answers, and the station computes on no more answers than an agent on first messages.
 constexpr unsigned kWrongAnswers = 8;
 constexpr double kAnswersPerSecond = 50;
 constexpr double kAnswersAtOnce = 20;
@@ -42,8 +42,8 @@ void StationHandshakes::peersChanged()
         const Peer *peer = m_core.peer(attempt.peer);
         if (!peer)
             attempt.wantedUntil = TimePoint::min();
-        else if (!samePresharedKey(peer->presharedKey, attempt.presharedKey))
-            forgetFirst(attempt);
+        else if (attempt.first && !samePresharedKey(peer->presharedKey, attempt.first->presharedKey))
+            discardFirst(attempt);
     }
     dropUnwanted(TimePoint::min());
 }
@@ -51,14 +51,14 @@ void StationHandshakes::peersChanged()
 void StationHandshakes::policyChanged()
 {
     for (Attempt &attempt : m_attempts)
-        forgetFirst(attempt);
+        discardFirst(attempt);
 }
 
-void StationHandshakes::forgetFirst(Attempt &attempt)
+void StationHandshakes::discardFirst(Attempt &attempt)
 {
-    if (attempt.handshake)
-        m_core.table.release(attempt.handshake->connection());
-    attempt.handshake.reset();
+    if (attempt.first)
+        m_core.table.release(attempt.first->handshake.connection());
+    attempt.first.reset();
 }
 
 StationHandshakes::Attempt *StationHandshakes::attemptWith(const PublicKey &peer, Carrier carrier)
@@ -91,11 +91,11 @@ void StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
                                     [&](const Known &k) { return k.announcement.recognises(datagram); });
     if (known == m_known.end()) {
         ++m_core.unmatched.forged;
-        m_core.tellRefused(now, from, RefusalReason::UnknownPeer);
+        m_core.notifyRefused(now, from, RefusalReason::UnknownPeer);
         return;
     }
-    // While a session lives, an announcement is a replay or the word of an agent that has just restarted: it counts once the
-    // session has been quiet for longer than a living one ever is.
+    // While a session is up, an announcement is a replay or comes from an agent that has just restarted. It counts once the
+    // session has been quiet for longer than an active one ever is.
     TimePoint due = now;
     if (const Session *session = m_core.table.upWith(known->key);
         session && !session->closing() && !weakened(Weakness::TrustAnnouncements))
@@ -103,87 +103,72 @@ void StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
     Attempt &attempt = want(now, known->key, from.carrier, due);
     attempt.announced = now;
     attempt.announcedFrom = from;
-    Place &place = placeAt(attempt, from);
-    place.owed = true;
-    // It is there, so waiting is of no use; but never more than one answer to one announcement, and only to where it came
-    // from: nobody can hurry or hold up what goes elsewhere.
+    Place &place = attempt.placeAt(from);
+    place.answerDue = true;
+    // The agent is there, so answer at once: one copy for one announcement, and only to its source, so that nobody can hasten
+    // or delay the copies to other addresses.
     if (due == now && (place.lastSent == TimePoint::min() || now >= place.lastSent + kAnnouncementPause)
-        && ready(now, attempt)) {
+        && prepareFirst(now, attempt)) {
         sendTo(now, attempt, place);
         place.pausedUntil = now + m_core.config.timing.handshakeRetry;
     }
 }
 
-StationHandshakes::Place &StationHandshakes::placeAt(Attempt &attempt, const Path &path)
-{
-    auto &places = attempt.places;
-    const auto found = std::find_if(places.begin(), places.end(), [&](const Place &place) { return place.path == path; });
-    if (found != places.end())
-        return *found;
-    if (places.size() == kMaxPlaces) {
-        const auto unproven = std::find_if(places.begin(), places.end(), [](const Place &place) { return !place.proven; });
-        places.erase(unproven == places.end() ? places.begin() : unproven);
-    }
-    Place &place = places.emplace_back();
-    place.path = path;
-    return place;
-}
-
 void StationHandshakes::handleCookie(TimePoint now, const Path &from, ByteView datagram)
 {
     for (Attempt &attempt : m_attempts) {
-        if (attempt.uncookied == 0 || !attempt.handshake || attempt.carrier != from.carrier)
+        if (!attempt.first || attempt.first->uncookied == 0 || attempt.carrier != from.carrier)
             continue;
-        const auto cookie = openCookie(attempt.peer, ByteView(attempt.handshake->message()).last(kMacLength), datagram);
+        const auto cookie = openCookie(attempt.peer, ByteView(attempt.first->handshake.message()).last(kMacLength), datagram);
         if (!cookie)
             continue;
-        --attempt.uncookied;
+        --attempt.first->uncookied;
         attempt.unanswered = 0;
-        Place &place = placeAt(attempt, from);
+        Place &place = attempt.placeAt(from);
         place.cookie = cookie;
         place.cookieUntil = now + kCookieSecretLife;
         place.underCookie = true;
-        // One copy for it and no more: whoever knows the key and saw one first message can make a cookie in any sender's
-        // name, so it proves nothing about the address.
+        // A cookie proves nothing about the address: anyone who knows the agent's key and saw a first message can forge one
+        // from any source. So it causes one copy and no more.
         sendTo(now, attempt, place);
         return;
     }
     ++m_core.unmatched.forged;
 }
 
-StationHandshakes::Attempt *StationHandshakes::attemptAnswered(const Path &from, ByteView datagram)
+StationHandshakes::Attempt *StationHandshakes::attemptAnsweredBy(const Path &from, ByteView datagram)
 {
     const auto connection = answeredConnection(datagram);
     const auto found = std::find_if(m_attempts.begin(), m_attempts.end(), [&](const Attempt &a) {
-        return a.handshake && connection && a.handshake->connection() == *connection && a.carrier == from.carrier;
+        return a.first && connection && a.first->handshake.connection() == *connection && a.carrier == from.carrier;
     });
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
 bool StationHandshakes::handleNumber(TimePoint now, const Path &from, ByteView datagram)
 {
-    Attempt *attempt = attemptAnswered(from, datagram);
+    Attempt *attempt = attemptAnsweredBy(from, datagram);
     if (!attempt || !m_core.ownMac.verify(datagram)) {
         ++m_core.unmatched.forged;
         return false;
     }
     if (!mayCompute(now, *attempt))
         return true;
-    const auto number = attempt->handshake->takeNumber(datagram);
+    const auto number = attempt->first->handshake.readNumber(datagram);
     if (!number)
-        return countWrong(now, *attempt);
-    const bool skipped = *number >= attempt->handshake->counter() && *number <= kGreatestBelieved
+        return countWrongAnswer(now, *attempt);
+    const bool skipped = *number >= attempt->first->handshake.counter() && *number <= kGreatestBelieved
         && m_core.counters.skipTo(*number);
-    m_core.tellRefused(now, from, RefusalReason::CounterBehind, attempt->peer);
-    Place &place = placeAt(*attempt, from);
+    m_core.notifyRefused(now, from, RefusalReason::CounterBehind, attempt->peer);
+    Place &place = attempt->placeAt(from);
     place.proven = true;
-    if (renew(now, *attempt) && skipped)
+    if (makeFirst(now, *attempt) && skipped)
         sendTo(now, *attempt, place);
     return true;
 }
 
-/// Whether another answer to the attempt's first message may cost us a computation. Where it may not, the true answer
-/// would not be read either.
+/// Returns true if the station may compute on another answer to the first message. Otherwise gives the message up, since the
+/// true answer would not be read either.
 bool StationHandshakes::mayCompute(TimePoint now, Attempt &attempt)
 {
     if (m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) || weakened(Weakness::NoRateLimit))
@@ -193,65 +178,61 @@ bool StationHandshakes::mayCompute(TimePoint now, Attempt &attempt)
     return false;
 }
 
-/// One that was computed on in vain; true when that changed something.
-bool StationHandshakes::countWrong(TimePoint now, Attempt &attempt)
+/// An answer was wrong after a computation. Returns true if the first message was given up.
+bool StationHandshakes::countWrongAnswer(TimePoint now, Attempt &attempt)
 {
     ++m_core.unmatched.forged;
-    if (++attempt.wrong < kWrongAnswers || weakened(Weakness::NoRateLimit))
+    if (++attempt.first->wrong < kWrongAnswers || weakened(Weakness::NoRateLimit))
         return false;
     giveUpFirst(now, attempt);
     return true;
 }
 
-/// The next one has another connection id, which stands in it encrypted: nobody can forge answers to it before its own is
-/// on the wire. What is sent to the old number costs nothing more.
+/// The next first message has another connection id, encrypted within it: nobody can forge an answer to it before the true
+/// one is on the wire. Answers to the former id cost nothing any more.
 void StationHandshakes::giveUpFirst(TimePoint now, Attempt &attempt)
 {
-    forgetFirst(attempt);
     attempt.flooded = true;
-    attempt.due = attempt.freshFrom = std::max(now, attempt.begun + m_core.config.timing.handshakeRetry);
+    attempt.due = attempt.freshFrom = std::max(now, attempt.first->begun + m_core.config.timing.handshakeRetry);
+    discardFirst(attempt);
 }
 
 bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
-    Attempt *found = attemptAnswered(from, datagram);
-    if (!found) { // Also the second copy of an answer.
+    Attempt *found = attemptAnsweredBy(from, datagram);
+    if (!found) { // for instance a duplicate of the answer
         ++m_core.unmatched.malformed;
         return false;
     }
     if (!m_core.ownMac.verify(datagram)) {
         ++m_core.unmatched.forged;
-        m_core.tellRefused(now, from, RefusalReason::WrongKey, found->peer);
+        m_core.notifyRefused(now, from, RefusalReason::WrongKey, found->peer);
         return false;
     }
     if (!mayCompute(now, *found))
         return true;
-    auto agreement = found->handshake->takeAnswer(datagram);
+    auto agreement = found->first->handshake.readAnswer(datagram);
     if (!agreement) {
-        m_core.tellRefused(now, from, agreement.error(), found->peer);
-        return countWrong(now, *found);
+        m_core.notifyRefused(now, from, agreement.error(), found->peer);
+        return countWrongAnswer(now, *found);
     }
-    const ConnectionId ours = found->handshake->connection();
-    SessionSetup setup{m_core.table.number(ours),
-                       true,
-                       *m_core.peer(found->peer),
-                       ours,
-                       agreement->peerConnection,
+    const ConnectionId ours = found->first->handshake.connection();
+    SessionSetup setup{{m_core.table.number(ours), true, *m_core.peer(found->peer), ours, agreement->peerConnection},
                        std::move(agreement->peerOffer),
                        agreement->suite,
                        std::move(agreement->chain),
                        from};
-    auto session = std::make_unique<Session>(std::move(setup), m_core.around, now);
+    auto session = std::make_unique<Session>(std::move(setup), m_core.context, now);
     if (!session->usable()) {
-        m_core.tellRefused(now, from, RefusalReason::NoCommonSuite, found->peer);
+        m_core.notifyRefused(now, from, RefusalReason::NoCommonSuite, found->peer);
         giveUpFirst(now, *found);
         return true;
     }
-    m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // Its slot goes on as the session's.
+    m_attempts.erase(m_attempts.begin() + (found - m_attempts.data())); // The session keeps its slot.
     auto &entry = m_core.table.put(std::move(session), false, now);
-    sessionLives(entry.session->peer().key); // the same wish in another carrier
+    sessionLives(entry.session->peer().key); // ends the attempt on another carrier, too
     m_core.bringUp(now, entry);
-    entry.session->handleDeadline(now); // The first report proves to the agent that we are no replay.
+    entry.session->handleDeadline(now); // The first report proves that we are no replay.
     return true;
 }
 
@@ -282,7 +263,7 @@ void StationHandshakes::handleDeadline(TimePoint now)
             return;
         const Path &path = entry.session->path();
         Attempt &attempt = want(now, entry.session->peer().key, path.carrier, now);
-        placeAt(attempt, path).proven = true;
+        attempt.placeAt(path).proven = true;
     });
     dropUnwanted(now);
     for (Attempt &attempt : m_attempts) {
@@ -305,9 +286,11 @@ TimePoint StationHandshakes::deadline(TimePoint now)
 
 void StationHandshakes::send(TimePoint now, Attempt &attempt)
 {
-    const auto maySend = [](const Place &place) { return place.proven || place.owed || weakened(Weakness::RetryUnproven); };
-    if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !ready(now, attempt)) {
-        attempt.due = now + kLongestPause; // Until it is announced again.
+    const auto maySend = [](const Place &place) {
+        return place.proven || place.answerDue || weakened(Weakness::RetryUnproven);
+    };
+    if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !prepareFirst(now, attempt)) {
+        attempt.due = now + kLongestPause; // or the next announcement
         return;
     }
     TimePoint pausedUntil = kNever;
@@ -327,67 +310,65 @@ void StationHandshakes::send(TimePoint now, Attempt &attempt)
 
 void StationHandshakes::sendTo(TimePoint now, Attempt &attempt, Place &place)
 {
-    FirstMessage message = attempt.handshake->message();
+    FirstMessage message = attempt.first->handshake.message();
     const bool hasCookie = place.cookie && now < place.cookieUntil;
     if (hasCookie && place.underCookie)
         signWithCookie(*place.cookie, message);
     else
-        attempt.uncookied = std::min(attempt.uncookied + 1, kCopies * static_cast<unsigned>(kMaxPlaces));
+        attempt.first->uncookied = std::min(attempt.first->uncookied + 1, kMostUncookied);
     place.underCookie = hasCookie && !place.underCookie;
-    place.owed = false;
+    place.answerDue = false;
     place.lastSent = now;
-    ++attempt.copies;
+    ++attempt.first->copies;
     if (attempt.unanswered++ == 0)
         attempt.unansweredSince = now;
-    m_core.around.outbox.send(place.path, message);
+    m_core.context.outgoing.push(place.path, message);
 }
 
-/// A first message is there to be sent.
-bool StationHandshakes::ready(TimePoint now, Attempt &attempt)
+/// Returns true if the attempt has a first message to send; makes a new one where that is due.
+bool StationHandshakes::prepareFirst(TimePoint now, Attempt &attempt)
 {
-    if (attempt.handshake && (attempt.copies < kCopies || now < attempt.begun + kRenewAfter))
+    if (attempt.first && (attempt.first->copies < kCopies || now < attempt.first->begun + kRenewAfter))
         return true;
-    return now >= attempt.freshFrom && renew(now, attempt);
+    return now >= attempt.freshFrom && makeFirst(now, attempt);
 }
 
-bool StationHandshakes::renew(TimePoint now, Attempt &attempt)
+bool StationHandshakes::makeFirst(TimePoint now, Attempt &attempt)
 {
     const Peer *peer = m_core.peer(attempt.peer);
     if (!peer)
         return false;
-    forgetFirst(attempt); // Each has a number of its own, so that what answers another costs nothing.
-    const auto connection = m_core.table.reserve(m_core.around.random, attempt.flooded);
+    discardFirst(attempt); // Each message has a connection id of its own, so that answers to another one cost nothing.
+    const auto connection = m_core.table.reserve(m_core.context.random, attempt.flooded);
     if (!connection)
         return false;
     const std::uint64_t counter = m_core.counters.next();
+    std::optional<Initiator> handshake;
     if (counter <= kGreatestCounter)
-        attempt.handshake = Initiator::begin(*m_core.config.identity, *peer,
-                                             FirstPayload{*connection, m_core.around.offer, counter}, m_core.around.random,
-                                             attempt.carrier);
-    else // Only a new key has counters left.
-        m_core.tellRefused(now, attempt.places.front().path, RefusalReason::CountersUsedUp, attempt.peer);
-    attempt.presharedKey = peer->presharedKey;
-    attempt.copies = 0;
-    attempt.uncookied = 0;
-    attempt.wrong = 0;
-    attempt.begun = now;
-    if (!attempt.handshake)
+        handshake = Initiator::begin(*m_core.config.identity, *peer, FirstPayload{*connection, m_core.context.offer, counter},
+                                     m_core.context.random, attempt.carrier);
+    else
+        m_core.notifyRefused(now, attempt.places.front().path, RefusalReason::CountersUsedUp, attempt.peer);
+    if (!handshake) {
         m_core.table.release(*connection);
-    return attempt.handshake.has_value();
+        return false;
+    }
+    attempt.first.emplace(HandshakeAttempt::First{std::move(*handshake), peer->presharedKey, now});
+    return true;
 }
 
 Duration StationHandshakes::pauseAfter(unsigned sent) const
 {
     const Duration pause = std::min(kLongestPause, m_core.config.timing.handshakeRetry * (1 << std::min(sent, 8u)));
-    // Up to a quarter more or less, so that stations which lost their agents at once do not call in step.
+    // Jitter of a quarter, so that stations that lost their agents together do not send in step.
     std::uint8_t dice = 0;
-    m_core.around.random.fill({&dice, 1});
+    m_core.context.random.fill({&dice, 1});
     return pause * (384 + dice) / 512;
 }
 
 void StationHandshakes::drop(Attempt &attempt)
 {
-    forgetFirst(attempt);
+    discardFirst(attempt);
     m_attempts.erase(m_attempts.begin() + (&attempt - m_attempts.data()));
 }
 

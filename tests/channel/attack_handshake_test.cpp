@@ -295,13 +295,13 @@ void AttackHandshakeTest::everyBitOfTheAnswer()
     const Mac1 mac(m_station.publicKey);
     for (std::size_t bit = kAnswerLength * 8; bit-- > 0;) {
         auto changed = flipped(answer->message, bit);
-        QVERIFY(!initiator.takeAnswer(changed));
+        QVERIFY(!initiator.readAnswer(changed));
         if (bit < 24 || bit >= (kAnswerLength - kMacLength) * 8)
             continue;
         mac.sign(changed);
-        HOLDS(!initiator.takeAnswer(changed), "no changed answer is taken");
+        HOLDS(!initiator.readAnswer(changed), "no changed answer is taken");
     }
-    QVERIFY(initiator.takeAnswer(answer->message)); // None of them spoilt it.
+    QVERIFY(initiator.readAnswer(answer->message)); // None of them spoilt it.
 }
 
 void AttackHandshakeTest::weakerChoice()
@@ -319,7 +319,7 @@ void AttackHandshakeTest::weakerChoice()
         const auto said = AnswerPayload{ConnectionId{2}, m_offer, suite.id}.write();
         QVERIFY(state->writeMessage(said, MutableByteView(message).subspan(3, kAnswerNoiseLength), m_random));
         Mac1(m_station.publicKey).sign(message);
-        const auto agreement = initiator.takeAnswer(message);
+        const auto agreement = initiator.readAnswer(message);
         HOLDS(agreement.has_value() == (suite.id == SuiteId::ChaCha20Poly1305), "no other choice is taken");
         if (!agreement)
             QCOMPARE(agreement.error(), RefusalReason::OfferTampered);

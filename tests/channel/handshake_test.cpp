@@ -77,7 +77,7 @@ void HandshakeTest::bothEndsAgree()
     QCOMPARE(responder->payload().connection, ConnectionId{0x1234});
     auto answered = std::move(*responder).answer(known(m_station), ConnectionId{0x4321}, m_offer, m_random);
     QVERIFY(answered);
-    const auto agreement = initiator.takeAnswer(answered->message);
+    const auto agreement = initiator.readAnswer(answered->message);
     QVERIFY(agreement);
     QCOMPARE(agreement->peerConnection, ConnectionId{0x4321});
     QCOMPARE(agreement->suite, SuiteId::ChaCha20Poly1305);
@@ -102,11 +102,11 @@ void HandshakeTest::wrongAnswerSpoilsNothing()
     auto second = begin(2);
     const auto answerToFirst = answer(first).message;
     const auto answerToSecond = answer(second).message;
-    QVERIFY(!second.takeAnswer(answerToFirst));
-    QVERIFY(!second.takeAnswer(ByteView(answerToSecond).first(73)));
-    QVERIFY(!second.takeAnswer({}));
-    QVERIFY(second.takeAnswer(answerToSecond));
-    QVERIFY(!second.takeAnswer(answerToSecond)); // And once only.
+    QVERIFY(!second.readAnswer(answerToFirst));
+    QVERIFY(!second.readAnswer(ByteView(answerToSecond).first(kAnswerLength - 1)));
+    QVERIFY(!second.readAnswer({}));
+    QVERIFY(second.readAnswer(answerToSecond));
+    QVERIFY(!second.readAnswer(answerToSecond)); // And once only.
 }
 
 void HandshakeTest::presharedKeyMustBeTheSame()
@@ -127,7 +127,7 @@ void HandshakeTest::presharedKeyMustBeTheSame()
             const auto answer = std::move(*responder).answer(station, ConnectionId{2}, m_offer, m_random);
             QVERIFY(answer);
             const bool same = (ours ? ours->view()[0] : 0) == (theirs ? theirs->view()[0] : 0);
-            QCOMPARE(initiator->takeAnswer(answer->message).has_value(), same);
+            QCOMPARE(initiator->readAnswer(answer->message).has_value(), same);
         }
     }
 }

@@ -159,7 +159,7 @@ void KnownAnswersTest::handshake()
         std::move(*responder).answer(known(m_station.publicKey, psk), kAgents, m_agentsOffer, agentsEphemeral);
     QVERIFY(answered);
     COMPARE_WITH("answer", answered->message);
-    const auto agreement = initiator->takeAnswer(m_answers["answer"]);
+    const auto agreement = initiator->readAnswer(m_answers["answer"]);
     QVERIFY(agreement);
     QCOMPARE(agreement->suite, SuiteId::Aes256Gcm);
     const EpochSecrets zero = agreement->chain.derive(Epoch{0}, SuiteId::Aes256Gcm, {}, {});
@@ -210,13 +210,13 @@ void KnownAnswersTest::number()
     FixedRandom agentsEphemeral(m_answers["agent ephemeral private"]);
     auto responder = Responder::read(m_agent, m_answers["first message"]);
     QVERIFY(responder);
-    const auto number = std::move(*responder).tellNumber(known(m_station.publicKey, psk), 41, agentsEphemeral);
+    const auto number = std::move(*responder).writeNumber(known(m_station.publicKey, psk), 41, agentsEphemeral);
     QVERIFY(number);
     COMPARE_WITH("number", *number);
     auto initiator = Initiator::begin(m_station, known(m_agent.publicKey, psk), {kStations, m_stationsOffer, 7},
                                       stationsEphemeral);
     QVERIFY(initiator);
-    QCOMPARE(initiator->takeNumber(m_answers["number"]), std::optional<std::uint64_t>(41));
+    QCOMPARE(initiator->readNumber(m_answers["number"]), std::optional<std::uint64_t>(41));
 }
 
 void KnownAnswersTest::epochs()
@@ -414,7 +414,7 @@ void KnownAnswersTest::pairing()
     const auto answer = agent->answer({true, true, PeerRole::Pilot, "air-1"}, agentsEphemeral);
     QVERIFY(answer);
     COMPARE_WITH("pairing answer", *answer);
-    QVERIFY(station->takeAnswer(*answer));
+    QVERIFY(station->readAnswer(*answer));
     const auto third = station->third({true, true, PeerRole::Pilot, "ground"}, stationsEphemeral);
     QVERIFY(third);
     COMPARE_WITH("pairing third", *third);

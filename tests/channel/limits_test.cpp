@@ -123,7 +123,7 @@ void LimitsTest::moreSessionsThanRoom()
         endpoint.handleDatagram(now, Path{LinkId{1}, {}}, first);
         int count = 0;
         while (const auto transmit = endpoint.pollTransmit())
-            count += initiator->takeAnswer(transmit->bytes).has_value();
+            count += initiator->readAnswer(transmit->bytes).has_value();
         return count;
     };
     for (std::size_t i = 0; i + 1 < kStations; ++i) {
@@ -182,27 +182,27 @@ void LimitsTest::agentThatChoosesAnUnknownSuite()
         message[0] = firstByte(HandshakeMessage::Answer);
         QVERIFY(state->writeMessage(payload, MutableByteView(message).subspan(3, kAnswerNoiseLength), random));
         Mac1(station.publicKey).sign(message);
-        QCOMPARE(initiator->takeAnswer(message).error(), RefusalReason::OfferTampered);
+        QCOMPARE(initiator->readAnswer(message).error(), RefusalReason::OfferTampered);
     }
 }
 
 void LimitsTest::fullOutboxKeepsTheOldest()
 {
-    DatagramQueue outbox;
-    QVERIFY(!outbox.take());
-    outbox.send({}, Bytes(DatagramQueue::kMaxLength + 1));
-    QVERIFY(outbox.empty());
+    DatagramQueue outgoing;
+    QVERIFY(!outgoing.pop());
+    outgoing.push({}, Bytes(DatagramQueue::kMaxLength + 1));
+    QVERIFY(outgoing.empty());
     for (int round = 0; round < 3; ++round) {
         for (std::size_t i = 0; i < DatagramQueue::kSlots + 50; ++i)
-            outbox.send({}, Bytes{static_cast<std::uint8_t>(i)});
-        QCOMPARE(outbox.size(), DatagramQueue::kSlots);
+            outgoing.push({}, Bytes{static_cast<std::uint8_t>(i)});
+        QCOMPARE(outgoing.size(), DatagramQueue::kSlots);
         for (std::size_t i = 0; i < DatagramQueue::kSlots; ++i) {
-            const DatagramQueue::Item *item = outbox.take();
+            const DatagramQueue::Item *item = outgoing.pop();
             QVERIFY(item);
             QCOMPARE(item->length, std::size_t(1));
             QCOMPARE(item->bytes[0], static_cast<std::uint8_t>(i));
         }
-        QVERIFY(!outbox.take());
+        QVERIFY(!outgoing.pop());
     }
 }
 

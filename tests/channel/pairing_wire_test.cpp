@@ -113,8 +113,8 @@ void PairingWireTest::everyBitFlipped()
     QVERIFY(there.takeFirst(first));
     const auto answer = *there.answer({}, random);
     for (std::size_t bit = 0; bit < answer.size() * 8; ++bit)
-        QVERIFY(!here.takeAnswer(flipped(answer, bit)));
-    QVERIFY(here.takeAnswer(answer));
+        QVERIFY(!here.readAnswer(flipped(answer, bit)));
+    QVERIFY(here.readAnswer(answer));
     const auto third = *here.third({}, random);
     for (std::size_t bit = 0; bit < third.size() * 8; ++bit)
         QVERIFY(!there.takeThird(flipped(third, bit)));
@@ -294,7 +294,7 @@ void PairingWireTest::floodOfFalseThirds()
     auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *stranger.token);
     pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
     pair.pump();
-    QVERIFY(handshake.takeAnswer(stranger.answer));
+    QVERIFY(handshake.readAnswer(stranger.answer));
     const ThirdDatagram good = *handshake.third({}, random);
     ThirdDatagram wrong = good;
     wrong.back() ^= 1;
@@ -436,7 +436,7 @@ void PairingWireTest::onlyTheLastAnswersAreKept()
         auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *key, nullptr, PairingId{i + 1}, *stranger.token);
         pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
         pair.pump();
-        QVERIFY(handshake.takeAnswer(stranger.answer));
+        QVERIFY(handshake.readAnswer(stranger.answer));
         callers.push_back({from, key->publicKey, *handshake.third({}, random)});
     }
     const auto finish = [&](const Caller &caller) {

@@ -384,20 +384,20 @@ void ReconnectTest::changedNumberIsRefused()
     const Peer knownAgent{agent.publicKey, "agent", {}, {}, {}}, knownStation{station.publicKey, "station", {}, {}, {}};
     const SuiteOffer offer = offerOf(Policy{defaultSuites(), false, false});
     auto initiator = Initiator::begin(station, knownAgent, {ConnectionId{0x1234}, offer, 5}, random);
-    const auto number = *std::move(*Responder::read(agent, initiator->message())).tellNumber(knownStation, 77, random);
+    const auto number = *std::move(*Responder::read(agent, initiator->message())).writeNumber(knownStation, 77, random);
     QCOMPARE(answeredConnection(number), ConnectionId{0x1234});
     for (std::size_t bit = 0; bit < number.size() * 8; ++bit) {
         NumberMessage changed = number;
         changed[bit / 8] = static_cast<std::uint8_t>(changed[bit / 8] ^ 1u << bit % 8);
-        QVERIFY(!initiator->takeNumber(changed));
+        QVERIFY(!initiator->readNumber(changed));
         Mac1(station.publicKey).sign(changed);
         if (bit >= 24 && bit < (kNumberLength - kMacLength) * 8)
-            QVERIFY(!initiator->takeNumber(changed));
-        QVERIFY(!initiator->takeAnswer(changed));
+            QVERIFY(!initiator->readNumber(changed));
+        QVERIFY(!initiator->readAnswer(changed));
     }
-    QVERIFY(!initiator->takeNumber(ByteView(number).first(kNumberLength - 1)));
-    QCOMPARE(initiator->takeNumber(number), std::optional<std::uint64_t>(77));
-    QVERIFY(!initiator->takeNumber(number));
+    QVERIFY(!initiator->readNumber(ByteView(number).first(kNumberLength - 1)));
+    QCOMPARE(initiator->readNumber(number), std::optional<std::uint64_t>(77));
+    QVERIFY(!initiator->readNumber(number));
 }
 
 void ReconnectTest::firstsOfAThiefKeepNobodyOut_data()

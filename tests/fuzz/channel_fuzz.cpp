@@ -41,7 +41,7 @@ struct Insider
         Bytes first(initiator->message().begin(), initiator->message().end());
         endpoint.handleDatagram(now, path, first);
         while (const auto transmit = endpoint.pollTransmit()) {
-            auto agreement = initiator->takeAnswer(transmit->bytes);
+            auto agreement = initiator->readAnswer(transmit->bytes);
             if (!agreement)
                 continue;
             theirs = agreement->peerConnection;

@@ -1,0 +1,64 @@
+#include "core/channel/peer_path.h"
+
+#include "core/base/weakness.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+namespace {
+
+constexpr Duration kMoveInterval = std::chrono::seconds(1);
+
+} // namespace
+
+PeerPath::PeerPath(const Path &path, TimePoint now, Duration trial)
+    : m_origin(path), m_current(path), m_notified(path), m_moves(kMoveInterval, now), m_trial(trial), m_heardHere(now)
+{}
+
+TimePoint PeerPath::deadline() const
+{
+    TimePoint due = m_former ? m_heardHere + m_trial : kNever;
+    if (m_notified != m_current)
+        due = std::min(due, m_moves.next());
+    return due;
+}
+
+// An authentic record proves where its datagram came from, not that its writer is there: an attacker can keep a record from
+// us and deliver it from his own address. Therefore the trial.
+void PeerPath::moveTo(const Path &path, TimePoint now, std::uint32_t stamp)
+{
+    m_heardHere = now;
+    if (path == m_former)
+        m_former.reset();
+    else if (!m_former && path.carrier != Carrier::Serial) // The former end of a reconnected stream is gone.
+        m_former = m_current;
+    m_trialStamp = stamp;
+    m_current = path;
+}
+
+void PeerPath::confirm(const Path &from, std::uint32_t echo)
+{
+    if (from == m_current && static_cast<std::int32_t>(echo - m_trialStamp) > 0)
+        m_former.reset();
+}
+
+void PeerPath::handleDeadline(TimePoint now)
+{
+    if (!m_former || now < m_heardHere + m_trial)
+        return;
+    if (!weakened(Weakness::NoTrial))
+        m_current = *m_former;
+    m_former.reset();
+}
+
+std::optional<PeerPath::Move> PeerPath::takeMove(TimePoint now)
+{
+    if (m_notified == m_current || !m_moves.take(now))
+        return std::nullopt;
+    const Move move{m_notified, m_current};
+    m_notified = m_current;
+    return move;
+}
+
+} // namespace skyseal::channel

@@ -1,0 +1,52 @@
+// The path of a session's records. It follows the peer's authenticated records; a new path is on trial until the peer has
+// received something there (PROTOCOL.md, section 6, "Address"). Moves are reported to the owner at most once a second.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/path.h"
+#include "core/channel/interval_limit.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace skyseal::channel {
+
+class PeerPath
+{
+public:
+    struct Move
+    {
+        Path from; ///< the path of which the owner was last notified
+        Path to;
+    };
+
+    /// `trial`: time without a record from a path on trial after which the session returns to the former path.
+    PeerPath(const Path &path, TimePoint now, Duration trial);
+
+    const Path &current() const { return m_current; }
+    /// Path of the handshake.
+    const Path &origin() const { return m_origin; }
+    TimePoint deadline() const;
+
+    /// The newest record so far came from the current path.
+    void stay(TimePoint now) { m_heardHere = now; }
+    /// The newest record so far came from another path. `stamp` is the session clock at this time.
+    void moveTo(const Path &path, TimePoint now, std::uint32_t stamp);
+    /// A report from `from` echoes the stamp `echo`. Ends the trial if the peer sent it after receiving a report at this path.
+    void confirm(const Path &from, std::uint32_t echo);
+    void handleDeadline(TimePoint now);
+    /// Returns a move of which the owner is to be notified now, at most one a second.
+    std::optional<Move> takeMove(TimePoint now);
+
+private:
+    Path m_origin;
+    Path m_current;
+    Path m_notified;
+    IntervalLimit m_moves;
+    Duration m_trial;
+    std::optional<Path> m_former;   ///< the last confirmed path; set while the current one is on trial
+    std::uint32_t m_trialStamp = 0; ///< session clock at the move
+    TimePoint m_heardHere;          ///< newest record from the current path
+};
+
+} // namespace skyseal::channel

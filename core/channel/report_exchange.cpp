@@ -1,0 +1,52 @@
+#include "core/channel/report_exchange.h"
+
+#include <algorithm>
+
+namespace skyseal::channel {
+
+std::uint32_t ReportExchange::stamp(TimePoint now) const
+{
+    // Bit 0 is set because 0 means "none" in an echo; an error of one microsecond does not matter.
+    return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::microseconds>(now - m_start).count()) | 1u;
+}
+
+void ReportExchange::addTo(SessionStats &stats) const
+{
+    stats.roundTrip = m_roundTrip.smoothed();
+    if (!m_peer)
+        return;
+    stats.peerReported = true;
+    stats.peerRx = m_peer->rx;
+    stats.peerTx = m_peer->tx;
+    stats.peerFrames = m_peer->frames;
+    stats.peerCosts = m_peer->costs;
+    stats.peerStamp = m_peer->stamp;
+}
+
+bool ReportExchange::handle(TimePoint now, const Report &report)
+{
+    if (m_peer && static_cast<std::int32_t>(report.stamp - m_peer->stamp) <= 0)
+        return false;
+    m_peer = report;
+    m_peerAt = now;
+    if (report.echo != 0) {
+        const std::uint32_t passed = stamp(now) - report.echo;
+        m_roundTrip.add(std::chrono::microseconds(static_cast<std::int32_t>(passed - report.held)));
+    }
+    return true;
+}
+
+Report ReportExchange::make(TimePoint now) const
+{
+    Report report;
+    report.stamp = stamp(now);
+    report.frames = m_frames;
+    if (m_peer) {
+        report.echo = m_peer->stamp;
+        const auto held = std::chrono::duration_cast<std::chrono::microseconds>(now - m_peerAt);
+        report.held = static_cast<std::uint32_t>(std::min<std::int64_t>(held.count(), UINT32_MAX));
+    }
+    return report;
+}
+
+} // namespace skyseal::channel
