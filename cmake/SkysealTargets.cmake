@@ -70,26 +70,64 @@ function(skyseal_program name)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
 endfunction()
 
-# skyseal_test(NAME SOURCES … LINK … LABELS … [TIMEOUT S]): one QtTest program = one ctest entry.
-function(skyseal_test name)
-  cmake_parse_arguments(arg "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
-  add_executable(${name} ${arg_SOURCES})
+# skyseal_test_program(NAME [WIDGETS]): a program of QtTest classes in tests/ of the build folder. tests/support/test_runner.h
+# says how it runs one of them.
+function(skyseal_test_program name)
+  cmake_parse_arguments(arg "WIDGETS" "" "" ${ARGN})
+  add_executable(${name})
   set_target_properties(${name} PROPERTIES AUTOMOC ON RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_link_libraries(${name} PRIVATE skyseal_options Qt6::Test Qt6::Network ${arg_LINK})
-  if("gui" IN_LIST arg_LABELS)
+  target_link_libraries(${name} PRIVATE skyseal_options skyseal_test_runner Qt6::Test Qt6::Network)
+  target_compile_definitions(${name} PRIVATE
+    SKYSEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKYSEAL_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  if(arg_WIDGETS)
     target_link_libraries(${name} PRIVATE Qt6::Widgets)
     skyseal_precompile(${name} ui_tests)
   else()
     skyseal_precompile(${name} tests)
   endif()
-  target_compile_definitions(${name} PRIVATE
-    SKYSEAL_SOURCE_DIR="${PROJECT_SOURCE_DIR}" SKYSEAL_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
-  add_test(NAME ${name} COMMAND ${name})
+endfunction()
+
+# skyseal_test(NAME SOURCES … LINK … LABELS … [NEEDS PROGRAM …] [DEFINE …] [TIMEOUT S] [ALONE])
+# One QtTest class, that of the first source file, as the ctest entry NAME. All classes of a folder are in the program
+# FOLDER_tests. ALONE gives the class a program NAME of its own, for one that replaces operator new or has its own main().
+# NEEDS names the programs and libraries that the test starts or loads, DEFINE macros for its sources.
+function(skyseal_test name)
+  cmake_parse_arguments(arg "ALONE" "TIMEOUT" "SOURCES;LINK;LABELS;NEEDS;DEFINE" ${ARGN})
+  list(GET arg_SOURCES 0 class)
+  cmake_path(GET class STEM class)
+  if(arg_ALONE)
+    set(program ${name})
+  else()
+    cmake_path(GET CMAKE_CURRENT_SOURCE_DIR FILENAME folder)
+    set(program ${folder}_tests)
+  endif()
+  if(NOT TARGET ${program})
+    if("gui" IN_LIST arg_LABELS)
+      skyseal_test_program(${program} WIDGETS)
+    else()
+      skyseal_test_program(${program})
+    endif()
+  endif()
+  target_sources(${program} PRIVATE ${arg_SOURCES})
+  target_link_libraries(${program} PRIVATE ${arg_LINK})
+  if(arg_DEFINE)
+    set_source_files_properties(${arg_SOURCES} PROPERTIES COMPILE_DEFINITIONS "${arg_DEFINE}")
+  endif()
+  if(arg_NEEDS)
+    add_dependencies(${program} ${arg_NEEDS})
+  endif()
+  skyseal_test_entry(${name} ${program} ARGUMENTS $<$<NOT:$<BOOL:${arg_ALONE}>>:${class}> LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT})
+endfunction()
+
+# skyseal_test_entry(NAME PROGRAM ARGUMENTS … LABELS … [TIMEOUT S] [ENVIRONMENT …]): one more ctest entry of a test program.
+function(skyseal_test_entry name program)
+  cmake_parse_arguments(arg "" "TIMEOUT" "ARGUMENTS;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 120)
   endif()
+  add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}
-    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1")
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/tsan.supp die_after_fork=0;UBSAN_OPTIONS=print_stacktrace=1;${arg_ENVIRONMENT}")
 endfunction()
 
 # skyseal_fuzzer(NAME SOURCES … LINK … CORPUS DIR): a libFuzzer target under the fuzz preset, where `--target fuzzers` builds

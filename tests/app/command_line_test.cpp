@@ -1,5 +1,6 @@
 // The command line as scripts see it: exit statuses, one clear line for what is wrong, JSON that parses.
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -236,5 +237,5 @@ void CommandLineTest::selftestPasses()
         QVERIFY2(QJsonDocument::fromJson(line)[QLatin1String("passed")].toBool(), line.constData());
 }
 
-QTEST_GUILESS_MAIN(CommandLineTest)
+SKYSEAL_TEST(CommandLineTest)
 #include "command_line_test.moc"

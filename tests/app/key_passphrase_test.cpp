@@ -2,6 +2,7 @@
 // descriptor, and no byte of it or of the key shows anywhere.
 #include "tests/support/run_program.h"
 #include "tests/support/terminal.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -254,5 +255,5 @@ void KeyPassphraseTest::noKeyByteAndNoPassphraseInTheOutput()
     }
 }
 
-QTEST_GUILESS_MAIN(KeyPassphraseTest)
+SKYSEAL_TEST(KeyPassphraseTest)
 #include "key_passphrase_test.moc"

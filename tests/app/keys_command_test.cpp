@@ -1,5 +1,6 @@
 // The work with keys and peers, as a person does it before the first flight.
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonDocument>
@@ -269,5 +270,5 @@ void KeysCommandTest::noKeyByteInTheOutput()
         QVERIFY(!output.contains(secret.left(8)));
 }
 
-QTEST_GUILESS_MAIN(KeysCommandTest)
+SKYSEAL_TEST(KeysCommandTest)
 #include "keys_command_test.moc"

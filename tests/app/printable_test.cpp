@@ -1,5 +1,6 @@
 // Words of others on the terminal: they are shown, and steer nothing.
 #include "app/common/output.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -35,5 +36,5 @@ void PrintableTest::controlCharactersAreReplaced()
     QCOMPARE(QByteArray::fromStdString(printable(given.toStdString())), shown);
 }
 
-QTEST_GUILESS_MAIN(PrintableTest)
+SKYSEAL_TEST(PrintableTest)
 #include "printable_test.moc"

@@ -1,5 +1,6 @@
 // A flight by script with a simulator on a plain link, and then what became of its recording.
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QJsonArray>
@@ -182,5 +183,5 @@ void RecordedFlightTest::recordingReplays()
             || QDir(m_folder.filePath(QStringLiteral("again"))).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(RecordedFlightTest)
+SKYSEAL_TEST(RecordedFlightTest)
 #include "recorded_flight_test.moc"

@@ -5,6 +5,7 @@
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
@@ -177,5 +178,5 @@ void SecrecyTest::coreFilesAreForbidden()
     QVERIFY(forbidden());
 }
 
-QTEST_GUILESS_MAIN(SecrecyTest)
+SKYSEAL_TEST(SecrecyTest)
 #include "secrecy_test.moc"

@@ -1,5 +1,6 @@
 // A sweep's files in a folder that is not empty: an older sweep's pictures go, and nothing that is somebody else's.
 #include "app/common/sweep_files.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -70,5 +71,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(SweepFilesTest)
+SKYSEAL_TEST(SweepFilesTest)
 #include "sweep_files_test.moc"

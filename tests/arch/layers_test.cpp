@@ -1,5 +1,7 @@
 // The rules of the house that a compiler does not check: arrows between layers go down only, Qt stays out of the protocol,
 // secrets are compared in constant time, files stay small, tests do not wait for fixed times.
+#include "tests/support/test_runner.h"
+
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
 #include <QtCore/QHash>
@@ -133,5 +135,5 @@ void LayersTest::testsDoNotSleep()
     }
 }
 
-QTEST_APPLESS_MAIN(LayersTest)
+SKYSEAL_TEST_APPLESS(LayersTest)
 #include "layers_test.moc"

@@ -1,5 +1,6 @@
 // Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; each attack
 // test is named there, and proven to be able to fail; and each threat has such a test, or says why not.
+#include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
 #include <QtCore/QDirIterator>
@@ -77,7 +78,7 @@ QList<Mention> mentions()
 bool proves(const skyseal::test::Proof &proof, const Mention &mention)
 {
     return mention.function == QLatin1String(proof.function)
-        && QString::fromLatin1(proof.program).endsWith(mention.program + QStringLiteral("_test"));
+        && QString::fromLatin1(proof.test).endsWith(mention.program + QStringLiteral("_test"));
 }
 
 bool isProven(const Mention &mention)
@@ -126,7 +127,7 @@ void ThreatsTest::attacksAreNamedAndProven()
     for (; walk.hasNext(); ++programs) {
         walk.next();
         const QString name = walk.fileInfo().completeBaseName();
-        const auto proven = [&name](const auto &proof) { return QLatin1String(proof.program).endsWith(name); };
+        const auto proven = [&name](const auto &proof) { return QLatin1String(proof.test).endsWith(name); };
         QVERIFY2(std::any_of(std::begin(skyseal::test::kProofs), std::end(skyseal::test::kProofs), proven), qPrintable(name));
     }
     QVERIFY(programs >= 8);
@@ -152,5 +153,5 @@ void ThreatsTest::threatsWithoutATwinSayWhy()
     QVERIFY2(threats > 50, qPrintable(QString::number(threats)));
 }
 
-QTEST_APPLESS_MAIN(ThreatsTest)
+SKYSEAL_TEST_APPLESS(ThreatsTest)
 #include "threats_test.moc"

@@ -3,6 +3,7 @@
 #include "core/base/byte_writer.h"
 #include "core/base/hex.h"
 #include "core/base/secret_bytes.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -80,5 +81,5 @@ void BytesTest::movedSecretIsWiped()
     QVERIFY(!moved.equals(key));
 }
 
-QTEST_APPLESS_MAIN(BytesTest)
+SKYSEAL_TEST_APPLESS(BytesTest)
 #include "bytes_test.moc"

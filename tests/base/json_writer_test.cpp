@@ -1,6 +1,7 @@
 // JSON as other programs must be able to read it: QJsonDocument judges the syntax, exact texts judge the numbers.
 #include "core/base/json_writer.h"
 #include "core/base/utf8.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -85,5 +86,5 @@ void JsonWriterTest::anyBytesGiveUtf8()
     }));
 }
 
-QTEST_APPLESS_MAIN(JsonWriterTest)
+SKYSEAL_TEST_APPLESS(JsonWriterTest)
 #include "json_writer_test.moc"

@@ -4,6 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
 #include "inline_pair.h"
+#include "tests/support/test_runner.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -143,5 +144,5 @@ void AllocationTest::strangersLeaveNothing()
     QVERIFY(after <= kept + 8); // queues that grew
 }
 
-QTEST_GUILESS_MAIN(AllocationTest)
+SKYSEAL_TEST(AllocationTest)
 #include "allocation_test.moc"

@@ -5,6 +5,7 @@
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -133,5 +134,5 @@ void AttackCookieTest::forgedCookiesAreNoAmplifier()
     HOLDS(out <= in, "no more goes out than came in");
 }
 
-QTEST_GUILESS_MAIN(AttackCookieTest)
+SKYSEAL_TEST(AttackCookieTest)
 #include "attack_cookie_test.moc"

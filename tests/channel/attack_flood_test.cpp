@@ -4,6 +4,7 @@
 #include "core/channel/handshake.h"
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
 
 #include <array>
 
@@ -393,5 +394,5 @@ void AttackFloodTest::noMoreOutThanInBesideASession()
     HOLDS(toTheThief <= in && caused <= in, "no more goes out than came in");
 }
 
-QTEST_GUILESS_MAIN(AttackFloodTest)
+SKYSEAL_TEST(AttackFloodTest)
 #include "attack_flood_test.moc"

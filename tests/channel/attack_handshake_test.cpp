@@ -6,6 +6,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "reconstruction.h"
+#include "tests/support/test_runner.h"
 #include "thief.h"
 
 using namespace skyseal;
@@ -344,5 +345,5 @@ void AttackHandshakeTest::otherVersionOrCarrier()
     }
 }
 
-QTEST_GUILESS_MAIN(AttackHandshakeTest)
+SKYSEAL_TEST(AttackHandshakeTest)
 #include "attack_handshake_test.moc"

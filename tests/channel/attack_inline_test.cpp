@@ -3,6 +3,7 @@
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -125,5 +126,5 @@ void AttackInlineTest::replayOfFrames()
     QVERIFY(aliveAndExact(pair));
 }
 
-QTEST_GUILESS_MAIN(AttackInlineTest)
+SKYSEAL_TEST(AttackInlineTest)
 #include "attack_inline_test.moc"

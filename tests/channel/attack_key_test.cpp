@@ -7,6 +7,7 @@
 #include "core/crypto/record_cipher.h"
 #include "core/crypto/record_keys.h"
 #include "attack.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -124,5 +125,5 @@ void AttackKeyTest::badPaddingLooksLikeABadTag()
     }
 }
 
-QTEST_GUILESS_MAIN(AttackKeyTest)
+SKYSEAL_TEST(AttackKeyTest)
 #include "attack_key_test.moc"

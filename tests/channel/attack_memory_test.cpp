@@ -8,6 +8,7 @@
 #include "inline_pair.h"
 #include "process_image.h"
 #include "reconstruction.h"
+#include "tests/support/test_runner.h"
 
 #include <memory>
 
@@ -207,5 +208,5 @@ void AttackMemoryTest::deadSecretsAreGone()
     QVERIFY(pair.bothUp());
 }
 
-QTEST_GUILESS_MAIN(AttackMemoryTest)
+SKYSEAL_TEST(AttackMemoryTest)
 #include "attack_memory_test.moc"

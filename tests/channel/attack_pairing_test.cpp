@@ -3,6 +3,7 @@
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -185,5 +186,5 @@ void AttackPairingTest::anotherWhileComparing()
     QCOMPARE(pair.air().all<Paired>()[0].peer.key, pair.ground().identity->publicKey);
 }
 
-QTEST_GUILESS_MAIN(AttackPairingTest)
+SKYSEAL_TEST(AttackPairingTest)
 #include "attack_pairing_test.moc"

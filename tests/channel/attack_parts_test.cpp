@@ -2,6 +2,7 @@
 // messages that went in, or nothing, however its parts are lost, repeated, late, or beside those of others.
 #include "core/channel/tunnel_parts.h"
 #include "tests/support/holds.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -90,5 +91,5 @@ void AttackPartsTest::sendersDoNotMix()
     }
 }
 
-QTEST_APPLESS_MAIN(AttackPartsTest)
+SKYSEAL_TEST_APPLESS(AttackPartsTest)
 #include "attack_parts_test.moc"

@@ -3,6 +3,7 @@
 #include "attack.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
 
 #include <unordered_set>
 
@@ -290,5 +291,5 @@ void AttackRecordTest::acrossSessions()
     QVERIFY(aliveAndExact(*one));
 }
 
-QTEST_GUILESS_MAIN(AttackRecordTest)
+SKYSEAL_TEST(AttackRecordTest)
 #include "attack_record_test.moc"

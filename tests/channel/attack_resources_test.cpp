@@ -2,6 +2,7 @@
 // thousand records and a thousand handshakes; the label slow runs ten million and ten thousand of them.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
 
 #include <cstdio>
 
@@ -124,5 +125,5 @@ void AttackResourcesTest::handshakes()
     HOLDS(isAsBefore(before, memoryNow()), "memory is what it was");
 }
 
-QTEST_GUILESS_MAIN(AttackResourcesTest)
+SKYSEAL_TEST(AttackResourcesTest)
 #include "attack_resources_test.moc"

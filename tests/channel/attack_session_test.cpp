@@ -2,6 +2,7 @@
 // processes, clocks that jump, a wire that drops every control record.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
 
 #include <unordered_set>
 
@@ -471,5 +472,5 @@ void AttackSessionTest::everyControlRecordDropped()
     QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
 }
 
-QTEST_GUILESS_MAIN(AttackSessionTest)
+SKYSEAL_TEST(AttackSessionTest)
 #include "attack_session_test.moc"

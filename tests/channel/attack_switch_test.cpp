@@ -1,6 +1,7 @@
 // Attacks on the live switch: the worst link, with both ends proposing, and an attacker who picks what is lost.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -91,5 +92,5 @@ void AttackSwitchTest::acceptancesAreDropped()
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
 }
 
-QTEST_GUILESS_MAIN(AttackSwitchTest)
+SKYSEAL_TEST(AttackSwitchTest)
 #include "attack_switch_test.moc"

@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/channel/cobs.h"
 #include "core/channel/tunnel_parts.h"
+#include "tests/support/test_runner.h"
 
 #include <rapidcheck.h>
 
@@ -319,5 +320,5 @@ void CarrierCodecTest::moreSendersThanRoom()
     QVERIFY(same(reader.take(now, path(0), parts[0]), message));
 }
 
-QTEST_GUILESS_MAIN(CarrierCodecTest)
+SKYSEAL_TEST(CarrierCodecTest)
 #include "carrier_codec_test.moc"

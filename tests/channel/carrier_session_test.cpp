@@ -4,6 +4,7 @@
 #include "core/channel/message_traits.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -258,5 +259,5 @@ void CarrierSessionTest::noInlineFramesElsewhere()
     }
 }
 
-QTEST_GUILESS_MAIN(CarrierSessionTest)
+SKYSEAL_TEST(CarrierSessionTest)
 #include "carrier_session_test.moc"

@@ -3,6 +3,7 @@
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -219,5 +220,5 @@ void CookieTest::forgedCookieCostsATurn()
     QVERIFY(copies >= 3);
 }
 
-QTEST_GUILESS_MAIN(CookieTest)
+SKYSEAL_TEST(CookieTest)
 #include "cookie_test.moc"

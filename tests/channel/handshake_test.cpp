@@ -4,6 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tap.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -390,5 +391,5 @@ void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay()
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
 }
 
-QTEST_GUILESS_MAIN(HandshakeTest)
+SKYSEAL_TEST(HandshakeTest)
 #include "handshake_test.moc"

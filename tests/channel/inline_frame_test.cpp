@@ -6,6 +6,7 @@
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
+#include "tests/support/test_runner.h"
 
 #include "reference_parser.h"
 
@@ -452,5 +453,5 @@ void InlineFrameTest::ourOwnScannerFindsThem()
     }));
 }
 
-QTEST_APPLESS_MAIN(InlineFrameTest)
+SKYSEAL_TEST_APPLESS(InlineFrameTest)
 #include "inline_frame_test.moc"

@@ -3,6 +3,7 @@
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -270,5 +271,5 @@ void InlineSessionTest::hardStopExactlyThere()
     QCOMPARE(pair.air().all<SessionDown>().back().reason, DownReason::Exhausted);
 }
 
-QTEST_APPLESS_MAIN(InlineSessionTest)
+SKYSEAL_TEST_APPLESS(InlineSessionTest)
 #include "inline_session_test.moc"

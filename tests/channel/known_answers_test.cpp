@@ -17,6 +17,7 @@
 #include "core/mavlink/messages.h"
 #include "known_answers.h"
 #include "tests/noise/fixed_random.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -440,5 +441,5 @@ void KnownAnswersTest::cleanupTestCase()
     QVERIFY2(names.empty(), names.c_str());
 }
 
-QTEST_GUILESS_MAIN(KnownAnswersTest)
+SKYSEAL_TEST(KnownAnswersTest)
 #include "known_answers_test.moc"

@@ -4,6 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
 #include "tap.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -315,5 +316,5 @@ void LateMessagesTest::inlineFrameOfAnEpochThatHasNone()
     QCOMPARE(rx().good, before.good);
 }
 
-QTEST_GUILESS_MAIN(LateMessagesTest)
+SKYSEAL_TEST(LateMessagesTest)
 #include "late_messages_test.moc"

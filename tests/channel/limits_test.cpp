@@ -5,6 +5,7 @@
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tap.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -206,5 +207,5 @@ void LimitsTest::fullOutboxKeepsTheOldest()
     }
 }
 
-QTEST_GUILESS_MAIN(LimitsTest)
+SKYSEAL_TEST(LimitsTest)
 #include "limits_test.moc"

@@ -2,6 +2,7 @@
 // else out, and a living session costs few announcements.
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -200,5 +201,5 @@ void ManyStationsTest::restartedStationIsBackSoon()
     }
 }
 
-QTEST_APPLESS_MAIN(ManyStationsTest)
+SKYSEAL_TEST_APPLESS(ManyStationsTest)
 #include "many_stations_test.moc"

@@ -3,6 +3,7 @@
 #include "core/channel/live_switch.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -113,5 +114,5 @@ void MissingCipherTest::proposerGivesUp()
     QCOMPARE(std::get<SwitchDone>(actions.events[1]).failure, SwitchFailure::NotAllowedHere);
 }
 
-QTEST_GUILESS_MAIN(MissingCipherTest)
+SKYSEAL_TEST(MissingCipherTest)
 #include "missing_cipher_test.moc"

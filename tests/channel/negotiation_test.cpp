@@ -4,6 +4,7 @@
 #include "core/channel/negotiation.h"
 #include "core/channel/suite_list.h"
 #include "core/channel/suite_strength.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -237,5 +238,5 @@ void NegotiationTest::weakestAllowedHoldsWhateverTheOtherEndOffers()
     }
 }
 
-QTEST_GUILESS_MAIN(NegotiationTest)
+SKYSEAL_TEST(NegotiationTest)
 #include "negotiation_test.moc"

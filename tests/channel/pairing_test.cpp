@@ -2,6 +2,7 @@
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -324,5 +325,5 @@ void PairingTest::oversizedAndShort()
     QVERIFY(pair.run(1s, [&] { return pair.paired(); }));
 }
 
-QTEST_GUILESS_MAIN(PairingTest)
+SKYSEAL_TEST(PairingTest)
 #include "pairing_test.moc"

@@ -5,6 +5,7 @@
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 #include "tap.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -482,5 +483,5 @@ void PairingWireTest::keyOfAPassphrase()
     QVERIFY(other && !other->equals(*key));
 }
 
-QTEST_GUILESS_MAIN(PairingWireTest)
+SKYSEAL_TEST(PairingWireTest)
 #include "pairing_wire_test.moc"

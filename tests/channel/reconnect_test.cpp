@@ -3,6 +3,7 @@
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -475,5 +476,5 @@ void ReconnectTest::unconfirmedAnswersAreBounded()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
 }
 
-QTEST_GUILESS_MAIN(ReconnectTest)
+SKYSEAL_TEST(ReconnectTest)
 #include "reconnect_test.moc"

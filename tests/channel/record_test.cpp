@@ -5,6 +5,7 @@
 #include "core/channel/mac1.h"
 #include "core/channel/record.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -246,5 +247,5 @@ void RecordTest::epochKeysDependOnEverything()
     QCOMPARE(seen.size(), count - 2);
 }
 
-QTEST_GUILESS_MAIN(RecordTest)
+SKYSEAL_TEST(RecordTest)
 #include "record_test.moc"

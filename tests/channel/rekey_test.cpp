@@ -1,6 +1,7 @@
 // Fresh keys by count and age, the hard limit behind them, and what becomes of old keys, with the numbers lowered.
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -174,5 +175,5 @@ void RekeyTest::policyThatForbidsTheSuiteInUse()
     QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::Aes256Gcm);
 }
 
-QTEST_GUILESS_MAIN(RekeyTest)
+SKYSEAL_TEST(RekeyTest)
 #include "rekey_test.moc"

@@ -1,5 +1,6 @@
 // The replay window: a numbered table of cases at its edges, and random orders against a set that forgets nothing.
 #include "core/channel/replay_window.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -201,5 +202,5 @@ void ReplayWindowTest::expectedTailCountsAsMissing()
     QCOMPARE(window.missing(), std::uint64_t(2));
 }
 
-QTEST_GUILESS_MAIN(ReplayWindowTest)
+SKYSEAL_TEST(ReplayWindowTest)
 #include "replay_window_test.moc"

@@ -6,6 +6,7 @@
 #include "core/channel/permissions.h"
 #include "core/channel/rekey_schedule.h"
 #include "core/channel/report_exchange.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -283,5 +284,5 @@ void SessionPartsTest::inlineFramingNeedsBothAndThePolicy()
     QVERIFY(agreed.inlineAgreed() && !agreed.inlineAllowed() && agreed.framing() == Framing::Sealed);
 }
 
-QTEST_GUILESS_MAIN(SessionPartsTest)
+SKYSEAL_TEST(SessionPartsTest)
 #include "session_parts_test.moc"

@@ -2,6 +2,7 @@
 // processes do, and every frame is accounted for.
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -334,5 +335,5 @@ void SessionTest::costsAreToldToWhoAsks()
     VERIFY_ACCOUNTS(pair);
 }
 
-QTEST_GUILESS_MAIN(SessionTest)
+SKYSEAL_TEST(SessionTest)
 #include "session_test.moc"

@@ -1,5 +1,6 @@
 // The list of suite numbers in an offer: every list that fits survives, and every content of the field is readable.
 #include "core/channel/suite_list.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -101,5 +102,5 @@ void SuiteListTest::longFormIsReadStrictly()
     QCOMPARE(unpackSuiteNumbers(fieldOf({0, 0, 0, 0, 0, 0, 0, 0, 0, 15, 15, 0})), Numbers{15});
 }
 
-QTEST_GUILESS_MAIN(SuiteListTest)
+SKYSEAL_TEST(SuiteListTest)
 #include "suite_list_test.moc"

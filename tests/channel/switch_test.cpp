@@ -3,6 +3,7 @@
 #include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -392,5 +393,5 @@ void SwitchTest::stricterPolicyMovesOrEndsTheSession()
     QVERIFY(!pair.air().up());
 }
 
-QTEST_GUILESS_MAIN(SwitchTest)
+SKYSEAL_TEST(SwitchTest)
 #include "switch_test.moc"

@@ -1,6 +1,7 @@
 // Sealing and opening must not allocate: the packet path runs for hours at hundreds of records a second.
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -91,5 +92,5 @@ void AllocationTest::nothingPerRecord()
     }
 }
 
-QTEST_APPLESS_MAIN(AllocationTest)
+SKYSEAL_TEST_APPLESS(AllocationTest)
 #include "allocation_test.moc"

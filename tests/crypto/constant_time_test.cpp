@@ -2,6 +2,8 @@
 // through the probe. That it would notice is shown by a comparison that stops early, and by RC4, whose tables are indexed by
 // its key: that is one reason why it is there for research alone. The same again as on processors that lack instructions:
 // OpenSSL then uses tables under some suites, which is caught, and under the others it must not.
+#include "tests/support/test_runner.h"
+
 #include <QtCore/QProcess>
 #include <QtCore/QStandardPaths>
 #include <QtTest/QTest>
@@ -119,5 +121,5 @@ void ConstantTimeTest::secretBranchIsCaught()
     QVERIFY2(m_words.contains("ninitialised value"), m_words.constData());
 }
 
-QTEST_GUILESS_MAIN(ConstantTimeTest)
+SKYSEAL_TEST(ConstantTimeTest)
 #include "constant_time_test.moc"

@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
+#include "tests/support/test_runner.h"
 
 #include "seeded_random.h"
 
@@ -245,5 +246,5 @@ void InlineCipherTest::sharesNothingWithRecords()
     }
 }
 
-QTEST_APPLESS_MAIN(InlineCipherTest)
+SKYSEAL_TEST_APPLESS(InlineCipherTest)
 #include "inline_cipher_test.moc"

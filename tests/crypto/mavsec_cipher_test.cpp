@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/mavsec_cipher.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -90,5 +91,5 @@ void MavsecCipherTest::noncesOfOtherLengthsAreRefused()
     }
 }
 
-QTEST_APPLESS_MAIN(MavsecCipherTest)
+SKYSEAL_TEST_APPLESS(MavsecCipherTest)
 #include "mavsec_cipher_test.moc"

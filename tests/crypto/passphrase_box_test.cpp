@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/passphrase_box.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -100,5 +101,5 @@ void PassphraseBoxTest::passphrasesHaveALength()
     QVERIFY(!words("secret").equals(*Passphrase::fromBytes(Bytes{'s', 'e', 'c', 'r', 'e', 't', 0})));
 }
 
-QTEST_APPLESS_MAIN(PassphraseBoxTest)
+SKYSEAL_TEST_APPLESS(PassphraseBoxTest)
 #include "passphrase_box_test.moc"

@@ -6,6 +6,7 @@
 #include "core/crypto/rc4_stream.h"
 #include "core/crypto/suite_factories.h"
 #include "core/crypto/x25519.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/vector_file.h"
 
@@ -234,5 +235,5 @@ void PrimitiveVectorsTest::recordsOfASecondImplementation()
     }
 }
 
-QTEST_APPLESS_MAIN(PrimitiveVectorsTest)
+SKYSEAL_TEST_APPLESS(PrimitiveVectorsTest)
 #include "primitive_vectors_test.moc"

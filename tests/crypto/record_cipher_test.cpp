@@ -2,6 +2,7 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 
@@ -208,5 +209,5 @@ void RecordCipherTest::noTwoCountersShareAStream()
     QVERIFY(std::adjacent_find(seen.begin(), seen.end()) == seen.end());
 }
 
-QTEST_APPLESS_MAIN(RecordCipherTest)
+SKYSEAL_TEST_APPLESS(RecordCipherTest)
 #include "record_cipher_test.moc"

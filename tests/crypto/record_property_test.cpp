@@ -1,6 +1,7 @@
 // Properties of every suite over inputs that rapidcheck makes up; it prints the seed of a failure (RC_PARAMS repeats it).
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
+#include "tests/support/test_runner.h"
 
 #include <rapidcheck.h>
 
@@ -103,5 +104,5 @@ void RecordPropertyTest::capacityIsTheInverseOfSize()
     }));
 }
 
-QTEST_APPLESS_MAIN(RecordPropertyTest)
+SKYSEAL_TEST_APPLESS(RecordPropertyTest)
 #include "record_property_test.moc"

@@ -4,6 +4,7 @@
 #include "core/crypto/kdf.h"
 #include "core/crypto/suite_factories.h"
 #include "core/crypto/x25519.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/external_vectors.h"
 
@@ -123,5 +124,5 @@ void WycheproofTest::diffieHellman()
     });
 }
 
-QTEST_APPLESS_MAIN(WycheproofTest)
+SKYSEAL_TEST_APPLESS(WycheproofTest)
 #include "wycheproof_test.moc"

@@ -1,6 +1,7 @@
 // The path of a packet through the engines allocates nothing: receive, open, parse, vehicle in the station, and both ways
 // through the agent. Counted against operator new in this program, over real sockets.
 #include "tests/engine/engine_rigs.h"
+#include "tests/support/test_runner.h"
 
 #include "core/crypto/init_crypto.h"
 
@@ -91,5 +92,5 @@ void EngineAllocationTest::stationRefuses()
     QCOMPARE(rig.refused(), std::uint64_t(kRounds + 1) * kFrames);
 }
 
-QTEST_GUILESS_MAIN(EngineAllocationTest)
+SKYSEAL_TEST(EngineAllocationTest)
 #include "allocation_test.moc"

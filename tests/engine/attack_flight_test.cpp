@@ -7,6 +7,7 @@
 #include "tests/engine/ground.h"
 #include "tests/support/clear_frames.h"
 #include "tests/support/holds.h"
+#include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
 #include <QtTest/QTest>
@@ -266,5 +267,5 @@ void AttackFlightTest::nothingReadableOnTheWire()
     QCOMPARE(found, std::size_t(3));
 }
 
-QTEST_GUILESS_MAIN(AttackFlightTest)
+SKYSEAL_TEST(AttackFlightTest)
 #include "attack_flight_test.moc"

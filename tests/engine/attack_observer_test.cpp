@@ -8,6 +8,7 @@
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
 #include "tests/support/holds.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -164,5 +165,5 @@ void AttackObserverTest::nothingIsNestedInAQuestion()
     QCOMPARE(counters.observerUnclear, std::uint64_t(20));
 }
 
-QTEST_GUILESS_MAIN(AttackObserverTest)
+SKYSEAL_TEST(AttackObserverTest)
 #include "attack_observer_test.moc"

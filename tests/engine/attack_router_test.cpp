@@ -5,6 +5,7 @@
 #include "tests/support/holds.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/router_spoofers.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -123,5 +124,5 @@ void AttackRouterTest::forgedTunnelsDivertNothing()
     QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(AttackRouterTest)
+SKYSEAL_TEST(AttackRouterTest)
 #include "attack_router_test.moc"

@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/flight_rig.h"
+#include "tests/support/test_runner.h"
 
 #include <QtNetwork/QNetworkDatagram>
 #include <QtNetwork/QUdpSocket>
@@ -131,5 +132,5 @@ void ClearHeartbeatTest::vehicleThatIsTakenGetsThem()
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
 }
 
-QTEST_GUILESS_MAIN(ClearHeartbeatTest)
+SKYSEAL_TEST(ClearHeartbeatTest)
 #include "clear_heartbeat_test.moc"

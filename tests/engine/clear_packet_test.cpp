@@ -4,6 +4,7 @@
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/addresses.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtTest/QTest>
@@ -124,5 +125,5 @@ void ClearPacketTest::noneIsLargerThanASealedOne()
     }
 }
 
-QTEST_GUILESS_MAIN(ClearPacketTest)
+SKYSEAL_TEST(ClearPacketTest)
 #include "clear_packet_test.moc"

@@ -7,6 +7,7 @@
 #include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QTimer>
 #include <QtNetwork/QNetworkDatagram>
@@ -120,5 +121,5 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
           next - exhausted);
 }
 
-QTEST_GUILESS_MAIN(ExpectedHostTest)
+SKYSEAL_TEST(ExpectedHostTest)
 #include "expected_host_test.moc"

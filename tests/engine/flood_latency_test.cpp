@@ -10,6 +10,7 @@
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -249,5 +250,5 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
     QCOMPARE(lost, std::size_t(0));
 }
 
-QTEST_GUILESS_MAIN(FloodLatencyTest)
+SKYSEAL_TEST(FloodLatencyTest)
 #include "flood_latency_test.moc"

@@ -1,6 +1,7 @@
 // A station's run without a window ends in good order: a switch that is under way has the time that a switch has.
 #include "core/engine/headless/headless_run.h"
 #include "tests/engine/ground.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::test;
@@ -61,5 +62,5 @@ void HeadlessRunTest::switchUnderWayIsLetFinish()
     QCOMPARE(int(*outcome), int(engine::RunOutcome::SuiteNotReached));
 }
 
-QTEST_GUILESS_MAIN(HeadlessRunTest)
+SKYSEAL_TEST(HeadlessRunTest)
 #include "headless_run_test.moc"

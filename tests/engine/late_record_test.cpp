@@ -6,6 +6,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -112,5 +113,5 @@ void LateRecordTest::stationTakesIt()
     QVERIFY(found < down);
 }
 
-QTEST_GUILESS_MAIN(LateRecordTest)
+SKYSEAL_TEST(LateRecordTest)
 #include "late_record_test.moc"

@@ -1,4 +1,5 @@
 #include "core/engine/common/loss_meter.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -47,5 +48,5 @@ void LossMeterTest::takesBackWhatCameLate()
     QCOMPARE(meter.percent(), 0.0);
 }
 
-QTEST_GUILESS_MAIN(LossMeterTest)
+SKYSEAL_TEST(LossMeterTest)
 #include "loss_meter_test.moc"

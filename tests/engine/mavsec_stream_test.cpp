@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/station/mavsec_stream.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -98,5 +99,5 @@ void MavsecStreamTest::nonceHasOneLength()
     }
 }
 
-QTEST_APPLESS_MAIN(MavsecStreamTest)
+SKYSEAL_TEST_APPLESS(MavsecStreamTest)
 #include "mavsec_stream_test.moc"

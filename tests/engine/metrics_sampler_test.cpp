@@ -2,6 +2,7 @@
 // the first of a wake-up from those behind it.
 #include "core/engine/station/metrics_sampler.h"
 #include "core/engine/common/suite_meter.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -157,5 +158,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(MetricsSamplerTest)
+SKYSEAL_TEST(MetricsSamplerTest)
 #include "metrics_sampler_test.moc"

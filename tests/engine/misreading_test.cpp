@@ -6,6 +6,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/stream_parser.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -433,5 +434,5 @@ void MisreadingTest::fewVehiclesCannotBeAsked()
     QCOMPARE(unaskable(mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES), capabilities);
 }
 
-QTEST_APPLESS_MAIN(MisreadingTest)
+SKYSEAL_TEST_APPLESS(MisreadingTest)
 #include "misreading_test.moc"

@@ -9,6 +9,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/flight_rig.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -291,5 +292,5 @@ void ObserverTest::actsChangeNothing()
     QCOMPARE(changed, pilot);
 }
 
-QTEST_GUILESS_MAIN(ObserverTest)
+SKYSEAL_TEST(ObserverTest)
 #include "observer_test.moc"

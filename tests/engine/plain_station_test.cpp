@@ -4,6 +4,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
 #include "tests/support/heartbeat.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -245,5 +246,5 @@ void PlainStationTest::announcementsAreNoGarbage()
     QCOMPARE(newest->channel.rx.malformed, std::uint64_t(1));
 }
 
-QTEST_GUILESS_MAIN(PlainStationTest)
+SKYSEAL_TEST(PlainStationTest)
 #include "plain_station_test.moc"

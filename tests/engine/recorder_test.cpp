@@ -2,6 +2,7 @@
 #include "core/engine/station/recorder.h"
 #include "core/base/hex.h"
 #include "core/log/log_summary.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFileInfo>
@@ -139,5 +140,5 @@ void RecorderTest::noFrameNoFile()
     QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(RecorderTest)
+SKYSEAL_TEST(RecorderTest)
 #include "recorder_test.moc"

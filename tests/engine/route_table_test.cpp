@@ -1,5 +1,6 @@
 // Where frames go out, and for how long.
 #include "core/engine/station/route_table.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -81,5 +82,5 @@ void RouteTableTest::goneWithTheirLink()
     QVERIFY(!routes.leadingTo(1));
 }
 
-QTEST_GUILESS_MAIN(RouteTableTest)
+SKYSEAL_TEST(RouteTableTest)
 #include "route_table_test.moc"

@@ -1,6 +1,7 @@
 // Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back
 // after a restart, and lets through only what is allowed.
 #include "tests/engine/ground.h"
+#include "tests/support/test_runner.h"
 
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
@@ -335,5 +336,5 @@ void SealedStationTest::lastSnapshotKeepsTheCounts()
     QTRY_VERIFY_WITH_TIMEOUT(goodbye(), 10000);
 }
 
-QTEST_GUILESS_MAIN(SealedStationTest)
+SKYSEAL_TEST(SealedStationTest)
 #include "sealed_station_test.moc"

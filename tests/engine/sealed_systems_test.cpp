@@ -1,5 +1,6 @@
 // The file of systems that were heard sealed.
 #include "core/engine/common/sealed_systems.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -68,5 +69,5 @@ void SealedSystemsTest::damageIsNamed()
     QCOMPARE(read.error().source, path("damaged"));
 }
 
-QTEST_GUILESS_MAIN(SealedSystemsTest)
+SKYSEAL_TEST(SealedSystemsTest)
 #include "sealed_systems_test.moc"

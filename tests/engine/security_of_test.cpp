@@ -1,5 +1,6 @@
 // When the lock says "under attack": for every forged record, and for more copies than a network can make of what there was.
 #include "core/engine/station/snapshot.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -42,5 +43,5 @@ void SecurityOfTest::attacks()
     QCOMPARE(int(securityOf(snapshot)), int(attacked ? Security::UnderAttack : Security::Sealed));
 }
 
-QTEST_APPLESS_MAIN(SecurityOfTest)
+SKYSEAL_TEST_APPLESS(SecurityOfTest)
 #include "security_of_test.moc"

@@ -1,5 +1,6 @@
 // Whose frames are believed.
 #include "core/engine/common/sender_policy.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -249,5 +250,5 @@ void SenderPolicyTest::earlierRunsCount()
     QVERIFY(policy.acceptClear(kElsewhere, 1)); // forgotten by the operator's act
 }
 
-QTEST_GUILESS_MAIN(SenderPolicyTest)
+SKYSEAL_TEST(SenderPolicyTest)
 #include "sender_policy_test.moc"

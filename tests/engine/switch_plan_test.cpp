@@ -1,5 +1,6 @@
 // The walk through a list of suites.
 #include "core/engine/headless/switch_plan.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -103,5 +104,5 @@ void SwitchPlanTest::remembersWhatWasNeverReached()
     QCOMPARE(plan.notReached(), std::vector{SuiteId::Rc4});
 }
 
-QTEST_GUILESS_MAIN(SwitchPlanTest)
+SKYSEAL_TEST(SwitchPlanTest)
 #include "switch_plan_test.moc"

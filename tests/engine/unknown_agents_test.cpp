@@ -1,5 +1,6 @@
 // Agents of unknown keys, by a clock that is made up: named while they speak, told once a minute, however many there are.
 #include "core/engine/station/unknown_agents.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -62,5 +63,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(UnknownAgentsTest)
+SKYSEAL_TEST(UnknownAgentsTest)
 #include "unknown_agents_test.moc"

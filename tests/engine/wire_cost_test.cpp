@@ -6,6 +6,7 @@
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/stream_parser.h"
 #include "tests/engine/bare_end.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtTest/QTest>
@@ -382,5 +383,5 @@ void WireCostTest::urgentFramesDoNot()
     QVERIFY(!isSentAtOnce(station.write(mavlink::ParamValue{}, buffer)));
 }
 
-QTEST_GUILESS_MAIN(WireCostTest)
+SKYSEAL_TEST(WireCostTest)
 #include "wire_cost_test.moc"

@@ -1,6 +1,7 @@
 // Two real sweeps of one setting, one after the other: the confidence intervals of the same suite meet, and the A/A pair within
 // each is reported as no difference. Wants a machine that does nothing else meanwhile.
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>
@@ -110,5 +111,5 @@ void AgreementTest::sameSuiteTwiceIsNoDifference()
     QVERIFY2(sweeps <= 1, "one sweep in twenty at most shows any difference by chance: both are hardly that");
 }
 
-QTEST_GUILESS_MAIN(AgreementTest)
+SKYSEAL_TEST(AgreementTest)
 #include "agreement_test.moc"

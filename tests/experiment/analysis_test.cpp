@@ -2,6 +2,7 @@
 // pair differs as seldom as it claims, a step of the instrument is no difference and a real one is found.
 #include "core/experiment/analysis.h"
 #include "core/metrics/histogram.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -234,5 +235,5 @@ void AnalysisTest::rareLongCallsDoNotMoveThePercentile()
     QVERIFY(calls.percentile(0.5) < 413 && calls.percentile(0.99) < 413);
 }
 
-QTEST_APPLESS_MAIN(AnalysisTest)
+SKYSEAL_TEST_APPLESS(AnalysisTest)
 #include "analysis_test.moc"

@@ -2,6 +2,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/record_pair.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtTest/QTest>
@@ -110,5 +111,5 @@ void BenchTest::noPairForPlain()
     QVERIFY(!RecordPair::create(crypto::SuiteId::None));
 }
 
-QTEST_APPLESS_MAIN(BenchTest)
+SKYSEAL_TEST_APPLESS(BenchTest)
 #include "bench_test.moc"

@@ -5,6 +5,7 @@
 // stack holds one of these functions, cipher libraries included. perf samples the thread's CPU clock, since virtual machines
 // seldom have counters of cycles. 3,000 samples with a share of a seventh are exact to some 5 % of it; the limit is 15 %.
 #include "tests/support/measuring_tool.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QFile>
@@ -129,5 +130,5 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     QVERIFY(std::abs(measured / found.share() - 1) <= kTolerance);
 }
 
-QTEST_GUILESS_MAIN(CpuShareTest)
+SKYSEAL_TEST(CpuShareTest)
 #include "cpu_share_test.moc"

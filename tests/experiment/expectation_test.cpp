@@ -1,6 +1,7 @@
 // Assertions about a sweep: what they mean, what is refused and how it is said, and how they are judged.
 #include "core/experiment/analysis.h"
 #include "core/experiment/verdicts.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -223,5 +224,5 @@ void ExpectationTest::eachFramingIsJudged()
     QCOMPARE(inlineOnly.size(), std::size_t(2)); // plain MAVLink beside the one suite
 }
 
-QTEST_APPLESS_MAIN(ExpectationTest)
+SKYSEAL_TEST_APPLESS(ExpectationTest)
 #include "expectation_test.moc"

@@ -2,6 +2,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
 #include "core/experiment/heap_figures.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -52,5 +53,5 @@ void HeapFiguresTest::areThoseOfTheSuiteAlone()
     }
 }
 
-QTEST_GUILESS_MAIN(HeapFiguresTest)
+SKYSEAL_TEST(HeapFiguresTest)
 #include "heap_figures_test.moc"

@@ -2,6 +2,7 @@
 // run that had not begun yet is made, and in the end the station is as it was.
 #include "core/experiment/sweep_runner.h"
 #include "tests/engine/ground.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
@@ -247,5 +248,5 @@ void LostLinkTest::vehicleFallsSilent()
     QVERIFY(std::isnan(sweep.samples[0].first.values[experiment::Metric::Packets]));
 }
 
-QTEST_GUILESS_MAIN(LostLinkTest)
+SKYSEAL_TEST(LostLinkTest)
 #include "lost_link_test.moc"

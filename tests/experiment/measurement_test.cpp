@@ -1,5 +1,6 @@
 // From two snapshots to the values of a run: what belongs to plain MAVLink and what does not, and what its numbers can tell.
 #include "core/experiment/measurement.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -83,5 +84,5 @@ void MeasurementTest::whereNumbersTell()
     QVERIFY(!numbersTell(link, Load::Saturated));
 }
 
-QTEST_GUILESS_MAIN(MeasurementTest)
+SKYSEAL_TEST(MeasurementTest)
 #include "measurement_test.moc"

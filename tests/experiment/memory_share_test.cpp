@@ -8,6 +8,7 @@
 // The resident set that monitor reports (as a sweep does) against the peak that heaptrack reads itself: within 15 %. Both hold
 // heaptrack's own memory, since it works inside the process.
 #include "tests/support/measuring_tool.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
@@ -125,5 +126,5 @@ void MemoryShareTest::residentSetIsWhatHeaptrackReads()
     QVERIFY(ours > 1e6 && std::abs(ours / run->resident - 1) <= kTolerance);
 }
 
-QTEST_GUILESS_MAIN(MemoryShareTest)
+SKYSEAL_TEST(MemoryShareTest)
 #include "memory_share_test.moc"

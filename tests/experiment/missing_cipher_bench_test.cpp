@@ -2,6 +2,7 @@
 // cannot be made has no cost, and no memory of zero bytes either.
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/cipher_bench.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -32,5 +33,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_APPLESS_MAIN(MissingCipherBenchTest)
+SKYSEAL_TEST_APPLESS(MissingCipherBenchTest)
 #include "missing_cipher_bench_test.moc"

@@ -1,5 +1,6 @@
 // The order of runs and the link conditions: complete, balanced, repeatable.
 #include "core/experiment/plan.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -117,5 +118,5 @@ void PlanTest::conditionErrors()
     QVERIFY(!condition.error().message.empty());
 }
 
-QTEST_APPLESS_MAIN(PlanTest)
+SKYSEAL_TEST_APPLESS(PlanTest)
 #include "plan_test.moc"

@@ -4,6 +4,7 @@
 #include "core/experiment/html_report.h"
 #include "core/experiment/sweep_json.h"
 #include "core/experiment/sweep_text.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -532,5 +533,5 @@ void ReportTest::reportIsWholeAndSafe()
     QVERIFY(printReport({results, figures, verdicts, claims}).find("figures/packets-saturated.svg") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(ReportTest)
+SKYSEAL_TEST_APPLESS(ReportTest)
 #include "report_test.moc"

@@ -2,6 +2,7 @@
 // somebody set OpenSSL's mask to before.
 #include "core/experiment/setting.h"
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -112,5 +113,5 @@ void SettingTest::benchSaysWhatItUsed()
     QCOMPARE(used[1], false);
 }
 
-QTEST_GUILESS_MAIN(SettingTest)
+SKYSEAL_TEST(SettingTest)
 #include "setting_test.moc"

@@ -1,6 +1,7 @@
 // Statistics against values that others published: tables of Student's t, NIST's certified univariate data, Welch tests
 // worked out with R, Holm's procedure; and what must hold for any samples.
 #include "core/experiment/statistics.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -283,5 +284,5 @@ void StatisticsTest::pairsOfOneSourceDoNotDiffer()
     QVERIFY2(alarms <= 120 && alarms >= 30, qPrintable(QString::number(alarms))); // 100 expected at the most
 }
 
-QTEST_APPLESS_MAIN(StatisticsTest)
+SKYSEAL_TEST_APPLESS(StatisticsTest)
 #include "statistics_test.moc"

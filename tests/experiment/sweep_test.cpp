@@ -3,6 +3,7 @@
 #include "core/crypto/suite.h"
 #include "tests/support/run_program.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QHash>
@@ -501,5 +502,5 @@ void SweepTest::plainComesBackOverABadLink()
         QVERIFY2(sample[QLatin1String("problem")].isUndefined(), qPrintable(sample[QLatin1String("problem")].toString()));
 }
 
-QTEST_GUILESS_MAIN(SweepTest)
+SKYSEAL_TEST(SweepTest)
 #include "sweep_test.moc"

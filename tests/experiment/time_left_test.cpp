@@ -1,5 +1,6 @@
 // The remaining time of a sweep, by durations that are made up: it falls as the runs end, whatever a block's start costs.
 #include "core/experiment/time_left.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -61,5 +62,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_GUILESS_MAIN(TimeLeftTest)
+SKYSEAL_TEST(TimeLeftTest)
 #include "time_left_test.moc"

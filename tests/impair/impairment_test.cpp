@@ -1,6 +1,7 @@
 // The lossy channel: exact accounting whatever the settings, the same run from the same seed, and each impairment doing
 // what its name says and nothing else.
 #include "core/impair/impairment.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -271,5 +272,5 @@ void ImpairmentTest::memoryIsBounded()
     QCOMPARE(run.counters.offered + run.counters.duplicated, run.counters.queueFull + run.counters.delivered);
 }
 
-QTEST_GUILESS_MAIN(ImpairmentTest)
+SKYSEAL_TEST(ImpairmentTest)
 #include "impairment_test.moc"

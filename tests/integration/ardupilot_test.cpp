@@ -4,6 +4,7 @@
 // ARDUPILOT_SITL names the arducopter program (waf's build/sitl/bin/arducopter, or any prebuilt one); without it the test is skipped.
 #include "core/mavlink/stream_parser.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>
@@ -141,5 +142,5 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
 }
 
-QTEST_GUILESS_MAIN(ArduPilotTest)
+SKYSEAL_TEST(ArduPilotTest)
 #include "ardupilot_test.moc"

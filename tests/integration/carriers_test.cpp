@@ -4,6 +4,7 @@
 #include "carrier_flight.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/null_modem.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 
@@ -145,5 +146,5 @@ void CarriersTest::optionsThatDoNotFit()
     QCOMPARE(status(QStringLiteral("udpout:127.0.0.1:14550"), QStringLiteral("pigeon")), 2);
 }
 
-QTEST_GUILESS_MAIN(CarriersTest)
+SKYSEAL_TEST(CarriersTest)
 #include "carriers_test.moc"

@@ -1,5 +1,6 @@
 // The time of day jumps by ten years: in flight, and back again before a handshake. Nobody may notice.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -79,5 +80,5 @@ void ClockTest::tenYearsBackBeforeAHandshake()
     }
 }
 
-QTEST_GUILESS_MAIN(ClockTest)
+SKYSEAL_TEST(ClockTest)
 #include "clock_test.moc"

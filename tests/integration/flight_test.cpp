@@ -1,5 +1,6 @@
 // A whole flight by script through the sealed link, switching ciphers on the way.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFileInfo>
 #include <QtTest/QTest>
@@ -52,5 +53,5 @@ void FlightTest::refusedStepEndsTheScript()
     QVERIFY(!steps[0][QLatin1String("reason")].toString().isEmpty());
 }
 
-QTEST_GUILESS_MAIN(FlightTest)
+SKYSEAL_TEST(FlightTest)
 #include "flight_test.moc"

@@ -6,6 +6,7 @@
 #include "tests/support/null_modem.h"
 #include "tests/support/router_spoofers.h"
 #include "tests/support/tcp_cable.h"
+#include "tests/support/test_runner.h"
 
 #include <QtNetwork/QTcpSocket>
 
@@ -191,5 +192,5 @@ void HostileCarriersTest::spoofersAtMavlinkRouter()
     QVERIFY(spoofers.copied > 100 && !spoofers.more);
 }
 
-QTEST_GUILESS_MAIN(HostileCarriersTest)
+SKYSEAL_TEST(HostileCarriersTest)
 #include "hostile_carriers_test.moc"

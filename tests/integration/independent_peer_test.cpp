@@ -3,6 +3,7 @@
 //
 // Needs /usr/bin/python3 with python3-cryptography (Debian); SKYSEAL_PYTHON names another interpreter.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDeadlineTimer>
 #include <QtCore/QFile>
@@ -360,5 +361,5 @@ void IndependentPeerTest::agentAsksForACookie()
     QVERIFY(!agent.waitFor(QStringLiteral("session"), 5000).isEmpty());
 }
 
-QTEST_GUILESS_MAIN(IndependentPeerTest)
+SKYSEAL_TEST(IndependentPeerTest)
 #include "independent_peer_test.moc"

@@ -1,6 +1,7 @@
 // Frames sealed in place between real programs over real sockets, watched on the wire: the four suites that can do it in
 // turn, both directions, nothing lost; and no inline frame without the agent's consent.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QSet>
 #include <QtNetwork/QUdpSocket>
@@ -132,5 +133,5 @@ void InlineFramingTest::takesTheAgentsConsent()
     QVERIFY(monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")][QLatin1String("frames")].toInt() > 20);
 }
 
-QTEST_GUILESS_MAIN(InlineFramingTest)
+SKYSEAL_TEST(InlineFramingTest)
 #include "inline_framing_test.moc"

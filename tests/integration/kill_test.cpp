@@ -1,6 +1,7 @@
 // Two hundred times kill -9 of an agent or its station in traffic, with an ear on the wire: no life repeats a key of
 // another, and no counter is sealed twice under one.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
 #include <QtCore/QHash>
@@ -79,5 +80,5 @@ void KillTest::everyLifeHasKeysOfItsOwn()
     QCOMPARE(repeated, 0);
 }
 
-QTEST_GUILESS_MAIN(KillTest)
+SKYSEAL_TEST(KillTest)
 #include "kill_test.moc"

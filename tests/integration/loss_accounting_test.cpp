@@ -3,6 +3,7 @@
 // anybody reported them. Both directions, records, frames sealed in place, and clear MAVLink; the live counters and a sweep.
 #include "tests/support/flight.h"
 #include "tests/support/relay_ledger.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -262,5 +263,5 @@ void LossAccountingTest::sweepsLossIsExact()
     }
 }
 
-QTEST_GUILESS_MAIN(LossAccountingTest)
+SKYSEAL_TEST(LossAccountingTest)
 #include "loss_accounting_test.moc"

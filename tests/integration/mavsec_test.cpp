@@ -4,6 +4,7 @@
 #include "core/mavlink/crc.h"
 #include "core/mavlink/frame_scanner.h"
 #include "tests/support/program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -258,5 +259,5 @@ void MavsecTest::neverSendsOverTcp()
     QCOMPARE(link->bytesAvailable(), 0);
 }
 
-QTEST_GUILESS_MAIN(MavsecTest)
+SKYSEAL_TEST(MavsecTest)
 #include "mavsec_test.moc"

@@ -1,6 +1,7 @@
 // An agent or a station on a machine without OpenSSL's legacy provider, hence without RC4, which the other end has and asks
 // for: the wish is turned down, and the flight goes on.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -85,5 +86,5 @@ void MissingCipherFlightTest::oneEndLacksRc4()
     QCOMPARE(air->terminate(), 0);
 }
 
-QTEST_GUILESS_MAIN(MissingCipherFlightTest)
+SKYSEAL_TEST(MissingCipherFlightTest)
 #include "missing_cipher_flight_test.moc"

@@ -7,6 +7,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/frame_writer.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QJsonDocument>
@@ -98,5 +99,5 @@ void NodeInlineTest::findsEveryPlainFrame()
     QCOMPARE(seen[QLatin1String("signed")].toInt() + seen[QLatin1String("other")].toInt(), 0);
 }
 
-QTEST_GUILESS_MAIN(NodeInlineTest)
+SKYSEAL_TEST(NodeInlineTest)
 #include "node_inline_test.moc"

@@ -3,6 +3,7 @@
 //
 // Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
 #include "tests/support/program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
 #include <QtCore/QJsonArray>
@@ -114,5 +115,5 @@ void NodeMavlinkTest::itUnderstandsOurCommands()
     QCOMPARE(answer[QLatin1String("result")].toString(), QStringLiteral("accepted"));
 }
 
-QTEST_GUILESS_MAIN(NodeMavlinkTest)
+SKYSEAL_TEST(NodeMavlinkTest)
 #include "node_mavlink_test.moc"

@@ -3,6 +3,7 @@
 #include "tests/support/flight.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/run_program.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -428,5 +429,5 @@ void PairingTest::passphraseAtOneEndIsTold()
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
 }
 
-QTEST_GUILESS_MAIN(PairingTest)
+SKYSEAL_TEST(PairingTest)
 #include "pairing_test.moc"

@@ -1,5 +1,6 @@
 // Plain MAVLink is the baseline of measurements: it flows only when both ends were told to, and never otherwise.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonArray>
 #include <QtTest/QTest>
@@ -58,5 +59,5 @@ void PlainBaselineTest::needsConsentOfBothEnds()
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
 }
 
-QTEST_GUILESS_MAIN(PlainBaselineTest)
+SKYSEAL_TEST(PlainBaselineTest)
 #include "plain_baseline_test.moc"

@@ -1,5 +1,6 @@
 // Two programs on one port: the second says so in one clear line and ends with status 3; the first goes on.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -82,5 +83,5 @@ void PortsTest::agentsClearSideListensOnLoopback()
     }
 }
 
-QTEST_GUILESS_MAIN(PortsTest)
+SKYSEAL_TEST(PortsTest)
 #include "ports_test.moc"

@@ -1,5 +1,6 @@
 // kill -9 of any of the three programs in flight: a fresh session within 3 s of its return, and the others go on.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QJsonArray>
@@ -106,5 +107,5 @@ void RecoveryTest::simulatorKilled()
     QVERIFY(m_air->running());
 }
 
-QTEST_GUILESS_MAIN(RecoveryTest)
+SKYSEAL_TEST(RecoveryTest)
 #include "recovery_test.moc"

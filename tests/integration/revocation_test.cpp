@@ -1,6 +1,7 @@
 // The file of known peers changes while real programs fly with it: who is removed loses the session at once, at either end,
 // roles are obeyed at once, and a bad edit changes nothing.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QFile>
@@ -188,5 +189,5 @@ void RevocationTest::roleIsObeyedAtOnce()
     QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(RevocationTest)
+SKYSEAL_TEST(RevocationTest)
 #include "revocation_test.moc"

@@ -1,6 +1,7 @@
 // The sealed link between real programs: simulator, agent and monitor find each other, walk through all suites and lose
 // nothing of their own doing, over a clean and over a bad channel.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QSet>
@@ -8,11 +9,12 @@
 
 using namespace skyseal::test;
 
-#ifndef SKYSEAL_SWITCHING_SECONDS
-#define SKYSEAL_SWITCHING_SECONDS 14
-#endif
-
 namespace {
+
+/// How long the suites are switched; SKYSEAL_SWITCHING_SECONDS of the environment makes it longer.
+const int kSwitchingSeconds = qEnvironmentVariableIsSet("SKYSEAL_SWITCHING_SECONDS")
+    ? qEnvironmentVariableIntValue("SKYSEAL_SWITCHING_SECONDS")
+    : 14;
 
 qint64 number(const QJsonObject &object, const char *key)
 {
@@ -62,13 +64,13 @@ void SealedLinkTest::walksThroughAllSuitesAndLosesNothing()
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
                                              QStringLiteral("1"), QStringLiteral("--stream-rate"), QStringLiteral("50"),
-                                             QStringLiteral("--duration"), QString::number(SKYSEAL_SWITCHING_SECONDS)}));
-    QCOMPARE(monitor.waitForExit((SKYSEAL_SWITCHING_SECONDS + 30) * 1000), 0);
+                                             QStringLiteral("--duration"), QString::number(kSwitchingSeconds)}));
+    QCOMPARE(monitor.waitForExit((kSwitchingSeconds + 30) * 1000), 0);
 
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
     const QJsonObject mavlink = summary[QLatin1String("mavlink")].toObject();
     const QJsonObject received = within(summary, "channel", "rx");
-    QVERIFY(number(mavlink, "frames") > 50 * (SKYSEAL_SWITCHING_SECONDS - 3));
+    QVERIFY(number(mavlink, "frames") > 50 * (kSwitchingSeconds - 3));
     QCOMPARE(number(mavlink, "lost"), 0);
     QCOMPARE(number(mavlink, "duplicate"), 0);
     for (const char *counter : {"lost", "replayed", "forged", "malformed"})
@@ -101,7 +103,7 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
 
     QVERIFY(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty());
-    for (int second = 0; second < SKYSEAL_SWITCHING_SECONDS; ++second)
+    for (int second = 0; second < kSwitchingSeconds; ++second)
         QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 10000).isEmpty());
 
     // The sender stops first; what is still in the air arrives before the receiver is asked.
@@ -126,5 +128,5 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
     QCOMPARE(number(monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject(), "duplicate"), 0);
 }
 
-QTEST_GUILESS_MAIN(SealedLinkTest)
+SKYSEAL_TEST(SealedLinkTest)
 #include "sealed_link_test.moc"

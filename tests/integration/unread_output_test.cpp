@@ -1,5 +1,6 @@
 // An agent whose lines nobody reads: a pipe that is full must not stop the link.
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -31,5 +32,5 @@ void UnreadOutputTest::linkGoesOn()
     QVERIFY(mavlink[QLatin1String("frames")].toInt() > 50);
 }
 
-QTEST_GUILESS_MAIN(UnreadOutputTest)
+SKYSEAL_TEST(UnreadOutputTest)
 #include "unread_output_test.moc"

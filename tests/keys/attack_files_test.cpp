@@ -3,6 +3,7 @@
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
@@ -170,5 +171,5 @@ void AttackFilesTest::errorsShowNoKey()
         HOLDS(!contains(errorOf(loadIdentity(m_folder.write("other.key", content))), key.substr(0, 8)), "no error shows a key");
 }
 
-QTEST_APPLESS_MAIN(AttackFilesTest)
+SKYSEAL_TEST_APPLESS(AttackFilesTest)
 #include "attack_files_test.moc"

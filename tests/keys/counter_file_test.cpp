@@ -1,6 +1,7 @@
 // The counters on disk: never twice, whatever dies when, and whoever else counts.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/counter_file.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/keys/temporary_folder.h"
 
@@ -168,5 +169,5 @@ void CounterFileTest::survivesAFullOrReadOnlyDisk()
     QVERIFY(!remembered && !(*store)->lastError().message.empty());
 }
 
-QTEST_APPLESS_MAIN(CounterFileTest)
+SKYSEAL_TEST_APPLESS(CounterFileTest)
 #include "counter_file_test.moc"

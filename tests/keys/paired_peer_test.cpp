@@ -3,6 +3,7 @@
 #include "core/keys/paired_peer.h"
 #include "core/keys/peer_line.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
@@ -136,5 +137,5 @@ void PairedPeerTest::anyNameFits()
     }
 }
 
-QTEST_APPLESS_MAIN(PairedPeerTest)
+SKYSEAL_TEST_APPLESS(PairedPeerTest)
 #include "paired_peer_test.moc"

@@ -2,6 +2,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
@@ -219,5 +220,5 @@ void PeersFileTest::editsUnderALock()
     QCOMPARE(loadPeers(path)->size(), std::size_t(4)); // an edit that fails changes nothing
 }
 
-QTEST_APPLESS_MAIN(PeersFileTest)
+SKYSEAL_TEST_APPLESS(PeersFileTest)
 #include "peers_file_test.moc"

@@ -5,6 +5,7 @@
 #include "core/keys/public_key_text.h"
 #include "core/keys/sealed_key.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
@@ -265,5 +266,5 @@ void SealedKeyTest::noErrorShowsASecret()
     }
 }
 
-QTEST_APPLESS_MAIN(SealedKeyTest)
+SKYSEAL_TEST_APPLESS(SealedKeyTest)
 #include "sealed_key_test.moc"

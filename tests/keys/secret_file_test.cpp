@@ -2,6 +2,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
@@ -123,5 +124,5 @@ void SecretFileTest::fingerprintsAreWholeAndDiffer()
     QVERIFY(fingerprint(key) != first);
 }
 
-QTEST_APPLESS_MAIN(SecretFileTest)
+SKYSEAL_TEST_APPLESS(SecretFileTest)
 #include "secret_file_test.moc"

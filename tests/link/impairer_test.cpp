@@ -1,6 +1,7 @@
 // The relay with real sockets on both sides: what its log and counters say is exactly what arrives.
 #include "core/link/impairer.h"
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -187,5 +188,5 @@ void ImpairerTest::jsonHasWhatScriptsNeed()
              std::string(R"({"event":"drop","t":0.25,"direction":"backward","sequence":7,"bytes":50,"reason":"loss"})"));
 }
 
-QTEST_GUILESS_MAIN(ImpairerTest)
+SKYSEAL_TEST(ImpairerTest)
 #include "impairer_test.moc"

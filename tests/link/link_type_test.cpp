@@ -2,6 +2,7 @@
 #include "core/link/link_type.h"
 #include "core/link/make_link.h"
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
@@ -122,5 +123,5 @@ void LinkTypeTest::furtherTypeNeedsOneRow()
     QCOMPARE(recorder.blocks.size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(LinkTypeTest)
+SKYSEAL_TEST(LinkTypeTest)
 #include "link_type_test.moc"

@@ -1,6 +1,7 @@
 // Link URLs: every form that is accepted, what is said about those that are not, and that the canonical text parses back.
 #include "core/link/address_text.h"
 #include "core/link/link_url.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -201,5 +202,5 @@ void LinkUrlTest::addressRefusesOtherTexts()
         QVERIFY2(!parseAddress(text), text);
 }
 
-QTEST_GUILESS_MAIN(LinkUrlTest)
+SKYSEAL_TEST(LinkUrlTest)
 #include "link_url_test.moc"

@@ -1,6 +1,7 @@
 // The serial link on a pseudo-terminal, whose other end the test holds: both ways, a device that is missing, one that is
 // unplugged and comes back.
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -141,5 +142,5 @@ void SerialLinkTest::unpluggedDeviceIsSaid()
     QCOMPARE(link->counters().txDropped, std::uint64_t(1));
 }
 
-QTEST_GUILESS_MAIN(SerialLinkTest)
+SKYSEAL_TEST(SerialLinkTest)
 #include "serial_link_test.moc"

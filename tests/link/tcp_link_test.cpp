@@ -3,6 +3,7 @@
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtNetwork/QNetworkProxy>
 #include <QtNetwork/QTcpServer>
@@ -302,7 +303,7 @@ void TcpLinkTest::portInUseFails()
     QCOMPARE(second->state(), LinkState::Failed);
     QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
     QCOMPARE(second->localAddress(), first->localAddress());
-    QVERIFY2(second->error().detail.starts_with("tcp_link_test (process "), second->error().detail.c_str());
+    QVERIFY2(second->error().detail.starts_with("link_tests (process "), second->error().detail.c_str());
     first->close();
     second->open();
     QCOMPARE(second->state(), LinkState::Listening);
@@ -396,5 +397,5 @@ void TcpLinkTest::desktopsProxyIsNotAsked()
     QVERIFY(!proxy.hasPendingConnections());
 }
 
-QTEST_GUILESS_MAIN(TcpLinkTest)
+SKYSEAL_TEST(TcpLinkTest)
 #include "tcp_link_test.moc"

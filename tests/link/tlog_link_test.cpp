@@ -1,6 +1,7 @@
 // Replay of recordings made here: every frame in order, at the recorded pace, and what is said of files that are none.
 #include "core/log/tlog_writer.h"
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
 #include <QtCore/QTemporaryDir>
@@ -141,5 +142,5 @@ void TlogLinkTest::unreadableFilesAreNamed()
     QCOMPARE(folder->error().code, LinkErrorCode::FileUnreadable);
 }
 
-QTEST_GUILESS_MAIN(TlogLinkTest)
+SKYSEAL_TEST(TlogLinkTest)
 #include "tlog_link_test.moc"

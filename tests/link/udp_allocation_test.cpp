@@ -1,5 +1,6 @@
 // The packet path of a UDP link allocates nothing: counted by replacing operator new in this program.
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -76,5 +77,5 @@ void UdpAllocationTest::sendingAndReceivingAllocateNothingPerDatagram()
     qInfo("%llu allocations for %d datagrams", static_cast<unsigned long long>(allocated), 20 * 1024);
 }
 
-QTEST_GUILESS_MAIN(UdpAllocationTest)
+SKYSEAL_TEST(UdpAllocationTest)
 #include "udp_allocation_test.moc"

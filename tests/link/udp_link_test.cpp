@@ -3,6 +3,7 @@
 #include "core/link/steady_now.h"
 #include "core/link/udp_link.h"
 #include "tests/link/recorder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtNetwork/QHostInfo>
 #include <QtNetwork/QNetworkProxy>
@@ -170,7 +171,7 @@ void UdpLinkTest::portInUseFailsAndOpensWhenFree()
         QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
         // It is this very program that holds it, and the message says so.
         QCOMPARE(second->error().sentence(),
-                 "port " + host + ":" + portOf(*first) + " is in use by another program: udp_link_test (process "
+                 "port " + host + ":" + portOf(*first) + " is in use by another program: link_tests (process "
                      + std::to_string(QCoreApplication::applicationPid()) + ")");
         // What was asked for is still shown.
         QCOMPARE(second->localAddress(), host + ":" + portOf(*first));
@@ -401,5 +402,5 @@ void UdpLinkTest::desktopsProxyIsNotAsked()
     QVERIFY(!proxy.hasPendingConnections());
 }
 
-QTEST_GUILESS_MAIN(UdpLinkTest)
+SKYSEAL_TEST(UdpLinkTest)
 #include "udp_link_test.moc"

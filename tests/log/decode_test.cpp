@@ -1,5 +1,6 @@
 // What `decode` prints, word for word.
 #include "tests/log/recordings.h"
+#include "tests/support/test_runner.h"
 
 #include "core/base/hex.h"
 #include "core/log/decode.h"
@@ -151,5 +152,5 @@ void DecodeTest::stopsWhenNobodyReads()
     QCOMPARE(counts.messages, std::uint64_t(1));
 }
 
-QTEST_APPLESS_MAIN(DecodeTest)
+SKYSEAL_TEST_APPLESS(DecodeTest)
 #include "decode_test.moc"

@@ -1,5 +1,6 @@
 // Recordings written, damaged and read again, in any portions.
 #include "tests/log/recordings.h"
+#include "tests/support/test_runner.h"
 
 #include "core/log/log_reader.h"
 #include "core/log/log_summary.h"
@@ -253,5 +254,5 @@ void LogReaderTest::summaryCounts()
     QVERIFY(json.text().find(R"("frames":11,)") != std::string::npos);
 }
 
-QTEST_APPLESS_MAIN(LogReaderTest)
+SKYSEAL_TEST_APPLESS(LogReaderTest)
 #include "log_reader_test.moc"

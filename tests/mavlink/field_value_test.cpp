@@ -1,5 +1,6 @@
 // Values of fields: bit patterns, numbers and texts.
 #include "core/mavlink/field_value.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -133,5 +134,5 @@ void FieldValueTest::texts()
     QVERIFY(fieldText(ByteView(), field).empty());
 }
 
-QTEST_APPLESS_MAIN(FieldValueTest)
+SKYSEAL_TEST_APPLESS(FieldValueTest)
 #include "field_value_test.moc"

@@ -2,6 +2,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/payload_builder.h"
 #include "core/mavlink/stream_parser.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -172,5 +173,5 @@ void FramePropertyTest::shortAndLongPayloadsAreRead()
     }));
 }
 
-QTEST_APPLESS_MAIN(FramePropertyTest)
+SKYSEAL_TEST_APPLESS(FramePropertyTest)
 #include "frame_property_test.moc"

@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/mavlink/stream_parser.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -138,5 +139,5 @@ void FrameTest::everySplitOfAStreamGivesTheSame()
     }
 }
 
-QTEST_APPLESS_MAIN(FrameTest)
+SKYSEAL_TEST_APPLESS(FrameTest)
 #include "frame_test.moc"

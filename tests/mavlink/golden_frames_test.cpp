@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/message_json.h"
 #include "core/mavlink/payload_builder.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>
@@ -273,5 +274,5 @@ void GoldenFramesTest::encodedAgainTheBytesAreTheSame()
     }
 }
 
-QTEST_APPLESS_MAIN(GoldenFramesTest)
+SKYSEAL_TEST_APPLESS(GoldenFramesTest)
 #include "golden_frames_test.moc"

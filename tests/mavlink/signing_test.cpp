@@ -4,6 +4,7 @@
 #include "core/mavlink/messages.h"
 #include "core/mavlink/signing.h"
 #include "core/mavlink/signing_key.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -189,5 +190,5 @@ void SigningTest::keyFiles()
     QVERIFY(!readSigningKey("/nowhere/key"));
 }
 
-QTEST_APPLESS_MAIN(SigningTest)
+SKYSEAL_TEST_APPLESS(SigningTest)
 #include "signing_test.moc"

@@ -2,6 +2,7 @@
 #include "core/mavlink/field_value.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/user_dialect.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
@@ -196,5 +197,5 @@ void UserDialectTest::anythingCutOffIsRefused()
         QVERIFY(!load(kOwnMessage.left(length)));
 }
 
-QTEST_APPLESS_MAIN(UserDialectTest)
+SKYSEAL_TEST_APPLESS(UserDialectTest)
 #include "user_dialect_test.moc"

@@ -1,5 +1,6 @@
 // Percentiles against a sorted list, merging, and the bounds of the buckets.
 #include "core/metrics/histogram.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -113,5 +114,5 @@ void HistogramTest::hugeValuesStayInTheLastBucket()
     QCOMPARE(histogram.percentile(0.5), std::uint64_t(0));
 }
 
-QTEST_GUILESS_MAIN(HistogramTest)
+SKYSEAL_TEST(HistogramTest)
 #include "histogram_test.moc"

@@ -2,6 +2,7 @@
 // stations: a late frame, a duplicate, a sender that restarted.
 #include "core/impair/impairment.h"
 #include "core/metrics/sequence_table.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -286,5 +287,5 @@ void SequenceTrackerTest::tableIsBounded()
     QCOMPARE(table.countsOfSystem(1).received, std::uint64_t(8 * SequenceTable::kMostSenders + 10));
 }
 
-QTEST_GUILESS_MAIN(SequenceTrackerTest)
+SKYSEAL_TEST(SequenceTrackerTest)
 #include "sequence_tracker_test.moc"

@@ -3,6 +3,7 @@
 #include "core/metrics/process_usage.h"
 #include "core/metrics/rate_meter.h"
 #include "core/metrics/work_clock.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -128,5 +129,5 @@ void UsageTest::timeThatWasTakenIsNotWork()
     QVERIFY(clock.between(next, next + 1000) < 1000); // short pieces as they are
 }
 
-QTEST_GUILESS_MAIN(UsageTest)
+SKYSEAL_TEST(UsageTest)
 #include "usage_test.moc"

@@ -2,6 +2,7 @@
 // refused changes nothing.
 #include "core/crypto/init_crypto.h"
 #include "core/noise/handshake_state.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/seeded_random.h"
 
@@ -318,5 +319,5 @@ void HandshakeStateTest::cipherStateStopsBeforeTheLastNonce()
     QCOMPARE(cipher.nonce(), std::uint64_t(0)); // Nothing that failed has used one.
 }
 
-QTEST_APPLESS_MAIN(HandshakeStateTest)
+SKYSEAL_TEST_APPLESS(HandshakeStateTest)
 #include "handshake_state_test.moc"

@@ -1,6 +1,7 @@
 // Every published vector of 25519, ChaChaPoly and BLAKE2b (cacophony's), byte for byte, both roles.
 #include "core/crypto/init_crypto.h"
 #include "core/noise/handshake_state.h"
+#include "tests/support/test_runner.h"
 
 #include "tests/crypto/external_vectors.h"
 #include "tests/noise/fixed_random.h"
@@ -133,5 +134,5 @@ void NoiseVectorsTest::publishedHandshakes()
     QVERIFY(split);
 }
 
-QTEST_APPLESS_MAIN(NoiseVectorsTest)
+SKYSEAL_TEST_APPLESS(NoiseVectorsTest)
 #include "noise_vectors_test.moc"

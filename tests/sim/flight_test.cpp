@@ -1,5 +1,6 @@
 // Whole flights in simulated time: times, heights and places that a pilot would find believable, and the refusals.
 #include "tests/sim/test_flight.h"
+#include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
 
@@ -285,5 +286,5 @@ void SimFlightTest::jumpsEnd()
     QVERIFY(a.armed());
 }
 
-QTEST_APPLESS_MAIN(SimFlightTest)
+SKYSEAL_TEST_APPLESS(SimFlightTest)
 #include "flight_test.moc"

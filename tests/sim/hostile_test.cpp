@@ -2,6 +2,7 @@
 // requests. Nothing that it sends may hold a number that is none.
 #include "tests/sim/test_flight.h"
 #include "tests/sim/test_station.h"
+#include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
 
@@ -153,5 +154,5 @@ void SimHostileTest::randomBytes()
     QVERIFY(station.count<mavlink::Heartbeat>() >= 1);
 }
 
-QTEST_APPLESS_MAIN(SimHostileTest)
+SKYSEAL_TEST_APPLESS(SimHostileTest)
 #include "hostile_test.moc"

@@ -1,6 +1,7 @@
 // The mission protocol with a vehicle: transfers over a link that loses a third of all frames, each error's result, and what
 // a flown mission reports.
 #include "tests/sim/test_station.h"
+#include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
 
@@ -293,5 +294,5 @@ void SimMissionTest::fliesAndReports()
     QCOMPARE(int(station.last<MissionCurrent>().seq), 2);
 }
 
-QTEST_APPLESS_MAIN(SimMissionTest)
+SKYSEAL_TEST_APPLESS(SimMissionTest)
 #include "mission_test.moc"

@@ -8,6 +8,7 @@
 #include "core/sim/parameters.h"
 #include "core/sim/pilot_input.h"
 #include "core/sim/stream_scheduler.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -206,5 +207,5 @@ void SimPartsTest::silenceOfTheStationIsToldOnce()
     QVERIFY(watch.update(start + 108s, 5s) == Back);
 }
 
-QTEST_APPLESS_MAIN(SimPartsTest)
+SKYSEAL_TEST_APPLESS(SimPartsTest)
 #include "parts_test.moc"

@@ -2,6 +2,7 @@
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
 #include <QtCore/QJsonObject>
@@ -171,5 +172,5 @@ void SimProgramTest::servesTcp()
     stop(sim);
 }
 
-QTEST_GUILESS_MAIN(SimProgramTest)
+SKYSEAL_TEST(SimProgramTest)
 #include "program_test.moc"

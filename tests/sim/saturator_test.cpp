@@ -5,6 +5,7 @@
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
 #include "core/sim/saturator.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
@@ -224,5 +225,5 @@ void SaturatorTest::longTripsAreLearnt()
     QVERIFY2(bursts < 4, qPrintable(QString::number(bursts))); // telemetry, and two a trip
 }
 
-QTEST_GUILESS_MAIN(SaturatorTest)
+SKYSEAL_TEST(SaturatorTest)
 #include "saturator_test.moc"

@@ -1,6 +1,7 @@
 // What the simulated vehicle tells a station: parameters, streams at exact rates, texts, time; and two runs that are equal
 // to the last byte.
 #include "tests/sim/test_station.h"
+#include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
 
@@ -284,5 +285,5 @@ void SimTelemetryTest::sameSeedSameBytes()
     QVERIFY(idle(1ms) == idle(500ms));
 }
 
-QTEST_APPLESS_MAIN(SimTelemetryTest)
+SKYSEAL_TEST_APPLESS(SimTelemetryTest)
 #include "telemetry_test.moc"

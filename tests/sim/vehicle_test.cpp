@@ -1,6 +1,7 @@
 // The simulated vehicle as a station flies it: a whole flight by messages, refusals with the right results, failsafe,
 // sticks.
 #include "tests/sim/test_station.h"
+#include "tests/support/test_runner.h"
 
 #include "core/mavlink/enums.h"
 
@@ -251,5 +252,5 @@ void SimVehicleTest::sticksFly()
     QCOMPARE(int(station.last<mavlink::RcChannels>().chan1_raw), 1500);
 }
 
-QTEST_APPLESS_MAIN(SimVehicleTest)
+SKYSEAL_TEST_APPLESS(SimVehicleTest)
 #include "vehicle_test.moc"

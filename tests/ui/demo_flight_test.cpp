@@ -5,6 +5,7 @@
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/main_window.h"
 #include "ui/security/suite_actions.h"
@@ -158,5 +159,5 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-QTEST_MAIN(DemoFlightTest)
+SKYSEAL_TEST_WIDGETS(DemoFlightTest)
 #include "demo_flight_test.moc"

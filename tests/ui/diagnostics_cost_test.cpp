@@ -3,6 +3,7 @@
 // same snapshots take where nobody looks at them.
 #include "core/metrics/process_usage.h"
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/diagnostics_tools.h"
 
@@ -123,5 +124,5 @@ void DiagnosticsCostTest::seenAndHidden()
 #endif
 }
 
-QTEST_MAIN(DiagnosticsCostTest)
+SKYSEAL_TEST_WIDGETS(DiagnosticsCostTest)
 #include "diagnostics_cost_test.moc"

@@ -2,6 +2,7 @@
 // suite over suite, as bars and in numbers; what is saved is what is shown.
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/charts/chart_cursor.h"
 #include "ui/charts/chart_view.h"
 #include "ui/charts/chart_text.h"
@@ -526,5 +527,5 @@ private:
     std::unique_ptr<DiagnosticsPanel> m_panel;
 };
 
-QTEST_MAIN(DiagnosticsTest)
+SKYSEAL_TEST_WIDGETS(DiagnosticsTest)
 #include "diagnostics_test.moc"

@@ -2,6 +2,7 @@
 // be sent. What a sweep does to the link on purpose is told as that.
 #include "fake_sweep.h"
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/take_off_dialog.h"
 #include "ui/security/secure_link_panel.h"
@@ -233,5 +234,5 @@ private:
     }
 };
 
-QTEST_MAIN(EndedSessionTest)
+SKYSEAL_TEST_WIDGETS(EndedSessionTest)
 #include "ended_session_test.moc"

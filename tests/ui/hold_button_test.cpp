@@ -1,4 +1,5 @@
 // Hold to confirm, by mouse and by keys, and all the ways to say no.
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 
 #include <QtTest/QSignalSpy>
@@ -107,5 +108,5 @@ private:
     std::unique_ptr<QSignalSpy> m_confirmed, m_aborted;
 };
 
-QTEST_MAIN(HoldButtonTest)
+SKYSEAL_TEST_WIDGETS(HoldButtonTest)
 #include "hold_button_test.moc"

@@ -2,6 +2,7 @@
 // replaced only knowingly, revoking confirmed.
 #include "core/keys/public_key_text.h"
 #include "fake_keyring.h"
+#include "tests/support/test_runner.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
@@ -500,5 +501,5 @@ void KeysDialogTest::modelKeepsItsPromises()
     QCOMPARE(model.rowOf(QStringLiteral("b")), -1);
 }
 
-QTEST_MAIN(KeysDialogTest)
+SKYSEAL_TEST_WIDGETS(KeysDialogTest)
 #include "keys_dialog_test.moc"

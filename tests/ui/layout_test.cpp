@@ -1,6 +1,7 @@
 // At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/charts/chart.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_panel.h"
@@ -267,5 +268,5 @@ private:
     std::unique_ptr<MainWindow> m_window;
 };
 
-QTEST_MAIN(LayoutTest)
+SKYSEAL_TEST_WIDGETS(LayoutTest)
 #include "layout_test.moc"

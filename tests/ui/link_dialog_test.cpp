@@ -1,5 +1,6 @@
 // The dialog to open a link: it offers each type of the table, shows the fields of that type and makes its URL.
 #include "core/link/link_url.h"
+#include "tests/support/test_runner.h"
 #include "ui/links/link_dialog.h"
 
 #include <QtTest/QTest>
@@ -62,5 +63,5 @@ void LinkDialogTest::startsWithTheGivenLink()
     QCOMPARE(LinkDialog(url).url(), url);
 }
 
-QTEST_MAIN(LinkDialogTest)
+SKYSEAL_TEST_WIDGETS(LinkDialogTest)
 #include "link_dialog_test.moc"

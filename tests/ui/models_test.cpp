@@ -1,5 +1,6 @@
 // Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and what its cells say.
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/link_model.h"
@@ -235,5 +236,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ModelsTest)
+SKYSEAL_TEST_WIDGETS(ModelsTest)
 #include "models_test.moc"

@@ -5,6 +5,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/keys_dialog.h"
@@ -500,5 +501,5 @@ void PairedWindowTest::namedKeyMayStaySealed()
     QTRY_VERIFY_WITH_TIMEOUT(isSealed(), kPatience);
 }
 
-QTEST_MAIN(PairedWindowTest)
+SKYSEAL_TEST_WIDGETS(PairedWindowTest)
 #include "paired_window_test.moc"

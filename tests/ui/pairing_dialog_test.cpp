@@ -1,6 +1,7 @@
 // The dialog that pairs: what it asks, what it shows in each step, and that nobody says yes by accident.
 #include "fake_keyring.h"
 #include "fake_pairing.h"
+#include "tests/support/test_runner.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
 #include "ui/keys/pairing_dialog.h"
@@ -230,5 +231,5 @@ void PairingDialogTest::wrongPassphraseIsTold()
     QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
 }
 
-QTEST_MAIN(PairingDialogTest)
+SKYSEAL_TEST_WIDGETS(PairingDialogTest)
 #include "pairing_dialog_test.moc"

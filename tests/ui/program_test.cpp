@@ -1,4 +1,6 @@
 // The program skyseal from the outside: help, usage, pictures, an orderly end, a port that is taken.
+#include "tests/support/test_runner.h"
+
 #include <QtCore/QProcess>
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
@@ -127,5 +129,5 @@ private:
     QTemporaryDir m_folder;
 };
 
-QTEST_MAIN(ProgramTest)
+SKYSEAL_TEST_WIDGETS(ProgramTest)
 #include "program_test.moc"

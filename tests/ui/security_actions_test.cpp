@@ -1,5 +1,6 @@
 // The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/messages/event_text.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -301,5 +302,5 @@ private:
     StripItem *strip() { return m_window->findChild<StripItem *>(QStringLiteral("stripLock")); }
 };
 
-QTEST_MAIN(SecurityActionsTest)
+SKYSEAL_TEST_WIDGETS(SecurityActionsTest)
 #include "security_actions_test.moc"

@@ -1,6 +1,7 @@
 // One vehicle is shown, and what is asked for goes to that one and to no other, whatever becomes of it between the question
 // and the answer. Where nothing can be sent, nothing is offered.
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/take_off_dialog.h"
 #include "ui/status/strip_item.h"
@@ -218,5 +219,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ShownVehicleTest)
+SKYSEAL_TEST_WIDGETS(ShownVehicleTest)
 #include "shown_vehicle_test.moc"

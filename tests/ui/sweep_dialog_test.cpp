@@ -2,6 +2,7 @@
 // links.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/security/suite_actions.h"
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_dialog.h"
@@ -174,5 +175,5 @@ private:
     std::unique_ptr<SweepDialog> m_dialog;
 };
 
-QTEST_MAIN(SweepDialogTest)
+SKYSEAL_TEST_WIDGETS(SweepDialogTest)
 #include "sweep_dialog_test.moc"

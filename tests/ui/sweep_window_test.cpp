@@ -7,6 +7,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/metric.h"
 #include "tests/support/flight.h"
+#include "tests/support/test_runner.h"
 #include "ui/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/settings.h"
@@ -427,5 +428,5 @@ void SweepWindowTest::picture(const char *name)
     QVERIFY(shown->grab().save(QDir(folder).filePath(QLatin1String(name) + q(".png"))));
 }
 
-QTEST_MAIN(SweepWindowTest)
+SKYSEAL_TEST_WIDGETS(SweepWindowTest)
 #include "sweep_window_test.moc"

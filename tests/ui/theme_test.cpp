@@ -1,4 +1,5 @@
 // What can be filled in is seen as such in every theme: the edges of fields, measured in pictures of them.
+#include "tests/support/test_runner.h"
 #include "ui/theme/palettes.h"
 
 #include <QtTest/QTest>
@@ -82,5 +83,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(ThemeTest)
+SKYSEAL_TEST_WIDGETS(ThemeTest)
 #include "theme_test.moc"

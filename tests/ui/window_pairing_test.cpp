@@ -4,6 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
@@ -82,5 +83,5 @@ private:
     engine::StationConfig m_config;
 };
 
-QTEST_MAIN(WindowPairingTest)
+SKYSEAL_TEST_WIDGETS(WindowPairingTest)
 #include "window_pairing_test.moc"

@@ -1,6 +1,7 @@
 // The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and
 // keys.
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/altitude_box.h"
 #include "ui/flight/hold_button.h"
@@ -450,5 +451,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(WindowStatesTest)
+SKYSEAL_TEST_WIDGETS(WindowStatesTest)
 #include "window_states_test.moc"

@@ -1,5 +1,6 @@
 // Commands against a scripted vehicle: exact times of the retries, fallbacks for old firmware, and how each ending is
 // worded.
+#include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
 using namespace skyseal;
@@ -403,5 +404,5 @@ void CommandTest::everyCommandEndsExactlyOnce()
     QCOMPARE(h.vehicle.current().systemId, std::uint8_t(1));
 }
 
-QTEST_APPLESS_MAIN(CommandTest)
+SKYSEAL_TEST_APPLESS(CommandTest)
 #include "command_test.moc"

@@ -1,5 +1,6 @@
 // Running a script against hand-made states and answers: what is asked when, and how each step is reported.
 #include "core/vehicle/flight_script_runner.h"
+#include "tests/support/test_runner.h"
 
 #include "vehicle_harness.h"
 
@@ -212,5 +213,5 @@ void FlightScriptRunnerTest::noAnswerAtAll()
     QCOMPARE(run.runner.pollReport()->reason, std::string("no answer"));
 }
 
-QTEST_APPLESS_MAIN(FlightScriptRunnerTest)
+SKYSEAL_TEST_APPLESS(FlightScriptRunnerTest)
 #include "flight_script_runner_test.moc"

@@ -1,5 +1,6 @@
 // The language of flight scripts: what it means, what its errors say, and that no text whatever makes it stumble.
 #include "core/vehicle/flight_script.h"
+#include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 #include <rapidcheck.h>
@@ -277,5 +278,5 @@ void FlightScriptTest::stepsRoundTrip()
     }));
 }
 
-QTEST_APPLESS_MAIN(FlightScriptTest)
+SKYSEAL_TEST_APPLESS(FlightScriptTest)
 #include "flight_script_test.moc"

@@ -1,5 +1,6 @@
 // Missions against a scripted autopilot, by hand and through a radio that drops.
 #include "lossy_link.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
@@ -293,5 +294,5 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
     QVERIFY(result->ok && peer.stored.empty() && h.vehicle.mission()->empty());
 }
 
-QTEST_APPLESS_MAIN(MissionTest)
+SKYSEAL_TEST_APPLESS(MissionTest)
 #include "mission_test.moc"

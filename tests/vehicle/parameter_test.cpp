@@ -1,5 +1,6 @@
 // Parameters against a scripted autopilot, first by hand with exact times, then through a radio that drops.
 #include "lossy_link.h"
+#include "tests/support/test_runner.h"
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
@@ -221,5 +222,5 @@ void ParameterTest::wholeListThroughABadRadio()
     QCOMPARE(peer.at(17), 99.f);
 }
 
-QTEST_APPLESS_MAIN(ParameterTest)
+SKYSEAL_TEST_APPLESS(ParameterTest)
 #include "parameter_test.moc"

@@ -5,6 +5,7 @@
 #include "core/vehicle/flight_script_runner.h"
 #include "core/vehicle/gcs_heartbeat.h"
 #include "core/vehicle/vehicle_set.h"
+#include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
 #include <QtTest/QTest>
@@ -260,5 +261,5 @@ void ScriptedFlightTest::twoVehicles()
     QVERIFY2(reports.size() == 13 && reports.back().result == StepResult::Reached, story(reports).c_str());
 }
 
-QTEST_APPLESS_MAIN(ScriptedFlightTest)
+SKYSEAL_TEST_APPLESS(ScriptedFlightTest)
 #include "scripted_flight_test.moc"

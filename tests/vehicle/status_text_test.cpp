@@ -1,4 +1,5 @@
 // Status texts: long ones joined, lost and repeated chunks, the time-out, and what of it all a vehicle keeps.
+#include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
 #include "core/base/json_writer.h"
@@ -135,5 +136,5 @@ void StatusTextTest::textsOfOtherComponentsAreHeard()
     QCOMPARE(h.vehicle.pollText()->text, std::string(50, 'x'));
 }
 
-QTEST_APPLESS_MAIN(StatusTextTest)
+SKYSEAL_TEST_APPLESS(StatusTextTest)
 #include "status_text_test.moc"

@@ -1,5 +1,6 @@
 // Telemetry into state: units, values that mean "not known", frames packed by the reference implementation, and arbitrary
 // bytes, which must leave only values that a window can show.
+#include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
 #include "core/base/hex.h"
@@ -257,5 +258,5 @@ void TelemetryTest::anyPayloadLeavesShowableValues()
     }));
 }
 
-QTEST_APPLESS_MAIN(TelemetryTest)
+SKYSEAL_TEST_APPLESS(TelemetryTest)
 #include "telemetry_test.moc"

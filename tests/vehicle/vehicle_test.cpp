@@ -1,4 +1,5 @@
 // What makes a vehicle, how it gets lost and comes back, what it is asked for at the beginning, and the small trackers.
+#include "tests/support/test_runner.h"
 #include "vehicle_harness.h"
 
 #include "core/vehicle/flight_modes.h"
@@ -403,5 +404,5 @@ void VehicleTest::outboxIsBounded()
     QVERIFY(!outbox.poll());
 }
 
-QTEST_APPLESS_MAIN(VehicleTest)
+SKYSEAL_TEST_APPLESS(VehicleTest)
 #include "vehicle_test.moc"

@@ -1,6 +1,7 @@
 // Proves that the attack tests can fail: each is run again in a program whose protocol has one weakness put in, and must
 // then fail in the named check, in no other, and without crashing. The same program without a weakness must pass, so that
 // it is the weakness that makes the difference; and no attack test is left without such a proof.
+#include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
 #include <QtCore/QDirIterator>
@@ -23,7 +24,7 @@ struct Run
     QString output;
 };
 
-Run run(const char *program, const QStringList &arguments, const char *weaknesses)
+Run run(const char *test, const QStringList &arguments, const char *weaknesses)
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -31,7 +32,7 @@ Run run(const char *program, const QStringList &arguments, const char *weaknesse
     environment.insert(QStringLiteral("ASAN_OPTIONS"), QStringLiteral("detect_leaks=0")); // kept keys are leaked keys
     process.setProcessEnvironment(environment);
     process.setProcessChannelMode(QProcess::MergedChannels);
-    process.start(QStringLiteral(SKYSEAL_WEAKENED_DIR "/%1_weakened").arg(QLatin1String(program)), arguments);
+    process.start(QStringLiteral(SKYSEAL_WEAKENED_PROGRAM), QStringList{QLatin1String(test)} + arguments);
     Run out;
     out.ended = process.waitForFinished(120000) && process.exitStatus() == QProcess::NormalExit;
     out.failures = process.exitCode();
@@ -71,15 +72,14 @@ void ProofTest::failsWhereItMust_data()
 {
     QTest::addColumn<int>("index");
     for (std::size_t i = 0; i < std::size(kProofs); ++i)
-        QTest::addRow("%s %s without %s", kProofs[i].program, kProofs[i].function, kProofs[i].weaknesses)
-            << static_cast<int>(i);
+        QTest::addRow("%s %s without %s", kProofs[i].test, kProofs[i].function, kProofs[i].weaknesses) << static_cast<int>(i);
 }
 
 void ProofTest::failsWhereItMust()
 {
     QFETCH(int, index);
     const Proof &proof = kProofs[index];
-    const Run attacked = run(proof.program, {QLatin1String(proof.function)}, proof.weaknesses);
+    const Run attacked = run(proof.test, {QLatin1String(proof.function)}, proof.weaknesses);
     QVERIFY2(attacked.ended, qPrintable(QStringLiteral("crashed or hung:\n") + attacked.output));
     QVERIFY2(!attacked.checks.isEmpty(), qPrintable(QStringLiteral("passed in spite of it:\n") + attacked.output));
     QCOMPARE(attacked.failures, static_cast<int>(attacked.checks.size()));
@@ -101,21 +101,21 @@ void ProofTest::failsWhereItMust()
 
 void ProofTest::passesWithoutWeakness_data()
 {
-    QTest::addColumn<QString>("program");
-    for (const QString &program : provenPrograms())
-        QTest::addRow("%s", qPrintable(program)) << program;
+    QTest::addColumn<QString>("test");
+    for (const QString &test : provenTests())
+        QTest::addRow("%s", qPrintable(test)) << test;
 }
 
 void ProofTest::passesWithoutWeakness()
 {
-    QFETCH(QString, program);
+    QFETCH(QString, test);
     QStringList functions;
     for (const Proof &proof : kProofs) {
-        if (program == QLatin1String(proof.program))
+        if (test == QLatin1String(proof.test))
             functions << QLatin1String(proof.function);
     }
     functions.removeDuplicates();
-    const Run untouched = run(qPrintable(program), functions, "");
+    const Run untouched = run(qPrintable(test), functions, "");
     QVERIFY2(untouched.ended && untouched.failures == 0, qPrintable(untouched.output));
 }
 
@@ -126,11 +126,11 @@ void ProofTest::everyAttackIsProven_data()
 
 void ProofTest::everyAttackIsProven()
 {
-    QFETCH(QString, program);
+    QFETCH(QString, test);
     QStringList proven;
     QHash<QString, QStringList> unproven; // rows that no weakness was seen to touch yet
     for (const Proof &proof : kProofs) {
-        if (program != QLatin1String(proof.program))
+        if (test != QLatin1String(proof.test))
             continue;
         const QString function = QLatin1String(proof.function);
         const QStringList untouched = rowsOf(proof);
@@ -141,7 +141,7 @@ void ProofTest::everyAttackIsProven()
     for (const QStringList &rows : unproven)
         QVERIFY2(rows.isEmpty(), qPrintable(rows.join(QLatin1Char(';'))));
     static const QRegularExpression kSignature(QStringLiteral("^(\\w+)\\(\\)$"));
-    const Run listed = run(qPrintable(program), {QStringLiteral("-functions")}, "");
+    const Run listed = run(qPrintable(test), {QStringLiteral("-functions")}, "");
     int seen = 0;
     for (const QString &line : listed.output.split(QLatin1Char('\n'))) {
         const auto match = kSignature.match(line.trimmed());
@@ -155,7 +155,7 @@ void ProofTest::everyAttackIsProven()
 
 void ProofTest::unknownWeaknessEndsTheProgram()
 {
-    const Run slip = run(kProofs[0].program, {QLatin1String(kProofs[0].function)}, "NoSuchThing");
+    const Run slip = run(kProofs[0].test, {QLatin1String(kProofs[0].function)}, "NoSuchThing");
     QVERIFY(!slip.ended);
     QVERIFY(slip.output.contains(QLatin1String("no weakness is called 'NoSuchThing'")));
 }
@@ -169,7 +169,7 @@ void ProofTest::nothingShippedIsWeakened()
             && file.readAll().contains("SKYSEAL_"
                                        "WEAKNESS");
     };
-    QVERIFY(mentions(QStringLiteral(SKYSEAL_WEAKENED_DIR "/%1_weakened").arg(QLatin1String(kProofs[0].program))));
+    QVERIFY(mentions(QStringLiteral(SKYSEAL_WEAKENED_PROGRAM)));
     int looked = 0;
     for (const char *folder : {"bin", "core", "ui", "app"}) {
         QDirIterator walk(QStringLiteral(SKYSEAL_BUILD_DIR "/") + QLatin1String(folder),
@@ -183,5 +183,5 @@ void ProofTest::nothingShippedIsWeakened()
     QVERIFY2(looked >= 4, qPrintable(QString::number(looked)));
 }
 
-QTEST_GUILESS_MAIN(ProofTest)
+SKYSEAL_TEST(ProofTest)
 #include "proof_test.moc"

@@ -1,0 +1,35 @@
+// The entry points of QtTest classes. All test classes of a folder are linked into one program, which runs one class per
+// process: `channel_tests session_test [options and functions of QtTest]`. Use these macros instead of QTEST_MAIN and its
+// variants, once at the end of the source file.
+#pragma once
+
+#include <QtTest/QTest>
+
+namespace skyseal::test {
+
+using TestMain = int (*)(int argc, char **argv);
+
+/// Adds a test class to the program. Its name on the command line is the base name of its source file.
+struct TestEntry
+{
+    TestEntry(const char *sourceFile, TestMain main);
+};
+
+} // namespace skyseal::test
+
+#define SKYSEAL_TEST_ENTRY(Class, ...)                                                                                         \
+    static const ::skyseal::test::TestEntry kTestEntry(__FILE__, [](int argc, char **argv) {                                   \
+        __VA_ARGS__                                                                                                            \
+        Class test;                                                                                                            \
+        return QTest::qExec(&test, argc, argv);                                                                                \
+    });
+
+/// Runs the class under a QCoreApplication.
+#define SKYSEAL_TEST(Class) SKYSEAL_TEST_ENTRY(Class, QCoreApplication application(argc, argv);)
+
+/// Runs the class without an application object.
+#define SKYSEAL_TEST_APPLESS(Class) SKYSEAL_TEST_ENTRY(Class)
+
+/// Runs the class under a QApplication, at 96 dots per inch.
+#define SKYSEAL_TEST_WIDGETS(Class)                                                                                            \
+    SKYSEAL_TEST_ENTRY(Class, QApplication application(argc, argv); application.setAttribute(Qt::AA_Use96Dpi, true);)
