@@ -22,7 +22,7 @@ std::size_t writeCobs(ByteView message, MutableByteView out)
             out[at++] = message[i];
             ++run;
         }
-        // A full block stands for no zero; nothing follows it when the message ends there.
+        // A full block stands for no zero. Nothing follows it if the message ends there.
         const bool full = run == 0xff && message[i] != 0;
         if (message[i] == 0 || (full && i + 1 < message.size())) {
             out[code] = std::exchange(run, std::uint8_t(1));

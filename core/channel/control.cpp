@@ -28,7 +28,7 @@ constexpr std::uint64_t EndCosts::*kCosts[] = {&EndCosts::cpuMicroseconds, &EndC
                                                &EndCosts::opened,          &EndCosts::openNanoseconds,
                                                &EndCosts::sealed,          &EndCosts::sealNanoseconds};
 
-// LEB128: counters are small for most of a flight, and a report goes out every second.
+// LEB128: counters are small for most of a flight, and a report is sent every second.
 void writeVarint(ByteWriter &out, std::uint64_t value)
 {
     for (; value >= 0x80; value >>= 7)

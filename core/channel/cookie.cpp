@@ -29,7 +29,7 @@ Key32 messageKey(ByteView sealKey, ByteView nonce, ByteView mac1)
     return key;
 }
 
-/// SipHash-128, since nobody but the agent has to compute it, and it does so for every message of a flood.
+/// SipHash-128: only the agent computes it, and it does so for every message of a flood.
 Cookie cookieFor(const SecretBytes<16> &secret, const Path &path)
 {
     std::array<std::uint8_t, 22> said;

@@ -1,6 +1,7 @@
-// What an agent under load gives instead of a computation: a cookie, sealed so that only who knows the agent's public key
-// and saw the first message can open it. Whoever sends it back has shown that datagrams to its address reach it. The agent
-// keeps nothing for it: the cookie is a function of the address and a secret that changes every 120 s.
+// The cookie that an agent under load sends instead of computing on a first message (PROTOCOL.md, section 4.1). It is sealed
+// for a receiver that knows the agent's public key and the first message. A sender that returns it has proven that it receives
+// datagrams at its address. The agent keeps no state: the cookie is a function of the address and a secret that changes
+// every 120 s.
 //
 //   0x5B | nonce 16 | sealed cookie 16 + 16 | zeros 78                                                 127 bytes
 //
@@ -18,8 +19,8 @@
 
 namespace skyseal::channel {
 
-inline constexpr std::size_t kCookieLength = 127;                        ///< as long as the first message that it asks for
-inline constexpr Duration kCookieSecretLife = std::chrono::seconds(120); ///< and as long again as the previous one
+inline constexpr std::size_t kCookieLength = 127;                        ///< of the first message, too
+inline constexpr Duration kCookieSecretLife = std::chrono::seconds(120); ///< then valid as the previous one for as long again
 
 using Cookie = std::array<std::uint8_t, 16>;
 using CookieMessage = std::array<std::uint8_t, kCookieLength>;
@@ -30,10 +31,10 @@ class CookieMaker
 public:
     CookieMaker(const PublicKey &own, RandomSource &random);
 
-    /// What to send to `from` for a first message whose mac1 is right.
+    /// Makes the cookie message for `from` that answers a first message with a right mac1.
     CookieMessage make(TimePoint now, const Path &from, ByteView first);
-    /// Whether the last 16 bytes are a MAC under a cookie that `from` was given in the last two to four minutes. False at
-    /// once when none was given to anybody.
+    /// Returns true if the last 16 bytes are a MAC under a cookie sent to `from` within the last two to four minutes. Returns
+    /// false without a computation if no cookie is valid.
     bool verify(TimePoint now, const Path &from, ByteView first) const;
 
 private:
@@ -44,15 +45,15 @@ private:
     std::array<std::uint8_t, 32> m_sealKey;
     Secret m_secret;
     std::optional<Secret> m_previous;
-    std::optional<TimePoint> m_since;       ///< when the secret was made; none while no cookie was ever asked for
+    std::optional<TimePoint> m_since;       ///< when the secret was made; none before the first cookie
     std::array<std::uint8_t, 16> m_nonce{}; ///< eight random bytes for each secret, and eight that count
     std::uint64_t m_made = 0;
 };
 
-/// The station's half: the cookie in an answer to the first message whose mac1 is `mac1`. nullopt when it is not for that
-/// message, or was not made by someone who knows the agent's public key.
+/// The station's half: opens the cookie that answers the first message with this `mac1`. Returns nullopt if it answers another
+/// message, or was made without the agent's public key.
 std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView datagram);
-/// Puts a MAC under the cookie in place of mac1.
+/// Replaces mac1 by a MAC under the cookie.
 void signWithCookie(const Cookie &cookie, MutableByteView first);
 
 } // namespace skyseal::channel

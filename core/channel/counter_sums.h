@@ -1,4 +1,4 @@
-// Sums of counters, over epochs, sessions and runs.
+// Sums of counters over epochs, sessions and runs.
 #pragma once
 
 #include "core/channel/stats.h"

@@ -1,4 +1,4 @@
-// What an endpoint tells its owner: values, polled in the order in which they happened.
+// Events of an endpoint for its owner: values, polled in the order in which they occurred.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::channel {
 
-/// A session is up: both ends have proven their keys. Sent once per handshake, also when a peer came back after a restart.
+/// A session is up: both ends have proven their keys. Once per handshake, also when a peer has restarted.
 struct SessionUp
 {
     SessionId session{};
@@ -20,7 +20,7 @@ struct SessionUp
     std::string peerName;
     crypto::SuiteId suite{};
     Path path;
-    Framing framing = Framing::Sealed; ///< Inline: both ends agreed to it; frames go so under the suites that can do it
+    Framing framing = Framing::Sealed; ///< Inline: agreed by both ends; used under the suites that have it
 };
 
 enum class DownReason : std::uint8_t { PeerRestarted, PeerClosed, TimedOut, Exhausted, Revoked, Closed };
@@ -29,11 +29,11 @@ struct SessionDown
 {
     SessionId session{};
     DownReason reason{};
-    SessionStats stats;                ///< the last there will be
+    SessionStats stats;                ///< final
     Framing framing = Framing::Sealed; ///< as agreed
 };
 
-/// The peer's authenticated records now come from elsewhere.
+/// The peer's authenticated records come from another path.
 struct PeerMoved
 {
     SessionId session{};
@@ -46,7 +46,7 @@ struct SwitchPending
     SessionId session{};
     crypto::SuiteId from{};
     crypto::SuiteId to{};
-    Epoch epoch{}; ///< the one that will be used
+    Epoch epoch{}; ///< the next epoch
     bool byPeer = false;
     bool rekey = false; ///< same suite, fresh keys
 };
@@ -67,29 +67,29 @@ struct SwitchDone
 };
 
 enum class RefusalReason : std::uint8_t {
-    UnknownPeer, ///< a well-formed handshake or announcement of a key that nobody confirmed
-    WrongKey,    ///< does not decrypt under our key: meant for somebody else, or an impostor
+    UnknownPeer, ///< a valid handshake, or an announcement, of a key that is not listed
+    WrongKey,    ///< does not decrypt under our key: for another device, or forged
     ReplayedHandshake,
     NoCommonSuite,
-    OfferTampered, ///< the choice is not the one that both offers give
+    OfferTampered, ///< the chosen suite does not follow from both offers
     Version,
-    /// An agent remembers a greater counter than ours: our file of counters was lost or put back. We go on from its number;
-    /// when the event comes again, that could not be kept.
+    /// An agent remembers a greater counter than ours: our counter file was lost or restored from a copy. We continue from its
+    /// number; if the event repeats, the number could not be stored.
     CounterBehind,
     /// The station's key has used all handshake counters (2^40 - 1): it needs a new key.
     CountersUsedUp,
-    Flood, ///< many first messages: strangers are asked to prove their address first. At most once in ten seconds
+    Flood, ///< many first messages: unknown senders must prove their address. At most once in ten seconds
 };
 
-/// A handshake that was refused; limited to one a second and path, so that a flood cannot fill a log.
+/// A refused handshake. At most one event a second and path, so that a flood cannot fill a log.
 struct HandshakeRefused
 {
     Path path;
     RefusalReason reason{};
-    PublicKey peer{}; ///< zero when not known
+    PublicKey peer{}; ///< zero if not known
 };
 
-/// Tags that did not verify came in since the last one of these; at most one a second and session.
+/// Records with a wrong tag arrived since the last alarm. At most one event a second and session.
 struct ForgeryAlarm
 {
     SessionId session{};

@@ -24,7 +24,7 @@ std::vector<Key32> presharedKeyOf(const Peer *peer)
     return keys;
 }
 
-/// `peer` is null for a responder, which learns from the first message who it is. The prologue must outlive the config.
+/// `peer` is null for a responder, which learns its peer from the first message. The prologue must outlive the config.
 noise::HandshakeConfig configFor(noise::Role role, const Prologue &prologue, const crypto::X25519KeyPair &identity,
                                  const Peer *peer)
 {

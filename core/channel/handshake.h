@@ -32,7 +32,7 @@ using FirstMessage = std::array<std::uint8_t, kFirstLength>;
 using AnswerMessage = std::array<std::uint8_t, kAnswerLength>;
 using NumberMessage = std::array<std::uint8_t, kNumberLength>;
 
-/// What both ends have when the handshake is over.
+/// Result of a handshake at one end.
 struct Agreement
 {
     ConnectionId peerConnection{};
@@ -41,11 +41,11 @@ struct Agreement
     KeyChain chain;
 };
 
-/// The station's half. The message may be sent any number of times; a wrong answer changes nothing.
+/// The station's half. Its message may be sent any number of times; a wrong answer changes nothing.
 class Initiator
 {
 public:
-    /// nullopt when `peer` is no usable key. `carrier`: of the path where the message goes.
+    /// Returns nullopt if the peer's key is unusable. `carrier`: of the path on which the message is sent.
     static std::optional<Initiator> begin(const crypto::X25519KeyPair &identity, const Peer &peer, FirstPayload payload,
                                           RandomSource &random, Carrier carrier = Carrier::Datagram);
 
@@ -53,7 +53,7 @@ public:
     ConnectionId connection() const { return m_payload.connection; }
     std::uint64_t counter() const { return m_payload.counter; }
     Result<Agreement, RefusalReason> readAnswer(ByteView datagram);
-    /// The greatest counter that the agent remembers of us. The handshake is of no more use then.
+    /// Returns the greatest counter that the agent remembers of us. The handshake is void after that.
     std::optional<std::uint64_t> readNumber(ByteView datagram);
 
 private:
@@ -67,11 +67,11 @@ private:
     FirstMessage m_message{};
 };
 
-/// The agent's half: one first message that was read and not yet answered.
+/// The agent's half: a first message that was read and not answered yet.
 class Responder
 {
 public:
-    /// `datagram` has kFirstLength bytes and its mac1 was verified.
+    /// Precondition: kFirstLength bytes, and mac1 or the MAC under a cookie was verified.
     static Result<Responder, RefusalReason> read(const crypto::X25519KeyPair &identity, ByteView datagram,
                                                  Carrier carrier = Carrier::Datagram);
 
@@ -83,10 +83,10 @@ public:
         AnswerMessage message{};
         Agreement agreement;
     };
-    /// `known` is the peer that `peer()` names. NoCommonSuite, or WrongKey when the library fails.
+    /// `known`: the listed peer with the key peer(). Fails with NoCommonSuite, or WrongKey if the library fails.
     Result<Answer, RefusalReason> answer(const Peer &known, ConnectionId ours, const SuiteOffer &offer,
                                          RandomSource &random) &&;
-    /// In place of an answer; only the station that wrote the first message can read it.
+    /// Written in place of an answer. Only the station that wrote the first message can read it.
     std::optional<NumberMessage> writeNumber(const Peer &known, std::uint64_t lastSeen, RandomSource &random) &&;
 
 private:
@@ -99,7 +99,7 @@ private:
     FirstPayload m_payload;
 };
 
-/// The connection id that an answer or a number is addressed to; nullopt for other datagrams.
+/// Returns the connection id that an answer or a number is addressed to; nullopt for other datagrams.
 std::optional<ConnectionId> answeredConnection(ByteView datagram);
 
 } // namespace skyseal::channel

@@ -9,9 +9,9 @@ namespace skyseal::channel {
 namespace {
 
 constexpr double kAtOnce = 20;
-/// What each standing leaves to the better ones.
+/// Tokens that each standing leaves to the better ones.
 constexpr double kLeft[] = {10, 5, 0};
-/// A station sends a fresh first message every two seconds at the most; the rest is for several behind one address.
+/// A station sends a fresh first message every two seconds at the most; the rest is for several stations behind one address.
 constexpr double kShareBySecond = 2;
 constexpr double kShareAtOnce = 5;
 constexpr Duration kKeyLife = std::chrono::seconds(60);
@@ -30,7 +30,7 @@ TokenBucket &HandshakeLimit::shareOf(TimePoint now, const Path &from)
         m_random.fill(m_key);
         m_keySince = now;
     }
-    // An IPv6 host owns the lower half of its address, and every host its ports.
+    // An IPv6 host can choose the lower half of its address, and every host its ports.
     static constexpr std::array<std::uint8_t, 12> kMappedIpv4{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff};
     const auto &ip = from.remote.ip;
     const bool ipv4 = std::equal(kMappedIpv4.begin(), kMappedIpv4.end(), ip.begin());

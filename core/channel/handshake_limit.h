@@ -1,6 +1,6 @@
-// How many first messages an agent computes on, and whose: a Diffie-Hellman for a stranger is the dearest thing that it does
-// unasked. All of them share 50 a second. Sources that proved their address by a cookie come before those that only claim
-// one, and each source has a share of its own; an address where a station is expected comes before all. Memory is fixed.
+// Limits the first messages on which an agent computes (PROTOCOL.md, section 4.1): a Diffie-Hellman computation is the most
+// expensive reaction to an unauthenticated datagram. All sources share 50 a second. Addresses proven by a cookie have priority
+// over claimed ones, each source has its own share, and expected stations have the highest priority. Memory is fixed.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,29 +12,29 @@
 
 namespace skyseal::channel {
 
-/// What is known of the address that a first message comes from.
+/// Trust in the source address of a first message.
 enum class Standing : std::uint8_t {
-    Claimed,  ///< anybody can write it
-    Proven,   ///< it received a cookie
-    Expected, ///< and it is one where the agent announces itself or has a session
+    Claimed,  ///< may be forged
+    Proven,   ///< a cookie was received there
+    Expected, ///< proven, and the agent announces itself or has a session there
 };
 
 class HandshakeLimit
 {
 public:
-    /// 50 a second cost about a percent of one core of a small companion computer.
+    /// The default of 50 a second costs about a percent of one core of a small companion computer.
     HandshakeLimit(RandomSource &random, TimePoint now, double perSecond = 50);
 
-    /// Too many came of late: claimed addresses are to be given a cookie, not a computation.
+    /// Returns true if messages from claimed addresses must be answered by a cookie.
     bool underLoad(TimePoint now);
-    /// Whether to compute on one more. It counts when it is true.
+    /// Returns true, and counts, if one more may be computed on.
     bool admit(TimePoint now, const Path &from, Standing standing);
 
 private:
     TokenBucket &shareOf(TimePoint now, const Path &from);
 
-    // Not a list of addresses, which a flood could fill: each falls into one of these, by a secret that changes, so that
-    // two which meet in one do not meet for long.
+    // Addresses are hashed into a fixed number of shares, since a flood could fill a list. The key of the hash changes, so that
+    // two addresses do not share one for long.
     static constexpr std::size_t kShares = 1024;
 
     RandomSource &m_random;

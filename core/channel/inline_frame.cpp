@@ -16,10 +16,10 @@ constexpr std::size_t kChecksum = 2;
 
 using Hidden = std::array<std::uint8_t, 255>;
 
-/// The facts of the message when the bytes begin with a MAVLink 2 frame of it with these flags, are as long as it and
-/// `trailer`, and their checksum is right.
-std::optional<MessageTraits::Message> factsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer,
-                                              const MessageTraits &facts)
+/// Returns the traits of the message if the bytes are one MAVLink 2 frame with these flags and `trailer` bytes after it, and its
+/// checksum is right.
+std::optional<MessageTraits::Message> traitsOf(ByteView bytes, std::uint8_t flags, std::size_t trailer,
+                                               const MessageTraits &traits)
 {
     if (bytes.size() < kHeader + kChecksum + trailer || bytes[0] != kMagic || bytes[2] != flags)
         return std::nullopt;
@@ -27,23 +27,23 @@ std::optional<MessageTraits::Message> factsOf(ByteView bytes, std::uint8_t flags
     if (bytes.size() != payloadEnd + kChecksum + trailer)
         return std::nullopt;
     const std::uint32_t id = std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16;
-    const auto message = facts.message(id);
+    const auto message = traits.message(id);
     if (!message)
         return std::nullopt;
-    const std::uint16_t checksum = facts.checksum(bytes.subspan(1, payloadEnd - 1), message->crcExtra);
+    const std::uint16_t checksum = traits.checksum(bytes.subspan(1, payloadEnd - 1), message->crcExtra);
     const bool right = checksum == (bytes[payloadEnd] | bytes[payloadEnd + 1] << 8);
     return right ? message : std::nullopt;
 }
 
-void writeChecksum(MutableByteView frame, std::uint8_t crcExtra, const MessageTraits &facts)
+void writeChecksum(MutableByteView frame, std::uint8_t crcExtra, const MessageTraits &traits)
 {
     const std::size_t payloadEnd = kHeader + frame[1];
-    const std::uint16_t checksum = facts.checksum(ByteView(frame).subspan(1, payloadEnd - 1), crcExtra);
+    const std::uint16_t checksum = traits.checksum(ByteView(frame).subspan(1, payloadEnd - 1), crcExtra);
     frame[payloadEnd] = static_cast<std::uint8_t>(checksum);
     frame[payloadEnd + 1] = static_cast<std::uint8_t>(checksum >> 8);
 }
 
-/// Everything that is authenticated and not encrypted: header as it travels 10 | epoch 1 | offsets of the targets 2 | the
+/// Associated data: header on the wire 10 | epoch 1 | offsets of the targets 2 | the
 /// targets 2 | suite 1 | direction 1 | carrier 1.
 class InlineAssociatedData
 {
@@ -109,10 +109,10 @@ std::array<std::uint8_t, 4> ClearBytes::describe(ByteView payload) const
     return {m_first, m_second, byteAt(m_first), byteAt(m_second)};
 }
 
-std::optional<SealableFrame> SealableFrame::read(ByteView frame, const MessageTraits &facts)
+std::optional<SealableFrame> SealableFrame::read(ByteView frame, const MessageTraits &traits)
 {
-    const auto message = factsOf(frame, 0, 0, facts);
-    return message ? std::optional(SealableFrame(frame, *message, facts)) : std::nullopt;
+    const auto message = traitsOf(frame, 0, 0, traits);
+    return message ? std::optional(SealableFrame(frame, *message, traits)) : std::nullopt;
 }
 
 bool SealableFrame::seal(const InlinePlace &place, crypto::InlineCipher &cipher, MutableByteView out) const
@@ -130,7 +130,7 @@ bool SealableFrame::seal(const InlinePlace &place, crypto::InlineCipher &cipher,
     if (!tag)
         return false;
     clear.scatter(hidden, payload);
-    writeChecksum(frame, m_message.crcExtra, *m_facts);
+    writeChecksum(frame, m_message.crcExtra, *m_traits);
     ByteWriter trailer(frame.last(kInlineTrailer));
     trailer.u8(place.epochByte);
     trailer.u32(place.counter);
@@ -138,12 +138,12 @@ bool SealableFrame::seal(const InlinePlace &place, crypto::InlineCipher &cipher,
     return trailer.ok();
 }
 
-std::optional<InlineFrame> InlineFrame::read(MutableByteView frame, const MessageTraits &facts)
+std::optional<InlineFrame> InlineFrame::read(MutableByteView frame, const MessageTraits &traits)
 {
-    const auto message = factsOf(frame, kInlineFlags, kInlineTrailer, facts);
+    const auto message = traitsOf(frame, kInlineFlags, kInlineTrailer, traits);
     if (!message)
         return std::nullopt;
-    const InlineFrame read(frame, *message, facts);
+    const InlineFrame read(frame, *message, traits);
     return read.counter() <= kMaxInlineCounter ? std::optional(read) : std::nullopt;
 }
 
@@ -168,7 +168,7 @@ std::optional<MutableByteView> InlineFrame::open(Direction direction, Carrier ca
     clear.scatter(hidden, payload);
     m_bytes[2] = 0;
     const MutableByteView frame = m_bytes.first(m_bytes.size() - kInlineTrailer);
-    writeChecksum(frame, m_message.crcExtra, *m_facts);
+    writeChecksum(frame, m_message.crcExtra, *m_traits);
     return frame;
 }
 

@@ -1,11 +1,11 @@
-// A MAVLink 2 frame sealed in place: its header and the bytes that say for whom it is stay clear, and are authenticated; the
-// rest of the payload is encrypted at the same length; the checksum is that of the encrypted frame; and where a signature
-// would stand there are
+// Inline framing (PROTOCOL.md, section 12): a MAVLink 2 frame sealed in place. Header and target bytes stay clear and are
+// authenticated; the rest of the payload is encrypted at the same length; the checksum is that of the encrypted frame; in the
+// place of a signature there are
 //
 //   epoch 1 | counter 4 | tag 8
 //
-// with 0x81 as incompatibility flags: bit 0 says that 13 bytes follow the checksum, so that whoever does not know bit 7
-// still finds the frame's end, and skips it. Little-endian, as MAVLink is. PROTOCOL.md section 12.
+// The incompatibility flags are 0x81: bit 0 announces 13 bytes after the checksum, so that a receiver that does not know bit 7
+// still finds the end of the frame and skips it. Little-endian, like MAVLink.
 #pragma once
 
 #include "core/channel/message_traits.h"
@@ -20,36 +20,36 @@ namespace skyseal::channel {
 inline constexpr std::uint8_t kInlineFlags = 0x81;
 inline constexpr std::size_t kInlineTrailer = 13;
 inline constexpr std::size_t kMaxInlineFrame = 280;
-/// The counter is that of the records of the same epoch, which is never let grow further.
+/// Limit of the counter, which records and inline frames of an epoch share.
 inline constexpr std::uint32_t kMaxInlineCounter = (1u << 24) - 1;
 
-/// True for bytes that begin as an inline frame does and could hold one; InlineFrame::read says whether they do.
+/// Returns true if the bytes begin like an inline frame and are long enough for one. InlineFrame::read() checks the rest.
 constexpr bool looksInline(ByteView bytes)
 {
     return bytes.size() >= 10 + 2 + kInlineTrailer && bytes[0] == 0xfd && bytes[2] == kInlineFlags;
 }
 
-/// What a tag covers beside the frame itself.
+/// Implicit fields that a tag covers beside the frame.
 struct InlinePlace
 {
-    std::uint8_t epochByte = 0; ///< the low byte of the epoch's number, as it travels
+    std::uint8_t epochByte = 0; ///< low byte of the epoch's number
     std::uint32_t counter = 0;
     Direction direction{};
     Carrier carrier{};
 };
 
-/// Where the clear bytes of a payload stand, in rising order.
+/// Offsets of the clear bytes of a payload, ascending.
 class ClearBytes
 {
 public:
-    /// Offsets at which this payload has no byte (the message has no such field, or its zero was trimmed) fall away.
+    /// Leaves out offsets beyond the payload (no such field, or a trimmed zero).
     ClearBytes(const MessageTraits::Message &message, std::size_t payloadLength);
 
     std::size_t hiddenLength() const { return m_length - (m_first != kNone) - (m_second != kNone); }
-    /// The payload without its clear bytes, to the front of `out`, and back again.
+    /// Copies the payload without its clear bytes to the front of `out`, and back.
     void gather(ByteView payload, MutableByteView out) const;
     void scatter(ByteView hidden, MutableByteView payload) const;
-    /// Both offsets (255 = none) and both bytes (then 0).
+    /// Returns both offsets (255 = none) and both bytes (0 if none).
     std::array<std::uint8_t, 4> describe(ByteView payload) const;
 
 private:
@@ -60,51 +60,51 @@ private:
     std::uint8_t m_second = kNone;
 };
 
-/// A plain frame that can be sealed in place: MAVLink 2, without any incompatibility flag (so not signed), of a known
-/// message, its checksum right. Lives as long as its bytes.
+/// A plain frame that can be sealed in place: MAVLink 2, without incompatibility flags (so not signed), of a known message, with
+/// a right checksum. A view: valid as long as its bytes.
 class SealableFrame
 {
 public:
-    /// nullopt for anything else, and for bytes that go on behind the frame.
-    static std::optional<SealableFrame> read(ByteView frame, const MessageTraits &facts);
+    /// Returns nullopt for anything else, and if bytes follow the frame.
+    static std::optional<SealableFrame> read(ByteView frame, const MessageTraits &traits);
 
     std::size_t sealedSize() const { return m_bytes.size() + kInlineTrailer; }
-    /// Writes `sealedSize()` bytes to the front of `out`, which has them and is apart from the frame; false when the library
+    /// Writes `sealedSize()` bytes to `out`, which must have that size and not overlap the frame. Returns false if the library
     /// failed.
     [[nodiscard]] bool seal(const InlinePlace &place, crypto::InlineCipher &cipher, MutableByteView out) const;
 
 private:
-    SealableFrame(ByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
-        : m_bytes(bytes), m_message(message), m_facts(&facts)
+    SealableFrame(ByteView bytes, const MessageTraits::Message &message, const MessageTraits &traits)
+        : m_bytes(bytes), m_message(message), m_traits(&traits)
     {}
 
     ByteView m_bytes;
     MessageTraits::Message m_message;
-    const MessageTraits *m_facts;
+    const MessageTraits *m_traits;
 };
 
-/// A sealed frame whose form and checksum are right; whether it is authentic only `open` tells. Lives as long as its bytes.
+/// A sealed frame with a right form and checksum; open() authenticates it. A view: valid as long as its bytes.
 class InlineFrame
 {
 public:
-    /// nullopt unless the bytes are one such frame, exactly: flags 0x81, the length that its header gives, a known message,
-    /// a right checksum, a counter that may be.
-    static std::optional<InlineFrame> read(MutableByteView frame, const MessageTraits &facts);
+    /// Returns nullopt unless the bytes are exactly one such frame: flags 0x81, the length in its header, a known message, a right
+    /// checksum, a counter within the limit.
+    static std::optional<InlineFrame> read(MutableByteView frame, const MessageTraits &traits);
 
     std::uint8_t epochByte() const { return m_bytes[m_bytes.size() - kInlineTrailer]; }
     std::uint32_t counter() const;
 
-    /// Checks the tag and makes the plain frame of it, in place; nullopt, with no byte changed, when it is wrong.
+    /// Checks the tag and restores the plain frame in place. Returns nullopt, and changes nothing, if the tag is wrong.
     std::optional<MutableByteView> open(Direction direction, Carrier carrier, crypto::InlineCipher &cipher) const;
 
 private:
-    InlineFrame(MutableByteView bytes, const MessageTraits::Message &message, const MessageTraits &facts)
-        : m_bytes(bytes), m_message(message), m_facts(&facts)
+    InlineFrame(MutableByteView bytes, const MessageTraits::Message &message, const MessageTraits &traits)
+        : m_bytes(bytes), m_message(message), m_traits(&traits)
     {}
 
     MutableByteView m_bytes;
     MessageTraits::Message m_message;
-    const MessageTraits *m_facts;
+    const MessageTraits *m_traits;
 };
 
 } // namespace skyseal::channel

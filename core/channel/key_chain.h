@@ -1,5 +1,5 @@
-// The secret from which each epoch's keys and the next link of the chain come. A link is a one-way function of the one
-// before and of a fresh nonce of either end, so whoever finds the keys of one epoch cannot open an earlier one.
+// The key chain (PROTOCOL.md, section 5): each link gives the secrets of an epoch and the next link. A link is a one-way function
+// of the one before and of a fresh nonce of each end, so that the keys of one epoch do not open an earlier one.
 #pragma once
 
 #include "core/base/secret_bytes.h"
@@ -17,7 +17,7 @@ public:
     /// The first link, from the two transport keys and the final hash of the handshake.
     KeyChain(const Key32 &fromInitiator, const Key32 &fromResponder, ByteView handshakeHash);
 
-    /// Secrets of one epoch, bound to its number, suite and nonces (zeros in epoch 0), and the chain after it.
+    /// Derives the secrets of an epoch, bound to its number, suite and nonces (zero in epoch 0), and the next link.
     EpochSecrets derive(Epoch epoch, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) const;
 
 private:

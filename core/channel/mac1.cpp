@@ -12,7 +12,7 @@ namespace skyseal::channel {
 namespace {
 
 constexpr std::size_t kNonceLength = 16;
-constexpr std::size_t kSaid = 1 + kNonceLength; ///< of an announcement: what its MAC covers
+constexpr std::size_t kCovered = 1 + kNonceLength; ///< bytes of an announcement that its MAC covers
 
 using Mac = std::array<std::uint8_t, kMacLength>;
 
@@ -61,14 +61,15 @@ Announcement::Datagram Announcement::make(RandomSource &random) const
     Datagram out{};
     out[0] = firstByte(HandshakeMessage::Announcement);
     random.fill(MutableByteView(out).subspan(1, kNonceLength));
-    const Mac mac = macOver(m_key, ByteView(out).first(kSaid));
-    std::copy(mac.begin(), mac.end(), out.begin() + kSaid);
+    const Mac mac = macOver(m_key, ByteView(out).first(kCovered));
+    std::copy(mac.begin(), mac.end(), out.begin() + kCovered);
     return out;
 }
 
 bool Announcement::recognises(ByteView datagram) const
 {
-    return datagram.size() == kLength && equal(macOver(m_key, datagram.first(kSaid)), datagram.subspan(kSaid, kMacLength));
+    return datagram.size() == kLength
+        && equal(macOver(m_key, datagram.first(kCovered)), datagram.subspan(kCovered, kMacLength));
 }
 
 } // namespace skyseal::channel

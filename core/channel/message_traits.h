@@ -1,5 +1,5 @@
-// The little that sealing a MAVLink frame in place needs to know of MAVLink. The channel carries opaque bytes otherwise and
-// knows no message; whoever joins it with a dialect hands these facts in.
+// The properties of MAVLink messages that inline framing needs (PROTOCOL.md, section 12). The channel otherwise transports
+// opaque bytes and knows no message; its owner implements this interface over a dialect.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -15,14 +15,14 @@ public:
     struct Message
     {
         std::uint8_t crcExtra = 0;
-        std::int16_t targetSystemOffset = -1; ///< in the payload; -1: has none
+        std::int16_t targetSystemOffset = -1; ///< in the payload; -1: none
         std::int16_t targetComponentOffset = -1;
     };
 
     virtual ~MessageTraits() = default;
-    /// nullopt for a message that is not known: its checksum cannot be made, nor is it known where its targets stand.
+    /// Returns nullopt for an unknown message: its CRC_EXTRA and the offsets of its targets are unknown.
     virtual std::optional<Message> message(std::uint32_t id) const = 0;
-    /// MAVLink's checksum over a frame from its second byte to the end of its payload, and then CRC_EXTRA.
+    /// MAVLink's checksum over `bytes` (a frame from its second byte to the end of its payload) and CRC_EXTRA.
     virtual std::uint16_t checksum(ByteView bytes, std::uint8_t crcExtra) const = 0;
 };
 

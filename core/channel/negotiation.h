@@ -22,18 +22,18 @@ struct SuiteOffer
     bool operator==(const SuiteOffer &) const = default;
 };
 
-/// The offer that a policy gives: research suites only with `allowResearch`, None only as `allowPlain`.
+/// Makes the offer of a policy: research suites only with `allowResearch`, None only as `allowPlain`.
 SuiteOffer offerOf(const Policy &policy);
 
-/// Whether frames are to be sealed in place: both ends allow it and at least one prefers it.
+/// Returns true if both ends allow inline framing and at least one prefers it.
 bool inlineWanted(const SuiteOffer &one, const SuiteOffer &other);
 
-/// Every suite that both ends allow, in the initiator's order; research suites only when both allow them, None last
-/// and only when both allow plain.
+/// Returns the suites that both ends allow, in the initiator's order; research suites only if both allow them; None last, and
+/// only if both allow plain.
 std::vector<crypto::SuiteId> permittedSuites(const SuiteOffer &initiator, const SuiteOffer &responder);
 
-/// The suite that a session begins with: the first one permitted that is neither research nor None, which take an
-/// explicit switch. nullopt when there is none.
+/// Returns the suite with which a session begins: the first permitted one that is neither research nor None, which take an
+/// explicit switch. Returns nullopt if there is none.
 std::optional<crypto::SuiteId> chooseSuite(const SuiteOffer &initiator, const SuiteOffer &responder);
 
 } // namespace skyseal::channel

@@ -36,7 +36,7 @@ struct Pairing::State
     void handleDeadline(TimePoint at);
     TimePoint deadline() const;
 
-    /// "No", said a few more times after the talk is gone.
+    /// Repetitions of a refusal after the confirmation has ended.
     struct Farewell
     {
         Path path;
@@ -56,8 +56,7 @@ struct Pairing::State
     TimePoint otherTold = TimePoint::min();
 };
 
-/// A handshake came to its end. Only one is shown at a time, and who came first stays, so that nobody can put another key
-/// under the eyes of a person who is comparing.
+/// A handshake has finished. Only the first peer is shown, so that nobody can replace the key that a person is comparing.
 void Pairing::State::takeUp(TimePoint at, std::optional<PairingConfirmation> &&next)
 {
     if (!next)
@@ -92,7 +91,7 @@ void Pairing::State::handleWord(TimePoint at, const Path &from, ByteView datagra
 void Pairing::State::weigh(TimePoint at)
 {
     if (talk->theirs() == Decision::No) {
-        core.turnedDown.push_back(talk->peer().key); // Its person will not be asked again in this window, nor ours.
+        core.turnedDown.push_back(talk->peer().key); // Neither person is asked again about it in this window.
         if (station)
             station->setAside(talk->peer().path);
         dropTalk(PairingGone::Refused);

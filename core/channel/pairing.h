@@ -1,14 +1,14 @@
-// Pairing: two devices that do not know each other yet exchange their public keys, and two people say whether these are the
-// right ones. A plain object without socket, thread or clock, beside the endpoint; PROTOCOL.md describes what it speaks.
-// It lives as long as the window is open, and stores nothing: `Paired` is for the owner to keep.
+// Pairing: two devices that do not know each other exchange their public keys, and two people confirm that these are the right
+// ones (PROTOCOL.md, section 13). A plain object without socket, thread or clock, beside the endpoint. It lives as long as the
+// pairing window is open, and stores nothing: the owner stores the result from the event `Paired`.
 //
 //   station                                    agent
 //     <- call                                    the window is open (twice a second, no key in it)
-//     first ->  <- answer  third ->              Noise XXpsk3; nobody is shown before it is over
-//     <- words ->                                "my person has not decided", "yes", "no", sealed, repeated
+//     first ->  <- answer  third ->              Noise XXpsk3; no peer is shown before it has finished
+//     <- words ->                                the decision of each person, sealed and repeated
 //
-// Each person compares the full fingerprint on one screen with the one on the other; somebody in between has other keys.
-// Poll the outputs after every input and command, as with an endpoint.
+// Each person compares the full fingerprints on both screens; a man in the middle has other keys.
+// Poll the outputs after each input and command, as with an endpoint.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -34,17 +34,17 @@ struct PairingConfig
 {
     Role role = Role::Station;
     std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
-    std::string name;                                      ///< what we call ourselves
-    PeerRole roleAsked = PeerRole::Pilot;                  ///< the station's: what it wants to be at the agent
-    /// A slow hash of a passphrase that both people typed, for this one pairing; null = none. A second hurdle for somebody
-    /// in between, who can guess at it at leisure: it does not replace the comparison of fingerprints.
+    std::string name;                                      ///< our name for the other end
+    PeerRole roleAsked = PeerRole::Pilot;                  ///< a station's: role that it asks for at the agent
+    /// Slow hash of a passphrase that both people typed, for this pairing only; null = none. An additional obstacle to a man in
+    /// the middle, who can guess at it offline: it does not replace the comparison of fingerprints.
     std::shared_ptr<const Key32> passphraseKey;
     bool wantPresharedKey = true; ///< a pre-shared key for the pair is made when both ends want one
-    std::vector<Path> callTo;     ///< the agent's: where to call; an all-zero address is the one peer of a link
+    std::vector<Path> callTo;     ///< an agent's: targets of its calls; an all-zero address is the only peer of a link
     Duration window = kPairingWindow;
 };
 
-/// Whom the person is to compare. Name and role are what the other end says of itself.
+/// The peer to confirm. Name and role are claims of the other end.
 struct PairingPeer
 {
     PublicKey key{};
@@ -59,7 +59,7 @@ struct PairingPeerSeen
     PairingPeer peer;
 };
 
-/// The person at the other end said yes, and ours has not yet.
+/// The person at the other end has confirmed, ours has not yet.
 struct PairingPeerConfirmed
 {
     PublicKey key{};
@@ -67,28 +67,28 @@ struct PairingPeerConfirmed
 
 enum class PairingGone : std::uint8_t {
     Silent,   ///< nothing for 10 s
-    Refused,  ///< the person at the other end said no, or the window there closed
-    Replaced, ///< it began again; PairingPeerSeen follows, and what was said is forgotten
+    Refused,  ///< the person at the other end refused, or the window there closed
+    Replaced, ///< it started again; PairingPeerSeen follows, earlier decisions are void
 };
 
-/// The question that was asked is void.
+/// The peer shown before is gone; its question is void.
 struct PairingPeerGone
 {
     PublicKey key{};
     PairingGone reason{};
 };
 
-/// Another device came through the handshake while one was being compared. At most one a second.
+/// Another device finished the handshake while one was shown. At most one event a second.
 struct PairingOtherTried
 {
     PairingPeer peer;
 };
 
-/// One end has a passphrase and the other none, or they differ. At most one a second; a hint that anybody can provoke.
+/// The passphrases differ, or one end has none. At most one event a second; an unauthenticated hint.
 struct PairingPassphraseDiffers
 {};
 
-/// Both people said yes: to be kept now. The system ids are empty; the pre-shared key is null unless both ends wanted one.
+/// Both people confirmed: store the peer. It has no system ids; the pre-shared key is null unless both ends wanted one.
 struct Paired
 {
     Peer peer;
@@ -115,12 +115,12 @@ public:
     Pairing &operator=(Pairing &&) noexcept;
 
     // query
-    /// True for a first byte of this protocol's pairing messages; an endpoint owns these as well, so ask here first.
+    /// Returns true for the first byte of a pairing message. Endpoint::owns() is true for it as well, so ask here first.
     static bool owns(std::uint8_t firstByte);
-    const PairingPeer *peer() const; ///< whom the person is asked about; null when nobody is there
+    const PairingPeer *peer() const; ///< the peer that is shown; null if there is none
     bool confirmedHere() const;
     bool confirmedThere() const;
-    /// Over, and the other end was told as well as could be.
+    /// Pairing is over, and the repetitions to the other end are done.
     bool finished() const;
     TimePoint nextDeadline() const;
 
@@ -129,11 +129,11 @@ public:
     void handleDeadline(TimePoint now);
 
     // command
-    /// The person said yes to the key that was looked at. Ignored for any other than the one of `peer()`.
+    /// The person confirmed this key. Ignored unless it is that of peer().
     void confirm(TimePoint now, const PublicKey &key);
-    /// The one shown is the wrong one: it is told, and set aside while the window stays open for others.
+    /// The person refused the peer that is shown: it is notified and ignored, while the window stays open for others.
     void refuse(TimePoint now);
-    /// Closes the window. After both ends confirmed it changes nothing.
+    /// Closes the window. No effect once both ends have confirmed.
     void cancel(TimePoint now, PairingEnd reason = PairingEnd::Cancelled);
 
     // output

@@ -10,10 +10,10 @@ namespace {
 
 constexpr Duration kCallEvery = std::chrono::milliseconds(500);
 constexpr std::size_t kMaxAnswered = 8;
-/// Three Diffie-Hellmans each.
+/// Three Diffie-Hellman computations each.
 constexpr double kFirstsPerSecond = 15;
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
-/// Each is up to one Diffie-Hellman more. Of one answer, so that who asked for another one cannot use them up.
+/// Up to one Diffie-Hellman computation each. Per answer, so that the receiver of another answer cannot use them up.
 constexpr double kThirdsPerSecond = 5;
 constexpr double kThirdsAtOnce = 5;
 
@@ -51,7 +51,7 @@ void PairingAgent::forgetOldAnswers(TimePoint now)
 
 void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
-    // Whoever has not heard a call of this window is turned away for the price of a comparison.
+    // A sender that has not received a call of this window costs no more than a comparison.
     const auto head = firstHead(datagram);
     if (!head || sodium_memcmp(head->token.data(), m_token.data(), m_token.size()) != 0)
         return;

@@ -1,4 +1,4 @@
-// The agent's side of coming to talk: it calls while its window is open, and answers who has heard it.
+// The agent's part of a pairing handshake: it calls while its window is open, and answers stations that received a call.
 #pragma once
 
 #include "core/channel/token_bucket.h"
@@ -13,13 +13,13 @@ public:
     PairingAgent(PairingCore &core, TimePoint now);
 
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// A handshake that is over: whoever wrote it owns the key, and knows the passphrase if there is one.
+    /// Finishes a handshake: the writer has the key, and knows the passphrase if there is one.
     std::optional<PairingConfirmation> handleThird(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
     TimePoint callDue() const { return m_callDue; }
 
 private:
-    /// A first message that was answered. Only a few are remembered; a newer one takes the place of the oldest.
+    /// An answered first message. Only a few are kept; a new one replaces the oldest.
     struct Answered
     {
         PairingHandshake handshake;
@@ -27,7 +27,7 @@ private:
         PairingDatagram first{};
         PairingDatagram answer{};
         TimePoint at{};
-        TokenBucket thirds; ///< that may still be computed on
+        TokenBucket thirds; ///< third messages that may be computed on
     };
     void forgetOldAnswers(TimePoint now);
     bool mayCompute(TimePoint now, const Path &from);

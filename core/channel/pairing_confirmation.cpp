@@ -4,7 +4,7 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr Duration kRepeat = std::chrono::milliseconds(250); ///< while the other end has not heard the last
+constexpr Duration kRepeat = std::chrono::milliseconds(250); ///< until the other end has acknowledged the last word
 constexpr Duration kKeepAlive = std::chrono::seconds(1);
 constexpr Duration kSilence = std::chrono::seconds(10);
 constexpr Duration kLinger = std::chrono::seconds(3);      ///< after the other end is known to be done
@@ -42,7 +42,7 @@ bool PairingConfirmation::hear(TimePoint now, const Path &from, ByteView datagra
     if (!word)
         return false;
     m_lastHeard = now;
-    // Old words may come late or be repeated by others: what was said does not go back.
+    // Old words may arrive late or be replayed: a decision never goes back.
     m_heardByPeer = std::max(m_heardByPeer, word->heard);
     if (word->mine > m_theirs && !paired()) {
         m_theirs = word->mine;
@@ -53,7 +53,7 @@ bool PairingConfirmation::hear(TimePoint now, const Path &from, ByteView datagra
     if (paired() && heardByPeer() && m_heardAt == kNever)
         m_heardAt = now;
     if (paired() && word->heard != Heard::AllIsSaid)
-        m_due = now; // It does not know yet that we do.
+        m_due = now; // The peer does not know yet that we know.
     return true;
 }
 
@@ -70,7 +70,7 @@ void PairingConfirmation::handleDeadline(TimePoint now, PairingCore &core)
     core.outgoing.push(m_peer.path, word());
     const bool heard = heardByPeer();
     if (paired() && heard)
-        m_due = kNever; // From now on only in answer.
+        m_due = kNever; // From now on only in answer to a word.
     else
         m_due = now + core.jittered(heard ? kKeepAlive : kRepeat);
 }

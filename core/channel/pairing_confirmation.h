@@ -1,5 +1,5 @@
-// The part of a pairing after its handshake, the same at both ends: what each person decided, said by words that are
-// repeated until the other end has heard them.
+// The part of a pairing after its handshake, the same at both ends: the decision of each person, in sealed messages ("words")
+// that are repeated until the other end has acknowledged them.
 #pragma once
 
 #include "core/base/weakness.h"
@@ -17,20 +17,20 @@ public:
     Decision mine() const { return m_mine; }
     Decision theirs() const { return m_theirs; }
     bool paired() const { return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes; }
-    /// The other end knows that both said yes, or nothing was heard of it for long after.
+    /// The other end knows that both have confirmed, or has been silent for long.
     bool settled(TimePoint now) const;
     bool silent(TimePoint now) const;
 
     void decide(TimePoint now, Decision decision);
-    /// False when it is no word of this talk. Something new makes `theirs()` change.
+    /// Returns false if it is not a word of this pairing. A new decision changes theirs().
     bool hear(TimePoint now, const Path &from, ByteView datagram);
-    /// The other end repeats itself: it has not heard us.
+    /// The other end repeats its third message: it has not received our word.
     void repeat(TimePoint now) { m_due = std::min(m_due, now); }
     void handleDeadline(TimePoint now, PairingCore &core);
     TimePoint deadline() const;
     WordDatagram word();
 
-    /// To be kept when both said yes.
+    /// Result if both have confirmed.
     Peer pairedPeer() const;
 
 private:
@@ -48,7 +48,7 @@ private:
     TimePoint m_lastHeard;
     TimePoint m_due;
     TimePoint m_pairedAt = kNever;
-    TimePoint m_heardAt = kNever; ///< when the peer, after both said yes, first said that it heard ours
+    TimePoint m_heardAt = kNever; ///< first acknowledgement by the peer after both have confirmed
 };
 
 } // namespace skyseal::channel

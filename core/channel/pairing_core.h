@@ -1,4 +1,4 @@
-// What both roles of a pairing share: its outputs, whom a person turned down, and the pace of repeats.
+// State that both roles of a pairing share: outputs, refused keys, jitter of repetitions.
 #pragma once
 
 #include "core/channel/datagram_queue.h"
@@ -17,7 +17,7 @@ struct PairingCore
     RandomSource &random;
     DatagramQueue outgoing;
     std::deque<PairingEvent> events;
-    std::vector<PublicKey> turnedDown; ///< in this window, which computes 15 handshakes a second for two minutes at the most
+    std::vector<PublicKey> turnedDown; ///< in this window; bounded by 15 handshakes a second for two minutes
     TimePoint hintTold = TimePoint::min();
 
     PairingAbout about() const
@@ -28,7 +28,7 @@ struct PairingCore
     {
         return key != config.identity->publicKey && std::find(turnedDown.begin(), turnedDown.end(), key) == turnedDown.end();
     }
-    /// A quarter more or less, so that ends which began at once do not stay in step.
+    /// Adds up to a quarter of jitter, so that ends that began together do not stay in step.
     Duration jittered(Duration pause)
     {
         std::uint8_t dice = 0;

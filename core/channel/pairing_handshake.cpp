@@ -47,7 +47,7 @@ std::string_view fitting(std::string_view name)
     return name.substr(0, size);
 }
 
-/// As the file of known peers has it, so that a name that was sent can be kept.
+/// Characters that the peers file accepts, so that a received name can be stored.
 char fitCharacter(char c)
 {
     const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_'
@@ -104,7 +104,7 @@ WordDatagram PairingVoice::say(const Word &word)
     WordDatagram out{};
     writeHead(out, PairingMessage::Sealed, m_id);
     out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2 | static_cast<unsigned>(word.heard));
-    // The number is the nonce: what one nonce seals never changes.
+    // The number is the nonce: the content for one nonce never changes.
     m_send.setNonce(out[5]);
     const MutableByteView tag = MutableByteView(out).subspan(kSealedHead);
     if (!m_send.encryptWithAd(ByteView(out).first(kSealedHead), {}, tag))
@@ -132,7 +132,7 @@ std::optional<PairingHandshake> PairingHandshake::begin(noise::Role role, const 
                                                         const Key32 *passphraseKey, PairingId id, const PairingToken &token,
                                                         Carrier carrier)
 {
-    // What must be the same at both ends, and is otherwise sent in the clear.
+    // Fields that must be the same at both ends and are otherwise sent in clear.
     std::array<std::uint8_t, 19 + 4 + 16> prologue;
     ByteWriter out(prologue);
     out.bytes(asBytes("skyseal pairing v1"));

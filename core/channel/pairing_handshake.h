@@ -6,9 +6,9 @@
 //   third    station -> agent   0x5F | id 4 | 0 1 | Noise message 3: s 48, about 26 + 16                          96 bytes
 //   word     both ways          0x5F | id 4 | number 1 | tag 16                                                   22 bytes
 //
-// about: flags 1 | role asked 1 | name 24, zeros behind it. The token is the window's: who sends it back has heard a call.
-// A word says by its number, 0x80 | mine * 4 | heard, what my person decided and what I heard of yours; for one number the
-// bytes are always the same.
+// about: flags 1 | role asked 1 | name 24, padded with zeros. The token belongs to the window: a sender that returns it has
+// received a call. The number of a word, 0x80 | mine * 4 | heard, holds the decision at this end and the acknowledged one of
+// the other end; the bytes of a word depend on nothing else. PROTOCOL.md, section 13.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -23,7 +23,7 @@ namespace skyseal::channel {
 enum class PairingMessage : std::uint8_t { Call = 0, First = 1, Answer = 2, Sealed = 3 };
 enum class PairingId : std::uint32_t {};
 
-inline constexpr std::size_t kPairingLength = 127; ///< of call, first and answer: no end sends more than it got
+inline constexpr std::size_t kPairingLength = 127; ///< of call, first and answer: no end sends more than it received
 inline constexpr std::size_t kThirdLength = 96;
 inline constexpr std::size_t kWordLength = 22;
 
@@ -37,7 +37,7 @@ constexpr std::uint8_t firstByte(PairingMessage message)
     return firstByte(DatagramKind::Pairing, static_cast<std::uint8_t>(message));
 }
 
-/// What an end says of itself within the handshake.
+/// Properties of an end that it sends within the handshake.
 struct PairingAbout
 {
     static constexpr std::size_t kLength = 26;
@@ -47,14 +47,14 @@ struct PairingAbout
     std::string name;                     ///< at most 24 bytes on the wire; read with unfit characters replaced by "-"
 
     std::array<std::uint8_t, kLength> write() const;
-    /// nullopt for another length alone: by then the handshake has taken the message, and must go on.
+    /// Returns nullopt for a wrong length only: the handshake has accepted the message by then and must go on.
     static std::optional<PairingAbout> read(ByteView bytes);
 };
 
-/// What a person has decided; never goes back from Yes or No.
+/// Decision of a person; Yes and No are final.
 enum class Decision : std::uint8_t { None = 0, Yes = 1, No = 2 };
 
-/// What an end heard of the other one: its decision, and at last that it heard ours, so that neither need say more.
+/// Acknowledgement of the other end's decision, and finally of its acknowledgement, so that both can stop.
 enum class Heard : std::uint8_t { Nothing = 0, Yes = 1, No = 2, AllIsSaid = 3 };
 
 struct Word
@@ -63,7 +63,7 @@ struct Word
     Heard heard{};
 };
 
-/// The words of one end, under the keys of a finished handshake.
+/// The sealed messages of one end ("words"), under the keys of a finished handshake.
 class PairingVoice
 {
 public:
@@ -72,7 +72,7 @@ public:
     PairingId id() const { return m_id; }
     WordDatagram say(const Word &word);
     std::optional<Word> hear(ByteView datagram);
-    /// The pre-shared key that both ends can make of this handshake.
+    /// The pre-shared key that both ends can derive from this handshake.
     const std::shared_ptr<const Key32> &presharedKey() const { return m_presharedKey; }
 
 private:

@@ -2,7 +2,7 @@
 
 namespace skyseal::channel {
 
-// One for all: the two ends have nothing in common yet that somebody in between could not choose for them.
+// One salt for all: the two ends share no value yet that a man in the middle could not choose.
 static constexpr crypto::PassphraseSalt kSalt{'s', 'k', 'y', 's', 'e', 'a', 'l', ' ', 'p', 'a', 'i', 'r', 'i', 'n', 'g', '1'};
 
 std::shared_ptr<const Key32> pairingPassphraseKey(const crypto::Passphrase &passphrase)

@@ -1,4 +1,4 @@
-// The key that both ends make of the passphrase of a pairing: section 13 of PROTOCOL.md. It knows no file and no screen.
+// Derives the key of a pairing passphrase (PROTOCOL.md, section 13).
 #pragma once
 
 #include "core/crypto/passphrase_box.h"
@@ -7,12 +7,12 @@
 
 namespace skyseal::channel {
 
-/// Less than for a key file: a passphrase for one pairing is worth nothing afterwards, and the machine beside an autopilot
-/// is small. Both ends must use the same.
+/// Less than for a key file: the passphrase of one pairing is worthless afterwards, and a companion computer is small. Both
+/// ends must use the same value.
 inline constexpr crypto::PassphraseCost kPairingPassphraseCost{3, 64 * 1024};
 
-/// Takes a tenth of a second of one core and 64 MiB for that time: not on a thread that flies. Null when the machine has not
-/// as much memory.
+/// Takes a tenth of a second of one core and 64 MiB: do not call it on the I/O thread in flight. Returns null if there is not
+/// enough memory.
 std::shared_ptr<const Key32> pairingPassphraseKey(const crypto::Passphrase &passphrase);
 
 } // namespace skyseal::channel

@@ -8,12 +8,12 @@ namespace {
 
 constexpr std::size_t kMaxCallers = 16;
 constexpr Duration kHeardOfLate = std::chrono::seconds(3);
-/// For an answer, and then for a word. The next caller, or the same one, has its turn afterwards.
+/// Time-out for an answer, and then for a word. Afterwards the next caller has its turn, which may be the same one.
 constexpr Duration kAttempt = std::chrono::seconds(3);
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
 constexpr Duration kThirdRepeat = std::chrono::milliseconds(250);
-/// Whoever hears the first message can send false answers to it, a Diffie-Hellman each. Where no more may be computed on,
-/// the true one would not be read either: the next call begins anew, with an id that must be heard first.
+/// An eavesdropper can send false answers to the first message, one Diffie-Hellman computation each. When no more may be
+/// computed on, the true one would not be read either: the next call starts again, with a new id.
 constexpr double kAnswersPerSecond = 50;
 constexpr double kAnswersAtOnce = 20;
 constexpr Duration kPauseAfterFlood = std::chrono::milliseconds(250);
@@ -40,7 +40,7 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
             begin(now);
         return;
     }
-    // One first message for one call, so that a forged sender gains nothing.
+    // One first message for one call, so that a forged source address yields no amplification.
     const bool answered = m_attempt->voice.has_value();
     if (m_attempt->path == from && !answered && now >= m_attempt->sentAt + kFirstPause) {
         m_attempt->sentAt = now;
@@ -48,7 +48,7 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
     }
 }
 
-/// Takes up the caller that was heard just now, unless another one has waited longer: then at its next call.
+/// Takes up this caller, unless another one has waited longer; then that one, at its next call.
 void PairingStation::begin(TimePoint now)
 {
     Caller *next = nullptr;
@@ -98,7 +98,7 @@ void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView data
         m_attempt.reset();
         return;
     }
-    // A station asks for its own role; what an agent is to it, it says here.
+    // A station asks for its own role; the role of an agent is fixed.
     m_attempt->peer = {key, about->name, about->roleAsked, from};
     m_attempt->presharedKeyWanted = about->wantPresharedKey && m_core.config.wantPresharedKey;
     m_attempt->third = *third;
@@ -136,8 +136,8 @@ void PairingStation::handleDeadline(TimePoint now)
         return;
     if (now >= m_attempt->until) {
         if (m_attempt->voice && m_core.config.passphraseKey)
-            m_core.hintAtPassphrase(now); // It answers, and is silent to what needs the passphrase.
-        m_attempt.reset();                // The next call begins another.
+            m_core.hintAtPassphrase(now); // It answers, but not to the message that needs the passphrase.
+        m_attempt.reset();                // The next call starts another attempt.
     } else if (now >= m_attempt->due) {
         sendThird(now);
     }

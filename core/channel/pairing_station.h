@@ -1,4 +1,4 @@
-// The station's side of coming to talk: it hears calls and takes up one after the other, until one comes to a talk.
+// The station's part of a pairing handshake: it listens for calls and takes up one caller after the other.
 #pragma once
 
 #include "core/channel/token_bucket.h"
@@ -13,9 +13,9 @@ public:
 
     void handleCall(TimePoint now, const Path &from, ByteView datagram);
     void handleAnswer(TimePoint now, const Path &from, ByteView datagram);
-    /// The first word of an agent: it has taken our third message, so it knows the passphrase if there is one.
+    /// The first word of an agent: it accepted our third message, so it knows the passphrase if there is one.
     std::optional<PairingConfirmation> handleWord(TimePoint now, const Path &from, ByteView datagram);
-    /// The one that called from there was turned down.
+    /// The caller on this path was refused.
     void setAside(const Path &path);
     void handleDeadline(TimePoint now);
     TimePoint deadline() const;
@@ -29,7 +29,7 @@ private:
         TimePoint tried = TimePoint::min();
         bool aside = false;
     };
-    /// A handshake with one caller, and after its answer the third message, repeated until a word comes.
+    /// A handshake with one caller; after its answer the third message is repeated until a word comes.
     struct Attempt
     {
         PairingHandshake handshake;
@@ -51,8 +51,8 @@ private:
     PairingCore &m_core;
     std::vector<Caller> m_callers;
     std::optional<Attempt> m_attempt;
-    TokenBucket m_answers;                   ///< that may be computed on
-    TimePoint m_nextFrom = TimePoint::min(); ///< not before then another attempt
+    TokenBucket m_answers;                   ///< answers that may be computed on
+    TimePoint m_nextFrom = TimePoint::min(); ///< earliest time of the next attempt
 };
 
 } // namespace skyseal::channel

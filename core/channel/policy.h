@@ -1,4 +1,4 @@
-// Who may talk to us and how: the decisions a person made, as plain values.
+// Known peers and the negotiation policy: the decisions of a person, as plain values.
 #pragma once
 
 #include "core/base/secret_bytes.h"
@@ -24,28 +24,28 @@ struct Peer
     PublicKey key{};
     std::string name;
     PeerRole role = PeerRole::Pilot;
-    std::vector<std::uint8_t> systemIds;                 ///< MAVLink system ids it may speak as; empty = any
-    std::shared_ptr<const Key32> presharedKey = nullptr; ///< a second secret that both must have; none = all zero
+    std::vector<std::uint8_t> systemIds;                 ///< MAVLink system ids that it may use; empty = any
+    std::shared_ptr<const Key32> presharedKey = nullptr; ///< additional shared secret; null = all zero
 };
 
-/// What may be negotiated here.
+/// Suites and framings that may be negotiated.
 struct Policy
 {
     /// In order of preference. Research suites are offered only with `allowResearch` and never chosen first.
     std::vector<crypto::SuiteId> suites;
     bool allowResearch = false;
-    /// Consent to plain MAVLink as the baseline of a measurement; the other end must consent as well.
+    /// Consent to plain MAVLink as the baseline of a measurement; needs the consent of the other end, too.
     bool allowPlain = false;
-    /// Consent to frames that are sealed in place (inline framing), with an 8-byte tag; used when both ends consent and at
-    /// least one of them prefers it, under the suites that can do it.
+    /// Consent to inline framing, with an 8-byte tag. It is used if both ends consent and at least one prefers it, under the
+    /// suites that have it.
     bool allowInline = false;
     bool preferInline = false;
 };
 
-/// How frames travel: in records, whole and hidden, or sealed in place with their header clear.
+/// Framing of MAVLink frames: whole in sealed records, or each sealed in place with a clear header.
 enum class Framing : std::uint8_t { Sealed, Inline };
 
-/// All authenticated suites, the default first, research suites last (they need `allowResearch` besides).
+/// All authenticated suites, the default first, research suites last (they also need `allowResearch`).
 std::vector<crypto::SuiteId> defaultSuites();
 
 } // namespace skyseal::channel

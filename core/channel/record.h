@@ -1,9 +1,9 @@
-// The head of a sealed record, and what is authenticated beside it.
+// The header of a sealed record and its associated data (PROTOCOL.md, section 6).
 //
-//   first byte | connection id 2 | counter 3 | ciphertext | tag         22 bytes more than the frames, over UDP
-//   first byte | counter 3 | ciphertext | tag                           20 on a serial pair
+//   first byte | connection id 2 | counter 3 | ciphertext | tag         22 bytes of overhead, over UDP
+//   first byte | counter 3 | ciphertext | tag                           20 bytes on a serial carrier
 //
-// Little-endian, as MAVLink is. Only the epoch's two low bits travel; at most three epochs are live, so they suffice.
+// Little-endian, like MAVLink. The first byte has two bits of the epoch, enough for three live epochs.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -19,10 +19,10 @@ namespace skyseal::channel {
 
 inline constexpr std::size_t kRecordHeaderLength = 6;
 inline constexpr std::size_t kSingleHeaderLength = 4;
-/// Shorter than a header and a tag is no record of any suite.
+/// Smallest record of any suite: header and tag.
 inline constexpr std::size_t kMinRecord = kSingleHeaderLength + 16;
 
-/// A header that was read, or is to be written. `connection` means nothing in a single record.
+/// A record header. `connection` is unused in a single record.
 struct RecordHeader
 {
     DatagramKind kind = DatagramKind::Record;
@@ -31,20 +31,20 @@ struct RecordHeader
     std::uint32_t counter = 0; ///< below 2^24
 
     std::size_t length() const { return kind == DatagramKind::Record ? kRecordHeaderLength : kSingleHeaderLength; }
-    /// Writes `length()` bytes to the front of `out`, which has them.
+    /// Writes length() bytes to `out`, which must have that size.
     void write(MutableByteView out) const;
-    /// nullopt for another version or kind, and for fewer bytes than a header and a tag take.
+    /// Returns nullopt for another version or kind, and for fewer bytes than a header and a tag.
     static std::optional<RecordHeader> read(ByteView datagram);
 };
 
-/// Everything that is authenticated and not encrypted: the header as it travels, and what it does not say.
+/// Associated data: the header on the wire and the implicit fields (suite, direction, carrier).
 class AssociatedData
 {
 public:
-    /// `header`: of a record or of a single record, as it came.
+    /// `header`: the bytes of a received header of either kind.
     AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier);
-    /// The same of one that is to be sent. To read it back from where its bytes were just written one by one would wait for
-    /// them to be stored.
+    /// The same for a header to send. Reading it back from the bytes just written one by one would stall on the pending
+    /// stores.
     AssociatedData(const RecordHeader &header, crypto::SuiteId suite, Direction direction, Carrier carrier);
     ByteView view() const { return ByteView(m_bytes).first(weakened(Weakness::NoAssociatedData) ? 0 : m_size); }
 
@@ -52,10 +52,10 @@ private:
     void add(crypto::SuiteId suite, Direction direction, Carrier carrier);
 
     std::array<std::uint8_t, kRecordHeaderLength + 3> m_bytes;
-    std::size_t m_size; ///< with the three that add() puts at the end
+    std::size_t m_size; ///< including the three bytes of add()
 };
 
-// Here rather than in a file of their own: called for every record, from one place each.
+// Inline: called for every record, from one place each.
 
 inline void RecordHeader::write(MutableByteView out) const
 {
@@ -94,7 +94,7 @@ inline std::optional<RecordHeader> RecordHeader::read(ByteView datagram)
 inline AssociatedData::AssociatedData(ByteView header, crypto::SuiteId suite, Direction direction, Carrier carrier)
     : m_size(header.size() + 3) // of either kind of header
 {
-    // Two lengths that the compiler knows become a few moves each.
+    // Two constant lengths: the compiler makes a few moves of each copy.
     if (header.size() == kRecordHeaderLength)
         std::memcpy(m_bytes.data(), header.data(), kRecordHeaderLength);
     else

@@ -1,5 +1,5 @@
-// Which counters of one epoch and direction were seen: a ring of bit blocks that moves forward (RFC 6479), and the
-// account of what is missing, which is exact because every epoch begins at counter 0.
+// Replay window of one epoch and direction: a ring of bit blocks (RFC 6479). It also counts the missing records, exactly, since
+// every epoch begins at counter 0.
 #pragma once
 
 #include "core/base/weakness.h"
@@ -10,7 +10,7 @@
 
 namespace skyseal::channel {
 
-/// Ask `fresh` before the tag is verified, `mark` only after: a forged counter must not move the window.
+/// Call fresh() before the tag is verified and mark() only after it: a forged counter must not move the window.
 class ReplayWindow
 {
 public:
@@ -18,7 +18,7 @@ public:
 
     enum class Arrival : std::uint8_t { Newest, Late };
 
-    /// False for a counter that was seen, or that is `kEntries` or more behind the newest.
+    /// Returns false for a counter that was seen, or is `kEntries` or more behind the newest.
     bool fresh(std::uint32_t counter) const
     {
         if (counter >= m_next || weakened(Weakness::NoReplayWindow))
@@ -37,13 +37,13 @@ public:
         return newest ? Arrival::Newest : Arrival::Late;
     }
 
-    /// One past the newest counter; 0 while nothing was seen.
+    /// One past the newest counter; 0 if none was seen.
     std::uint32_t next() const { return m_next; }
     std::uint64_t seen() const { return m_seen; }
 
-    /// The sender's own account of how many records it sent; reveals the loss of the last ones.
+    /// Sets the sender's own count of its records, which reveals the loss of the last ones.
     void expect(std::uint32_t sent) { m_expected = sent > m_expected ? sent : m_expected; }
-    /// Counters that were sent as far as known and have not arrived (yet).
+    /// Counters known to be sent that have not arrived (yet).
     std::uint64_t missing() const { return (m_next > m_expected ? m_next : m_expected) - m_seen; }
 
 private:
@@ -57,7 +57,7 @@ private:
 
     void advanceTo(std::uint32_t counter)
     {
-        // Blocks that come into the window for the first time are cleared; at the first call block 0 is clear already.
+        // Clear the blocks that enter the window; block 0 is clear at the first call.
         const std::uint32_t from = m_next == 0 ? 0 : (m_next - 1) / kBlockBits;
         const std::uint32_t steps = counter / kBlockBits - from;
         for (std::uint32_t i = 1; i <= steps && i <= kBlocks; ++i)

@@ -1,4 +1,4 @@
-// The smoothed round trip of one session (RFC 6298's filter), from the stamps that reports carry.
+// The smoothed round trip of a session (filter of RFC 6298), from the stamps of its reports.
 #pragma once
 
 #include "core/base/clock.h"
@@ -28,10 +28,10 @@ public:
 
     bool known() const { return m_smoothed > Duration::zero(); }
     Duration smoothed() const { return m_smoothed; }
-    /// Enough samples to rely on `generous`.
+    /// There are enough samples to rely on generous().
     bool settled() const { return m_samples >= kEnough; }
-    /// Longer than any round trip that this link is known to take: three times the mean, the mean and four deviations, or
-    /// the longest of late, whichever is longest.
+    /// Upper bound of the round trips of this link: the longest of three times the mean, the mean and four deviations, and the
+    /// longest recent sample.
     Duration generous() const { return std::max({3 * m_smoothed, m_smoothed + 4 * m_variation, m_longest}); }
 
 private:

@@ -1,4 +1,4 @@
-// What a session counts, per direction and epoch, and how it is shown to people and to the other end.
+// Counters of a session, per direction and epoch, for the owner and for the reports to the peer.
 #pragma once
 
 #include "core/base/clock.h"
@@ -11,51 +11,51 @@
 
 namespace skyseal::channel {
 
-/// Number of an epoch of one session; the first one is 0. Only its two low bits travel.
+/// Number of an epoch of one session, from 0. Records carry its two low bits.
 enum class Epoch : std::uint32_t {};
 
-/// What became of the records of one direction, as its receiver saw it. `lost` is what the counters say is missing: records
-/// that arrive after all move from `lost` to `late`.
+/// The records of one direction, counted by the receiver. `lost` follows from gaps in the record counters; a record that arrives
+/// late moves from `lost` to `late`.
 struct ReceiveCounters
 {
     std::uint64_t good = 0;
-    std::uint64_t late = 0; ///< good, but after a newer one; included in good
+    std::uint64_t late = 0; ///< good, but received after a newer one; included in good
     std::uint64_t lost = 0;
-    std::uint64_t replayed = 0; ///< seen before, or older than the window
+    std::uint64_t replayed = 0; ///< received before, or older than the replay window
     std::uint64_t forged = 0;   ///< tag did not verify
     std::uint64_t malformed = 0;
-    std::uint64_t plaintextDropped = 0; ///< clear MAVLink of a peer that must be sealed
+    std::uint64_t plaintextDropped = 0; ///< clear MAVLink frames of a peer that must be sealed
     std::uint64_t openedBytes = 0;      ///< plaintext bytes delivered
 };
 
-/// What one end sent in one direction.
+/// Records of one direction, counted by the sender.
 struct SendCounters
 {
     std::uint64_t records = 0;
     std::uint64_t sealedBytes = 0; ///< record bytes on the wire
 };
 
-/// MAVLink frames from the peer, as the owner of a session counted them by their sequence numbers: the channel only carries
-/// this. Lost are also those that were lost before they were sealed.
+/// MAVLink frames from the peer, counted by the session's owner from their sequence numbers; the channel only transports the
+/// counts. `lost` includes frames that were lost before they were sealed.
 struct FrameCounters
 {
-    std::uint64_t taken = 0; ///< second copies left out
+    std::uint64_t taken = 0; ///< without duplicates
     std::uint64_t lost = 0;
 };
 
-/// What a session costs the end that tells it: sums that only grow, but for the memory. Measured by the owner of the session;
-/// the channel only carries this, to a peer that asks.
+/// Cost of a session for the reporting end: cumulative, except for the memory. Measured by the session's owner; the channel
+/// only transports it, to a peer that asks.
 struct EndCosts
 {
     std::uint64_t cpuMicroseconds = 0; ///< CPU time of the whole process, all threads
     std::uint64_t residentBytes = 0;   ///< of the process
-    std::uint64_t opened = 0;          ///< records with frames, or frames sealed in place, of this session
+    std::uint64_t opened = 0;          ///< records with frames, or inline frames, of this session
     std::uint64_t openNanoseconds = 0; ///< spent on them
     std::uint64_t sealed = 0;
     std::uint64_t sealNanoseconds = 0;
 };
 
-/// One epoch's share, newest last; finished epochs of the same suite are added up by the reader where wanted.
+/// Counters of one epoch. Readers add up the epochs of one suite where they need that.
 struct EpochStats
 {
     Epoch epoch{};
@@ -64,8 +64,8 @@ struct EpochStats
     SendCounters tx;
 };
 
-/// Both directions as known here: `rx` counted by us, `peerRx` counted by the other end and reported over the channel
-/// (at most a second old).
+/// Both directions as known here: `rx` counted by this end, `peerRx` counted by the peer and taken from its latest report
+/// (usually at most a second old).
 struct SessionStats
 {
     ReceiveCounters rx;
@@ -73,10 +73,10 @@ struct SessionStats
     ReceiveCounters peerRx;
     SendCounters peerTx;
     bool peerReported = false;
-    std::optional<FrameCounters> peerFrames; ///< ours, as the peer counted them; nothing where it does not
-    std::optional<EndCosts> peerCosts;       ///< nothing unless asked for, and where the peer does not measure itself
+    std::optional<FrameCounters> peerFrames; ///< our frames as counted by the peer, if it counts them
+    std::optional<EndCosts> peerCosts;       ///< only if asked for, and if the peer measures itself
     std::uint32_t peerStamp = 0;             ///< microseconds of the peer's clock at that report, modulo 2^32
-    std::vector<EpochStats> epochs;          ///< the last 16 at most
+    std::vector<EpochStats> epochs;          ///< newest last, the latest 16 at most
     Duration roundTrip{};                    ///< smoothed, zero until measured
 };
 

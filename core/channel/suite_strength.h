@@ -1,4 +1,4 @@
-// An order of the suites by what they may be trusted with, so that a person can name the weakest one that is allowed.
+// Order of the suites by strength, so that a person can set the weakest one that is allowed.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -7,7 +7,7 @@
 
 namespace skyseal::channel {
 
-/// Greater is stronger; equal ones are as good as each other as far as anybody knows.
+/// Greater is stronger; suites of equal strength have no known difference.
 ///   4  chacha20-poly1305, aes-256-gcm: constructions that were standardised and studied as a whole
 ///   3  aes-256-ctr, chacha20 with HMAC: sound by the theorem for encrypt-then-MAC, but put together here
 ///   2  aes-256-cbc with HMAC: the same, with padding and a second key for its IV; of the sound ones it has the most that
@@ -16,7 +16,7 @@ namespace skyseal::channel {
 ///   0  none
 int strengthOf(crypto::SuiteId suite);
 
-/// Those that are at least as strong as `weakest`, in their order.
+/// Returns those of `suites` that are at least as strong as `weakest`, in their order.
 std::vector<crypto::SuiteId> notWeakerThan(crypto::SuiteId weakest, const std::vector<crypto::SuiteId> &suites);
 
 } // namespace skyseal::channel

@@ -1,4 +1,4 @@
-// A right that grows back with time: so many at once, so many a second after that.
+// Token bucket: a burst of `atOnce` tokens, refilled at `perSecond`.
 #pragma once
 
 #include "core/base/clock.h"
@@ -10,7 +10,7 @@ namespace skyseal::channel {
 struct TokenBucket
 {
     double credit = 0;
-    TimePoint at = TimePoint::min(); ///< as long as it was never filled; it is full then
+    TimePoint at = TimePoint::min(); ///< before the first use, when the bucket is full
 
     void fill(TimePoint now, double perSecond, double atOnce)
     {

@@ -12,7 +12,7 @@ std::optional<MutableByteView> UnfinishedMessage::take(TimePoint now, ByteView p
     const ByteView data = payload.subspan(kPartHead);
     const std::uint8_t index = payload[0] & kIndex;
     const bool last = payload[0] & kLast;
-    // What one payload holds is never cut, and only the last part may be short.
+    // A message that fits one payload is never split, and only the last part may be short.
     if (index >= kMaxParts || (last && index == 0) || (!last && (index + 1u == kMaxParts || data.size() != kPartData)))
         return std::nullopt;
 

@@ -1,10 +1,10 @@
-// Messages in the payloads of MAVLink's TUNNEL, which hold 128 bytes. A message that is not longer is the payload. A longer
-// one goes in two or three parts:
+// Messages in the payloads of MAVLink's TUNNEL, of 128 bytes each (PROTOCOL.md, section 2.1). A message of at most that length
+// is the payload. A longer one is sent in two or three parts:
 //
 //   0x80 | last (1 bit) | index (2 bits)    set 2    up to 125 bytes of the message; all but the last part are full
 //
-// A first byte of 0x40-0x7F is a whole message, so the two cannot be confused. Parts are not authenticated before the
-// message is whole: they cost a fixed amount of memory, and no more than a copy.
+// A payload with a first byte of 0x40-0x7F is a whole message. Parts are not authenticated before the message is complete: they
+// cost a fixed amount of memory, and no more than a copy.
 #pragma once
 
 #include "core/base/clock.h"
@@ -17,16 +17,16 @@
 
 namespace skyseal::channel {
 
-/// Private use begins at 32768; experiments choose their own number.
+/// Of the range for private use, which begins at 32768.
 inline constexpr std::uint16_t kTunnelPayloadType = 0xdea1;
 inline constexpr std::size_t kTunnelPayload = 128;
 inline constexpr std::size_t kPartHead = 3;
 inline constexpr std::size_t kPartData = kTunnelPayload - kPartHead;
 inline constexpr std::size_t kMaxParts = 3;
-/// The longest frame of 280 bytes makes a record of 318 at the most.
+/// The longest frame, 280 bytes, makes a record of at most 318 bytes.
 inline constexpr std::size_t kMaxTunnelled = kPartData * kMaxParts;
 
-/// Calls `send(ByteView payload)` for each part; `set` is another number for each message. False when it is too long.
+/// Calls `send(ByteView payload)` for each part. `set` differs for each message. Returns false if the message is too long.
 template<typename Send> bool writeParts(ByteView message, std::uint16_t set, Send &&send)
 {
     if (message.empty() || message.size() > kMaxTunnelled)
@@ -48,35 +48,35 @@ template<typename Send> bool writeParts(ByteView message, std::uint16_t set, Sen
     return true;
 }
 
-/// The one message of a sender that is not whole yet.
+/// The incomplete message of one sender.
 class UnfinishedMessage
 {
 public:
-    /// A set whose parts do not come within this time is given up; its number may mean another message by then.
+    /// Time-out of an incomplete set, since its number may return for another message.
     static constexpr Duration kKept = std::chrono::seconds(2);
 
-    /// The whole message once its last missing part is there: to be changed in place, until the next call. nullopt before,
-    /// and for what is no part. Another set takes the place of one that is unfinished.
+    /// Returns the message when its last missing part has arrived; it may be changed in place until the next call. Returns
+    /// nullopt before, and for invalid parts. A part of another set replaces an incomplete one.
     std::optional<MutableByteView> take(TimePoint now, ByteView payload);
 
 private:
     std::array<std::uint8_t, kMaxTunnelled> m_bytes;
     std::uint16_t m_set = 0;
     std::uint8_t m_present = 0; ///< a bit for each index
-    std::uint8_t m_count = 0;   ///< parts in all; 0 = the last one has not come
-    std::size_t m_size = 0;     ///< of the whole, once the last one has come
+    std::uint8_t m_count = 0;   ///< number of parts; 0 = the last one has not arrived
+    std::size_t m_size = 0;     ///< of the message, known when the last part has arrived
     bool m_delivered = false;
     std::optional<TimePoint> m_since;
 };
 
-/// What came out of the payloads of several senders.
+/// Messages from the payloads of several senders.
 class TunnelReader
 {
 public:
-    /// Senders whose long messages may be unfinished at the same time; of more, the one that was quiet longest starts again.
+    /// Senders that may have an incomplete message; for one more, that of the longest silent sender is dropped.
     static constexpr std::size_t kSenders = 16;
 
-    /// The message that this payload is, or completes.
+    /// Returns the message that this payload is or completes.
     std::optional<MutableByteView> take(TimePoint now, const Path &from, ByteView payload);
 
 private:

@@ -1,6 +1,6 @@
-// The first byte of every datagram of this protocol, and the sizes that the formats share.
+// The first byte of every datagram of the protocol (PROTOCOL.md, section 2), and sizes common to its formats.
 //
-//   0 1 | version (2 bits) | kind (2 bits) | low (2 bits)        value 0x40-0x7F, MAVLink's magics are 0xFD and 0xFE
+//   0 1 | version (2 bits) | kind (2 bits) | low (2 bits)        value 0x40-0x7F, MAVLink's magic bytes are 0xFD and 0xFE
 //
 // `low` is the epoch of a record and the number of the message within a handshake.
 #pragma once
@@ -16,8 +16,8 @@ namespace skyseal::channel {
 inline constexpr std::uint8_t kProtocolVersion = 1;
 
 enum class DatagramKind : std::uint8_t {
-    Record = 0,       ///< with a connection id, for carriers that many sessions share (UDP, TUNNEL)
-    SingleRecord = 1, ///< without, for a serial pair
+    Record = 0,       ///< with a connection id, for carriers with several sessions (UDP, TUNNEL)
+    SingleRecord = 1, ///< without connection id, on a serial carrier
     Handshake = 2,
     Pairing = 3
 };
@@ -26,7 +26,7 @@ enum class HandshakeMessage : std::uint8_t { Announcement = 0, First = 1, Answer
 
 using skyseal::Carrier;
 
-/// Who sealed: the two directions have keys of their own, and say so in the associated data as well.
+/// The end that sealed. Each direction has its own keys; the direction is also part of the associated data.
 enum class Direction : std::uint8_t { FromInitiator = 0, FromResponder = 1 };
 
 inline constexpr Direction opposite(Direction d)
@@ -34,7 +34,7 @@ inline constexpr Direction opposite(Direction d)
     return d == Direction::FromInitiator ? Direction::FromResponder : Direction::FromInitiator;
 }
 
-/// Names a session to the one that receives; chosen by the receiver, its low byte is the receiver's slot.
+/// Identifies a session to the receiver, who chooses it; the low byte is the slot of the receiver's session table.
 enum class ConnectionId : std::uint16_t {};
 
 inline constexpr std::size_t kMacLength = 16;
