@@ -1,5 +1,5 @@
-// The packet path allocates nothing: sealing, opening and refusing are counted against operator new. And strangers leave
-// nothing behind.
+// The packet path does not allocate: sealing, opening and refusing are counted by a replaced operator new. Datagrams of
+// unknown senders leave no state behind.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"

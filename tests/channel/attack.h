@@ -1,5 +1,5 @@
-// What the attack tests share: a pair under a given suite, a record caught on the wire, and the question whether everything
-// is as it was before the attack.
+// Common parts of the attack tests: a pair under a given suite, a captured record, and a check that the state is the same
+// as before the attack.
 #pragma once
 
 #include "core/base/weakness.h"

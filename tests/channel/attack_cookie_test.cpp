@@ -1,5 +1,5 @@
-// A flood of first messages whose mac1 is right, from forged addresses and from real ones: a station gets its session all
-// the same.
+// Floods of first messages with a right mac1, from forged and from real addresses: a true station gets its session in each
+// case.
 #include "attack.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_limit.h"

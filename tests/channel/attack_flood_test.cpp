@@ -1,5 +1,5 @@
-// Attacks by quantity: garbage, forgeries, first messages, oversized datagrams, and the question whether more comes out of
-// an end than went into it.
+// Attacks by quantity: garbage, forgeries, first messages, oversized datagrams. An end never sends more bytes than it
+// received.
 #include "attack.h"
 #include "core/channel/handshake.h"
 #include "core/channel/mac1.h"

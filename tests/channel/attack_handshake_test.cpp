@@ -1,4 +1,4 @@
-// Attacks on the handshake: strangers in the middle, messages for others, stolen keys, old and changed messages, weaker
+// Attacks on the handshake: a man in the middle, messages for other devices, stolen keys, old and changed messages, weaker
 // choices.
 #include "attack.h"
 #include "core/channel/handshake.h"

@@ -1,4 +1,4 @@
-// Attacks on frames that are sealed in place, under every suite that may: what is changed, cut, made up or repeated.
+// Attacks on inline frames under every suite that has them: changed, truncated, invented and replayed frames.
 #include "attack.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"

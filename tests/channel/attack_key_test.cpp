@@ -1,5 +1,5 @@
-// Attacks on the bare sealing of a record, with the keys in the test's own hand: what of a record is bound to its keys, and
-// whether wrong padding can be told from a wrong tag.
+// Attacks on the sealing of a single record, with known keys: the binding of a record to its keys and context, and whether
+// wrong padding can be distinguished from a wrong tag.
 #include "core/channel/key_chain.h"
 #include "core/channel/record.h"
 #include "core/crypto/encrypt_then_mac.h"

@@ -1,6 +1,6 @@
-// Somebody gets hold of a process's memory: what has died must be gone from it. A second process, forked for that, computes
-// from the same seed every secret of a session's beginning and hands them over masked; this one looks for them in its own
-// memory, while the first epoch lives and after it died.
+// An attacker reads the memory of a process: wiped secrets must be gone from it. A forked second process computes, from the
+// same seed, every secret of the beginning of a session and hands them over masked. This process searches its own memory for
+// them, during the first epoch and after it.
 #include "attack.h"
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/init_crypto.h"

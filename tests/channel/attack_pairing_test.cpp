@@ -1,4 +1,4 @@
-// Two people pair, and somebody is in between, or comes beside while they compare.
+// Attacks on a pairing: a man in the middle, and other devices during the comparison of fingerprints.
 #include "attack.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"

@@ -1,5 +1,5 @@
-// Long records go through MAVLink routers in parts that are not authenticated one by one: what comes out is one of the
-// messages that went in, or nothing, however its parts are lost, repeated, late, or beside those of others.
+// Long records pass MAVLink routers in parts that are not authenticated one by one. The receiver delivers one of the sent
+// messages or none, however the parts are lost, repeated, delayed or mixed with those of other senders.
 #include "core/channel/tunnel_parts.h"
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"

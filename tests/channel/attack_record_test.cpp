@@ -1,5 +1,5 @@
-// Attacks on single records, under every suite: what an attacker can read, change, cut, make up, repeat and carry elsewhere.
-// After each one the session is up, the stream goes on, and the counter has moved by exactly what was done.
+// Attacks on single records, under every suite: reading, changing, truncating, inventing, replaying and moving them. After
+// each attack the session is up, the stream continues, and the counters have changed by exactly the number of attempts.
 #include "attack.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"

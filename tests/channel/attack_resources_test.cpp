@@ -1,5 +1,5 @@
-// An attacker who has time: however many records and handshakes there were, the memory is what it was. Here for a hundred
-// thousand records and a thousand handshakes; the label slow runs ten million and ten thousand of them.
+// Attacks over a long time: memory does not grow with the number of records and handshakes. A hundred thousand records and
+// a thousand handshakes here; ten million and ten thousand with the label slow.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 #include "tests/support/test_runner.h"

@@ -1,5 +1,5 @@
-// Attacks on sessions as a whole: reflection, replay of everything, hijacked addresses, cut and jammed links, killed
-// processes, clocks that jump, a wire that drops every control record.
+// Attacks on whole sessions: reflection, replay of everything, hijacked addresses, interrupted and jammed links, killed
+// processes, jumping clocks, and a wire that drops every control record.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 #include "tests/support/test_runner.h"

@@ -1,4 +1,4 @@
-// Attacks on the live switch: the worst link, with both ends proposing, and an attacker who picks what is lost.
+// Attacks on the live switch: the worst link, with both ends proposing, and an attacker who selects the lost messages.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 #include "tests/support/test_runner.h"

@@ -1,5 +1,5 @@
-// The carriers' codecs: COBS against the examples of its paper and an independent encoder, messages in parts, and for both
-// what noise on the line does to what comes after it.
+// The codecs of the carriers: COBS against the examples of its paper and an independent encoder, messages in parts, and the
+// effect of noise on the following messages.
 #include "core/base/hex.h"
 #include "core/channel/cobs.h"
 #include "core/channel/tunnel_parts.h"

@@ -1,5 +1,5 @@
-// Sessions in each carrier: they come up, switch under loss and lose nothing of their own; what was taken from one carrier
-// is refused in another; and a line that only two share does without connection ids, whoever restarts.
+// Sessions on each carrier: they come up, and switch under loss without losing a frame of their own. Messages moved to another
+// carrier are refused. A serial line needs no connection ids, whichever end restarts.
 #include "core/channel/handshake.h"
 #include "core/channel/message_traits.h"
 #include "core/crypto/init_crypto.h"

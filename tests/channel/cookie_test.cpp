@@ -1,4 +1,4 @@
-// The cookie under load: what it is bound to, how long it lives, and what false ones do.
+// The cookie under load: its binding, its lifetime, and the effect of false cookies.
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"

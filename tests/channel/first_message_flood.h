@@ -1,4 +1,4 @@
-// Someone who knows an agent's public key, and what such a flood of first messages brings back.
+// A flood of first messages by a sender that knows the agent's public key, and the answers to it.
 #pragma once
 
 #include "core/channel/cookie.h"

@@ -1,4 +1,4 @@
-// The handshake: what both ends make of it, and what two endpoints make of lost, repeated, damaged and replayed messages.
+// The handshake: its result at both ends, and two endpoints with lost, repeated, damaged and replayed messages.
 #include "core/base/hex.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"

@@ -1,5 +1,5 @@
-// Frames sealed in place: every message of the dialect, every length, every suite; nothing but the very frame opens. And what
-// a receiver that does not know the format makes of a stream in which such frames are mixed with plain ones.
+// Inline frames: every message of the dialect, every length, every suite; only the exact frame opens. Also the behaviour of
+// a receiver that does not know the format, on a stream of inline and plain frames.
 #include "core/base/hex.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"

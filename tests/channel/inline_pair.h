@@ -1,4 +1,4 @@
-// A pair whose frames are real MAVLink and are sealed in place where the session does so.
+// A pair that exchanges real MAVLink frames, sealed in place where the session has inline framing.
 #pragma once
 
 #include "core/crypto/inline_cipher.h"

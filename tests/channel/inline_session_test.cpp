@@ -1,5 +1,5 @@
-// Sessions whose frames are sealed in place: who agrees to it, that switches and a bad link lose nothing, and what an attacker
-// gains who has such frames.
+// Sessions with inline framing: its negotiation, switches and bad links without loss, and the limits of an attacker who has
+// such frames.
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"

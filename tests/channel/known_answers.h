@@ -1,4 +1,4 @@
-// The known answers that PROTOCOL.md gives to whoever writes a compatible peer, read out of the document itself.
+// The known answers that PROTOCOL.md gives to implementers of a peer, read from the document itself.
 #pragma once
 
 #include "core/base/bytes.h"

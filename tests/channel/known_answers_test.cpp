@@ -1,5 +1,5 @@
-// PROTOCOL.md's known answers against this implementation. They are read out of the document, so it cannot say one thing
-// and the programs do another. An independent implementation checks the same ones (tests/integration/independent_peer).
+// The known answers of PROTOCOL.md against this implementation. They are read from the document, so that it cannot differ
+// from the programs. An independent implementation checks the same ones (tests/integration/independent_peer).
 #include "core/channel/cobs.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"

@@ -1,5 +1,5 @@
-// Messages that come when what they belong to is over or has changed: handshakes of peers that were removed meanwhile,
-// switches that one end gave up, counts and closes that something is missing for.
+// Messages that arrive after their context has changed: handshakes of peers that were removed, switches that one end gave
+// up, counts and closes that overtook records.
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"

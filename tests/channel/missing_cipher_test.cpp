@@ -1,5 +1,5 @@
 // A machine that lacks a cipher: OpenSSL's legacy provider, and RC4 with it, is not installed everywhere. Such a suite is
-// neither offered nor accepted, and a cipher that cannot be made after all costs a switch and nothing else.
+// neither offered nor accepted, and a cipher that fails nevertheless costs a switch and nothing else.
 #include "core/channel/live_switch.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"

@@ -1,5 +1,5 @@
-// The negotiation over every pair of suite sets: what both allow and nothing else, never research or plain by itself, and
-// no way to a choice that the initiator would not compute from the offers it sees.
+// Negotiation over every pair of suite sets: only suites that both ends allow, never research or plain by itself, and no
+// choice that differs from the initiator's own result.
 #include "core/channel/handshake_payload.h"
 #include "core/channel/negotiation.h"
 #include "core/channel/suite_list.h"

@@ -1,5 +1,5 @@
 // A ground station's endpoint and an agent's on one virtual clock and a simulated link, with an exact account of every
-// frame that was sealed: whether the link let it through, and how often it was delivered.
+// sealed frame: whether the link transported it, and how often it was delivered.
 #pragma once
 
 #include "core/base/weakness.h"

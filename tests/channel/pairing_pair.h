@@ -1,4 +1,4 @@
-// Two devices that pair, on one virtual clock and a simulated link, with people who do what they are told.
+// Two devices that pair, on one virtual clock and a simulated link, with scripted people.
 #pragma once
 
 #include "core/channel/pairing.h"

@@ -1,4 +1,4 @@
-// Pairing: two people who both say yes get each other's key, and in every other case nobody gets anything.
+// Pairing: two people who both confirm get each other's key; in every other case neither gets anything.
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"

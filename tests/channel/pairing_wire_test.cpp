@@ -1,4 +1,4 @@
-// What strangers put on the wire while two people pair: recordings, reflections, changed bits and floods.
+// Datagrams of attackers during a pairing: recordings, reflections, changed bits and floods.
 #include "core/base/hex.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/channel/pairing_passphrase.h"

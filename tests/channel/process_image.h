@@ -1,5 +1,5 @@
-// Looks for secrets in the memory of this very process. They are handed in masked, so that the search itself is not what is
-// found.
+// Searches the memory of this process for secrets. They are handed in masked, so that the search does not find its own
+// input.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -1,5 +1,5 @@
-// Getting a session, keeping it over an outage, and getting it back: whoever starts first, whatever somebody repeats
-// meanwhile, and with counters that were lost.
+// Getting a session, keeping it over an outage, and getting it back: in either order of start, with replayed messages, and
+// with lost counters.
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"

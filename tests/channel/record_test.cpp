@@ -1,4 +1,4 @@
-// The byte layout of records, control messages and announcements, and that nothing else is taken for one.
+// The byte layout of records, control messages and announcements; other bytes are refused.
 #include "core/base/hex.h"
 #include "core/channel/control.h"
 #include "core/channel/key_chain.h"

@@ -1,4 +1,4 @@
-// Fresh keys by count and age, the hard limit behind them, and what becomes of old keys, with the numbers lowered.
+// Fresh keys by count and age, the hard limit, and the end of old keys, with lowered limits.
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tests/support/test_runner.h"

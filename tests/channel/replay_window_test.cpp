@@ -1,4 +1,4 @@
-// The replay window: a numbered table of cases at its edges, and random orders against a set that forgets nothing.
+// The replay window: a numbered table of cases at its edges, and random orders against a set of all counters.
 #include "core/channel/replay_window.h"
 #include "tests/support/test_runner.h"
 

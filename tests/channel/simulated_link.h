@@ -1,5 +1,5 @@
 // A link between two ends on a virtual clock: seeded delay, jitter, loss, duplication, reordering, corruption, and a
-// place for an attacker.
+// hook for an attacker.
 #pragma once
 
 #include "core/base/bytes.h"

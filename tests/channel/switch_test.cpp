@@ -1,5 +1,5 @@
-// The live switch over links that lose, repeat, reorder and delay, with both ends proposing: whatever happens, each frame
-// that the link let through is delivered, once.
+// The live switch over links that lose, repeat, reorder and delay, with both ends proposing: each frame that the link
+// transports is delivered exactly once.
 #include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"

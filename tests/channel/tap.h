@@ -1,4 +1,4 @@
-// Keeps a copy of every datagram that a simulated link is given to carry.
+// Keeps a copy of every datagram that a simulated link is given to transport.
 #pragma once
 
 #include "simulated_link.h"
