@@ -9,22 +9,22 @@ void VehicleRoutes::heard(TimePoint now, const Path &from, const mavlink::Frame 
 {
     if (frame.messageId() != mavlink::Heartbeat::kId)
         return;
-    // Ground stations, companions and gimbals beat as well; an autopilot says which one it is.
-    const mavlink::Heartbeat beat = mavlink::Heartbeat::decode(frame.payload());
-    if (beat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
+    // Ground stations, companion computers and gimbals send heartbeats as well, with MAV_AUTOPILOT_INVALID.
+    const mavlink::Heartbeat heartbeat = mavlink::Heartbeat::decode(frame.payload());
+    if (heartbeat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
         return;
     m_systems.set(frame.systemId());
     m_routes[frame.systemId()] = {from, now};
 }
 
-void VehicleRoutes::streamChanged(LinkId, const Path &path)
+void VehicleRoutes::streamChanged(const Path &path)
 {
-    std::erase_if(m_routes, [&path](const auto &way) { return way.second.path == path; });
+    std::erase_if(m_routes, [&path](const auto &entry) { return entry.second.path == path; });
 }
 
 void VehicleRoutes::forgetSilent(TimePoint now)
 {
-    std::erase_if(m_routes, [now](const auto &way) { return now - way.second.heard > kForgetAfter; });
+    std::erase_if(m_routes, [now](const auto &entry) { return now - entry.second.heard > kForgetAfter; });
 }
 
 } // namespace skyseal::engine

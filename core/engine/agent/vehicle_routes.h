@@ -1,5 +1,5 @@
-// Which way leads to which vehicle on the agent's side: learned from valid heartbeats, or given by a link that has only one
-// remote. No I/O.
+// The path to each vehicle on the agent's side: learned from valid heartbeats, or given by a link that has only one remote.
+// No I/O and no clock.
 #pragma once
 
 #include "core/base/clock.h"
@@ -16,21 +16,22 @@ namespace skyseal::engine {
 class VehicleRoutes
 {
 public:
-    /// Silent so long, an address may be somebody else's.
+    /// After this time without a heartbeat the address may belong to another program.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
 
-    /// The one remote of a link that has no others.
+    /// The remote of a link that has no others; every frame goes there.
     void setFixed(const Path &path) { m_fixed = path; }
 
     void heard(TimePoint now, const Path &from, const mavlink::Frame &frame);
-    void streamChanged(LinkId link, const Path &path);
+    /// A stream began or ended: what was learned from the old one is dropped.
+    void streamChanged(const Path &path);
     void forgetSilent(TimePoint now);
 
-    /// Whether a vehicle of ours speaks as this system.
+    /// Whether one of the agent's vehicles has this system id; remembered for the life of this object.
     bool isVehicle(std::uint8_t systemId) const { return m_systems.test(systemId); }
-    /// Calls `visit(const Path &)` for each way that a frame for a system goes; 0 or a system that is not known: to every
-    /// vehicle. False when there is none.
-    template<typename Visit> bool forEachWayTo(std::uint8_t targetSystem, Visit &&visit) const
+    /// Calls `visit(const Path &)` for each path to a system; for 0 and unknown systems, for the paths of all vehicles.
+    /// Returns false if there is none.
+    template<typename Visit> bool forEachPathTo(std::uint8_t targetSystem, Visit &&visit) const
     {
         if (m_fixed) {
             visit(*m_fixed);
@@ -40,23 +41,24 @@ public:
             visit(found->second.path);
             return true;
         }
-        for (auto way = m_routes.begin(); way != m_routes.end(); ++way) {
-            // Several systems may be behind one path, which wants the frame once.
-            if (std::none_of(m_routes.begin(), way, [&](const auto &other) { return other.second.path == way->second.path; }))
-                visit(way->second.path);
+        for (auto entry = m_routes.begin(); entry != m_routes.end(); ++entry) {
+            // Several systems may be behind one path, which receives the frame once.
+            const auto same = [&](const auto &other) { return other.second.path == entry->second.path; };
+            if (std::none_of(m_routes.begin(), entry, same))
+                visit(entry->second.path);
         }
         return !m_routes.empty();
     }
 
 private:
-    struct Way
+    struct Entry
     {
         Path path;
         TimePoint heard{};
     };
 
     std::optional<Path> m_fixed;
-    std::map<std::uint8_t, Way> m_routes;
+    std::map<std::uint8_t, Entry> m_routes;
     std::bitset<256> m_systems;
 };
 

@@ -1,7 +1,8 @@
 // The agent's statistics as scripts read them; its other events have the shapes of event_json.h.
 #pragma once
 
-#include "core/engine/agent/agent_core.h"
+#include "core/engine/agent/agent_event.h"
+#include "core/engine/agent/agent_snapshot.h"
 
 #include <string>
 

@@ -1,0 +1,37 @@
+// Events of the agent for people and scripts, as values in the order in which they occurred.
+#pragma once
+
+#include "core/channel/events.h"
+#include "core/channel/pairing.h"
+#include "core/engine/common/link_snapshot.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+
+namespace skyseal::engine {
+
+struct AgentLinkChanged
+{
+    bool groundSide = false;
+    LinkSnapshot link;
+};
+/// Frames of an authenticated peer that were not forwarded to the vehicle; published once per snapshot and peer. The
+/// heartbeats of an observer are only counted.
+struct FramesRefused
+{
+    enum class Reason : std::uint8_t {
+        Observer, ///< the peer may not command
+        System    ///< the peer may not use the system id
+    };
+    Reason reason{};
+    std::string peer;
+    std::uint32_t messageId = 0; ///< of the newest frame
+    std::string messageName;     ///< empty if the dialect does not know the message
+    std::uint16_t command = 0;   ///< of a COMMAND_LONG or COMMAND_INT
+    std::uint64_t frames = 0;
+};
+
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused>;
+
+} // namespace skyseal::engine

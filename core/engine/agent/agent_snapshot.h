@@ -1,0 +1,33 @@
+// The state of an agent for reports, as a value.
+#pragma once
+
+#include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/totals.h"
+
+#include <cstdint>
+
+namespace skyseal::engine {
+
+/// Since the start; frames, unless something else is said.
+struct AgentCounters
+{
+    std::uint64_t toGround = 0, toVehicle = 0; ///< forwarded
+    std::uint64_t observerRefused = 0;         ///< of an observer, except for questions that change nothing
+    std::uint64_t observerUnclear = 0;         ///< such questions that a line which loses bytes could turn into something else
+    std::uint64_t spoofRefused = 0;            ///< of a system that the peer may not use, or of the vehicle's own
+    std::uint64_t clearRefused = 0;            ///< in clear from the ground
+    std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
+    std::uint64_t unusable = 0;    ///< datagrams from the ground without a record or frame; contained in `malformed`
+};
+
+struct AgentSnapshot
+{
+    LinkSnapshot vehicle, ground;
+    MavlinkTotals mavlink; ///< frames received from the vehicle
+    ChannelTotals channel;
+    AgentCounters counters;
+    double processCpuPercent = 0;
+    std::uint64_t residentBytes = 0;
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,25 @@
+// Which vehicles behind an agent are armed, as their newest heartbeats say: a pairing must not be possible in flight. A
+// vehicle that fell silent counts as what it was last. No I/O and no clock.
+#pragma once
+
+#include "core/mavlink/frame.h"
+
+#include <cstdint>
+#include <set>
+#include <utility>
+
+namespace skyseal::engine {
+
+class ArmedVehicles
+{
+public:
+    /// Frames other than heartbeats of autopilots are ignored. Returns true if the frame is such a heartbeat and a vehicle is
+    /// armed.
+    bool note(const mavlink::Frame &frame);
+    bool any() const { return !m_armed.empty(); }
+
+private:
+    std::set<std::pair<std::uint8_t, std::uint8_t>> m_armed; ///< system and component
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,97 @@
+#include "core/engine/agent/command_gate.h"
+
+#include "core/base/weakness.h"
+#include "core/engine/agent/misreading.h"
+#include "core/engine/agent/observer_rules.h"
+#include "core/mavlink/messages.h"
+
+namespace skyseal::engine {
+
+namespace {
+
+std::uint32_t messageIdOf(const mavlink::ScanItem &item)
+{
+    if (item.bytes[0] != mavlink::kMagic2)
+        return item.bytes[5];
+    return item.bytes[7] | item.bytes[8] << 8 | static_cast<std::uint32_t>(item.bytes[9]) << 16;
+}
+
+} // namespace
+
+void CommandGate::sessionUp(const channel::SessionUp &up)
+{
+    m_policy.sessionUp(up.session, up.peer, up.path);
+    m_peerNames[up.session] = up.peerName;
+}
+
+void CommandGate::sessionDown(channel::SessionId session)
+{
+    m_policy.sessionDown(session);
+    m_peerNames.erase(session);
+}
+
+std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)
+{
+    return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
+}
+
+bool CommandGate::mayCommand(channel::SessionId session, const mavlink::ScanItem &item)
+{
+    if (m_policy.mayCommand(session))
+        return true;
+    if (!item.frame || !observerMaySend(*item.frame, m_policy.pilotThere())) {
+        refuse(session, item, FramesRefused::Reason::Observer);
+        return false;
+    }
+    if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
+        ++m_counters.observerUnclear; // happens by chance, so it is treated like a loss on the link and raises no alarm
+        return false;
+    }
+    return true;
+}
+
+bool CommandGate::maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle)
+{
+    if ((!isVehicle || weakened(Weakness::NoSenderCheck)) && m_policy.acceptSealed(session, systemOf(item)))
+        return true;
+    refuse(session, item, FramesRefused::Reason::System);
+    return false;
+}
+
+void CommandGate::refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason)
+{
+    ++(reason == FramesRefused::Reason::Observer ? m_counters.observerRefused : m_counters.spoofRefused);
+    // Every station, an observer's as well, sends a heartbeat once a second: not worth an event.
+    if (reason == FramesRefused::Reason::Observer && item.frame && item.frame->messageId() == mavlink::Heartbeat::kId)
+        return;
+    FramesRefused &refused = m_pending[{session, reason}];
+    if (refused.frames++ == 0) {
+        refused.reason = reason;
+        if (const auto name = m_peerNames.find(session); name != m_peerNames.end())
+            refused.peer = name->second;
+    }
+    refused.messageId = messageIdOf(item);
+    refused.messageName = item.frame ? std::string(item.frame->info().name) : std::string();
+    refused.command = 0;
+    if (item.frame && refused.messageId == mavlink::CommandLong::kId)
+        refused.command = mavlink::CommandLong::decode(item.frame->payload()).command;
+    else if (item.frame && refused.messageId == mavlink::CommandInt::kId)
+        refused.command = mavlink::CommandInt::decode(item.frame->payload()).command;
+}
+
+std::vector<FramesRefused> CommandGate::takeRefused()
+{
+    std::vector<FramesRefused> out;
+    for (auto &[key, refused] : std::exchange(m_pending, {}))
+        out.push_back(std::move(refused));
+    return out;
+}
+
+void CommandGate::addTo(AgentCounters &counters) const
+{
+    counters.observerRefused += m_counters.observerRefused;
+    counters.observerUnclear += m_counters.observerUnclear;
+    counters.spoofRefused += m_counters.spoofRefused;
+}
+
+} // namespace skyseal::engine

@@ -1,0 +1,49 @@
+// Decides which frames of authenticated stations reach the vehicle, by the sender policy, the rules for observers and the
+// check for frames that could be misread, and keeps account of those that are refused. No I/O and no clock.
+#pragma once
+
+#include "core/engine/agent/agent_event.h"
+#include "core/engine/agent/agent_snapshot.h"
+#include "core/engine/common/sender_policy.h"
+#include "core/mavlink/frame_scanner.h"
+
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace skyseal::engine {
+
+class CommandGate
+{
+public:
+    CommandGate() : m_policy(SecureMode::Required, Speakers::MayShareASystem) {}
+
+    void setPeers(const std::vector<channel::Peer> &peers) { m_policy.setPeers(peers); }
+    void sessionUp(const channel::SessionUp &up);
+    void sessionDown(channel::SessionId session);
+
+    /// Judges a whole frame that came over a session; counts it if it is refused. `isVehicle` returns true for the system
+    /// ids of the agent's own vehicles, which a station may not use.
+    template<typename IsVehicle> bool accept(channel::SessionId session, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
+    {
+        return mayCommand(session, item) && maySpeakAs(session, item, isVehicle(systemOf(item)));
+    }
+
+    /// What was refused since the last call.
+    std::vector<FramesRefused> takeRefused();
+    /// Adds the frames that were refused since the start.
+    void addTo(AgentCounters &counters) const;
+
+private:
+    static std::uint8_t systemOf(const mavlink::ScanItem &item);
+    bool mayCommand(channel::SessionId session, const mavlink::ScanItem &item);
+    bool maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle);
+    void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
+
+    SenderPolicy m_policy;
+    std::map<channel::SessionId, std::string> m_peerNames;
+    std::map<std::pair<channel::SessionId, FramesRefused::Reason>, FramesRefused> m_pending;
+    AgentCounters m_counters; ///< of refused frames alone
+};
+
+} // namespace skyseal::engine

@@ -1,0 +1,40 @@
+// The identity of an agent as a MAVLink node on a ground link that leads through routers or radios: a component of its
+// vehicle, with a clear heartbeat once a second (core/channel/PROTOCOL.md, carrier TUNNEL). Routers do not forward TUNNEL to
+// a node that never sent one, and autopilots do not act on it. I/O thread.
+#pragma once
+
+#include "core/engine/common/link_pool.h"
+#include "core/mavlink/enums.h"
+
+#include <algorithm>
+
+namespace skyseal::engine {
+
+class NodeHeartbeat
+{
+public:
+    static constexpr Duration kPeriod = std::chrono::seconds(1);
+
+    /// Takes the system id of the vehicle; only the first call has an effect. Nothing can be sent in TUNNEL before it.
+    void setSystem(TimePoint now, std::uint8_t systemId, CarrierWriter &carriers)
+    {
+        if (carriers.node().system != 0)
+            return;
+        carriers.setNode({systemId, mavlink::MAV_COMP_ID_ONBOARD_COMPUTER});
+        m_due = now + kPeriod;
+    }
+
+    void handleDeadline(TimePoint now, LinkPool &links, const Path &to)
+    {
+        if (now < m_due)
+            return;
+        links.send(to, links.carriers().heartbeat());
+        m_due = std::max(m_due + kPeriod, now);
+    }
+    TimePoint nextDeadline() const { return m_due; }
+
+private:
+    TimePoint m_due = kNever; ///< kNever until the system id is known
+};
+
+} // namespace skyseal::engine
