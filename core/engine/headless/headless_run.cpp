@@ -39,7 +39,7 @@ void HeadlessRun::start()
     for (const link::LinkUrl &url : m_urls) {
         const LinkId id = addLink(url);
         m_links[id] = false;
-        if (url.scheme() == link::LinkScheme::Tlog)
+        if (url.traits().isRecording)
             m_played[id] = false;
     }
     m_tick.start(kTick);

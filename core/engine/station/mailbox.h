@@ -1,5 +1,5 @@
-// Values on their way from one thread to another, in order. The receiver is told once, by a queued signal without arguments,
-// and takes all that has come: a burst costs one wake-up, and the hand-over is a lock of our own that ThreadSanitizer can
+// Passes values from one thread to another, in order. The receiver is woken once, by a queued signal without arguments, and
+// takes everything that is there: a burst costs one wake-up, and the hand-over is a lock of our own that ThreadSanitizer can
 // see, which the event queue of an uninstrumented Qt is not.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace skyseal::engine {
 template<typename T> class Mailbox
 {
 public:
-    /// True when it was empty: the receiver has to be told.
+    /// Returns true if the box was empty: the receiver has to be woken.
     bool put(T value)
     {
         const std::lock_guard lock(m_mutex);

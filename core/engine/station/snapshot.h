@@ -171,6 +171,7 @@ struct Snapshot
     std::uint64_t residentBytes = 0;
     std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy; held-back ones included
     std::uint64_t spoofed = 0;          ///< sealed frames that spoke as a system which their peer may not speak as
+    std::uint64_t eventsDropped = 0;    ///< events that a reader which hung did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
     ChannelTotals channel;              ///< since the start, ended sessions included
     std::shared_ptr<const Probe> probe; ///< null unless the station is being measured

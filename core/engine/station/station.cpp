@@ -2,6 +2,7 @@
 
 #include "core/crypto/thread_end.h"
 #include "core/engine/station/mailbox.h"
+#include "core/engine/station/output_queue.h"
 #include "core/engine/station/station_core.h"
 
 #include <QtCore/QThread>
@@ -14,28 +15,19 @@ namespace skyseal::engine {
 
 namespace {
 
-/// How long the reader may stand still before nobody pretends any more that an operator is there.
+/// A reader that does not answer for this long counts as hung: heartbeats stop.
 constexpr auto kReaderPatience = std::chrono::seconds(3);
 constexpr auto kAskReaderEvery = std::chrono::milliseconds(500);
 
 } // namespace
 
-using SnapshotPtr = std::shared_ptr<const Snapshot>;
-
-/// The last snapshot of a station that was stopped.
-struct Stopped
-{
-    SnapshotPtr last;
-};
-
-/// Lives on the I/O thread; owns the core there.
+/// Lives on the I/O thread and owns the core there.
 class StationWorker : public QObject
 {
     Q_OBJECT
 
 public:
-    using Order = std::function<void(StationWorker &)>;
-    using News = std::variant<SnapshotPtr, Event, channel::PairingEvent, Stopped>;
+    using Task = std::function<void(StationWorker &)>;
 
     StationWorker(StationConfig config, std::unique_ptr<SecretFiles> secrets)
         : m_config(std::move(config)), m_secrets(std::move(secrets))
@@ -43,10 +35,10 @@ public:
 
     void begin()
     {
-        m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets),
-                                               StationSinks{[this](SnapshotPtr snapshot) { notify(std::move(snapshot)); },
-                                                            [this](Event event) { notify(std::move(event)); },
-                                                            [this](channel::PairingEvent event) { notify(std::move(event)); }});
+        StationSinks sinks{
+            [this](SnapshotPtr snapshot) { publish(std::move(snapshot)); }, [this](Event event) { publish(std::move(event)); },
+            [this](channel::PairingEvent event) { publish(std::move(event)); }, [this] { return output.eventsDropped(); }};
+        m_core = std::make_unique<StationCore>(m_config, std::move(m_secrets), std::move(sinks));
         m_answered = steadyNow();
         m_ask = std::make_unique<QTimer>();
         connect(m_ask.get(), &QTimer::timeout, this, [this] {
@@ -54,23 +46,23 @@ public:
             Q_EMIT readerAsked();
         });
         m_ask->start(kAskReaderEvery);
-        takeOrders();
+        runTasks();
     }
 
     void readerAnswered() { m_answered = steadyNow(); }
 
-    void takeOrders()
+    void runTasks()
     {
         if (!m_core)
             return; // kept until begin()
-        for (const Order &order : orders.takeAll())
-            order(*this);
+        for (const Task &task : tasks.takeAll())
+            task(*this);
     }
 
     void stop()
     {
         m_ask.reset();
-        notify(Stopped{m_core->stop()});
+        publish(Stopped{m_core->stop()});
     }
 
     void end()
@@ -78,24 +70,25 @@ public:
         m_ask.reset();
         m_core.reset();
         crypto::endThread();
-        news.put(Stopped{}); // the last word: whoever takes it may delete this object
+        // Synchronises with the destructor of Station in a way that ThreadSanitizer sees, unlike QThread::wait().
+        output.put(Stopped{});
         QThread::currentThread()->quit();
     }
 
     StationCore &core() { return *m_core; }
 
-    Mailbox<Order> orders;
-    Mailbox<News> news;
+    Mailbox<Task> tasks;
+    OutputQueue output;
 
 Q_SIGNALS:
-    void newsCame();
+    void outputReady();
     void readerAsked();
 
 private:
-    void notify(News item)
+    void publish(OutputQueue::Item item)
     {
-        if (news.put(std::move(item)))
-            Q_EMIT newsCame();
+        if (output.put(std::move(item)))
+            Q_EMIT outputReady();
     }
 
     StationConfig m_config;
@@ -105,13 +98,13 @@ private:
     TimePoint m_answered{};
 };
 
-/// Tells the worker, across the threads, that something was put into its box.
-class Bell : public QObject
+/// Carries the signals of the reader's thread to the worker's.
+class ReaderSignals : public QObject
 {
     Q_OBJECT
 
 Q_SIGNALS:
-    void ordersCame();
+    void tasksPosted();
     void readerAnswered();
 };
 
@@ -119,21 +112,21 @@ struct Station::Private
 {
     QThread thread;
     std::unique_ptr<StationWorker> worker; ///< used on its own thread until that has ended
-    Bell bell;
+    ReaderSignals readerSignals;
     KeyPaths paths;
     std::optional<channel::PublicKey> publicKey;
     std::uint32_t nextLink = 1;
     std::uint32_t nextCommand = 1;
 
     /// Runs on the I/O thread, in the order of the calls.
-    void order(StationWorker::Order act)
+    void postToWorker(StationWorker::Task task)
     {
-        if (worker->orders.put(std::move(act)))
-            Q_EMIT bell.ordersCame();
+        if (worker->tasks.put(std::move(task)))
+            Q_EMIT readerSignals.tasksPosted();
     }
     template<typename F> void post(F act)
     {
-        order([act = std::move(act)](StationWorker &target) mutable { act(target.core()); });
+        postToWorker([act = std::move(act)](StationWorker &target) mutable { act(target.core()); });
     }
 };
 
@@ -160,8 +153,8 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
     qRegisterMetaType<Event>();
     StationWorker *worker = d->worker.get();
     worker->moveToThread(&d->thread);
-    connect(worker, &StationWorker::newsCame, this, [this, worker] {
-        for (const StationWorker::News &item : worker->news.takeAll()) {
+    connect(worker, &StationWorker::outputReady, this, [this, worker] {
+        for (const OutputQueue::Item &item : worker->output.takeAll()) {
             if (const auto *snapshot = std::get_if<SnapshotPtr>(&item))
                 Q_EMIT snapshotReady(*snapshot);
             else if (const auto *event = std::get_if<Event>(&item))
@@ -172,10 +165,10 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
                 Q_EMIT stopped(std::get<Stopped>(item).last);
         }
     });
-    connect(&d->bell, &Bell::ordersCame, worker, &StationWorker::takeOrders);
-    // Goes through this thread's event loop and back: no answer comes while it hangs.
-    connect(worker, &StationWorker::readerAsked, &d->bell, &Bell::readerAnswered);
-    connect(&d->bell, &Bell::readerAnswered, worker, &StationWorker::readerAnswered);
+    connect(&d->readerSignals, &ReaderSignals::tasksPosted, worker, &StationWorker::runTasks);
+    // The question goes through this thread's event loop and back, so no answer comes while this thread hangs.
+    connect(worker, &StationWorker::readerAsked, &d->readerSignals, &ReaderSignals::readerAnswered);
+    connect(&d->readerSignals, &ReaderSignals::readerAnswered, worker, &StationWorker::readerAnswered);
     connect(&d->thread, &QThread::started, worker, &StationWorker::begin);
     d->thread.setObjectName(QStringLiteral("skyseal-io"));
     d->thread.start();
@@ -183,9 +176,9 @@ Station::Station(std::unique_ptr<Private> parts) : d(std::move(parts))
 
 Station::~Station()
 {
-    d->order([](StationWorker &worker) { worker.end(); });
+    d->postToWorker([](StationWorker &worker) { worker.end(); });
     d->thread.wait();
-    d->worker->news.takeAll();
+    d->worker->output.takeAll();
 }
 
 LinkId Station::addLink(const link::LinkUrl &url)
@@ -198,7 +191,7 @@ LinkId Station::addLink(const link::LinkUrl &url)
 LinkId Station::addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher)
 {
     const LinkId id{d->nextLink++};
-    // The order is copied on its way; the cipher holds key material and is not.
+    // A task is copied on its way; the cipher holds key material, which must not be.
     const auto held = std::make_shared<crypto::MavsecCipher>(std::move(cipher));
     d->post([id, url, held](StationCore &core) { core.addMavsecLink(id, url, std::move(*held)); });
     return id;
@@ -328,7 +321,7 @@ void Station::setProtection(std::optional<Protection> protection)
 
 void Station::stop()
 {
-    d->order([](StationWorker &worker) { worker.stop(); });
+    d->postToWorker([](StationWorker &worker) { worker.stop(); });
 }
 
 std::optional<channel::PublicKey> Station::publicKey() const

@@ -422,6 +422,8 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
     auto out = buildSnapshot(sources(), now, m_measuring);
     out->number = m_pace.takeNumber();
     out->time = seconds(now - m_start);
+    if (m_sinks.eventsDropped)
+        out->eventsDropped = m_sinks.eventsDropped();
     return out;
 }
 

@@ -33,6 +33,8 @@ struct StationSinks
     std::function<void(std::shared_ptr<const Snapshot>)> snapshot;
     Notify event;
     std::function<void(channel::PairingEvent)> pairing = {};
+    /// Events that did not reach the reader; shown in snapshots.
+    std::function<std::uint64_t()> eventsDropped = {};
 };
 
 class StationCore : private link::LinkListener, private StationReceiver::EventHandler

@@ -1,0 +1,50 @@
+// What a station has for its reader, on the way from the I/O thread to the reader's: bounded, so that a reader that hangs
+// costs a fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
+// final snapshot are always delivered. Items keep their order. Thread-safe.
+#pragma once
+
+#include "core/channel/pairing.h"
+#include "core/engine/station/event.h"
+#include "core/engine/station/snapshot.h"
+
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <variant>
+
+namespace skyseal::engine {
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+/// The last snapshot of a station that was stopped.
+struct Stopped
+{
+    SnapshotPtr last;
+};
+
+class OutputQueue
+{
+public:
+    using Item = std::variant<SnapshotPtr, Event, channel::PairingEvent, Stopped>;
+
+    /// Events that wait at most; then the oldest one is dropped.
+    static constexpr std::size_t kMostEvents = 1000;
+
+    /// Returns true if the queue was empty: the reader has to be woken.
+    bool put(Item item);
+    /// Everything that waits, oldest first.
+    std::deque<Item> takeAll();
+    /// Events that were dropped since the start.
+    std::uint64_t eventsDropped() const;
+
+private:
+    template<typename Kind> void dropOldest();
+
+    mutable std::mutex m_mutex;
+    std::deque<Item> m_items;
+    std::size_t m_events = 0; ///< in m_items
+    std::uint64_t m_eventsDropped = 0;
+};
+
+} // namespace skyseal::engine
