@@ -1,0 +1,153 @@
+// Which frames of the ground an agent forwards, how it counts the others, and when a pairing is possible.
+#include "core/engine/agent/armed_vehicles.h"
+#include "core/engine/agent/command_gate.h"
+#include "core/engine/agent/ground_sessions.h"
+#include "core/mavlink/messages.h"
+#include "tests/support/clear_frames.h"
+#include "tests/support/heartbeat.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using namespace skyseal::test;
+
+namespace {
+
+constexpr channel::SessionId kPilot{1}, kObserver{2};
+
+channel::Peer peer(std::uint8_t number, channel::PeerRole role)
+{
+    channel::Peer out;
+    out.key[0] = number;
+    out.name = "peer-" + std::to_string(number);
+    out.role = role;
+    return out;
+}
+
+struct Gate : CommandGate
+{
+    Gate()
+    {
+        const channel::Peer pilot = peer(1, channel::PeerRole::Pilot), observer = peer(2, channel::PeerRole::Observer);
+        setPeers({pilot, observer});
+        sessionUp({kPilot, pilot.key, pilot.name, {}, {}});
+        sessionUp({kObserver, observer.key, observer.name, {}, {}});
+    }
+    bool take(channel::SessionId session, const QByteArray &frame)
+    {
+        mavlink::FrameScanner scanner(viewOf(frame), mavlink::Dialect::builtin());
+        return accept(session, *scanner.next(), [](std::uint8_t systemId) { return systemId == 1; });
+    }
+    AgentCounters counters() const
+    {
+        AgentCounters out;
+        addTo(out);
+        return out;
+    }
+};
+
+QByteArray armCommand()
+{
+    mavlink::CommandLong command;
+    command.target_system = 1;
+    command.command = mavlink::MAV_CMD_COMPONENT_ARM_DISARM;
+    command.param1 = 1;
+    return frameOf(command, 255);
+}
+
+bool note(ArmedVehicles &armed, const QByteArray &frame)
+{
+    return armed.note(*mavlink::readFrame(viewOf(frame), mavlink::Dialect::builtin()));
+}
+
+} // namespace
+
+class CommandGateTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void observerDoesNotCommand();
+    void nobodySpeaksAsTheVehicle();
+    void heartbeatsOfAnObserverAreOnlyCounted();
+    void anyArmedVehicleCounts();
+    void lossOfEachStationIsItsOwn();
+};
+
+void CommandGateTest::observerDoesNotCommand()
+{
+    Gate gate;
+    QVERIFY(gate.take(kPilot, armCommand()));
+    QVERIFY(!gate.take(kObserver, armCommand()));
+    QVERIFY(!gate.take(kObserver, armCommand()));
+    QCOMPARE(gate.counters().observerRefused, std::uint64_t(2));
+    const auto refused = gate.takeRefused();
+    QCOMPARE(refused.size(), std::size_t(1));
+    QCOMPARE(int(refused[0].reason), int(FramesRefused::Reason::Observer));
+    QCOMPARE(refused[0].peer, std::string("peer-2"));
+    QCOMPARE(refused[0].messageName, std::string("COMMAND_LONG"));
+    QCOMPARE(int(refused[0].command), int(mavlink::MAV_CMD_COMPONENT_ARM_DISARM));
+    QCOMPARE(refused[0].frames, std::uint64_t(2));
+    QVERIFY(gate.takeRefused().empty());
+}
+
+void CommandGateTest::nobodySpeaksAsTheVehicle()
+{
+    Gate gate;
+    QVERIFY(!gate.take(kPilot, clearHeartbeat(1, 1, false)));
+    QCOMPARE(gate.counters().spoofRefused, std::uint64_t(1));
+    const auto refused = gate.takeRefused();
+    QCOMPARE(refused.size(), std::size_t(1));
+    QCOMPARE(int(refused[0].reason), int(FramesRefused::Reason::System));
+}
+
+void CommandGateTest::heartbeatsOfAnObserverAreOnlyCounted()
+{
+    Gate gate;
+    QVERIFY(!gate.take(kObserver, clearHeartbeat(255, 190, false)));
+    QCOMPARE(gate.counters().observerRefused, std::uint64_t(1));
+    QVERIFY(gate.takeRefused().empty());
+}
+
+void CommandGateTest::anyArmedVehicleCounts()
+{
+    ArmedVehicles armed;
+    QVERIFY(!note(armed, clearHeartbeat(1, 1, false)));
+    QVERIFY(note(armed, clearHeartbeat(1, 1, true)));
+    QVERIFY(note(armed, clearHeartbeat(2, 1, false))); // the first one still is
+    QVERIFY(!note(armed, armCommand()));               // not a heartbeat
+    QVERIFY(armed.any());
+    QVERIFY(!note(armed, clearHeartbeat(1, 1, false)));
+    QVERIFY(!armed.any());
+}
+
+void CommandGateTest::lossOfEachStationIsItsOwn()
+{
+    GroundSessions sessions;
+    sessions.add(kPilot);
+    sessions.add(kObserver);
+    const auto frame = [](std::uint8_t sequence) {
+        mavlink::FrameWriter writer(255, 190);
+        std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+        for (std::uint8_t i = 0; i < sequence; ++i)
+            writer.write(mavlink::Heartbeat{}, buffer);
+        const ByteView bytes = writer.write(mavlink::Heartbeat{}, buffer);
+        return QByteArray(reinterpret_cast<const char *>(bytes.data()), static_cast<qsizetype>(bytes.size()));
+    };
+    const auto take = [&](channel::SessionId session, std::uint8_t sequence) {
+        const QByteArray bytes = frame(sequence);
+        return sessions.note(TimePoint{}, session, LinkId{2}, *mavlink::readFrame(viewOf(bytes), mavlink::Dialect::builtin()));
+    };
+    QCOMPARE(take(kPilot, 0).lost, std::uint64_t(0));
+    QCOMPARE(take(kPilot, 3).lost, std::uint64_t(2));
+    QCOMPARE(take(kObserver, 5).lost, std::uint64_t(0));
+    sessions.remove(kPilot);
+    QCOMPARE(sessions.all(), std::vector{kObserver});
+    sessions.remove(kObserver);
+    QVERIFY(sessions.none());
+}
+
+SKYSEAL_TEST(CommandGateTest)
+#include "command_gate_test.moc"

@@ -1,0 +1,126 @@
+// Which frames the station accepts by their origin, and how refusals become events.
+#include "core/engine/station/frame_gate.h"
+
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using Verdict = FrameGate::Verdict;
+
+namespace {
+
+constexpr channel::SessionId kSession{1};
+const Path kAgent{LinkId{1}, {{1}, 1000}}, kElsewhere{LinkId{2}, {{9}, 9}};
+constexpr TimePoint kStart{std::chrono::seconds(100)};
+
+channel::Peer peer(std::uint8_t number, std::vector<std::uint8_t> systemIds = {})
+{
+    channel::Peer out;
+    out.key[0] = number;
+    out.name = "peer-" + std::to_string(number);
+    out.systemIds = std::move(systemIds);
+    return out;
+}
+
+channel::SessionUp upOf(const channel::Peer &who)
+{
+    return {kSession, who.key, who.name, crypto::SuiteId::ChaCha20Poly1305, kAgent};
+}
+
+/// Keeps what is published.
+struct Published
+{
+    Notify notify = [this](Event event) { events.push_back(std::move(event)); };
+    std::vector<Event> events;
+};
+
+} // namespace
+
+class FrameGateTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void clearFrameByItsOrigin();
+    void vehicleAwaitsApprovalAndIsAnnouncedOnce();
+    void oneEventASecond();
+    void refusalIsNamedThoughItsSessionEnded();
+};
+
+void FrameGateTest::clearFrameByItsOrigin()
+{
+    FrameGate gate(SecureMode::Preferred);
+    gate.policy().setPeers({peer(1)}); // was never heard, so any vehicle in clear may be in its place
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Live, false)), int(Verdict::AwaitApproval));
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::ListenOnly, false)), int(Verdict::Accept));
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
+    gate.sessionUp(upOf(peer(1)));
+    QVERIFY(gate.acceptSealed(kSession, 5));
+    for (const FrameOrigin origin : {FrameOrigin::Live, FrameOrigin::ListenOnly, FrameOrigin::Recording})
+        QCOMPARE(int(gate.judgeClear(kElsewhere, 5, origin, true)), int(Verdict::Refuse));
+    gate.sessionDown(kSession);
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, true)), int(Verdict::Refuse));
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 6, FrameOrigin::Live, false)), int(Verdict::Accept)); // every agent was heard
+}
+
+void FrameGateTest::vehicleAwaitsApprovalAndIsAnnouncedOnce()
+{
+    FrameGate gate(SecureMode::Preferred);
+    gate.policy().setPeers({peer(1)});
+    QVERIFY(!gate.awaitApproval(kStart, kElsewhere, 5, false));
+    const auto event = gate.awaitApproval(kStart, kElsewhere, 5, true);
+    QVERIFY(event);
+    QCOMPARE(event->mayBe, std::string("peer-1"));
+    QVERIFY(!gate.awaitApproval(kStart, kElsewhere, 5, true));
+    QCOMPARE(gate.pending().frames(), std::uint64_t(3));
+    QCOMPARE(gate.refusals().plaintextFrames(), std::uint64_t(0));
+    gate.allowPlaintext(5);
+    QVERIFY(gate.pending().all("").empty());
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Live, false)), int(Verdict::Accept));
+}
+
+void FrameGateTest::oneEventASecond()
+{
+    FrameGate gate(SecureMode::Required);
+    Published published;
+    for (int i = 0; i < 10; ++i) {
+        gate.refuseClear(kElsewhere, static_cast<std::uint8_t>(i));
+        gate.publishRefusals(kStart + i * std::chrono::milliseconds(90), published.notify);
+    }
+    QCOMPARE(published.events.size(), std::size_t(1));
+    gate.publishRefusals(kStart + std::chrono::seconds(1), published.notify);
+    QCOMPARE(published.events.size(), std::size_t(2));
+    const auto &rest = std::get<PlaintextRefused>(published.events[1]);
+    QCOMPARE(rest.frames, std::uint64_t(9));
+    QCOMPARE(int(rest.systemId), 9);
+    gate.publishRefusals(kStart + std::chrono::seconds(5), published.notify);
+    QCOMPARE(published.events.size(), std::size_t(2)); // nothing was refused since
+    QCOMPARE(gate.refusals().plaintextFrames(), std::uint64_t(10));
+}
+
+void FrameGateTest::refusalIsNamedThoughItsSessionEnded()
+{
+    FrameGate gate(SecureMode::Required);
+    Published published;
+    gate.policy().setPeers({peer(1, {7}), peer(2, {8})});
+    gate.sessionUp(upOf(peer(1, {7})));
+    QVERIFY(!gate.acceptSealed(kSession, 9));
+    gate.publishRefusals(kStart, published.notify);
+    QVERIFY(!gate.acceptSealed(kSession, 8)); // within the second, so it waits
+    gate.publishRefusals(kStart, published.notify);
+    gate.sessionDown(kSession);
+    gate.publishRefusals(kStart + std::chrono::seconds(1), published.notify);
+    QCOMPARE(published.events.size(), std::size_t(2));
+    const auto &first = std::get<SystemRefused>(published.events[0]), &second = std::get<SystemRefused>(published.events[1]);
+    QCOMPARE(first.peer, std::string("peer-1"));
+    QVERIFY(first.owner.empty());
+    QCOMPARE(second.peer, std::string("peer-1"));
+    QCOMPARE(second.owner, std::string("peer-2"));
+    QCOMPARE(gate.refusals().systemFrames(), std::uint64_t(2));
+}
+
+SKYSEAL_TEST(FrameGateTest)
+#include "frame_gate_test.moc"

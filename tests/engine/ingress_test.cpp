@@ -1,0 +1,268 @@
+// What a received block is, by the rules of its link: every kind of traffic on every kind of link.
+#include "core/channel/cobs.h"
+#include "core/channel/handshake.h"
+#include "core/engine/common/ingress.h"
+#include "tests/support/addresses.h"
+#include "tests/support/heartbeat.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+using namespace skyseal::test;
+
+namespace {
+
+constexpr LinkId kLink{1};
+constexpr TimePoint kNow{std::chrono::seconds(100)};
+
+/// A link that never carries anything by itself.
+class IdleLink final : public link::Link, private link::LinkListener
+{
+public:
+    explicit IdleLink(const std::string &url) : Link(urlOf(url), kLink, *this, {}) {}
+    void open() override {}
+    void close() override {}
+    void send(const Address &, ByteView) override {}
+    void flush() override {}
+
+private:
+    void linkReceived(link::Link &, std::span<const link::ReceivedBlock>) override {}
+};
+
+/// Writes down one letter for each call.
+struct Calls final : IngressSink
+{
+    bool takePairing(const link::Link &, const link::ReceivedBlock &message) override
+    {
+        const bool is = pairing && !message.bytes.empty() && (message.bytes[0] & 0x0c) == 0x0c;
+        if (is)
+            text += 'P';
+        return is;
+    }
+    void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
+    {
+        text += message.path.carrier == Carrier::Datagram ? 'R' : message.path.carrier == Carrier::Serial ? 'C' : 'T';
+    }
+    void takeSealedInPlace(const link::Link &, const link::ReceivedBlock &) override { text += 'I'; }
+    void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &item) override
+    {
+        text += item.frame ? 'f' : mavlink::isDamagedFrame(item) ? 'd' : '-';
+    }
+    void takeUnusable(const link::Link &, Unusable what) override
+    {
+        text += what == Unusable::Garbage ? 'g' : what == Unusable::Damaged ? 'D' : 'M';
+    }
+
+    bool pairing = false;
+    std::string text;
+};
+
+Bytes bytesOf(const QByteArray &text)
+{
+    return Bytes(text.begin(), text.end());
+}
+
+const Bytes kHeartbeat = bytesOf(clearHeartbeat(1, 1, false));
+
+Bytes damaged()
+{
+    Bytes out = kHeartbeat;
+    out[8] ^= 0xff;
+    return out;
+}
+
+/// The first message of a handshake, as far as its first byte and its length say.
+Bytes firstMessage()
+{
+    Bytes out(channel::kFirstLength, 7);
+    out[0] = channel::firstByte(channel::HandshakeMessage::First);
+    return out;
+}
+
+Bytes pairingMessage()
+{
+    Bytes out(50, 7);
+    out[0] = channel::firstByte(channel::DatagramKind::Pairing, 0);
+    return out;
+}
+
+Bytes inCobs(const Bytes &message)
+{
+    Bytes out(channel::kMaxCobs);
+    out.resize(channel::writeCobs(message, out));
+    return out;
+}
+
+Bytes inTunnel(const Bytes &message)
+{
+    CarrierWriter writer;
+    writer.setNode({7, 191});
+    Bytes out;
+    writer.write({kLink, {}, Carrier::Tunnel, {}}, message,
+                 [&](ByteView frame) { out.insert(out.end(), frame.begin(), frame.end()); });
+    return out;
+}
+
+/// An ingress with one link, and the calls that blocks lead to.
+struct Bench
+{
+    Bench(const IngressRules &rules, const std::string &url) : m_link(url)
+    {
+        m_carriers.setNode({255, 190});
+        ingress.addLink(kLink, rules, calls);
+    }
+    std::string take(Bytes bytes)
+    {
+        calls.text.clear();
+        ingress.take(m_link, {{kLink, {}}, bytes, kNow});
+        return calls.text;
+    }
+
+    Calls calls;
+
+private:
+    CarrierWriter m_carriers;
+    IdleLink m_link;
+
+public:
+    Ingress ingress{mavlink::Dialect::builtin(), m_carriers};
+};
+
+IngressRules sealedDatagrams()
+{
+    return {.takesDatagrams = true, .takesTunnel = true, .dropsNodeHeartbeats = true};
+}
+
+IngressRules sealedStream()
+{
+    return {
+        .isStream = true, .takesCobs = true, .takesTunnel = true, .dropsNodeHeartbeats = true, .clear = ClearScan::UnlessCobs};
+}
+
+} // namespace
+
+class IngressTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void datagrams();
+    void datagramsOfAPlainLink();
+    void pairingComesFirst();
+    void clearFramesOnASharedStream();
+    void streamOfCobsIsNotSearched();
+    void neverMeansNever();
+    void tunnelOnBothKindsOfLinks();
+    void rulesChangeWithinABlock();
+    void unregisteredLinkIsSilent();
+};
+
+void IngressTest::datagrams()
+{
+    Bench bench(sealedDatagrams(), "udpin:127.0.0.1:0");
+    QCOMPARE(bench.take(firstMessage()), std::string("R"));
+    QCOMPARE(bench.take(kHeartbeat), std::string("f"));
+    QCOMPARE(bench.take(damaged()), std::string("dD"));
+    QCOMPARE(bench.take({}), std::string("g"));
+    QCOMPARE(bench.take({1, 2, 3}), std::string("-g"));
+    Bytes two = kHeartbeat;
+    two.insert(two.end(), kHeartbeat.begin(), kHeartbeat.end());
+    QCOMPARE(bench.take(two), std::string("ff"));
+}
+
+void IngressTest::datagramsOfAPlainLink()
+{
+    Bench bench({}, "udpin:127.0.0.1:0");
+    QCOMPARE(bench.take(firstMessage()), std::string("-g"));
+    QCOMPARE(bench.take(kHeartbeat), std::string("f"));
+    QCOMPARE(bench.take(inTunnel(firstMessage())), std::string("f"));
+}
+
+void IngressTest::pairingComesFirst()
+{
+    Bench bench(sealedDatagrams(), "udpin:127.0.0.1:0");
+    QCOMPARE(bench.take(pairingMessage()), std::string("R")); // the channel counts it
+    bench.calls.pairing = true;
+    QCOMPARE(bench.take(pairingMessage()), std::string("P"));
+    QCOMPARE(bench.take(inTunnel(pairingMessage())), std::string("P"));
+    QCOMPARE(bench.take(firstMessage()), std::string("R"));
+}
+
+void IngressTest::clearFramesOnASharedStream()
+{
+    Bench bench(sealedStream(), "tcp:127.0.0.1:1");
+    QCOMPARE(bench.take(damaged()), std::string("")); // may be an incomplete COBS frame
+    QVERIFY(bench.take(kHeartbeat).ends_with('f'));
+    Bytes both = damaged();
+    both.insert(both.end(), kHeartbeat.begin(), kHeartbeat.end());
+    QCOMPARE(bench.take(both), std::string("df")); // MAVLink was heard here
+}
+
+void IngressTest::streamOfCobsIsNotSearched()
+{
+    Bench bench(sealedStream(), "tcp:127.0.0.1:1");
+    Bytes block = inCobs(firstMessage());
+    QCOMPARE(bench.take(block), std::string("C"));
+    QVERIFY(bench.ingress.isCobs({kLink, {}}, kNow));
+    QCOMPARE(bench.take(kHeartbeat), std::string(""));
+    bench.ingress.forget({kLink, {}});
+    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kNow));
+    QCOMPARE(bench.take(kHeartbeat), std::string("f"));
+}
+
+void IngressTest::neverMeansNever()
+{
+    Bench bench({.isStream = true, .takesCobs = true, .clear = ClearScan::Never}, "tcp:127.0.0.1:1");
+    QCOMPARE(bench.take(kHeartbeat), std::string(""));
+    QCOMPARE(bench.take({0}), std::string("")); // ends what the COBS reader took the heartbeat for
+    QCOMPARE(bench.take(inCobs(firstMessage())), std::string("C"));
+    bench.ingress.setRules(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Always});
+    QCOMPARE(bench.take(kHeartbeat), std::string("f")); // though COBS was heard
+}
+
+void IngressTest::tunnelOnBothKindsOfLinks()
+{
+    for (const bool isStream : {false, true}) {
+        Bench bench({.isStream = isStream, .takesTunnel = true}, isStream ? "tcp:127.0.0.1:1" : "udpin:127.0.0.1:0");
+        QCOMPARE(bench.take(inTunnel(firstMessage())), std::string("T"));
+        QVERIFY(bench.take(firstMessage()).find('R') == std::string::npos); // only in TUNNEL
+        QVERIFY(bench.take(kHeartbeat).ends_with('f'));
+    }
+}
+
+void IngressTest::rulesChangeWithinABlock()
+{
+    // The sink ends the search for clear frames when it receives the message in front of them.
+    struct Switching final : IngressSink
+    {
+        void takeRecord(const link::Link &, const link::ReceivedBlock &) override
+        {
+            ingress->setRules(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Never});
+        }
+        void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &) override { ++clear; }
+        Ingress *ingress = nullptr;
+        int clear = 0;
+    };
+    Switching sink;
+    CarrierWriter carriers;
+    Ingress ingress(mavlink::Dialect::builtin(), carriers);
+    sink.ingress = &ingress;
+    ingress.addLink(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Always}, sink);
+    IdleLink link("tcp:127.0.0.1:1");
+    Bytes block = inCobs(firstMessage());
+    block.insert(block.end(), kHeartbeat.begin(), kHeartbeat.end());
+    ingress.take(link, {{kLink, {}}, block, kNow});
+    QCOMPARE(sink.clear, 0);
+}
+
+void IngressTest::unregisteredLinkIsSilent()
+{
+    Bench bench(sealedDatagrams(), "udpin:127.0.0.1:0");
+    bench.ingress.removeLink(kLink);
+    QCOMPARE(bench.take(kHeartbeat), std::string(""));
+}
+
+SKYSEAL_TEST(IngressTest)
+#include "ingress_test.moc"
