@@ -1,70 +1,59 @@
-// Frames that wait to be sent, encoded once, in a ring that is allocated once.
+// Encoded frames of one vehicle that wait to be sent.
 #pragma once
 
+#include "core/base/ring.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_writer.h"
-
-#include <vector>
 
 namespace skyseal::sim {
 
 class FrameQueue
 {
 public:
+    static constexpr std::size_t kCapacity = 256;
+
     explicit FrameQueue(std::uint8_t systemId, std::uint8_t componentId = mavlink::MAV_COMP_ID_AUTOPILOT1)
-        : m_writer(systemId, componentId), m_slots(kSlots)
+        : m_writer(systemId, componentId), m_frames(kCapacity)
     {}
 
-    /// Queues a message as a MAVLink 2 frame. When nobody fetched the last 256 frames, it is dropped and counted: a link
-    /// that stalls loses telemetry, as a radio does.
+    /// Queues a message as a MAVLink 2 frame. A full queue drops and counts it: a link that stalls loses telemetry, as a
+    /// radio does.
     template<typename Message> void send(const Message &message)
     {
-        if (m_count == kSlots) {
-            ++m_dropped;
-            return;
-        }
-        Slot &slot = m_slots[(m_first + m_count++) % kSlots];
-        slot.size = m_writer.write(message, slot.bytes).size();
+        if (EncodedFrame *frame = m_frames.append())
+            frame->size = m_writer.write(message, frame->bytes).size();
     }
 
-    /// The oldest frame, valid until the next call to this object; empty when there is none.
+    /// Removes the oldest frame; valid until the next send(). Empty if there is none.
     ByteView poll()
     {
-        if (m_count == 0)
-            return {};
-        const Slot &slot = m_slots[m_first];
-        m_first = (m_first + 1) % kSlots;
-        --m_count;
-        return {slot.bytes.data(), slot.size};
+        const EncodedFrame *frame = m_frames.take();
+        return frame ? ByteView(frame->bytes).first(frame->size) : ByteView();
     }
 
-    /// Queues what another outbox still holds, as it is: a reboot loses no answer that was given before.
+    /// Moves the frames of another queue here unchanged, so that a reboot loses no answer that is already queued.
     void takeOver(FrameQueue &other)
     {
-        for (ByteView frame = other.poll(); !frame.empty() && m_count < kSlots; frame = other.poll()) {
-            Slot &slot = m_slots[(m_first + m_count++) % kSlots];
-            std::copy(frame.begin(), frame.end(), slot.bytes.begin());
-            slot.size = frame.size();
+        while (!m_frames.full()) {
+            const EncodedFrame *frame = other.m_frames.take();
+            if (!frame)
+                return;
+            m_frames.push(*frame);
         }
     }
 
-    std::size_t room() const { return kSlots - m_count; }
-    std::uint64_t dropped() const { return m_dropped; }
+    std::size_t room() const { return m_frames.room(); }
+    std::uint64_t dropped() const { return m_frames.refused(); }
 
 private:
-    static constexpr std::size_t kSlots = 256;
-
-    struct Slot
+    struct EncodedFrame
     {
         std::array<std::uint8_t, mavlink::kMaxFrameLength> bytes;
         std::size_t size = 0;
     };
 
     mavlink::FrameWriter m_writer;
-    std::vector<Slot> m_slots;
-    std::size_t m_first = 0;
-    std::size_t m_count = 0;
-    std::uint64_t m_dropped = 0;
+    Ring<EncodedFrame> m_frames;
 };
 
 } // namespace skyseal::sim
