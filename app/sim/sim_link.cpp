@@ -38,7 +38,6 @@ void SimLink::remember(TimePoint now, const Address &address)
 
 void SimLink::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
 {
-    const mavlink::Dialect &dialect = mavlink::Dialect::builtin();
     for (const link::ReceivedBlock &block : blocks) {
         const auto deliver = [&](const mavlink::ScanItem &item) {
             if (!item.frame)
@@ -48,19 +47,16 @@ void SimLink::linkReceived(link::Link &link, std::span<const link::ReceivedBlock
                 remember(block.time, block.path.remote);
             m_receive(block.time, *item.frame);
         };
-        if (link.isStream()) {
-            m_streams.try_emplace(block.path, dialect).first->second.feed(block.bytes, deliver);
-            continue;
-        }
-        mavlink::FrameScanner scanner(block.bytes, dialect);
-        while (const auto item = scanner.next())
-            deliver(*item);
+        if (link.isStream())
+            m_intake.takeStream(block.path, block.bytes, deliver);
+        else
+            m_intake.takeDatagram(block.bytes, deliver);
     }
 }
 
 void SimLink::linkPeerLeft(link::Link &, const Path &path)
 {
-    m_streams.erase(path);
+    m_intake.forget(path);
 }
 
 } // namespace skyseal::app

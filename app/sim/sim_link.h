@@ -1,9 +1,9 @@
-// One link of the simulator and the stations that spoke on it: parses what arrives, and sends to whoever is to hear it.
-// Lives on the main thread, as everything in this program.
+// One link of the simulator and the stations on it: parses received frames, and sends frames to every station. Lives on the
+// main thread.
 #pragma once
 
 #include "core/link/make_link.h"
-#include "core/mavlink/stream_parser.h"
+#include "core/mavlink/frame_intake.h"
 
 #include <functional>
 #include <map>
@@ -20,7 +20,7 @@ public:
 
     link::Link &link() { return *m_link; }
     void open() { m_link->open(); }
-    /// To everybody who is to hear it: the fixed peer, every client, or whoever spoke within the last half minute.
+    /// Sends to the fixed peer, to every client, or (udpin) to every address heard within the last 30 s.
     void send(TimePoint now, ByteView frame);
     void flush() { m_link->flush(); }
 
@@ -31,8 +31,8 @@ private:
 
     std::unique_ptr<link::Link> m_link;
     Receive m_receive;
-    std::map<Path, mavlink::StreamParser> m_streams;
-    std::map<Address, TimePoint> m_peers; ///< of udpin: when each last sent a valid frame
+    mavlink::FrameIntake m_intake{mavlink::Dialect::builtin()};
+    std::map<Address, TimePoint> m_peers; ///< of udpin: the time of the last valid frame of each
 };
 
 } // namespace skyseal::app
