@@ -6,7 +6,7 @@
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
 #include "core/engine/station/snapshot.h"
-#include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/request.h"
 
 #include <QtCore/QObject>
 
@@ -36,11 +36,8 @@ public:
     virtual void setAllowResearch(bool allow) = 0;
     virtual void setWeakestSuite(crypto::SuiteId weakest) = 0;
     virtual void allowPlaintext(std::uint8_t systemId) = 0;
-    virtual vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) = 0;
-    virtual void requestParameters(std::uint8_t systemId) = 0;
-    virtual void writeParameter(std::uint8_t systemId, std::string name, double value) = 0;
-    virtual void readMission(std::uint8_t systemId) = 0;
-    virtual void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) = 0;
+    /// Sends a request to a vehicle; its result arrives as an event with the returned id.
+    virtual vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) = 0;
     virtual void setInspecting(bool inspecting) = 0;
     virtual void setRecording(bool recording) = 0;
     virtual std::optional<channel::PublicKey> publicKey() const = 0;

@@ -21,13 +21,13 @@ void JsonReport::eventOccurred(const engine::Event &event)
                    [](const engine::VehicleFound &e) { printLine(engine::vehicleEvent(e)); },
                    [](const engine::VehicleLost &e) { printLine(engine::vehicleLostEvent(e.systemId, true)); },
                    [](const engine::VehicleBack &e) { printLine(engine::vehicleLostEvent(e.systemId, false)); },
-                   [](const engine::TextReceived &e) { printLine(engine::statusTextEvent(e)); },
+                   [](const vehicle::TextReceived &e) { printLine(engine::statusTextEvent(e)); },
                    [](const engine::PlaintextRefused &e) { printLine(engine::plaintextEvent(e)); },
                    [](const engine::SystemRefused &e) { printLine(engine::systemRefusedEvent(e)); },
                    [](const engine::AgentUnanswering &e) { printLine(engine::unansweringEvent(e)); },
                    [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
-                   [](const engine::MissionTransferDone &) {},
-                   [](const engine::ParameterWritten &) {},
+                   [](const vehicle::MissionResult &) {},
+                   [](const vehicle::ParameterResult &) {},
                    [](const vehicle::CommandResult &) {}, // the script reports its steps
                    [this](const channel::SessionUp &e) {
                        m_peers[e.session] = e.peerName;

@@ -88,7 +88,7 @@ std::string sentence(const engine::Event &event, const std::map<channel::Session
             },
             [](const engine::VehicleLost &e) { return format("vehicle %u lost", unsigned(e.systemId)); },
             [](const engine::VehicleBack &e) { return format("vehicle %u is back", unsigned(e.systemId)); },
-            [](const engine::TextReceived &e) { return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str()); },
+            [](const vehicle::TextReceived &e) { return format("vehicle %u: %s", unsigned(e.systemId), e.text.text.c_str()); },
             [](const engine::PlaintextRefused &e) {
                 return format("refused %llu clear frames of system %u from %s", static_cast<unsigned long long>(e.frames),
                               unsigned(e.systemId), e.remoteAddress.c_str());
@@ -109,8 +109,8 @@ std::string sentence(const engine::Event &event, const std::map<channel::Session
                     + " is there but does not answer: does it know this station's key? " + e.agent.ownFingerprint;
             },
             [](const engine::RecordingProblem &e) { return "not recording: " + e.file + ": " + e.problem; },
-            [](const engine::MissionTransferDone &) { return std::string(); },
-            [](const engine::ParameterWritten &) { return std::string(); },
+            [](const vehicle::MissionResult &) { return std::string(); },
+            [](const vehicle::ParameterResult &) { return std::string(); },
             [](const vehicle::CommandResult &) { return std::string(); },
             [](const channel::SessionUp &e) {
                 return "sealed with " + e.peerName + " at " + link::toText(e.path.remote) + " by " + suiteText(e.suite);

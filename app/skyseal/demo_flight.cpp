@@ -31,7 +31,7 @@ DemoFlight::DemoFlight(ui::StationInterface &station)
             [this](const ui::SnapshotPtr &snapshot) { advance(*snapshot); });
     connect(&m_station, &ui::StationInterface::eventOccurred, this, [this](const engine::Event &event) {
         if (const auto *result = std::get_if<vehicle::CommandResult>(&event))
-            hear(*result);
+            handleResult(*result);
     });
 }
 
@@ -43,30 +43,28 @@ void DemoFlight::advance(const engine::Snapshot &snapshot)
     for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
         vehicles.push_back(&vehicle.state);
     m_script->advance(steadyNow(), vehicles);
-    sendOrders();
+    sendRequests();
 }
 
-void DemoFlight::hear(const vehicle::CommandResult &result)
+void DemoFlight::handleResult(const vehicle::CommandResult &result)
 {
     if (!m_script)
         return;
-    if (result.id != m_ours) {
+    if (result.id != m_lastRequest) {
         m_script.reset();
         return;
     }
     m_script->handleResult(result);
-    sendOrders();
+    sendRequests();
 }
 
-void DemoFlight::sendOrders()
+void DemoFlight::sendRequests()
 {
-    while (const auto order = m_script->pollOrder()) {
-        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&order->request)) {
-            m_ours = m_station.command(order->systemId, *command);
-            m_script->orderSent(*m_ours);
-        }
+    while (auto next = m_script->pollRequest()) {
+        m_lastRequest = m_station.perform(next->systemId, std::move(next->request));
+        m_script->requestSent(*m_lastRequest);
     }
-    while (m_script->pollReport()) {} // the window shows what became of each command by itself
+    while (m_script->pollReport()) {} // the window itself shows the result of each command
 }
 
 } // namespace skyseal::app

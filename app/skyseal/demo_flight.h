@@ -1,5 +1,4 @@
-// Flies the demo's vehicle, so that there is something to see: take-off, then rounds of a square. The first command of the
-// operator's own takes over.
+// Flies the vehicle of the demo: take-off, then rounds of a square. Ends with the first command of the operator.
 #pragma once
 
 #include "core/vehicle/flight_script_runner.h"
@@ -19,12 +18,12 @@ public:
 
 private:
     void advance(const engine::Snapshot &snapshot);
-    void hear(const vehicle::CommandResult &result);
-    void sendOrders();
+    void handleResult(const vehicle::CommandResult &result);
+    void sendRequests();
 
     ui::StationInterface &m_station;
-    std::optional<vehicle::FlightScriptRunner> m_script; ///< empty once the operator flies
-    std::optional<vehicle::CommandId> m_ours;
+    std::optional<vehicle::FlightScriptRunner> m_script; ///< empty after a command of the operator
+    std::optional<vehicle::RequestId> m_lastRequest;
 };
 
 } // namespace skyseal::app

@@ -91,33 +91,9 @@ void StationAdapter::setWeakestSuite(crypto::SuiteId weakest)
         m_station->setWeakestSuite(weakest);
 }
 
-vehicle::CommandId StationAdapter::command(std::uint8_t systemId, vehicle::VehicleCommand command)
+vehicle::RequestId StationAdapter::perform(std::uint8_t systemId, vehicle::Request request)
 {
-    return m_station ? m_station->command(systemId, std::move(command)) : vehicle::CommandId{};
-}
-
-void StationAdapter::requestParameters(std::uint8_t systemId)
-{
-    if (m_station)
-        m_station->requestParameters(systemId);
-}
-
-void StationAdapter::writeParameter(std::uint8_t systemId, std::string name, double value)
-{
-    if (m_station)
-        m_station->writeParameter(systemId, std::move(name), value);
-}
-
-void StationAdapter::readMission(std::uint8_t systemId)
-{
-    if (m_station)
-        m_station->readMission(systemId);
-}
-
-void StationAdapter::writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items)
-{
-    if (m_station)
-        m_station->writeMission(systemId, std::move(items));
+    return m_station ? m_station->perform(systemId, std::move(request)) : vehicle::RequestId{};
 }
 
 void StationAdapter::setInspecting(bool inspecting)

@@ -30,11 +30,7 @@ public:
     void setAllowResearch(bool allow) override;
     void setWeakestSuite(crypto::SuiteId weakest) override;
     void allowPlaintext(std::uint8_t systemId) override;
-    vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override;
-    void requestParameters(std::uint8_t systemId) override;
-    void writeParameter(std::uint8_t systemId, std::string name, double value) override;
-    void readMission(std::uint8_t systemId) override;
-    void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) override;
+    vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override;
     void setInspecting(bool inspecting) override;
     void setRecording(bool recording) override;
     std::optional<channel::PublicKey> publicKey() const override;

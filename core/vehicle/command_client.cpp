@@ -1,12 +1,10 @@
 #include "core/vehicle/command_client.h"
 
-#include "core/vehicle/message_io.h"
-
 #include <algorithm>
 
 namespace skyseal::vehicle {
 
-CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace, MessageQueue &outbox)
+CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool replace)
 {
     const auto ticket = CommandTicket{++m_lastTicket};
     if (replace) {
@@ -17,16 +15,16 @@ CommandTicket CommandClient::send(TimePoint now, const CommandOrder &order, bool
             return true;
         });
     }
-    if (m_pending.size() >= kMostWaiting) {
+    if (m_pending.size() >= kMaxPending) {
         m_answers.push_back({ticket, CommandAnswer::Kind::TimedOut, 0});
         return ticket;
     }
     m_pending.push_back({ticket, order});
-    startWaiting(now, order.command, outbox);
+    startWaiting(now, order.command);
     return ticket;
 }
 
-bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, MessageQueue &outbox)
+bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result)
 {
     const auto found = std::find_if(m_pending.begin(), m_pending.end(), [command](const Pending &pending) {
         return pending.order.command == command && pending.attempts > 0;
@@ -40,24 +38,24 @@ bool CommandClient::handleAck(TimePoint now, std::uint16_t command, std::uint8_t
     }
     m_answers.push_back({found->ticket, CommandAnswer::Kind::Answered, result});
     m_pending.erase(found);
-    startWaiting(now, command, outbox);
+    startWaiting(now, command);
     return true;
 }
 
-void CommandClient::handleDeadline(TimePoint now, MessageQueue &outbox)
+void CommandClient::handleDeadline(TimePoint now)
 {
     for (std::size_t i = 0; i < m_pending.size();) {
         Pending &pending = m_pending[i];
         if (now < pending.deadline) {
             ++i;
         } else if (!pending.inProgress && pending.attempts < kAttempts) {
-            transmit(now, pending, outbox);
+            transmit(now, pending);
             ++i;
         } else {
             const std::uint16_t command = pending.order.command;
             m_answers.push_back({pending.ticket, CommandAnswer::Kind::TimedOut, 0});
             m_pending.erase(m_pending.begin() + static_cast<std::ptrdiff_t>(i));
-            startWaiting(now, command, outbox);
+            startWaiting(now, command);
         }
     }
 }
@@ -79,13 +77,11 @@ std::optional<CommandAnswer> CommandClient::poll()
     return answer;
 }
 
-void CommandClient::transmit(TimePoint now, Pending &pending, MessageQueue &outbox)
+void CommandClient::transmit(TimePoint now, Pending &pending)
 {
     const CommandOrder &order = pending.order;
     if (order.asInt) {
         mavlink::CommandInt message;
-        message.target_system = m_addressing.system;
-        message.target_component = m_addressing.component;
         message.command = order.command;
         message.frame = order.frame;
         message.param1 = order.parameters[0];
@@ -95,11 +91,9 @@ void CommandClient::transmit(TimePoint now, Pending &pending, MessageQueue &outb
         message.x = order.x;
         message.y = order.y;
         message.z = order.parameters[6];
-        push(outbox, message, true);
+        m_context.send(message);
     } else {
         mavlink::CommandLong message;
-        message.target_system = m_addressing.system;
-        message.target_component = m_addressing.component;
         message.command = order.command;
         message.confirmation = static_cast<std::uint8_t>(pending.attempts);
         message.param1 = order.parameters[0];
@@ -109,23 +103,23 @@ void CommandClient::transmit(TimePoint now, Pending &pending, MessageQueue &outb
         message.param5 = order.parameters[4];
         message.param6 = order.parameters[5];
         message.param7 = order.parameters[6];
-        push(outbox, message, true);
+        m_context.send(message);
     }
     ++pending.attempts;
     pending.deadline = now + kAckTimeout;
 }
 
-void CommandClient::startWaiting(TimePoint now, std::uint16_t command, MessageQueue &outbox)
+void CommandClient::startWaiting(TimePoint now, std::uint16_t command)
 {
-    if (isUnderWay(command))
+    if (isInProgress(command))
         return;
     const auto next = std::find_if(m_pending.begin(), m_pending.end(),
                                    [command](const Pending &pending) { return pending.order.command == command; });
     if (next != m_pending.end())
-        transmit(now, *next, outbox);
+        transmit(now, *next);
 }
 
-bool CommandClient::isUnderWay(std::uint16_t command) const
+bool CommandClient::isInProgress(std::uint16_t command) const
 {
     return std::any_of(m_pending.begin(), m_pending.end(),
                        [command](const Pending &pending) { return pending.order.command == command && pending.attempts > 0; });

@@ -24,9 +24,9 @@ constexpr std::uint16_t kPositionOnly = mavlink::POSITION_TARGET_TYPEMASK_VX_IGN
     | mavlink::POSITION_TARGET_TYPEMASK_AZ_IGNORE | mavlink::POSITION_TARGET_TYPEMASK_YAW_IGNORE
     | mavlink::POSITION_TARGET_TYPEMASK_YAW_RATE_IGNORE;
 
-tl::unexpected<std::string> refuse(std::string why)
+tl::unexpected<std::string> refuse(std::string reason)
 {
-    return tl::make_unexpected(std::move(why));
+    return tl::make_unexpected(std::move(reason));
 }
 
 CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 = 0, float p4 = 0, float p5 = 0, float p6 = 0,
@@ -35,9 +35,9 @@ CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 =
     return {command, {p1, p2, p3, p4, p5, p6, p7}};
 }
 
-Plan plan(CommandOrder what, Sign sign = {})
+Plan plan(CommandOrder command, Effect effect = {})
 {
-    return CommandPlan{{std::move(what)}, std::move(sign)};
+    return CommandPlan{{std::move(command)}, std::move(effect)};
 }
 
 std::int32_t degreesE7(double degrees)
@@ -45,7 +45,7 @@ std::int32_t degreesE7(double degrees)
     return static_cast<std::int32_t>(std::llround(degrees * 1e7));
 }
 
-/// Plans on one kind of vehicle in one state.
+/// Makes plans for one kind of vehicle in one state.
 class Planner
 {
 public:
@@ -90,27 +90,27 @@ public:
             if (!m_state.armed)
                 return refuse("take-off needs an armed vehicle, it is disarmed");
         } else if (m_kind.isPx4()) {
-            // PX4 takes altitudes above the sea.
+            // PX4 expects altitudes above mean sea level.
             const double ground = m_state.home.known() ? m_state.home.altitude : m_state.position.altitude;
             if (std::isnan(ground))
                 return refuse("take-off needs a known position");
             altitude += ground;
         }
-        CommandOrder what = order(mavlink::MAV_CMD_NAV_TAKEOFF);
-        what.parameters[6] = static_cast<float>(altitude);
+        CommandOrder out = order(mavlink::MAV_CMD_NAV_TAKEOFF);
+        out.parameters[6] = static_cast<float>(altitude);
         if (m_kind.isPx4())
-            what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf(""); // here, heading as it is
-        return plan(what);
+            out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf(""); // current position and heading
+        return plan(out);
     }
 
     Plan operator()(const Land &) const
     {
         if (m_kind.isArduPilot())
             return firstMode({"LAND", "QLAND", "SURFACE"}, "this kind of vehicle has no mode to land in");
-        CommandOrder what = order(mavlink::MAV_CMD_NAV_LAND);
+        CommandOrder out = order(mavlink::MAV_CMD_NAV_LAND);
         if (m_kind.isPx4())
-            what.parameters[3] = what.parameters[4] = what.parameters[5] = std::nanf("");
-        return plan(what);
+            out.parameters[3] = out.parameters[4] = out.parameters[5] = std::nanf("");
+        return plan(out);
     }
 
     Plan operator()(const ReturnToLaunch &) const
@@ -131,7 +131,7 @@ public:
         reposition.frame = mavlink::MAV_FRAME_GLOBAL_RELATIVE_ALT;
         reposition.x = degreesE7(place.latitude);
         reposition.y = degreesE7(place.longitude);
-        reposition.parameters[3] = std::nanf(""); // heading as the vehicle likes
+        reposition.parameters[3] = std::nanf(""); // the vehicle chooses the heading
         reposition.parameters[6] = static_cast<float>(place.altitudeRelative);
         if (m_kind.isPx4()) {
             if (std::isnan(m_state.home.altitude))
@@ -143,8 +143,8 @@ public:
         }
         CommandPlan out{{reposition}, {}};
         if (m_kind.isArduPilot()) {
-            out.ways.push_back(RepeatedMessage{positionTarget(place), false});
-            out.sign = TargetIs{reposition.x, reposition.y};
+            out.alternatives.push_back(RepeatedMessage{positionTarget(place), false});
+            out.effect = TargetIs{reposition.x, reposition.y};
         }
         return out;
     }
@@ -171,10 +171,10 @@ public:
 
     Plan operator()(const RawCommand &raw) const
     {
-        CommandOrder what = order(raw.command);
-        std::copy(std::begin(raw.parameters), std::end(raw.parameters), what.parameters);
-        CommandPlan out{{what}, {}};
-        out.replaces = false; // two servos are two wishes
+        CommandOrder command = order(raw.command);
+        std::copy(std::begin(raw.parameters), std::end(raw.parameters), command.parameters);
+        CommandPlan out{{command}, {}};
+        out.replaces = false; // for example, commands to two servos are independent
         return out;
     }
 
@@ -188,7 +188,7 @@ private:
         return refuse(std::move(otherwise));
     }
 
-    /// DO_SET_MODE, and the old SET_MODE message for firmware that does not know it.
+    /// MAV_CMD_DO_SET_MODE, or the older SET_MODE message for firmware without it.
     Plan setMode(std::uint32_t number) const
     {
         constexpr std::uint8_t kCustomModeEnabled = mavlink::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;

@@ -1,5 +1,5 @@
-// How a wish becomes messages: which commands or messages to try on this kind of vehicle, in which order, and by what one
-// sees that it was fulfilled. Old firmware does not know every command, so a wish may have several ways.
+// Translation of a VehicleCommand into messages: the MAV_CMDs or messages to try on this kind of vehicle, in this order, and
+// the state change that confirms the command. Older firmware does not support every command, so there may be alternatives.
 #pragma once
 
 #include "core/base/result.h"
@@ -13,7 +13,7 @@
 
 namespace skyseal::vehicle {
 
-/// What the vehicle itself reports when the wish came true.
+// Effects: what the vehicle reports once the command has been carried out.
 struct ArmedIs
 {
     bool armed = false;
@@ -29,27 +29,27 @@ struct MissionItemIs
 };
 struct TargetIs
 {
-    std::int32_t latitude = 0, longitude = 0; /* degrees × 1e7 */
+    std::int32_t latitude = 0, longitude = 0; ///< degrees × 1e7
 };
-using Sign = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs>;
+using Effect = std::variant<std::monostate, ArmedIs, ModeIs, MissionItemIs, TargetIs>;
 
-/// A message that is repeated until the sign is seen.
+/// A message that is repeated until the effect is reported.
 struct RepeatedMessage
 {
     OutMessage message;
-    bool signExpected = true; ///< false: the vehicle may take it without ever showing so
+    bool effectExpected = true; ///< false: the vehicle may accept it without ever reporting the effect
 };
 
-using Way = std::variant<CommandOrder, RepeatedMessage>;
+using Alternative = std::variant<CommandOrder, RepeatedMessage>;
 
 struct CommandPlan
 {
-    std::vector<Way> ways; ///< the next is tried when one is not supported or not answered
-    Sign sign;
-    bool replaces = true; ///< a newer wish of the same kind makes this one void
+    std::vector<Alternative> alternatives; ///< the next one is tried if one is not supported or not answered
+    Effect effect;
+    bool replaces = true; ///< a newer command with the same kind of effect cancels this one
 };
 
-/// An error says in words why nothing is sent.
+/// The error is the reason, for people, why nothing is sent.
 Result<CommandPlan, std::string> planCommand(const VehicleCommand &command, const VehicleState &state,
                                              const Addressing &addressing);
 

@@ -1,7 +1,5 @@
 #include "core/vehicle/commander.h"
 
-#include "core/mavlink/enums.h"
-#include "core/vehicle/flight_modes.h"
 #include "core/vehicle/result_text.h"
 
 #include <algorithm>
@@ -11,144 +9,120 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::size_t kLongestText = 300;
+constexpr std::size_t kMaxTextLength = 300;
 
-bool isTrue(const Sign &sign, const VehicleState &state)
+bool isInEffect(const Effect &effect, const VehicleState &state)
 {
-    if (const auto *armed = std::get_if<ArmedIs>(&sign))
+    if (const auto *armed = std::get_if<ArmedIs>(&effect))
         return state.armed == armed->armed;
-    if (const auto *mode = std::get_if<ModeIs>(&sign))
+    if (const auto *mode = std::get_if<ModeIs>(&effect))
         return state.customMode == mode->customMode;
-    if (const auto *item = std::get_if<MissionItemIs>(&sign))
+    if (const auto *item = std::get_if<MissionItemIs>(&effect))
         return state.missionCurrent == item->index;
     return false;
 }
 
-/// Whether the sign comes with heartbeats, so that an acknowledgement alone is not the whole story.
-bool comesWithHeartbeats(const Sign &sign, const VehicleState &state)
+bool isInHeartbeat(const Effect &effect)
 {
-    // PX4 moves on from some modes at once (take-off, land), so its word has to do.
-    return std::holds_alternative<ArmedIs>(sign)
-        || (std::holds_alternative<ModeIs>(sign) && !VehicleKind{state.type, state.autopilot}.isPx4());
+    return std::holds_alternative<ArmedIs>(effect) || std::holds_alternative<ModeIs>(effect);
 }
 
-std::string whatItReports(const Sign &sign, const VehicleState &state)
+/// True if an acknowledgement is not enough and a heartbeat has to confirm the effect.
+bool needsConfirmation(const Effect &effect, VehicleKind kind)
 {
-    if (std::holds_alternative<ArmedIs>(sign))
+    // PX4 leaves some modes at once (take-off, land), so its acknowledgement has to suffice.
+    return std::holds_alternative<ArmedIs>(effect) || (std::holds_alternative<ModeIs>(effect) && !kind.isPx4());
+}
+
+std::string reportedState(const Effect &effect, const VehicleState &state)
+{
+    if (std::holds_alternative<ArmedIs>(effect))
         return state.armed ? "armed" : "disarmed";
-    if (std::holds_alternative<ModeIs>(sign))
+    if (std::holds_alternative<ModeIs>(effect))
         return "the mode " + state.mode;
     return "mission item " + std::to_string(state.missionCurrent);
 }
 
 } // namespace
 
-void Commander::begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state,
-                      MessageQueue &outbox)
+bool Commander::perform(TimePoint now, RequestId id, const Request &request)
 {
-    auto plan = planCommand(command, state, m_addressing);
-    Action action;
-    action.id = id;
-    if (!plan) {
-        finish(action, CommandOutcome::Refused, "nothing was sent: " + plan.error());
-        return;
-    }
-    if (m_actions.size() >= kMostActions) {
-        finish(action, CommandOutcome::Refused, "nothing was sent: too many commands are waiting for answers");
-        return;
-    }
-    action.plan = std::move(*plan);
-    action.trueBefore = isTrue(action.plan.sign, state);
-    if (action.plan.replaces) {
-        for (Action &other : m_actions) {
-            if (!other.plan.replaces || other.plan.sign.index() != action.plan.sign.index() || other.phase == Phase::Holding
-                || std::holds_alternative<std::monostate>(other.plan.sign))
-                continue;
-            finish(other, CommandOutcome::Refused, "replaced by a newer command");
-            action.mayAskAgain = true;
-        }
-        forgetDone();
-    }
-    m_actions.push_back(std::move(action));
-    startWay(now, m_actions.back(), outbox);
-    takeAnswers(now, state, outbox);
+    const auto *command = std::get_if<VehicleCommand>(&request);
+    if (command)
+        begin(now, id, *command);
+    return command != nullptr;
 }
 
-void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state,
-                          MessageQueue &outbox)
+bool Commander::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
-    if (!m_client.handleAck(now, command, result, outbox)) {
-        // Some firmware acknowledges messages as well, by their message id.
-        for (Action &action : m_actions) {
-            const auto *message = std::get_if<RepeatedMessage>(&action.plan.ways[action.way]);
-            if (action.phase == Phase::Repeating && message && message->message.id == command
-                && result != mavlink::MAV_RESULT_IN_PROGRESS)
-                answered(now, action, result, state, outbox);
-        }
-        forgetDone();
-        return;
+    switch (frame.messageId()) {
+    case mavlink::CommandAck::kId: {
+        const auto ack = unpack<mavlink::CommandAck>(frame);
+        if (addressing().isForUs(ack.target_system, ack.target_component))
+            handleAck(now, ack.command, ack.result);
+        return true;
     }
-    takeAnswers(now, state, outbox);
+    case mavlink::MissionCurrent::kId: {
+        const std::uint16_t index = unpack<mavlink::MissionCurrent>(frame).seq;
+        effectReported<MissionItemIs>([&](const MissionItemIs &effect) { return effect.index == index; });
+        return false;
+    }
+    case mavlink::PositionTargetGlobalInt::kId: {
+        const auto target = unpack<mavlink::PositionTargetGlobalInt>(frame);
+        constexpr std::int64_t kNear = 100; // 1e-7 degrees: about 1 m, since vehicles convert to metres and back
+        effectReported<TargetIs>([&](const TargetIs &effect) {
+            return std::abs(std::int64_t{effect.latitude} - target.lat_int) <= kNear
+                && std::abs(std::int64_t{effect.longitude} - target.lon_int) <= kNear;
+        });
+        return false;
+    }
+    default: return false;
+    }
 }
 
-void Commander::handleText(TimePoint, std::uint8_t severity, const std::string &text)
-{
-    if (severity > mavlink::MAV_SEVERITY_NOTICE || text.empty())
-        return;
-    for (Action &action : m_actions) {
-        if (action.words.find(text) != std::string::npos || action.words.size() + text.size() > kLongestText)
-            continue;
-        action.words += (action.words.empty() ? "" : "; ") + text;
-        if (action.phase == Phase::Holding)
-            finish(action, CommandOutcome::Refused, commandResultText(action.result));
-    }
-    forgetDone();
-}
-
-void Commander::handleHeartbeat(TimePoint, const VehicleState &state)
+void Commander::handleHeartbeat(TimePoint)
 {
     for (Action &action : m_actions) {
-        if (action.phase == Phase::Holding
-            || !(std::holds_alternative<ArmedIs>(action.plan.sign) || std::holds_alternative<ModeIs>(action.plan.sign)))
+        if (action.phase == Phase::AwaitingReason || !isInHeartbeat(action.plan.effect))
             continue;
-        const bool acknowledged = action.phase == Phase::Watching;
-        action.heardSince = acknowledged;
-        const bool repeating = action.phase == Phase::Repeating; // nothing but the sign may ever come then
-        if (isTrue(action.plan.sign, state) && (acknowledged || repeating || !action.trueBefore))
+        const bool acknowledged = action.phase == Phase::Confirming;
+        action.heartbeatSeen = acknowledged;
+        const bool repeating = action.phase == Phase::Repeating; // such messages may get no acknowledgement
+        if (isInEffect(action.plan.effect, state()) && (acknowledged || repeating || !action.wasInEffect))
             finish(action, CommandOutcome::Accepted, {});
     }
-    forgetDone();
+    removeDone();
 }
 
-void Commander::handleMissionCurrent(std::uint16_t index)
+void Commander::handleText(const StatusText &text)
 {
-    seen<MissionItemIs>([index](const MissionItemIs &sign) { return sign.index == index; });
+    if (text.severity > mavlink::MAV_SEVERITY_NOTICE || text.text.empty())
+        return; // informational texts give no reasons
+    for (Action &action : m_actions) {
+        if (action.texts.find(text.text) != std::string::npos || action.texts.size() + text.text.size() > kMaxTextLength)
+            continue;
+        action.texts += (action.texts.empty() ? "" : "; ") + text.text;
+        if (action.phase == Phase::AwaitingReason)
+            finish(action, CommandOutcome::Refused, commandResultText(action.result));
+    }
+    removeDone();
 }
 
-void Commander::handlePositionTarget(std::int32_t latitude, std::int32_t longitude)
+void Commander::handleDeadline(TimePoint now)
 {
-    constexpr std::int64_t kNear = 100; // 1e-7 degrees: a metre, since vehicles convert to metres and back
-    seen<TargetIs>([&](const TargetIs &sign) {
-        return std::abs(std::int64_t{sign.latitude} - latitude) <= kNear
-            && std::abs(std::int64_t{sign.longitude} - longitude) <= kNear;
-    });
-}
-
-void Commander::handleDeadline(TimePoint now, const VehicleState &state, MessageQueue &outbox)
-{
-    m_client.handleDeadline(now, outbox);
-    takeAnswers(now, state, outbox);
+    m_client.handleDeadline(now);
+    takeAnswers(now);
     for (Action &action : m_actions) {
         if (action.done || now < action.deadline)
             continue;
         switch (action.phase) {
-        case Phase::Asking: break; // the client's deadline
-        case Phase::Repeating: repeat(now, action, outbox); break;
-        case Phase::Watching: watchEnded(now, action, state, outbox); break;
-        case Phase::Holding: finish(action, CommandOutcome::Refused, commandResultText(action.result)); break;
+        case Phase::Requesting: break; // m_client has the deadline
+        case Phase::Repeating: repeat(now, action); break;
+        case Phase::Confirming: confirmationTimedOut(now, action); break;
+        case Phase::AwaitingReason: finish(action, CommandOutcome::Refused, commandResultText(action.result)); break;
         }
     }
-    takeAnswers(now, state, outbox); // asking again may have been refused at once
+    takeAnswers(now); // a repeated request may have been refused at once
 }
 
 TimePoint Commander::nextDeadline() const
@@ -159,56 +133,95 @@ TimePoint Commander::nextDeadline() const
     return next;
 }
 
-std::optional<CommandResult> Commander::poll()
+void Commander::begin(TimePoint now, RequestId id, const VehicleCommand &command)
 {
-    if (m_results.empty())
-        return std::nullopt;
-    CommandResult result = std::move(m_results.front());
-    m_results.pop_front();
-    return result;
+    auto plan = planCommand(command, state(), addressing());
+    Action action;
+    action.id = id;
+    if (!plan) {
+        finish(action, CommandOutcome::Refused, "nothing was sent: " + plan.error());
+        return;
+    }
+    if (m_actions.size() >= kMaxActions) {
+        finish(action, CommandOutcome::Refused, "nothing was sent: too many commands are waiting for answers");
+        return;
+    }
+    action.plan = std::move(*plan);
+    action.wasInEffect = isInEffect(action.plan.effect, state());
+    if (action.plan.replaces)
+        replaceOthers(action);
+    m_actions.push_back(std::move(action));
+    startAlternative(now, m_actions.back());
+    takeAnswers(now);
 }
 
-void Commander::startWay(TimePoint now, Action &action, MessageQueue &outbox)
+void Commander::replaceOthers(Action &action)
+{
+    for (Action &other : m_actions) {
+        if (!other.plan.replaces || other.plan.effect.index() != action.plan.effect.index()
+            || other.phase == Phase::AwaitingReason || std::holds_alternative<std::monostate>(other.plan.effect))
+            continue;
+        finish(other, CommandOutcome::Refused, "replaced by a newer command");
+        action.mayRetry = true;
+    }
+    removeDone();
+}
+
+void Commander::handleAck(TimePoint now, std::uint16_t command, std::uint8_t result)
+{
+    if (m_client.handleAck(now, command, result))
+        return takeAnswers(now);
+    // Some firmware also acknowledges messages, by their message id.
+    for (Action &action : m_actions) {
+        const auto *message = std::get_if<RepeatedMessage>(&action.plan.alternatives[action.alternative]);
+        if (action.phase == Phase::Repeating && message && message->message.id == command
+            && result != mavlink::MAV_RESULT_IN_PROGRESS)
+            answered(now, action, result);
+    }
+    removeDone();
+}
+
+void Commander::startAlternative(TimePoint now, Action &action)
 {
     action.ticket.reset();
     action.repeats = 0;
     action.deadline = kNever;
-    const Way &way = action.plan.ways[action.way];
-    if (const auto *order = std::get_if<CommandOrder>(&way)) {
-        action.phase = Phase::Asking;
-        action.ticket = m_client.send(now, *order, action.plan.replaces, outbox);
+    const Alternative &alternative = action.plan.alternatives[action.alternative];
+    if (const auto *order = std::get_if<CommandOrder>(&alternative)) {
+        action.phase = Phase::Requesting;
+        action.ticket = m_client.send(now, *order, action.plan.replaces);
     } else {
         action.phase = Phase::Repeating;
-        repeat(now, action, outbox);
+        repeat(now, action);
     }
 }
 
-void Commander::repeat(TimePoint now, Action &action, MessageQueue &outbox)
+void Commander::repeat(TimePoint now, Action &action)
 {
-    const auto &message = std::get<RepeatedMessage>(action.plan.ways[action.way]);
+    const auto &message = std::get<RepeatedMessage>(action.plan.alternatives[action.alternative]);
     if (action.repeats < kRepeats) {
         ++action.repeats;
         action.deadline = now + kRepeatInterval;
-        outbox.push(message.message);
-    } else if (message.signExpected) {
-        nextWay(now, action, CommandOutcome::TimedOut, "no answer to " + std::to_string(kRepeats) + " attempts", outbox);
+        m_context.outbox.push(message.message);
+    } else if (message.effectExpected) {
+        nextAlternative(now, action, CommandOutcome::TimedOut, "no answer to " + std::to_string(kRepeats) + " attempts");
     } else {
         finish(action, CommandOutcome::Accepted,
                "sent " + std::to_string(kRepeats) + " times; the vehicle does not confirm it");
     }
 }
 
-void Commander::nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, MessageQueue &outbox)
+void Commander::nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason)
 {
-    if (action.way + 1 < action.plan.ways.size()) {
-        ++action.way;
-        startWay(now, action, outbox);
+    if (action.alternative + 1 < action.plan.alternatives.size()) {
+        ++action.alternative;
+        startAlternative(now, action);
     } else {
         finish(action, otherwise, std::move(reason));
     }
 }
 
-void Commander::takeAnswers(TimePoint now, const VehicleState &state, MessageQueue &outbox)
+void Commander::takeAnswers(TimePoint now)
 {
     while (const auto answer = m_client.poll()) {
         const auto action = std::find_if(m_actions.begin(), m_actions.end(),
@@ -217,78 +230,78 @@ void Commander::takeAnswers(TimePoint now, const VehicleState &state, MessageQue
             continue;
         action->ticket.reset();
         switch (answer->kind) {
-        case CommandAnswer::Kind::Answered: answered(now, *action, answer->result, state, outbox); break;
+        case CommandAnswer::Kind::Answered: answered(now, *action, answer->result); break;
         case CommandAnswer::Kind::TimedOut:
-            nextWay(now, *action, CommandOutcome::TimedOut,
-                    "no answer to " + std::to_string(CommandClient::kAttempts) + " attempts", outbox);
+            nextAlternative(now, *action, CommandOutcome::TimedOut,
+                            "no answer to " + std::to_string(CommandClient::kAttempts) + " attempts");
             break;
         case CommandAnswer::Kind::Replaced: finish(*action, CommandOutcome::Refused, "replaced by a newer command"); break;
         }
     }
-    forgetDone();
+    removeDone();
 }
 
-void Commander::answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, MessageQueue &outbox)
+void Commander::answered(TimePoint now, Action &action, std::uint8_t result)
 {
     action.result = result;
     if (result == mavlink::MAV_RESULT_ACCEPTED) {
-        if (!comesWithHeartbeats(action.plan.sign, state)) {
+        if (!needsConfirmation(action.plan.effect, kind())) {
             finish(action, CommandOutcome::Accepted, {});
             return;
         }
-        action.phase = Phase::Watching;
-        action.heardSince = false;
-        action.deadline = now + kWatch;
+        action.phase = Phase::Confirming;
+        action.heartbeatSeen = false;
+        action.deadline = now + kConfirmTimeout;
         return;
     }
-    const bool otherWayMayHelp = result == mavlink::MAV_RESULT_UNSUPPORTED || result == mavlink::MAV_RESULT_COMMAND_LONG_ONLY
+    const bool tryNext = result == mavlink::MAV_RESULT_UNSUPPORTED || result == mavlink::MAV_RESULT_COMMAND_LONG_ONLY
         || result == mavlink::MAV_RESULT_COMMAND_INT_ONLY || result == mavlink::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME;
-    if (otherWayMayHelp && action.way + 1 < action.plan.ways.size()) {
-        nextWay(now, action, CommandOutcome::Refused, {}, outbox);
-    } else if (!action.words.empty()) {
+    if (tryNext && action.alternative + 1 < action.plan.alternatives.size()) {
+        nextAlternative(now, action, CommandOutcome::Refused, {});
+    } else if (!action.texts.empty()) {
         finish(action, CommandOutcome::Refused, commandResultText(result));
     } else {
-        action.phase = Phase::Holding;
-        action.deadline = now + kHold;
+        action.phase = Phase::AwaitingReason;
+        action.deadline = now + kReasonTimeout;
     }
 }
 
-void Commander::watchEnded(TimePoint now, Action &action, const VehicleState &state, MessageQueue &outbox)
+void Commander::confirmationTimedOut(TimePoint now, Action &action)
 {
-    if (!action.heardSince) {
+    if (!action.heartbeatSeen) {
         finish(action, CommandOutcome::Accepted, "acknowledged; no heartbeat came since");
-    } else if (action.mayAskAgain) {
-        action.mayAskAgain = false;
-        startWay(now, action, outbox);
+    } else if (action.mayRetry) {
+        action.mayRetry = false;
+        startAlternative(now, action);
     } else {
         finish(action, CommandOutcome::TimedOut,
-               "acknowledged, but the vehicle reports " + whatItReports(action.plan.sign, state));
+               "acknowledged, but the vehicle reports " + reportedState(action.plan.effect, state()));
     }
 }
 
-template<typename T, typename Predicate> void Commander::seen(Predicate matches)
+template<typename T, typename Predicate> void Commander::effectReported(Predicate matches)
 {
     for (Action &action : m_actions) {
-        const T *sign = std::get_if<T>(&action.plan.sign);
-        if (sign && action.phase == Phase::Repeating && matches(*sign))
+        const T *effect = std::get_if<T>(&action.plan.effect);
+        if (effect && action.phase == Phase::Repeating && matches(*effect))
             finish(action, CommandOutcome::Accepted, {});
     }
-    forgetDone();
+    removeDone();
 }
 
 void Commander::finish(Action &action, CommandOutcome outcome, std::string reason)
 {
     if (action.done)
         return;
-    if (outcome == CommandOutcome::Refused && !action.words.empty())
-        reason += ": " + action.words;
-    const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Watching;
-    m_results.push_back({action.id, m_addressing.system, outcome, action.result, std::move(reason), unanswered});
+    if (outcome == CommandOutcome::Refused && !action.texts.empty())
+        reason += ": " + action.texts;
+    const bool unanswered = outcome == CommandOutcome::TimedOut && action.result == 0 && action.phase != Phase::Confirming;
+    report(CommandResult{action.id, addressing().system, outcome, action.result, std::move(reason), unanswered});
     action.done = true;
     action.deadline = kNever;
 }
 
-void Commander::forgetDone()
+void Commander::removeDone()
 {
     std::erase_if(m_actions, [](const Action &action) { return action.done; });
 }

@@ -1,84 +1,79 @@
-// Carries out wishes: tries each way of a plan, listens for the acknowledgement and for the sign by which the vehicle shows
-// that the wish came true, and says once how it ended, in the vehicle's own words where it gave any.
+// Client for commands: tries each alternative of a plan, waits for the acknowledgement and for the state change that confirms
+// the command, and reports one CommandResult, with the vehicle's status texts as the reason of a refusal.
 //
-//     Asking ── accepted ──→ Watching ── sign seen ──→ accepted
-//       │ │                      └────── other sign ──→ timed out
-//       │ └── not supported, no answer ──→ next way (Asking or Repeating)
-//       └── refused ──→ Holding, until a STATUSTEXT says why ──→ refused
-//     Repeating a message ── sign seen, or acknowledged ──→ accepted
+//     Requesting ── accepted ──→ Confirming ── effect reported ──→ accepted
+//       │ │                          └──────── other state ──────→ timed out
+//       │ └── not supported, no answer ──→ next alternative (Requesting or Repeating)
+//       └── refused ──→ AwaitingReason, until a STATUSTEXT arrives ──→ refused
+//     Repeating a message ── effect reported, or acknowledged ──→ accepted
 #pragma once
 
 #include "core/vehicle/command_client.h"
 #include "core/vehicle/command_plan.h"
-#include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/micro_protocol.h"
 
-#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace skyseal::vehicle {
 
-class Commander
+class Commander : public MicroProtocol
 {
 public:
     static constexpr Duration kRepeatInterval = std::chrono::seconds(1);
     static constexpr int kRepeats = 5;
-    /// Heartbeats come once a second; two of them may be lost.
-    static constexpr Duration kWatch = std::chrono::milliseconds(3500);
-    /// ArduPilot acknowledges first and gives its reason a moment later.
-    static constexpr Duration kHold = std::chrono::milliseconds(700);
-    static constexpr std::size_t kMostActions = 32;
+    /// Heartbeats are sent once a second; two of them may be lost.
+    static constexpr Duration kConfirmTimeout = std::chrono::milliseconds(3500);
+    /// ArduPilot sends the reason of a refusal shortly after the acknowledgement.
+    static constexpr Duration kReasonTimeout = std::chrono::milliseconds(700);
+    static constexpr std::size_t kMaxActions = 32;
 
-    explicit Commander(const Addressing &addressing) : m_addressing(addressing), m_client(addressing) {}
+    explicit Commander(VehicleContext &context) : MicroProtocol(context), m_client(context) {}
 
-    void begin(TimePoint now, CommandId id, const VehicleCommand &command, const VehicleState &state, MessageQueue &outbox);
-
-    void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result, const VehicleState &state, MessageQueue &outbox);
-    void handleText(TimePoint now, std::uint8_t severity, const std::string &text);
-    /// After a heartbeat was taken into `state`.
-    void handleHeartbeat(TimePoint now, const VehicleState &state);
-    void handleMissionCurrent(std::uint16_t index);
-    void handlePositionTarget(std::int32_t latitude, std::int32_t longitude);
-    void handleDeadline(TimePoint now, const VehicleState &state, MessageQueue &outbox);
-    TimePoint nextDeadline() const;
-
-    std::optional<CommandResult> poll();
+    /// VehicleCommand.
+    bool perform(TimePoint now, RequestId id, const Request &request) override;
+    bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
+    void handleHeartbeat(TimePoint now) override;
+    void handleText(const StatusText &text) override;
+    void handleDeadline(TimePoint now) override;
+    TimePoint nextDeadline() const override;
 
 private:
-    enum class Phase : std::uint8_t { Asking, Repeating, Watching, Holding };
+    enum class Phase : std::uint8_t { Requesting, Repeating, Confirming, AwaitingReason };
 
     struct Action
     {
-        CommandId id{};
+        RequestId id{};
         CommandPlan plan;
-        std::size_t way = 0;
+        std::size_t alternative = 0;
         Phase phase{};
         std::optional<CommandTicket> ticket;
         TimePoint deadline = kNever;
         int repeats = 0;
-        bool trueBefore = false;  ///< the sign was there before anything was sent, so alone it proves nothing
-        bool mayAskAgain = false; ///< the acknowledgement may have been that of the wish which this one replaced
-        bool heardSince = false;  ///< a heartbeat since the acknowledgement
-        std::uint8_t result = 0;
-        std::string words; ///< the vehicle's, since the wish began
+        bool wasInEffect = false;   ///< before anything was sent, so the effect alone proves nothing
+        bool mayRetry = false;      ///< the acknowledgement may belong to the command that this one replaced
+        bool heartbeatSeen = false; ///< since the acknowledgement
+        std::uint8_t result = 0;    ///< MAV_RESULT
+        std::string texts;          ///< of the vehicle since the command began
         bool done = false;
     };
 
-    void startWay(TimePoint now, Action &action, MessageQueue &outbox);
-    void repeat(TimePoint now, Action &action, MessageQueue &outbox);
-    void nextWay(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason, MessageQueue &outbox);
-    void takeAnswers(TimePoint now, const VehicleState &state, MessageQueue &outbox);
-    void answered(TimePoint now, Action &action, std::uint8_t result, const VehicleState &state, MessageQueue &outbox);
-    void watchEnded(TimePoint now, Action &action, const VehicleState &state, MessageQueue &outbox);
-    template<typename T, typename Predicate> void seen(Predicate matches);
+    void begin(TimePoint now, RequestId id, const VehicleCommand &command);
+    void replaceOthers(Action &action);
+    void handleAck(TimePoint now, std::uint16_t command, std::uint8_t result);
+    void startAlternative(TimePoint now, Action &action);
+    void nextAlternative(TimePoint now, Action &action, CommandOutcome otherwise, std::string reason);
+    void repeat(TimePoint now, Action &action);
+    void takeAnswers(TimePoint now);
+    void answered(TimePoint now, Action &action, std::uint8_t result);
+    void confirmationTimedOut(TimePoint now, Action &action);
+    template<typename T, typename Predicate> void effectReported(Predicate matches);
     void finish(Action &action, CommandOutcome outcome, std::string reason);
-    void forgetDone();
+    void removeDone();
 
-    Addressing m_addressing;
     CommandClient m_client;
     std::vector<Action> m_actions;
-    std::deque<CommandResult> m_results;
 };
 
 } // namespace skyseal::vehicle

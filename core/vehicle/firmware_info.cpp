@@ -1,7 +1,5 @@
 #include "core/vehicle/firmware_info.h"
 
-#include "core/vehicle/message_io.h"
-
 namespace skyseal::vehicle {
 
 namespace {
@@ -23,7 +21,7 @@ std::string productName(VehicleKind kind)
     return "ArduPilot";
 }
 
-/// Of a FIRMWARE_VERSION_TYPE; numbers between two entries count as the lower one.
+/// Of a FIRMWARE_VERSION_TYPE; a number between two entries counts as the lower one.
 std::string suffix(std::uint8_t type)
 {
     if (type == mavlink::FIRMWARE_VERSION_TYPE_OFFICIAL)
@@ -37,35 +35,44 @@ std::string suffix(std::uint8_t type)
     return "-dev";
 }
 
-} // namespace
-
-void FirmwareInfo::start(TimePoint now)
+/// `version` as flight_sw_version packs it: major, minor, patch, FIRMWARE_VERSION_TYPE from the highest byte down; 0 =
+/// unknown.
+std::string versionText(std::uint32_t version)
 {
-    if (m_attempts == 0 && m_text.empty())
-        m_next = now;
-}
-
-void FirmwareInfo::handleVersion(std::uint32_t version, VehicleKind kind)
-{
-    m_next = kNever;
-    m_text = productName(kind);
     if (version == 0)
-        return;
-    m_text += " " + std::to_string(version >> 24) + "." + std::to_string(version >> 16 & 0xff) + "."
+        return {};
+    return " " + std::to_string(version >> 24) + "." + std::to_string(version >> 16 & 0xff) + "."
         + std::to_string(version >> 8 & 0xff) + suffix(static_cast<std::uint8_t>(version & 0xff));
 }
 
-void FirmwareInfo::handleDeadline(TimePoint now, MessageQueue &outbox)
+} // namespace
+
+void FirmwareInfo::handleHeartbeat(TimePoint now)
+{
+    if (m_attempts == 0 && state().firmware.empty())
+        m_next = now;
+}
+
+bool FirmwareInfo::handleFrame(TimePoint, const mavlink::Frame &frame)
+{
+    if (frame.messageId() != mavlink::AutopilotVersion::kId)
+        return false;
+    const auto m = unpack<mavlink::AutopilotVersion>(frame);
+    m_next = kNever;
+    state().firmware = productName(kind()) + versionText(m.flight_sw_version);
+    state().capabilities = m.capabilities;
+    return true;
+}
+
+void FirmwareInfo::handleDeadline(TimePoint now)
 {
     if (now < m_next)
         return;
     mavlink::CommandLong request;
-    request.target_system = m_addressing.system;
-    request.target_component = m_addressing.component;
-    const bool oldWay = m_attempts % 2 == 1;
-    request.command = oldWay ? mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES : mavlink::MAV_CMD_REQUEST_MESSAGE;
-    request.param1 = oldWay ? 1 : mavlink::AutopilotVersion::kId;
-    push(outbox, request);
+    const bool older = m_attempts % 2 == 1;
+    request.command = older ? mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES : mavlink::MAV_CMD_REQUEST_MESSAGE;
+    request.param1 = older ? 1 : mavlink::AutopilotVersion::kId;
+    send(request, false);
     ++m_attempts;
     m_next = m_attempts < kAttempts ? now + kInterval : kNever;
 }

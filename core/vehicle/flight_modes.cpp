@@ -1,6 +1,6 @@
 #include "core/vehicle/flight_modes.h"
 
-#include "core/vehicle/result_text.h"
+#include "core/base/ascii.h"
 
 #include <charconv>
 #include <span>
@@ -181,10 +181,10 @@ std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t cust
 std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name)
 {
     for (const Mode &mode : modesOf(kind)) {
-        if (sameWord(mode.name, name))
+        if (equalIgnoringCase(mode.name, name))
             return mode.number;
     }
-    if (name.size() > 6 && sameWord(name.substr(0, 5), "MODE(") && name.back() == ')') {
+    if (name.size() > 6 && equalIgnoringCase(name.substr(0, 5), "MODE(") && name.back() == ')') {
         std::uint32_t number = 0;
         const char *end = name.data() + name.size() - 1;
         const auto [stop, error] = std::from_chars(name.data() + 5, end, number);

@@ -1,5 +1,5 @@
-// Names of flight modes: what a heartbeat's base and custom mode mean on each autopilot, and back. The numbers are those of
-// ArduPilot's mode enums (COPTER_MODE and its siblings) and of PX4's main and sub modes.
+// Names of flight modes: from the base and custom mode of a heartbeat to the name that the autopilot uses, and back. The
+// numbers are those of the dialect (COPTER_MODE, PLANE_MODE, …) and the main and sub modes of PX4.
 #pragma once
 
 #include "core/mavlink/enums.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::vehicle {
 
-/// What kind of vehicle decides about the meaning of mode numbers.
+/// Vehicle type and autopilot, which determine the meaning of mode numbers.
 struct VehicleKind
 {
     std::uint8_t type = 0;      ///< MAV_TYPE
@@ -27,11 +27,11 @@ struct VehicleKind
     bool isSubmarine() const;
 };
 
-/// "GUIDED", "AUTO", …; "MODE(17)" for a number that has no name here; of autopilots without custom modes the base mode's
-/// word ("GUIDED", "AUTO", "STABILIZE", "MANUAL").
+/// "GUIDED", "AUTO", …; "MODE(17)" for a number without a name. Without a custom mode it is the name of the base mode
+/// ("GUIDED", "AUTO", "STABILIZE", "MANUAL", "PREFLIGHT").
 std::string modeName(VehicleKind kind, std::uint8_t baseMode, std::uint32_t customMode);
 
-/// The custom mode of a name, in any case, or of "MODE(17)"; nullopt when this kind of vehicle has none of that name.
+/// The custom mode for a name (case-insensitive) or for "MODE(17)"; nullopt if this kind of vehicle has no such mode.
 std::optional<std::uint32_t> modeNumber(VehicleKind kind, std::string_view name);
 
 /// All names that modeNumber() knows for this kind, in the order of their numbers.

@@ -1,7 +1,7 @@
 #include "core/vehicle/flight_script.h"
 
 #include "core/vehicle/script_tokens.h"
-#include "core/vehicle/result_text.h"
+#include "core/base/ascii.h"
 
 #include <array>
 #include <charconv>
@@ -29,7 +29,7 @@ template<typename T> StepResult parseArming(ScriptTokens &words)
 {
     T out;
     if (!words.atEnd()) {
-        if (!sameWord(words.peek(), "force"))
+        if (!equalIgnoringCase(words.peek(), "force"))
             return fail(words, "'force' or the end of the step");
         words.take();
         out.force = true;
@@ -152,8 +152,8 @@ StepResult parseWait(ScriptTokens &words)
             return fail(words, "a value to compare " + std::string(name) + " with");
         out.text = std::string(words.take());
     } else if (out.field->kind == StateField::Kind::Flag
-               && (sameWord(words.peek(), "true") || sameWord(words.peek(), "false"))) {
-        out.number = sameWord(words.take(), "true");
+               && (equalIgnoringCase(words.peek(), "true") || equalIgnoringCase(words.peek(), "false"))) {
+        out.number = equalIgnoringCase(words.take(), "true");
     } else {
         const auto value = words.number("a number to compare " + std::string(name) + " with", -1e300, 1e300);
         if (!value)
@@ -211,7 +211,7 @@ Result<FlightStep, InputError> parseStep(ScriptTokens &words)
     step.column = words.column();
     step.text = std::string(words.rest());
     for (const auto &[verb, parse] : kVerbs) {
-        if (!sameWord(words.peek(), verb))
+        if (!equalIgnoringCase(words.peek(), verb))
             continue;
         words.take();
         StepResult action = parse(words);

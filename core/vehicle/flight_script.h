@@ -3,10 +3,11 @@
 //
 // Grammar: steps separated by ';', empty ones ignored. mode NAME | arm [force] | disarm [force] | takeoff ALT | land | rtl |
 // goto LAT LON ALT | speed V | wait FIELD OP VALUE [TIMEOUT] | sleep S | param NAME VALUE | item INDEX | start | reboot |
-// command NUMBER [P1 … P7]. Words are case-insensitive; OP is one of >= <= > < == !=; times are seconds.
+// command NUMBER [P1 … P7]. Keywords are case-insensitive; OP is one of >= <= > < == !=; times are seconds.
 #pragma once
 
 #include "core/base/result.h"
+#include "core/vehicle/parameter.h"
 #include "core/vehicle/state_fields.h"
 #include "core/vehicle/vehicle_command.h"
 
@@ -19,13 +20,13 @@ namespace skyseal::vehicle {
 
 enum class Comparison : std::uint8_t { AtLeast, AtMost, Greater, Less, Equal, NotEqual };
 
-/// Waits until the vehicle's state fulfils a condition. A value that is not known fulfils none.
+/// Waits until the state of the vehicle fulfils a condition. An unknown value fulfils none.
 struct WaitUntil
 {
     const StateField *field = nullptr;
     Comparison comparison{};
     double number = 0; ///< of numbers and flags
-    std::string text;  ///< of texts, compared without case
+    std::string text;  ///< of texts, compared ignoring case
     Duration timeout = std::chrono::seconds(60);
 
     bool fulfilledBy(const VehicleState &state) const;
@@ -35,15 +36,10 @@ struct Sleep
 {
     Duration time{};
 };
-struct WriteParameter
-{
-    std::string name;
-    double value = 0;
-};
 
 struct FlightStep
 {
-    std::optional<std::uint8_t> systemId; ///< nullopt: the first vehicle that the script met
+    std::optional<std::uint8_t> systemId; ///< nullopt: the first vehicle known to the script
     std::variant<VehicleCommand, WaitUntil, Sleep, WriteParameter> action;
     std::string text;       ///< as written, without the prefix
     std::size_t column = 1; ///< where it begins
@@ -53,7 +49,7 @@ struct FlightStep
 inline constexpr std::size_t kMaxScriptLength = 65536;
 inline constexpr std::size_t kMaxScriptSteps = 1000;
 
-/// The steps of a script. An error names the step by number, the column, what stands there and what is expected.
+/// Parses a script. The error gives step number and column, the text found there and the expected one.
 Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view script);
 
 /// The canonical spelling of a step, prefix included; parses to the same step.

@@ -29,11 +29,11 @@ std::string_view stepResultName(StepResult result)
 
 void FlightScriptRunner::advance(TimePoint now, std::span<const VehicleState *const> vehicles)
 {
-    if (m_answered) {
-        m_answered = false;
+    if (m_resultArrived) {
+        m_resultArrived = false;
         m_settled = now + kSettleTime;
     }
-    // A step that needs nobody's answer ends here, and the next one begins in the same call.
+    // After a step that ends without a request, the next one begins in the same call.
     for (std::size_t before = m_steps.size() + 1; !finished() && before != m_index;) {
         before = m_index;
         const VehicleState *vehicle = pickVehicle(vehicles);
@@ -52,14 +52,14 @@ void FlightScriptRunner::advance(TimePoint now, std::span<const VehicleState *co
             watch(now, *vehicle, std::get<WaitUntil>(m_steps[m_index].action));
         else if (m_phase == Phase::Sleeping && now >= m_deadline)
             end(StepResult::Reached);
-        else if (m_phase == Phase::WaitingForAnswer && now >= m_deadline)
+        else if (m_phase == Phase::WaitingForResult && now >= m_deadline)
             end(StepResult::TimedOut, "no answer");
     }
 }
 
 void FlightScriptRunner::handleResult(const CommandResult &result)
 {
-    if (m_phase != Phase::WaitingForAnswer || !m_awaited || *m_awaited != result.id)
+    if (m_phase != Phase::WaitingForResult || m_awaited != result.id)
         return;
     switch (result.outcome) {
     case CommandOutcome::Accepted: return end(StepResult::Accepted, result.reason);
@@ -68,21 +68,18 @@ void FlightScriptRunner::handleResult(const CommandResult &result)
     }
 }
 
-void FlightScriptRunner::handleParameterResult(std::uint8_t systemId, const ParameterResult &result)
+void FlightScriptRunner::handleResult(const ParameterResult &result)
 {
-    if (m_phase != Phase::WaitingForAnswer || systemId != m_stepSystem)
-        return;
-    const auto *write = std::get_if<WriteParameter>(&m_steps[m_index].action);
-    if (write && sameWord(write->name, result.parameter.name))
+    if (m_phase == Phase::WaitingForResult && m_awaited == result.id)
         end(result.ok ? StepResult::Accepted : StepResult::Refused, result.reason);
 }
 
-std::optional<ScriptOrder> FlightScriptRunner::pollOrder()
+std::optional<ScriptRequest> FlightScriptRunner::pollRequest()
 {
-    return std::exchange(m_order, std::nullopt);
+    return std::exchange(m_request, std::nullopt);
 }
 
-void FlightScriptRunner::orderSent(CommandId id)
+void FlightScriptRunner::requestSent(RequestId id)
 {
     m_awaited = id;
 }
@@ -123,12 +120,12 @@ void FlightScriptRunner::begin(TimePoint now, const VehicleState &vehicle)
         m_deadline = now + sleep->time;
         return;
     }
-    m_phase = Phase::WaitingForAnswer;
-    m_deadline = now + kAnswerTimeout;
+    m_phase = Phase::WaitingForResult;
+    m_deadline = now + kResultTimeout;
     if (const auto *command = std::get_if<VehicleCommand>(&action))
-        m_order = ScriptOrder{m_stepSystem, *command};
+        m_request = ScriptRequest{m_stepSystem, *command};
     else
-        m_order = ScriptOrder{m_stepSystem, std::get<WriteParameter>(action)};
+        m_request = ScriptRequest{m_stepSystem, std::get<WriteParameter>(action)};
 }
 
 void FlightScriptRunner::watch(TimePoint now, const VehicleState &vehicle, const WaitUntil &wait)
@@ -145,7 +142,7 @@ void FlightScriptRunner::end(StepResult result, std::string reason)
     m_reports.push_back(
         {m_stepSystem ? m_stepSystem : step.systemId.value_or(0), m_index + 1, step.text, result, std::move(reason)});
     m_failed = result == StepResult::Refused || result == StepResult::TimedOut;
-    m_answered = m_phase == Phase::WaitingForAnswer;
+    m_resultArrived = m_phase == Phase::WaitingForResult;
     m_phase = Phase::Idle;
     ++m_index;
 }

@@ -1,52 +1,48 @@
-// Flies a flight script: looks at what is known of the vehicles, says what to ask of them next, and reports how each step
-// ended. The first step that fails ends the script.
+// Runs a flight script: from the states of the vehicles it derives the next request, and reports how each step ended. The
+// first step that fails ends the script.
 //
-// Sans-I/O. Input: advance() with the newest states, at least ten times a second; handleResult() and handleParameterResult()
-// for what became of orders. After each of them drain pollOrder() and tell orderSent() the number of each order, then
-// pollReport().
+// Sans-I/O. Input: advance() with the newest states, at least ten times a second; handleResult() for the results of requests.
+// After each input drain pollRequest(), calling requestSent() for each, then pollReport().
 #pragma once
 
 #include "core/base/clock.h"
 #include "core/vehicle/flight_script.h"
-#include "core/vehicle/transfer_result.h"
-#include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/request.h"
 #include "core/vehicle/vehicle_state.h"
 
 #include <deque>
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace skyseal::vehicle {
 
 enum class StepResult : std::uint8_t { Accepted, Refused, TimedOut, Reached };
 
-/// "accepted", "refused", "timeout", "reached": the words of the monitor's `command` events.
+/// "accepted", "refused", "timeout", "reached", as in the monitor's `command` events.
 std::string_view stepResultName(StepResult result);
 
 struct StepReport
 {
-    std::uint8_t systemId = 0; ///< 0 when no vehicle was ever seen
+    std::uint8_t systemId = 0; ///< 0 if no vehicle was found
     std::size_t number = 0;    ///< 1-based
     std::string step;          ///< as written
     StepResult result{};
     std::string reason;
 };
 
-/// A vehicle that was not seen yet may take this long to appear.
+/// Longest wait for a vehicle to appear.
 inline constexpr Duration kVehicleTimeout = std::chrono::seconds(30);
-/// Longest wait for the answer to an order; vehicles' commands end by themselves well before.
-inline constexpr Duration kAnswerTimeout = std::chrono::seconds(60);
-/// After an answer, states handed in may still be from before it for this long (they come as snapshots, the answer at once).
+/// Longest wait for the result of a request; the clients have shorter time-outs.
+inline constexpr Duration kResultTimeout = std::chrono::seconds(60);
+/// For this long after a result, the states may still be older than it: they arrive in snapshots, the result at once.
 inline constexpr Duration kSettleTime = std::chrono::milliseconds(250);
 
-/// Something that a vehicle is to be asked for.
-struct ScriptOrder
+struct ScriptRequest
 {
     std::uint8_t systemId = 0;
-    std::variant<VehicleCommand, WriteParameter> request;
+    Request request;
 };
 
 class FlightScriptRunner
@@ -56,18 +52,18 @@ public:
 
     void advance(TimePoint now, std::span<const VehicleState *const> vehicles);
     void handleResult(const CommandResult &result);
-    void handleParameterResult(std::uint8_t systemId, const ParameterResult &result);
+    void handleResult(const ParameterResult &result);
 
-    std::optional<ScriptOrder> pollOrder();
-    /// The number under which the result of the order that was just polled will come; not needed for a parameter.
-    void orderSent(CommandId id);
+    std::optional<ScriptRequest> pollRequest();
+    /// `id` is the one that the result of the request just polled will carry.
+    void requestSent(RequestId id);
     std::optional<StepReport> pollReport();
 
     bool finished() const { return m_failed || m_index >= m_steps.size(); }
     bool failed() const { return m_failed; }
 
 private:
-    enum class Phase : std::uint8_t { Idle, WaitingForVehicle, WaitingForAnswer, WaitingForState, Sleeping };
+    enum class Phase : std::uint8_t { Idle, WaitingForVehicle, WaitingForResult, WaitingForState, Sleeping };
 
     const VehicleState *pickVehicle(std::span<const VehicleState *const> vehicles);
     void begin(TimePoint now, const VehicleState &vehicle);
@@ -78,13 +74,13 @@ private:
     std::size_t m_index = 0;
     Phase m_phase = Phase::Idle;
     TimePoint m_deadline{};
-    std::uint8_t m_firstSystem = 0; ///< the vehicle of steps that name none; 0 = none met yet
+    std::uint8_t m_firstSystem = 0; ///< the vehicle of steps without a system id; 0 = none known yet
     std::uint8_t m_stepSystem = 0;
-    std::optional<CommandId> m_awaited;
-    std::optional<ScriptOrder> m_order;
+    std::optional<RequestId> m_awaited;
+    std::optional<ScriptRequest> m_request;
     std::deque<StepReport> m_reports;
-    bool m_answered = false;                ///< an answer came since the last advance()
-    TimePoint m_settled = TimePoint::min(); ///< states are believed from here on
+    bool m_resultArrived = false;           ///< since the last advance()
+    TimePoint m_settled = TimePoint::min(); ///< states are newer than the last result from this time on
     bool m_failed = false;
 };
 

@@ -1,6 +1,6 @@
 // What the steps of a flight script mean and how they are spelt; the parser is in flight_script.cpp.
 #include "core/vehicle/flight_script.h"
-#include "core/vehicle/result_text.h"
+#include "core/base/ascii.h"
 
 #include <array>
 #include <charconv>
@@ -73,7 +73,7 @@ struct ActionText
 bool WaitUntil::fulfilledBy(const VehicleState &state) const
 {
     if (field->kind == StateField::Kind::Text) {
-        const bool same = sameWord(field->text(state), text);
+        const bool same = equalIgnoringCase(field->text(state), text);
         return comparison == Comparison::Equal ? same : !same;
     }
     const double value = field->number(state);

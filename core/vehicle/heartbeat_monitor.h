@@ -1,5 +1,5 @@
-// How long a vehicle has been silent. Any message of its autopilot proves that it is there, except RADIO_STATUS, which
-// radios put in by themselves. Nothing is erased when it is lost.
+// Detects the loss of a vehicle. Any message of its autopilot proves that it is present, except RADIO_STATUS, which telemetry
+// radios insert themselves.
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,4 +1,4 @@
-// From frames to typed messages and from typed messages into an outbox.
+// Conversion between frames, typed messages and queued messages.
 #pragma once
 
 #include "core/mavlink/frame.h"
@@ -22,11 +22,6 @@ template<typename Message> OutMessage pack(const Message &message, bool urgent =
     out.size = Message::kMaxLength;
     message.encode(std::span<std::uint8_t, Message::kMaxLength>(out.payload.data(), Message::kMaxLength));
     return out;
-}
-
-template<typename Message> void push(MessageQueue &outbox, const Message &message, bool urgent = false)
-{
-    outbox.push(pack(message, urgent));
 }
 
 } // namespace skyseal::vehicle

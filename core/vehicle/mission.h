@@ -1,9 +1,13 @@
-// One item of a mission, as MISSION_ITEM_INT carries it.
+// Missions: the item as MISSION_ITEM_INT carries it, the requests of the mission protocol and their result.
+// https://mavlink.io/en/services/mission.html
 #pragma once
 
 #include "core/mavlink/enums.h"
+#include "core/vehicle/request_id.h"
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace skyseal::vehicle {
 
@@ -18,6 +22,27 @@ struct MissionItem
     double latitude = 0, longitude = 0; ///< degrees
     float altitude = 0;                 ///< metres
     bool operator==(const MissionItem &) const = default;
+};
+
+struct ReadMission
+{};
+struct WriteMission
+{
+    std::vector<MissionItem> items; ///< renumbered from 0 in this order
+};
+struct ClearMission
+{};
+
+enum class MissionTransfer : std::uint8_t { Upload, Download, Clear };
+
+struct MissionResult
+{
+    RequestId id{};
+    std::uint8_t systemId = 0;
+    MissionTransfer transfer{};
+    bool ok = false;
+    std::string reason = {};       ///< why it failed, for people
+    bool changeUnanswered = false; ///< an upload or clear that got no answer at all
 };
 
 } // namespace skyseal::vehicle

@@ -1,18 +1,83 @@
 #include "core/vehicle/mission_client.h"
 
-#include "core/vehicle/message_io.h"
 #include "core/vehicle/result_text.h"
 
 #include <cmath>
+#include <type_traits>
 
 namespace skyseal::vehicle {
 
-void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, MessageQueue &outbox)
+namespace {
+
+MissionItem toItem(const mavlink::MissionItemInt &m)
 {
-    if (!begin(MissionTransfer::Upload))
-        return;
-    if (items.size() > kMostItems)
-        return finish(false, "a mission has at most " + std::to_string(kMostItems) + " items");
+    return {m.seq,      m.command,  m.frame, m.current != 0, m.autocontinue != 0, {m.param1, m.param2, m.param3, m.param4},
+            m.x * 1e-7, m.y * 1e-7, m.z};
+}
+
+MissionItem toItem(const mavlink::MissionItem &m)
+{
+    return {m.seq,
+            m.command,
+            m.frame,
+            m.current != 0,
+            m.autocontinue != 0,
+            {m.param1, m.param2, m.param3, m.param4},
+            static_cast<double>(m.x),
+            static_cast<double>(m.y),
+            m.z};
+}
+
+} // namespace
+
+bool MissionClient::perform(TimePoint now, RequestId id, const Request &request)
+{
+    if (const auto *write = std::get_if<WriteMission>(&request)) {
+        if (begin(id, MissionTransfer::Upload))
+            upload(now, write->items);
+    } else if (std::holds_alternative<ReadMission>(request)) {
+        if (begin(id, MissionTransfer::Download))
+            download(now);
+    } else if (std::holds_alternative<ClearMission>(request)) {
+        if (begin(id, MissionTransfer::Clear))
+            clear(now);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool MissionClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    // Messages for other stations and other mission types (fence, rally points) are consumed without effect.
+    const auto take = [&]<typename Message>(std::type_identity<Message>, auto handle) {
+        const auto m = unpack<Message>(frame);
+        if (addressing().isForUs(m.target_system, m.target_component) && m.mission_type == mavlink::MAV_MISSION_TYPE_MISSION)
+            handle(m);
+        return true;
+    };
+    using std::type_identity;
+    switch (frame.messageId()) {
+    case mavlink::MissionCount::kId:
+        return take(type_identity<mavlink::MissionCount>(), [&](const auto &m) { handleCount(now, m.count); });
+    case mavlink::MissionRequest::kId:
+        return take(type_identity<mavlink::MissionRequest>(), [&](const auto &m) { handleItemRequest(now, m.seq, false); });
+    case mavlink::MissionRequestInt::kId:
+        return take(type_identity<mavlink::MissionRequestInt>(), [&](const auto &m) { handleItemRequest(now, m.seq, true); });
+    case mavlink::MissionItem::kId:
+        return take(type_identity<mavlink::MissionItem>(), [&](const auto &m) { handleItem(now, toItem(m)); });
+    case mavlink::MissionItemInt::kId:
+        return take(type_identity<mavlink::MissionItemInt>(), [&](const auto &m) { handleItem(now, toItem(m)); });
+    case mavlink::MissionAck::kId:
+        return take(type_identity<mavlink::MissionAck>(), [&](const auto &m) { handleAck(now, m.type); });
+    default: return false;
+    }
+}
+
+void MissionClient::upload(TimePoint now, std::vector<MissionItem> items)
+{
+    if (items.size() > kMaxItems)
+        return finish(false, "a mission has at most " + std::to_string(kMaxItems) + " items");
     m_items = std::move(items);
     for (std::size_t i = 0; i < m_items.size(); ++i) {
         if (!(std::abs(m_items[i].latitude) <= 90 && std::abs(m_items[i].longitude) <= 180))
@@ -20,83 +85,79 @@ void MissionClient::upload(TimePoint now, std::vector<MissionItem> items, Messag
         m_items[i].sequence = static_cast<std::uint16_t>(i);
     }
     m_phase = Phase::Announcing;
-    announce(now, outbox);
+    announce(now);
 }
 
-void MissionClient::download(TimePoint now, MessageQueue &outbox)
+void MissionClient::download(TimePoint now)
 {
-    if (!begin(MissionTransfer::Download))
-        return;
     m_items.clear();
-    m_phase = Phase::AskingForCount;
-    askForCount(now, outbox);
+    m_phase = Phase::RequestingCount;
+    requestCount(now);
 }
 
-void MissionClient::clear(TimePoint now, MessageQueue &outbox)
+void MissionClient::clear(TimePoint now)
 {
-    if (!begin(MissionTransfer::Clear))
-        return;
     m_phase = Phase::Clearing;
-    sendClear(now, outbox);
+    sendClear(now);
 }
 
-void MissionClient::handleCount(TimePoint now, std::uint16_t count, MessageQueue &outbox)
+void MissionClient::handleCount(TimePoint now, std::uint16_t count)
 {
-    if (m_phase != Phase::AskingForCount)
+    if (m_phase != Phase::RequestingCount)
         return;
     m_expected = count;
     m_items.clear();
     m_attempts = 0;
     if (count == 0) {
-        sendAck(outbox);
+        sendAck();
         finish(true);
         return;
     }
     m_phase = Phase::Downloading;
-    askForItem(now, outbox);
+    requestItem(now);
 }
 
-void MissionClient::handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, MessageQueue &outbox)
+void MissionClient::handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger)
 {
     if (m_phase != Phase::Announcing && m_phase != Phase::Uploading)
         return;
     if (sequence >= m_items.size())
-        return; // the vehicle will end it, or run into its own time-out
+        return; // the vehicle ends the transfer or runs into its own time-out
     m_phase = Phase::Uploading;
     m_attempts = 0;
     m_deadline = now + (sequence + 1u == m_items.size() ? kUploadedTimeout : kRequestTimeout);
-    sendItem(m_items[sequence], asInteger || m_takesIntegers, outbox);
+    sendItem(m_items[sequence], asInteger || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_MISSION_INT) != 0);
 }
 
-void MissionClient::handleItem(TimePoint now, const MissionItem &item, MessageQueue &outbox)
+void MissionClient::handleItem(TimePoint now, const MissionItem &item)
 {
     if (m_phase != Phase::Downloading || item.sequence != m_items.size())
         return; // a repeated answer to an earlier request
     m_items.push_back(item);
     m_attempts = 0;
     if (m_items.size() < m_expected)
-        return askForItem(now, outbox);
-    sendAck(outbox);
+        return requestItem(now);
+    sendAck();
     finish(true);
 }
 
-void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &)
+void MissionClient::handleAck(TimePoint now, std::uint8_t result)
 {
     switch (m_phase) {
     case Phase::Idle: return;
     case Phase::Announcing:
-        // An answer to an upload before this one, unless the vehicle refuses or there was nothing to send.
+        // Acceptance of an earlier upload, unless this one is empty.
         if (result == mavlink::MAV_MISSION_ACCEPTED && !m_items.empty())
             return;
         break;
     case Phase::Uploading:
-        // A duplicated item; the vehicle goes on asking for the one that it needs.
+        // Caused by a duplicated item; the vehicle continues to request the item that it needs.
         if (result == mavlink::MAV_MISSION_INVALID_SEQUENCE) {
             m_deadline = now + kRequestTimeout;
             return;
         }
         break;
-    case Phase::AskingForCount:
+    case Phase::RequestingCount:
     case Phase::Downloading:
         if (result == mavlink::MAV_MISSION_ACCEPTED)
             return;
@@ -107,92 +168,76 @@ void MissionClient::handleAck(TimePoint now, std::uint8_t result, MessageQueue &
            result == mavlink::MAV_MISSION_ACCEPTED ? std::string() : missionResultText(result));
 }
 
-void MissionClient::handleDeadline(TimePoint now, MessageQueue &outbox)
+void MissionClient::handleDeadline(TimePoint now)
 {
     if (now < m_deadline || giveUp())
         return;
     switch (m_phase) {
     case Phase::Idle: break;
-    case Phase::Announcing: announce(now, outbox); break;
+    case Phase::Announcing: announce(now); break;
     case Phase::Uploading:
         if (++m_rounds >= kUploadRounds)
             return finish(false, "the vehicle stopped asking for items");
         m_phase = Phase::Announcing;
-        announce(now, outbox);
+        announce(now);
         break;
-    case Phase::AskingForCount: askForCount(now, outbox); break;
+    case Phase::RequestingCount: requestCount(now); break;
     case Phase::Downloading:
-        m_askForFloats = m_items.empty() && m_attempts >= 3 ? !m_askForFloats : m_askForFloats;
-        askForItem(now, outbox);
+        m_requestFloats = m_items.empty() && m_attempts >= 3 ? !m_requestFloats : m_requestFloats;
+        requestItem(now);
         break;
-    case Phase::Clearing: sendClear(now, outbox); break;
+    case Phase::Clearing: sendClear(now); break;
     }
 }
 
-std::optional<MissionResult> MissionClient::poll()
+bool MissionClient::begin(RequestId id, MissionTransfer transfer)
 {
-    if (m_results.empty())
-        return std::nullopt;
-    MissionResult result = std::move(m_results.front());
-    m_results.pop_front();
-    return result;
-}
-
-bool MissionClient::begin(MissionTransfer transfer)
-{
-    if (isBusy()) {
-        m_results.push_back({transfer, false, "another mission transfer is under way"});
+    if (m_phase != Phase::Idle) {
+        report(MissionResult{id, addressing().system, transfer, false, "another mission transfer is under way"});
         return false;
     }
+    m_request = id;
     m_transfer = transfer;
     m_attempts = 0;
     m_rounds = 0;
-    m_askForFloats = false;
+    m_requestFloats = false;
     return true;
 }
 
-void MissionClient::announce(TimePoint now, MessageQueue &outbox)
+void MissionClient::announce(TimePoint now)
 {
     mavlink::MissionCount message;
-    message.target_system = m_addressing.system;
-    message.target_component = m_addressing.component;
     message.count = static_cast<std::uint16_t>(m_items.size());
-    push(outbox, message, true);
+    send(message);
     ++m_attempts;
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::askForCount(TimePoint now, MessageQueue &outbox)
+void MissionClient::requestCount(TimePoint now)
 {
     mavlink::MissionRequestList message;
-    message.target_system = m_addressing.system;
-    message.target_component = m_addressing.component;
-    push(outbox, message, true);
+    send(message);
     ++m_attempts;
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::askForItem(TimePoint now, MessageQueue &outbox)
+void MissionClient::requestItem(TimePoint now)
 {
-    const auto ask = [&](auto message) {
-        message.target_system = m_addressing.system;
-        message.target_component = m_addressing.component;
+    const auto request = [&](auto message) {
         message.seq = static_cast<std::uint16_t>(m_items.size());
-        push(outbox, message, true);
+        send(message);
     };
-    if (m_askForFloats)
-        ask(mavlink::MissionRequest{});
+    if (m_requestFloats)
+        request(mavlink::MissionRequest{});
     else
-        ask(mavlink::MissionRequestInt{});
+        request(mavlink::MissionRequestInt{});
     ++m_attempts;
     m_deadline = now + kItemTimeout;
 }
 
-void MissionClient::sendItem(const MissionItem &item, bool asInteger, MessageQueue &outbox) const
+void MissionClient::sendItem(const MissionItem &item, bool asInteger)
 {
     const auto fill = [&](auto message) {
-        message.target_system = m_addressing.system;
-        message.target_component = m_addressing.component;
         message.seq = item.sequence;
         message.frame = item.frame;
         message.command = item.command;
@@ -209,35 +254,31 @@ void MissionClient::sendItem(const MissionItem &item, bool asInteger, MessageQue
         auto message = fill(mavlink::MissionItemInt{});
         message.x = static_cast<std::int32_t>(std::llround(item.latitude * 1e7));
         message.y = static_cast<std::int32_t>(std::llround(item.longitude * 1e7));
-        push(outbox, message, true);
+        send(message);
     } else {
         auto message = fill(mavlink::MissionItem{});
         message.x = static_cast<float>(item.latitude);
         message.y = static_cast<float>(item.longitude);
-        push(outbox, message, true);
+        send(message);
     }
 }
 
-void MissionClient::sendClear(TimePoint now, MessageQueue &outbox)
+void MissionClient::sendClear(TimePoint now)
 {
     mavlink::MissionClearAll message;
-    message.target_system = m_addressing.system;
-    message.target_component = m_addressing.component;
-    push(outbox, message, true);
+    send(message);
     ++m_attempts;
     m_deadline = now + kAnswerTimeout;
 }
 
-void MissionClient::sendAck(MessageQueue &outbox) const
+void MissionClient::sendAck()
 {
     mavlink::MissionAck message;
-    message.target_system = m_addressing.system;
-    message.target_component = m_addressing.component;
     message.type = mavlink::MAV_MISSION_ACCEPTED;
-    push(outbox, message, true);
+    send(message);
 }
 
-void MissionClient::finish(bool ok, std::string reason)
+void MissionClient::finish(bool ok, std::string reason, bool changeUnanswered)
 {
     if (ok) {
         if (m_transfer == MissionTransfer::Clear)
@@ -247,7 +288,7 @@ void MissionClient::finish(bool ok, std::string reason)
     m_items.clear();
     m_phase = Phase::Idle;
     m_deadline = kNever;
-    m_results.push_back({m_transfer, ok, std::move(reason)});
+    report(MissionResult{m_request, addressing().system, m_transfer, ok, std::move(reason), changeUnanswered});
 }
 
 bool MissionClient::giveUp()
@@ -257,8 +298,7 @@ bool MissionClient::giveUp()
     std::string reason = "no answer to " + std::to_string(kAttempts) + " attempts";
     if (m_phase == Phase::Downloading)
         reason += " for item " + std::to_string(m_items.size());
-    finish(false, std::move(reason));
-    m_results.back().unanswered = true;
+    finish(false, std::move(reason), m_transfer != MissionTransfer::Download);
     return true;
 }
 

@@ -1,90 +1,79 @@
-// MAVLink's mission protocol: upload, download and clear of the flight plan, one at a time, each step repeated until it is
-// answered. https://mavlink.io/en/services/mission.html
+// Client of the mission protocol: upload, download and clear of the flight plan, one transfer at a time; each step is repeated
+// until it is answered. https://mavlink.io/en/services/mission.html
 //
 //     Upload:   MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → MISSION_ACK
 //     Download: MISSION_REQUEST_LIST → MISSION_COUNT → (MISSION_REQUEST_INT n → MISSION_ITEM_INT n)* → our MISSION_ACK
 //     Clear:    MISSION_CLEAR_ALL → MISSION_ACK
 //
-// Old firmware asks by MISSION_REQUEST; it gets float items unless the vehicle said that it takes integer ones.
-// On ArduPilot item 0 is the home position: it comes with every download and a plan begins with it.
+// Older firmware requests items by MISSION_REQUEST; it gets float items unless its capabilities name integer items.
+// On ArduPilot item 0 is the home position: downloads contain it, and an upload must begin with it.
 #pragma once
 
-#include "core/base/clock.h"
-#include "core/vehicle/mission.h"
-#include "core/vehicle/message_queue.h"
-#include "core/vehicle/transfer_result.h"
-#include "core/vehicle/vehicle_config.h"
+#include "core/vehicle/micro_protocol.h"
 
 #include <cstdint>
-#include <deque>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace skyseal::vehicle {
 
-class MissionClient
+class MissionClient : public MicroProtocol
 {
 public:
     static constexpr Duration kAnswerTimeout = std::chrono::milliseconds(1500);
     static constexpr Duration kItemTimeout = std::chrono::milliseconds(500);
     static constexpr int kAttempts = 8; ///< of each step
-    /// For the vehicle's next request, which it repeats by itself.
+    /// For the next request of the vehicle, which repeats its requests itself.
     static constexpr Duration kRequestTimeout = std::chrono::seconds(8);
-    /// For its acknowledgement after the last item. When that one got lost, the vehicle is done and silent.
+    /// For the acknowledgement after the last item. If it is lost, the vehicle sends nothing more.
     static constexpr Duration kUploadedTimeout = std::chrono::seconds(3);
-    static constexpr int kUploadRounds = 5; ///< an upload that fell silent begins anew
-    static constexpr std::size_t kMostItems = 65535;
+    static constexpr int kUploadRounds = 5; ///< how often an upload starts again after a time-out
+    static constexpr std::size_t kMaxItems = 65535;
 
-    explicit MissionClient(const Addressing &addressing) : m_addressing(addressing) {}
+    using MicroProtocol::MicroProtocol;
 
-    /// From the vehicle's capabilities: whether MISSION_REQUEST may be answered by MISSION_ITEM_INT.
-    void setTakesIntegers(bool takesIntegers) { m_takesIntegers = takesIntegers; }
+    /// ReadMission, WriteMission and ClearMission. Fails at once while another transfer is in progress.
+    bool perform(TimePoint now, RequestId id, const Request &request) override;
+    bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
+    void handleDeadline(TimePoint now) override;
+    TimePoint nextDeadline() const override { return m_deadline; }
 
-    void upload(TimePoint now, std::vector<MissionItem> items, MessageQueue &outbox);
-    void download(TimePoint now, MessageQueue &outbox);
-    void clear(TimePoint now, MessageQueue &outbox);
-
-    // What the vehicle sends, for mission type 0 and addressed to us.
-    void handleCount(TimePoint now, std::uint16_t count, MessageQueue &outbox);
-    void handleRequest(TimePoint now, std::uint16_t sequence, bool asInteger, MessageQueue &outbox);
-    void handleItem(TimePoint now, const MissionItem &item, MessageQueue &outbox);
-    void handleAck(TimePoint now, std::uint8_t result, MessageQueue &outbox);
-
-    void handleDeadline(TimePoint now, MessageQueue &outbox);
-    TimePoint nextDeadline() const { return m_deadline; }
-
-    bool isBusy() const { return m_phase != Phase::Idle; }
     /// As last read, or as the vehicle accepted it; null before.
     std::shared_ptr<const std::vector<MissionItem>> mission() const { return m_mission; }
-    std::optional<MissionResult> poll();
 
 private:
-    enum class Phase : std::uint8_t { Idle, Announcing, Uploading, AskingForCount, Downloading, Clearing };
+    enum class Phase : std::uint8_t { Idle, Announcing, Uploading, RequestingCount, Downloading, Clearing };
 
-    bool begin(MissionTransfer transfer);
-    void announce(TimePoint now, MessageQueue &outbox);
-    void askForCount(TimePoint now, MessageQueue &outbox);
-    void askForItem(TimePoint now, MessageQueue &outbox);
-    void sendItem(const MissionItem &item, bool asInteger, MessageQueue &outbox) const;
-    void sendClear(TimePoint now, MessageQueue &outbox);
-    void sendAck(MessageQueue &outbox) const;
-    void finish(bool ok, std::string reason = {});
+    void upload(TimePoint now, std::vector<MissionItem> items);
+    void download(TimePoint now);
+    void clear(TimePoint now);
+
+    void handleCount(TimePoint now, std::uint16_t count);
+    void handleItemRequest(TimePoint now, std::uint16_t sequence, bool asInteger);
+    void handleItem(TimePoint now, const MissionItem &item);
+    void handleAck(TimePoint now, std::uint8_t result);
+
+    bool begin(RequestId id, MissionTransfer transfer);
+    void announce(TimePoint now);
+    void requestCount(TimePoint now);
+    void requestItem(TimePoint now);
+    void sendItem(const MissionItem &item, bool asInteger);
+    void sendClear(TimePoint now);
+    void sendAck();
+    void finish(bool ok, std::string reason = {}, bool changeUnanswered = false);
     bool giveUp();
 
-    Addressing m_addressing;
-    bool m_takesIntegers = false;
+    RequestId m_request{};
     Phase m_phase = Phase::Idle;
     MissionTransfer m_transfer{};
     std::vector<MissionItem> m_items;
     std::size_t m_expected = 0;
-    bool m_askForFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
+    bool m_requestFloats = false; ///< the vehicle does not answer MISSION_REQUEST_INT
     int m_attempts = 0;
     int m_rounds = 0;
     TimePoint m_deadline = kNever;
     std::shared_ptr<const std::vector<MissionItem>> m_mission;
-    std::deque<MissionResult> m_results;
 };
 
 } // namespace skyseal::vehicle

@@ -1,7 +1,9 @@
-// One onboard parameter.
+// Onboard parameters: the value, the requests of the parameter protocol and their result.
+// https://mavlink.io/en/services/parameter.html
 #pragma once
 
 #include "core/mavlink/enums.h"
+#include "core/vehicle/request_id.h"
 
 #include <cstdint>
 #include <string>
@@ -11,9 +13,29 @@ namespace skyseal::vehicle {
 struct Parameter
 {
     std::string name;                                   ///< up to 16 characters
-    double value = 0;                                   ///< ArduPilot's are floats on the wire whatever their type
+    double value = 0;                                   ///< ArduPilot sends a float whatever the type
     std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
     std::uint16_t index = 0;
+};
+
+/// Reads the whole list. The values appear in Vehicle::parameters(); only a failure ends in a ParameterResult.
+struct ReadParameters
+{};
+struct WriteParameter
+{
+    std::string name;
+    double value = 0;
+};
+
+/// The end of a write, or the failure of a read (then the parameter has no name).
+struct ParameterResult
+{
+    RequestId id{};
+    std::uint8_t systemId = 0;
+    Parameter parameter{}; ///< with the value that the vehicle reports, if it reported one
+    bool ok = false;
+    std::string reason = {};       ///< why it failed, for people
+    bool changeUnanswered = false; ///< a write that got no answer at all
 };
 
 } // namespace skyseal::vehicle

@@ -1,6 +1,5 @@
 #include "core/vehicle/parameter_client.h"
 
-#include "core/vehicle/message_io.h"
 #include "core/vehicle/result_text.h"
 
 #include <algorithm>
@@ -12,7 +11,7 @@ namespace skyseal::vehicle {
 
 namespace {
 
-constexpr std::uint16_t kNoIndex = 65535;
+constexpr std::uint16_t kNoIndex = 65535; // of a PARAM_VALUE that answers a write
 
 /// Integers of 8, 16 and 32 bits.
 constexpr bool isInteger(std::uint8_t type)
@@ -20,100 +19,39 @@ constexpr bool isInteger(std::uint8_t type)
     return type >= mavlink::MAV_PARAM_TYPE_UINT8 && type <= mavlink::MAV_PARAM_TYPE_INT32;
 }
 
-/// Whether the vehicle has what was asked for, as exactly as a float can say it.
-bool sameValue(double asked, double has)
+/// True if the values are equal within the precision of the float on the wire.
+bool sameValue(double requested, double reported)
 {
-    return asked == has || static_cast<float>(asked) == static_cast<float>(has);
+    return requested == reported || static_cast<float>(requested) == static_cast<float>(reported);
 }
 
 } // namespace
 
-void ParameterClient::readAll(TimePoint now, MessageQueue &outbox)
+bool ParameterClient::perform(TimePoint now, RequestId id, const Request &request)
 {
-    m_have.clear();
-    m_received = 0;
-    m_fruitless = 0;
-    requestList(now, outbox);
+    if (std::holds_alternative<ReadParameters>(request))
+        read(now, id);
+    else if (const auto *change = std::get_if<WriteParameter>(&request))
+        write(now, id, *change);
+    else
+        return false;
+    return true;
 }
 
-void ParameterClient::write(TimePoint now, std::string name, double value, MessageQueue &outbox)
+bool ParameterClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
-    if (name.empty() || name.size() > 16 || !std::isfinite(value)) {
-        m_results.push_back(
-            {{std::move(name), value}, false, "nothing was sent: a name of up to 16 characters and a number are needed"});
-        return;
-    }
-    m_writes.push_back({std::move(name), value, 0, kNever, std::nullopt});
-    if (m_writes.size() == 1)
-        sendWrite(now, outbox);
+    if (frame.messageId() != mavlink::ParamValue::kId)
+        return false;
+    handleValue(now, unpack<mavlink::ParamValue>(frame));
+    return true;
 }
 
-void ParameterClient::handleValue(TimePoint now, const ParameterValue &value, MessageQueue &outbox)
+void ParameterClient::handleDeadline(TimePoint now)
 {
-    if (value.name.empty())
-        return;
-    Parameter parameter{std::string(value.name), decode(value.value, value.type), value.type, value.index};
-    if (value.count > 0 && value.index < value.count) {
-        if (m_expected != value.count || m_have.size() != value.count) {
-            // The number changes when a switch makes more of them visible; what is known already counts still.
-            m_expected = value.count;
-            m_have.resize(value.count, false);
-            m_received = static_cast<std::size_t>(std::count(m_have.begin(), m_have.end(), true));
-        }
-        if (!m_have[value.index]) {
-            m_have[value.index] = true;
-            ++m_received;
-            m_fruitless = 0;
-        }
-        if (isReading())
-            m_listDeadline = m_received == m_expected ? kNever : now + kListTimeout;
-    }
-    const auto known = m_values.find(value.name);
-    if (known == m_values.end()) {
-        // A vehicle has at most 65535 parameters; more names than that are not its own.
-        if (m_values.size() < kNoIndex)
-            m_values.emplace(parameter.name, parameter);
-        m_shared.reset();
-    } else {
-        if (parameter.index == kNoIndex)
-            parameter.index = known->second.index;
-        if (known->second.value != parameter.value || known->second.type != parameter.type
-            || known->second.index != parameter.index) {
-            known->second = parameter;
-            m_shared.reset();
-        }
-    }
-    checkWrite(now, parameter, outbox);
-}
-
-void ParameterClient::handleDeadline(TimePoint now, MessageQueue &outbox)
-{
-    if (now >= m_listDeadline) {
-        if (++m_fruitless > kRounds) {
-            m_listDeadline = kNever;
-            m_results.push_back({{},
-                                 false,
-                                 m_received == 0 ? "the vehicle does not send its parameters"
-                                                 : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected)
-                                         + " parameters came"});
-        } else if (m_received == 0) {
-            requestList(now, outbox);
-        } else {
-            requestGaps(now, outbox);
-        }
-    }
-    if (!m_writes.empty() && now >= m_writes.front().deadline) {
-        const Write &front = m_writes.front();
-        if (front.attempts < kWriteAttempts) {
-            sendWrite(now, outbox);
-        } else if (front.seen) {
-            finishWrite(now, {*front.seen, false, "the vehicle keeps " + shortNumber(front.seen->value, 6)}, outbox);
-        } else {
-            finishWrite(
-                now, {{front.name, front.value}, false, "no answer to " + std::to_string(kWriteAttempts) + " attempts", true},
-                outbox);
-        }
-    }
+    if (now >= m_listDeadline)
+        handleListDeadline(now);
+    if (!m_writes.empty() && now >= m_writes.front().deadline)
+        handleWriteDeadline(now);
 }
 
 TimePoint ParameterClient::nextDeadline() const
@@ -133,18 +71,14 @@ std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() cons
     return m_shared;
 }
 
-std::optional<ParameterResult> ParameterClient::poll()
+bool ParameterClient::isBytewise() const
 {
-    if (m_results.empty())
-        return std::nullopt;
-    ParameterResult result = std::move(m_results.front());
-    m_results.pop_front();
-    return result;
+    return kind().isPx4() || (state().capabilities & mavlink::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE) != 0;
 }
 
 double ParameterClient::decode(float raw, std::uint8_t type) const
 {
-    if (!m_bytewise || !isInteger(type))
+    if (!isBytewise() || !isInteger(type))
         return raw;
     const auto bits = std::bit_cast<std::uint32_t>(raw);
     switch (type) {
@@ -159,69 +93,165 @@ double ParameterClient::decode(float raw, std::uint8_t type) const
 
 float ParameterClient::encode(double value, std::uint8_t type) const
 {
-    if (!m_bytewise || !isInteger(type))
+    if (!isBytewise() || !isInteger(type))
         return static_cast<float>(value);
     const double whole = std::clamp(std::round(value), -2147483648.0, 4294967295.0);
     return std::bit_cast<float>(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole)));
 }
 
-void ParameterClient::requestList(TimePoint now, MessageQueue &outbox)
+void ParameterClient::read(TimePoint now, RequestId id)
 {
-    mavlink::ParamRequestList request;
-    request.target_system = m_addressing.system;
-    request.target_component = m_addressing.component;
-    push(outbox, request, true);
+    m_read = id;
+    m_have.clear();
+    m_received = 0;
+    m_roundsWithoutNew = 0;
+    requestList(now);
+}
+
+void ParameterClient::write(TimePoint now, RequestId id, const WriteParameter &request)
+{
+    if (request.name.empty() || request.name.size() > 16 || !std::isfinite(request.value)) {
+        report(ParameterResult{id,
+                               addressing().system,
+                               {request.name, request.value},
+                               false,
+                               "nothing was sent: a name of up to 16 characters and a number are needed"});
+        return;
+    }
+    m_writes.push_back({id, request});
+    if (m_writes.size() == 1)
+        sendWrite(now);
+}
+
+void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
+{
+    const std::string name(mavlink::textOf(value.param_id));
+    if (name.empty())
+        return;
+    if (value.param_count > 0 && value.param_index < value.param_count)
+        noteIndex(now, value.param_index, value.param_count);
+    const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
+    store(parameter);
+    checkWrite(now, parameter);
+}
+
+void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
+{
+    if (m_expected != count || m_have.size() != count) {
+        // The number changes when a write makes further parameters visible; those received before still count.
+        m_expected = count;
+        m_have.resize(count, false);
+        m_received = static_cast<std::size_t>(std::count(m_have.begin(), m_have.end(), true));
+    }
+    if (!m_have[index]) {
+        m_have[index] = true;
+        ++m_received;
+        m_roundsWithoutNew = 0;
+    }
+    if (isReading())
+        m_listDeadline = m_received == m_expected ? kNever : now + kListTimeout;
+}
+
+void ParameterClient::store(Parameter parameter)
+{
+    const auto known = m_values.find(parameter.name);
+    if (known == m_values.end()) {
+        // A vehicle has at most 65535 parameters; further names must be forged.
+        if (m_values.size() < kNoIndex)
+            m_values.emplace(parameter.name, parameter);
+        m_shared.reset();
+        return;
+    }
+    if (parameter.index == kNoIndex)
+        parameter.index = known->second.index;
+    if (known->second.value != parameter.value || known->second.type != parameter.type
+        || known->second.index != parameter.index) {
+        known->second = std::move(parameter);
+        m_shared.reset();
+    }
+}
+
+void ParameterClient::requestList(TimePoint now)
+{
+    send(mavlink::ParamRequestList{});
     m_listDeadline = now + kListTimeout;
 }
 
-void ParameterClient::requestGaps(TimePoint now, MessageQueue &outbox)
+void ParameterClient::requestGaps(TimePoint now)
 {
-    std::size_t asked = 0;
-    for (std::size_t index = 0; index < m_have.size() && asked < kBatch; ++index) {
+    std::size_t requested = 0;
+    for (std::size_t index = 0; index < m_have.size() && requested < kBatch; ++index) {
         if (m_have[index])
             continue;
         mavlink::ParamRequestRead request;
-        request.target_system = m_addressing.system;
-        request.target_component = m_addressing.component;
         request.param_index = static_cast<std::int16_t>(index);
-        push(outbox, request, true);
-        ++asked;
+        send(request);
+        ++requested;
     }
     m_listDeadline = now + kListTimeout;
 }
 
-void ParameterClient::sendWrite(TimePoint now, MessageQueue &outbox)
+void ParameterClient::handleListDeadline(TimePoint now)
+{
+    if (++m_roundsWithoutNew <= kRounds)
+        return m_received == 0 ? requestList(now) : requestGaps(now);
+    m_listDeadline = kNever;
+    report(ParameterResult{m_read,
+                           addressing().system,
+                           {},
+                           false,
+                           m_received == 0 ? "the vehicle does not send its parameters"
+                                           : "only " + std::to_string(m_received) + " of " + std::to_string(m_expected)
+                                   + " parameters came"});
+}
+
+void ParameterClient::handleWriteDeadline(TimePoint now)
+{
+    const Write &front = m_writes.front();
+    if (front.attempts < kWriteAttempts)
+        return sendWrite(now);
+    ParameterResult result{front.id, addressing().system};
+    if (front.reported) {
+        result.parameter = *front.reported;
+        result.reason = "the vehicle keeps " + shortNumber(front.reported->value, 6);
+    } else {
+        result.parameter = {front.request.name, front.request.value};
+        result.reason = "no answer to " + std::to_string(kWriteAttempts) + " attempts";
+        result.changeUnanswered = true;
+    }
+    finishWrite(now, std::move(result));
+}
+
+void ParameterClient::sendWrite(TimePoint now)
 {
     Write &write = m_writes.front();
-    const auto known = m_values.find(write.name);
+    const auto known = m_values.find(write.request.name);
     mavlink::ParamSet message;
-    message.target_system = m_addressing.system;
-    message.target_component = m_addressing.component;
     message.param_type = known == m_values.end() ? std::uint8_t(mavlink::MAV_PARAM_TYPE_REAL32) : known->second.type;
-    message.param_value = encode(write.value, message.param_type);
-    mavlink::setText(message.param_id, write.name);
-    push(outbox, message, true);
+    message.param_value = encode(write.request.value, message.param_type);
+    mavlink::setText(message.param_id, write.request.name);
+    send(message);
     ++write.attempts;
     write.deadline = now + kWriteTimeout;
 }
 
-void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter, MessageQueue &outbox)
+void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter)
 {
-    if (m_writes.empty() || m_writes.front().name != parameter.name)
+    if (m_writes.empty() || m_writes.front().request.name != parameter.name)
         return;
     Write &write = m_writes.front();
-    if (sameValue(write.value, parameter.value))
-        finishWrite(now, {parameter, true, {}}, outbox);
+    if (sameValue(write.request.value, parameter.value))
+        finishWrite(now, {write.id, addressing().system, parameter, true});
     else
-        write.seen = parameter; // it may be an answer from before the writing: ask once more before believing it
+        write.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
 }
 
-void ParameterClient::finishWrite(TimePoint now, ParameterResult result, MessageQueue &outbox)
+void ParameterClient::finishWrite(TimePoint now, ParameterResult result)
 {
-    m_results.push_back(std::move(result));
+    report(std::move(result));
     m_writes.pop_front();
     if (!m_writes.empty())
-        sendWrite(now, outbox);
+        sendWrite(now);
 }
 
 } // namespace skyseal::vehicle

@@ -1,12 +1,9 @@
-// MAVLink's parameter protocol: reads the whole list, asks again by index for what was lost, and writes with read-back.
+// Client of the parameter protocol: reads the whole list, requests lost parameters again by index, and checks each write by
+// the value that the vehicle reports.
 // https://mavlink.io/en/services/parameter.html
 #pragma once
 
-#include "core/base/clock.h"
-#include "core/vehicle/message_queue.h"
-#include "core/vehicle/parameter.h"
-#include "core/vehicle/transfer_result.h"
-#include "core/vehicle/vehicle_config.h"
+#include "core/vehicle/micro_protocol.h"
 
 #include <cstdint>
 #include <deque>
@@ -19,74 +16,64 @@
 
 namespace skyseal::vehicle {
 
-/// A PARAM_VALUE as it came in. The name is read up to its first NUL.
-struct ParameterValue
-{
-    std::string_view name;
-    float value = 0;
-    std::uint8_t type = mavlink::MAV_PARAM_TYPE_REAL32; ///< MAV_PARAM_TYPE
-    std::uint16_t count = 0;                            ///< of all parameters
-    std::uint16_t index = 0;                            ///< 65535 where it is an answer to a name
-};
-
-class ParameterClient
+class ParameterClient : public MicroProtocol
 {
 public:
-    static constexpr Duration kListTimeout = std::chrono::seconds(1); ///< of silence, then gaps are asked for
+    static constexpr Duration kListTimeout = std::chrono::seconds(1); ///< without a parameter, then gaps are requested
     static constexpr Duration kWriteTimeout = std::chrono::seconds(1);
-    static constexpr int kRounds = 10; ///< without a single new parameter, then the reading is given up
+    static constexpr int kRounds = 10; ///< without a new parameter, then the read fails
     static constexpr int kWriteAttempts = 5;
-    static constexpr std::size_t kBatch = 10; ///< gaps asked for at a time, so that a slow radio keeps up
+    static constexpr std::size_t kBatch = 10; ///< gaps requested at a time, so that a slow radio keeps up
 
-    explicit ParameterClient(const Addressing &addressing) : m_addressing(addressing) {}
+    using MicroProtocol::MicroProtocol;
 
-    /// Integers as the bytes of an integer (PX4), or as floats (ArduPilot).
-    void setBytewise(bool bytewise) { m_bytewise = bytewise; }
+    /// ReadParameters and WriteParameter. Writes are carried out one after the other.
+    bool perform(TimePoint now, RequestId id, const Request &request) override;
+    bool handleFrame(TimePoint now, const mavlink::Frame &frame) override;
+    void handleDeadline(TimePoint now) override;
+    TimePoint nextDeadline() const override;
 
-    void readAll(TimePoint now, MessageQueue &outbox);
-    void write(TimePoint now, std::string name, double value, MessageQueue &outbox);
-    void handleValue(TimePoint now, const ParameterValue &value, MessageQueue &outbox);
-    void handleDeadline(TimePoint now, MessageQueue &outbox);
-    TimePoint nextDeadline() const;
-
-    /// Sorted by name; null before the first. A new object after every change.
+    /// Sorted by name; null before the first parameter. A new object after every change.
     std::shared_ptr<const std::vector<Parameter>> parameters() const;
     std::uint32_t expected() const { return m_expected; }
-    std::size_t received() const { return m_received; }
-    bool isReading() const { return m_listDeadline != kNever; }
-
-    /// How writes ended; a reading that was given up shows as one with an empty name.
-    std::optional<ParameterResult> poll();
 
 private:
     struct Write
     {
-        std::string name;
-        double value = 0;
+        RequestId id{};
+        WriteParameter request;
         int attempts = 0;
         TimePoint deadline = kNever;
-        std::optional<Parameter> seen; ///< what the vehicle said it has, when that is something else
+        std::optional<Parameter> reported{}; ///< the vehicle's parameter, while its value differs from the request
     };
 
+    /// Integers travel as their bytes (PX4) or as floats (ArduPilot).
+    bool isBytewise() const;
     double decode(float raw, std::uint8_t type) const;
     float encode(double value, std::uint8_t type) const;
-    void requestList(TimePoint now, MessageQueue &outbox);
-    void requestGaps(TimePoint now, MessageQueue &outbox);
-    void sendWrite(TimePoint now, MessageQueue &outbox);
-    void checkWrite(TimePoint now, const Parameter &parameter, MessageQueue &outbox);
-    void finishWrite(TimePoint now, ParameterResult result, MessageQueue &outbox);
+    bool isReading() const { return m_listDeadline != kNever; }
+    void read(TimePoint now, RequestId id);
+    void write(TimePoint now, RequestId id, const WriteParameter &request);
+    void handleValue(TimePoint now, const mavlink::ParamValue &value);
+    void noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count);
+    void store(Parameter parameter);
+    void requestList(TimePoint now);
+    void requestGaps(TimePoint now);
+    void handleListDeadline(TimePoint now);
+    void handleWriteDeadline(TimePoint now);
+    void sendWrite(TimePoint now);
+    void checkWrite(TimePoint now, const Parameter &parameter);
+    void finishWrite(TimePoint now, ParameterResult result);
 
-    Addressing m_addressing;
-    bool m_bytewise = false;
     std::map<std::string, Parameter, std::less<>> m_values;
+    RequestId m_read{};
     std::vector<bool> m_have; ///< by index
     std::uint32_t m_expected = 0;
     std::size_t m_received = 0;
     TimePoint m_listDeadline = kNever;
-    int m_fruitless = 0;
-    std::deque<Write> m_writes; ///< the first one is under way
-    std::deque<ParameterResult> m_results;
-    mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built when asked for
+    int m_roundsWithoutNew = 0;
+    std::deque<Write> m_writes;                                     ///< the first one is in progress
+    mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
 };
 
 } // namespace skyseal::vehicle

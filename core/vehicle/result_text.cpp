@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <iterator>
+#include <string_view>
 
 namespace skyseal::vehicle {
 

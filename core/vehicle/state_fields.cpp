@@ -1,6 +1,6 @@
 #include "core/vehicle/state_fields.h"
 
-#include "core/vehicle/result_text.h"
+#include "core/base/ascii.h"
 
 namespace skyseal::vehicle {
 
@@ -62,7 +62,7 @@ std::span<const StateField> stateFields()
 const StateField *findStateField(std::string_view name)
 {
     for (const StateField &field : kFields) {
-        if (sameWord(field.name, name))
+        if (equalIgnoringCase(field.name, name))
             return &field;
     }
     return nullptr;

@@ -1,7 +1,5 @@
 #include "core/vehicle/stream_requester.h"
 
-#include "core/vehicle/message_io.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -11,12 +9,12 @@ namespace {
 
 using namespace mavlink;
 
-/// A group of ArduPilot's streams, with the messages by which one sees that it comes.
+/// A stream group of ArduPilot, and messages that show that it arrives.
 struct Group
 {
     std::uint8_t stream;           ///< MAV_DATA_STREAM
     double standard, lowBandwidth; ///< Hz, 0 = stop
-    std::array<std::uint32_t, 3> witnesses;
+    std::array<std::uint32_t, 3> messages;
 };
 
 constexpr std::array<Group, 7> kStreamGroups{{
@@ -29,12 +27,12 @@ constexpr std::array<Group, 7> kStreamGroups{{
     {MAV_DATA_STREAM_EXTRA3, 3, 1, {EkfStatusReport::kId, Vibration::kId, BatteryStatus::kId}},
 }};
 
-/// Single messages: what is in no group of ArduPilot's, and for other autopilots what the groups give there.
+/// Single messages: those outside the groups of ArduPilot, and for other autopilots the main messages of the groups.
 struct Single
 {
     std::uint32_t message;
     double standard, lowBandwidth; ///< Hz
-    bool inGroups;                 ///< ArduPilot sends it with a group
+    bool inGroups;                 ///< ArduPilot sends it with a stream group
 };
 
 constexpr std::array<Single, 8> kSingleMessages{{
@@ -50,29 +48,29 @@ constexpr std::array<Single, 8> kSingleMessages{{
 
 } // namespace
 
-void StreamRequester::Expectation::ask(TimePoint now)
+void StreamRequester::Expectation::request(TimePoint now)
 {
     due = now;
-    unasked = true;
+    isRequestPending = true;
 }
 
-void StreamRequester::Expectation::asked(TimePoint now)
+void StreamRequester::Expectation::requested(TimePoint now)
 {
-    unasked = false;
+    isRequestPending = false;
     due = now + patience;
     patience = std::min(patience * 2, kLongestSilence);
 }
 
-void StreamRequester::Expectation::came(TimePoint now)
+void StreamRequester::Expectation::arrived(TimePoint now)
 {
-    if (due == kNever || unasked)
+    if (due == kNever || isRequestPending)
         return;
     patience = kSilence;
     due = now + kSilence;
 }
 
-StreamRequester::StreamRequester(const Addressing &addressing, StreamProfile profile, double rate)
-    : m_addressing(addressing), m_profile(profile), m_rate(rate)
+StreamRequester::StreamRequester(VehicleContext &context, StreamProfile profile, double rate)
+    : MicroProtocol(context), m_profile(profile), m_rate(rate)
 {
     static_assert(kStreamGroups.size() == kGroups && kSingleMessages.size() == kMessages);
 }
@@ -84,41 +82,47 @@ void StreamRequester::setProfile(TimePoint now, StreamProfile profile, double ra
     restart(now);
 }
 
-void StreamRequester::handleHeartbeat(TimePoint now, VehicleKind kind)
+void StreamRequester::handleHeartbeat(TimePoint now)
 {
-    if (m_kind && *m_kind == kind)
+    if (m_kind == kind())
         return;
-    m_kind = kind;
+    m_kind = kind();
     restart(now);
 }
 
-void StreamRequester::handleMessage(TimePoint now, std::uint32_t messageId)
+bool StreamRequester::handleFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    noteArrival(now, frame.messageId());
+    if (frame.messageId() == CommandAck::kId) {
+        const auto ack = unpack<CommandAck>(frame);
+        if (ack.command == MAV_CMD_SET_MESSAGE_INTERVAL && addressing().isForUs(ack.target_system, ack.target_component))
+            handleIntervalResult(ack.result);
+    }
+    return false;
+}
+
+void StreamRequester::noteArrival(TimePoint now, std::uint32_t messageId)
 {
     for (std::size_t i = 0; i < kGroups; ++i) {
-        const auto &witnesses = kStreamGroups[i].witnesses;
-        if (std::find(witnesses.begin(), witnesses.end(), messageId) != witnesses.end())
-            m_groups[i].came(now);
+        const auto &messages = kStreamGroups[i].messages;
+        if (std::find(messages.begin(), messages.end(), messageId) != messages.end())
+            m_groups[i].arrived(now);
     }
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (kSingleMessages[i].message == messageId)
-            m_messages[i].came(now);
+            m_messages[i].arrived(now);
     }
-}
-
-void StreamRequester::handleReturn(TimePoint now)
-{
-    restart(now);
 }
 
 void StreamRequester::handleIntervalResult(std::uint8_t result)
 {
     if (result == MAV_RESULT_UNSUPPORTED)
-        m_intervalsUnderstood = false;
-    if (!m_intervalsUnderstood)
+        m_intervalsSupported = false;
+    if (!m_intervalsSupported)
         m_messages.fill({});
 }
 
-void StreamRequester::handleDeadline(TimePoint now, MessageQueue &outbox)
+void StreamRequester::handleDeadline(TimePoint now)
 {
     const bool low = m_profile == StreamProfile::LowBandwidth;
     for (std::size_t i = 0; i < kGroups; ++i) {
@@ -127,30 +131,26 @@ void StreamRequester::handleDeadline(TimePoint now, MessageQueue &outbox)
         const Group &group = kStreamGroups[i];
         const double rate = m_rate > 0 ? m_rate : low ? group.lowBandwidth : group.standard;
         mavlink::RequestDataStream request;
-        request.target_system = m_addressing.system;
-        request.target_component = m_addressing.component;
         request.req_stream_id = group.stream;
         request.req_message_rate = static_cast<std::uint16_t>(std::clamp(std::ceil(rate), 0.0, 1000.0));
         request.start_stop = rate > 0;
-        push(outbox, request);
-        m_groups[i].asked(now);
+        send(request, false);
+        m_groups[i].requested(now);
         if (!(rate > 0))
-            m_groups[i] = {}; // stopped: silence is what was asked for
+            m_groups[i] = {}; // stopped: no message is expected
     }
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (now < m_messages[i].due)
             continue;
         const Single &single = kSingleMessages[i];
-        // What is in no group changes slowly and is not worth a higher rate.
+        // Messages outside the groups change slowly and do not need a higher rate.
         const double rate = m_rate > 0 && single.inGroups ? m_rate : low ? single.lowBandwidth : single.standard;
         mavlink::CommandLong request;
-        request.target_system = m_addressing.system;
-        request.target_component = m_addressing.component;
         request.command = MAV_CMD_SET_MESSAGE_INTERVAL;
         request.param1 = static_cast<float>(single.message);
         request.param2 = static_cast<float>(1e6 / rate); // microseconds
-        push(outbox, request);
-        m_messages[i].asked(now);
+        send(request, false);
+        m_messages[i].requested(now);
     }
 }
 
@@ -172,13 +172,13 @@ void StreamRequester::restart(TimePoint now)
         return;
     if (m_kind->isArduPilot()) {
         for (Expectation &group : m_groups)
-            group.ask(now);
+            group.request(now);
     }
-    if (!m_intervalsUnderstood)
+    if (!m_intervalsSupported)
         return;
     for (std::size_t i = 0; i < kMessages; ++i) {
         if (!kSingleMessages[i].inGroups || !m_kind->isArduPilot())
-            m_messages[i].ask(now);
+            m_messages[i].request(now);
     }
 }
 

@@ -8,12 +8,12 @@
 
 namespace skyseal::vehicle {
 
-/// Everything a reader may touch.
+/// Input and output of the readers.
 struct TelemetryContext
 {
     VehicleState &state;
     Telemetry &memory;
-    TelemetryNews &news;
+    TelemetryUpdate &update;
 };
 
 namespace {
@@ -63,7 +63,7 @@ struct TelemetryReaders
         c.state.climb = m.vz * -0.01;
         if (m.hdg != kNo16)
             c.state.heading = m.hdg % 36000 * 0.01;
-        c.news.positionChanged = true;
+        c.update.positionChanged = true;
     }
 
     static void read(const mavlink::GpsRawInt &m, Context &c)
@@ -76,7 +76,7 @@ struct TelemetryReaders
         c.state.position = {m.lat * 1e-7, m.lon * 1e-7, m.alt * 1e-3};
         if (m.vel != kNo16)
             c.state.groundSpeed = m.vel * 0.01;
-        c.news.positionChanged = true;
+        c.update.positionChanged = true;
     }
 
     static void read(const mavlink::VfrHud &m, Context &c)
@@ -136,27 +136,18 @@ struct TelemetryReaders
         c.state.vibration = std::max({m.vibration_x, m.vibration_y, m.vibration_z});
     }
 
-    static void read(const mavlink::MissionCurrent &m, Context &c)
-    {
-        c.state.missionCurrent = m.seq == kNo16 ? -1 : m.seq;
-        c.news.missionCurrent = m.seq;
-    }
+    static void read(const mavlink::MissionCurrent &m, Context &c) { c.state.missionCurrent = m.seq == kNo16 ? -1 : m.seq; }
 
     static void read(const mavlink::HomePosition &m, Context &c)
     {
         if (isPlace(m.latitude, m.longitude))
-            c.news.home = Position{m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3};
+            c.update.home = Position{m.latitude * 1e-7, m.longitude * 1e-7, m.altitude * 1e-3};
     }
 
     static void read(const mavlink::ExtendedSysState &m, Context &c)
     {
-        c.news.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
-                                                                            : LandedState::Undefined;
-    }
-
-    static void read(const mavlink::PositionTargetGlobalInt &m, Context &c)
-    {
-        c.news.target = TelemetryNews::Target{m.lat_int, m.lon_int};
+        c.update.landed = m.landed_state <= mavlink::MAV_LANDED_STATE_LANDING ? static_cast<LandedState>(m.landed_state)
+                                                                              : LandedState::Undefined;
     }
 
     /// The whole state of a vehicle behind a satellite modem.
@@ -166,7 +157,7 @@ struct TelemetryReaders
             c.state.position = {m.latitude * 1e-7, m.longitude * 1e-7, static_cast<double>(m.altitude)};
             if (!std::isnan(c.state.home.altitude))
                 c.state.altitudeRelative = m.altitude - c.state.home.altitude;
-            c.news.positionChanged = true;
+            c.update.positionChanged = true;
         }
         c.state.heading = m.heading * 2 % 360; // degrees / 2
         c.state.yaw = std::remainder(m.heading * 2 * std::numbers::pi / 180, 2 * std::numbers::pi);
@@ -206,23 +197,23 @@ template<typename... Messages> constexpr auto makeTable()
     return table;
 }
 
-constexpr auto kReaders = makeTable<
-    mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
-    mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration, mavlink::MissionCurrent,
-    mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::PositionTargetGlobalInt, mavlink::HighLatency2>();
+constexpr auto kReaders =
+    makeTable<mavlink::Attitude, mavlink::GlobalPositionInt, mavlink::GpsRawInt, mavlink::VfrHud, mavlink::SysStatus,
+              mavlink::BatteryStatus, mavlink::EkfStatusReport, mavlink::EstimatorStatus, mavlink::Vibration,
+              mavlink::MissionCurrent, mavlink::HomePosition, mavlink::ExtendedSysState, mavlink::HighLatency2>();
 
 } // namespace
 
-TelemetryNews Telemetry::handle(const mavlink::Frame &frame, VehicleState &state)
+TelemetryUpdate Telemetry::handle(const mavlink::Frame &frame, VehicleState &state)
 {
-    TelemetryNews news;
+    TelemetryUpdate update;
     const auto entry = std::lower_bound(kReaders.begin(), kReaders.end(), frame.messageId(),
                                         [](const Entry &e, std::uint32_t id) { return e.id < id; });
     if (entry != kReaders.end() && entry->id == frame.messageId()) {
-        TelemetryContext context{state, *this, news};
+        TelemetryContext context{state, *this, update};
         entry->read(frame, context);
     }
-    return news;
+    return update;
 }
 
 } // namespace skyseal::vehicle

@@ -1,39 +1,32 @@
-// Reads telemetry into a VehicleState: one small function per message, found through a table, each turning wire units into
-// the state's and "invalid" values into unknown. What a message does not know leaves the state as it is.
+// Reads telemetry into a VehicleState: one function per message, found through a table. Each converts wire units into those of
+// the state and "invalid" values into kUnknown. Values that a message lacks keep their last state.
 #pragma once
 
 #include "core/mavlink/frame.h"
 #include "core/vehicle/flight_timer.h"
 #include "core/vehicle/vehicle_state.h"
 
-#include <cstdint>
 #include <optional>
 
 namespace skyseal::vehicle {
 
-/// What messages tell beyond the values of the state.
-struct TelemetryNews
+/// Values of one message that are not part of the state, and whether the position changed.
+struct TelemetryUpdate
 {
     bool positionChanged = false;
-    std::optional<Position> home;                ///< HOME_POSITION
-    std::optional<LandedState> landed;           ///< EXTENDED_SYS_STATE
-    std::optional<std::uint16_t> missionCurrent; ///< MISSION_CURRENT
-    struct Target
-    {
-        std::int32_t latitude = 0, longitude = 0;
-    };
-    std::optional<Target> target; ///< POSITION_TARGET_GLOBAL_INT, degrees × 1e7
+    std::optional<Position> home;      ///< HOME_POSITION
+    std::optional<LandedState> landed; ///< EXTENDED_SYS_STATE
 };
 
 class Telemetry
 {
 public:
-    /// Takes what is known of this message; nothing happens for others.
-    TelemetryNews handle(const mavlink::Frame &frame, VehicleState &state);
+    /// Updates the state from a message of the table; ignores others.
+    TelemetryUpdate handle(const mavlink::Frame &frame, VehicleState &state);
 
 private:
     friend struct TelemetryReaders;
-    bool m_hasGlobalPosition = false; ///< GLOBAL_POSITION_INT came, so that raw GPS is no longer taken for the position
+    bool m_hasGlobalPosition = false; ///< after GLOBAL_POSITION_INT; until then raw GPS gives the position
 };
 
 } // namespace skyseal::vehicle

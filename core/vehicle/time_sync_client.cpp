@@ -1,63 +1,65 @@
 #include "core/vehicle/time_sync_client.h"
 
-#include "core/vehicle/message_io.h"
-
 #include <algorithm>
 #include <cmath>
 
 namespace skyseal::vehicle {
 
 namespace {
-constexpr double kWeightOfNew = 0.2; // settles within some ten answers, and one late answer does not move it much
+constexpr double kWeightOfNew = 0.2; // settles within about ten answers; a single late answer has little effect
 }
 
-void TimeSyncClient::start(TimePoint now)
+void TimeSyncClient::handleHeartbeat(TimePoint now)
 {
     if (m_next == kNever)
         m_next = now;
 }
 
-void TimeSyncClient::handleTimeSync(TimePoint now, std::int64_t tc1, std::int64_t ts1, std::uint8_t targetSystem,
-                                    std::uint8_t targetComponent, MessageQueue &outbox)
+bool TimeSyncClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 {
-    if (!m_addressing.isForUs(targetSystem, targetComponent))
-        return;
-    if (tc1 == 0) {
+    if (frame.messageId() != mavlink::Timesync::kId)
+        return false;
+    const auto m = unpack<mavlink::Timesync>(frame);
+    if (!addressing().isForUs(m.target_system, m.target_component))
+        return true;
+    if (m.tc1 == 0) {
         mavlink::Timesync answer;
         answer.tc1 = now.time_since_epoch().count();
-        answer.ts1 = ts1;
-        answer.target_system = m_addressing.system;
-        answer.target_component = m_addressing.component;
-        push(outbox, answer, true);
-        return;
+        answer.ts1 = m.ts1;
+        send(answer);
+    } else {
+        takeAnswer(now, m.ts1);
     }
-    // Other stations' answers are broadcast on shared links; only a number that we gave out, once, is ours.
-    const auto sent = std::find(m_sent.begin(), m_sent.end(), ts1);
-    if (ts1 == 0 || sent == m_sent.end())
+    return true;
+}
+
+void TimeSyncClient::takeAnswer(TimePoint now, std::int64_t sentTime)
+{
+    // Answers to other stations are broadcast on shared links; only an outstanding ts1 of this station counts, once.
+    const auto sent = std::find(m_sent.begin(), m_sent.end(), sentTime);
+    if (sentTime == 0 || sent == m_sent.end())
         return;
     *sent = 0;
-    const Duration trip = now.time_since_epoch() - Duration(ts1);
+    const Duration trip = now.time_since_epoch() - Duration(sentTime);
     if (trip < Duration::zero() || trip > kLongestTrip)
         return;
     const double measured = seconds(trip);
-    ++m_trips;
-    m_tripSeconds += measured;
-    m_latency = std::isnan(m_latency) ? measured : m_latency + kWeightOfNew * (measured - m_latency);
+    VehicleState &s = state();
+    ++s.trips;
+    s.tripSeconds += measured;
+    s.latency = std::isnan(s.latency) ? measured : s.latency + kWeightOfNew * (measured - s.latency);
 }
 
-void TimeSyncClient::handleDeadline(TimePoint now, MessageQueue &outbox)
+void TimeSyncClient::handleDeadline(TimePoint now)
 {
     if (now < m_next)
         return;
     m_next = now + (m_slow ? kSlowInterval : m_interval);
     mavlink::Timesync request;
-    request.tc1 = 0;
     request.ts1 = std::max<std::int64_t>(now.time_since_epoch().count(), 1);
-    request.target_system = m_addressing.system;
-    request.target_component = m_addressing.component;
     m_sent[m_slot] = request.ts1;
     m_slot = (m_slot + 1) % m_sent.size();
-    push(outbox, request, true);
+    send(request);
 }
 
 } // namespace skyseal::vehicle

@@ -3,6 +3,7 @@
 #include "core/vehicle/vehicle_parts.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::vehicle {
 
@@ -16,12 +17,12 @@ Vehicle &Vehicle::operator=(Vehicle &&) noexcept = default;
 
 std::uint8_t Vehicle::systemId() const
 {
-    return m_parts->addressing.system;
+    return m_parts->context.addressing.system;
 }
 
 VehicleState Vehicle::state(TimePoint now) const
 {
-    VehicleState out = m_parts->state;
+    VehicleState out = m_parts->context.state;
     const HeartbeatMonitor &monitor = m_parts->monitor;
     out.texts.assign(m_parts->texts.begin(), m_parts->texts.end());
     out.heartbeatAge = seconds(monitor.heartbeatAge(now));
@@ -33,7 +34,7 @@ VehicleState Vehicle::state(TimePoint now) const
 
 const VehicleState &Vehicle::current() const
 {
-    return m_parts->state;
+    return m_parts->context.state;
 }
 
 bool Vehicle::isLost(TimePoint now) const
@@ -48,53 +49,20 @@ void Vehicle::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &fr
 
 void Vehicle::handleDeadline(TimePoint now)
 {
-    Parts &parts = *m_parts;
-    parts.joiner.handleDeadline(now);
-    parts.takeTexts(now, parts.lastWall);
-    parts.streams.handleDeadline(now, parts.outbox);
-    parts.timeSync.handleDeadline(now, parts.outbox);
-    parts.firmware.handleDeadline(now, parts.outbox);
-    parts.commander.handleDeadline(now, parts.state, parts.outbox);
-    parts.parameters.handleDeadline(now, parts.outbox);
-    parts.mission.handleDeadline(now, parts.outbox);
+    m_parts->handleDeadline(now);
 }
 
 TimePoint Vehicle::nextDeadline() const
 {
-    const Parts &parts = *m_parts;
-    return std::min({parts.joiner.nextDeadline(), parts.streams.nextDeadline(), parts.timeSync.nextDeadline(),
-                     parts.firmware.nextDeadline(), parts.commander.nextDeadline(), parts.parameters.nextDeadline(),
-                     parts.mission.nextDeadline()});
+    return m_parts->nextDeadline();
 }
 
-void Vehicle::command(TimePoint now, CommandId id, const VehicleCommand &command)
+void Vehicle::perform(TimePoint now, RequestId id, const Request &request)
 {
-    m_parts->commander.begin(now, id, command, m_parts->state, m_parts->outbox);
-}
-
-void Vehicle::requestParameters(TimePoint now)
-{
-    m_parts->parameters.readAll(now, m_parts->outbox);
-}
-
-void Vehicle::writeParameter(TimePoint now, std::string name, double value)
-{
-    m_parts->parameters.write(now, std::move(name), value, m_parts->outbox);
-}
-
-void Vehicle::readMission(TimePoint now)
-{
-    m_parts->mission.download(now, m_parts->outbox);
-}
-
-void Vehicle::writeMission(TimePoint now, std::vector<MissionItem> items)
-{
-    m_parts->mission.upload(now, std::move(items), m_parts->outbox);
-}
-
-void Vehicle::clearMission(TimePoint now)
-{
-    m_parts->mission.clear(now, m_parts->outbox);
+    for (MicroProtocol *client : m_parts->context.clients) {
+        if (client->perform(now, id, request))
+            return;
+    }
 }
 
 void Vehicle::setStreams(TimePoint now, StreamProfile profile, double rate)
@@ -103,33 +71,19 @@ void Vehicle::setStreams(TimePoint now, StreamProfile profile, double rate)
     m_parts->timeSync.setSlow(profile == StreamProfile::LowBandwidth);
 }
 
-std::optional<OutMessage> Vehicle::pollOutgoing()
+const OutMessage *Vehicle::pollOutgoing()
 {
-    return m_parts->outbox.poll();
+    return m_parts->context.outbox.take();
 }
 
-std::optional<CommandResult> Vehicle::pollResult()
+std::optional<Event> Vehicle::pollEvent()
 {
-    return m_parts->commander.poll();
-}
-
-std::optional<StatusText> Vehicle::pollText()
-{
-    if (m_parts->unread.empty())
+    std::deque<Event> &events = m_parts->context.events;
+    if (events.empty())
         return std::nullopt;
-    StatusText text = std::move(m_parts->unread.front());
-    m_parts->unread.pop_front();
-    return text;
-}
-
-std::optional<MissionResult> Vehicle::pollMissionResult()
-{
-    return m_parts->mission.poll();
-}
-
-std::optional<ParameterResult> Vehicle::pollParameterResult()
-{
-    return m_parts->parameters.poll();
+    Event event = std::move(events.front());
+    events.pop_front();
+    return event;
 }
 
 std::shared_ptr<const std::vector<Parameter>> Vehicle::parameters() const

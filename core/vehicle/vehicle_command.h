@@ -1,7 +1,7 @@
-// What a person or a script can ask of a vehicle, and what became of it.
+// Commands to a vehicle, as a person or a script gives them, and their result. CommandPlan turns them into MAV_CMD numbers.
 #pragma once
 
-#include "core/vehicle/vehicle_state.h"
+#include "core/vehicle/request_id.h"
 
 #include <cstdint>
 #include <string>
@@ -19,8 +19,8 @@ struct Disarm
 };
 struct TakeOff
 {
-    double altitude = 10;
-}; ///< metres above home
+    double altitude = 10; ///< metres above home
+};
 struct Land
 {};
 struct ReturnToLaunch
@@ -55,19 +55,17 @@ struct RawCommand
 using VehicleCommand = std::variant<Arm, Disarm, TakeOff, Land, ReturnToLaunch, SetMode, GoTo, ChangeSpeed,
                                     SetCurrentMissionItem, StartMission, Reboot, RawCommand>;
 
-/// Numbers the commands of one station, so that results find their askers.
-enum class CommandId : std::uint32_t {};
-
 enum class CommandOutcome : std::uint8_t { Accepted, Refused, TimedOut };
 
 struct CommandResult
 {
-    CommandId id{};
+    RequestId id{};
     std::uint8_t systemId = 0;
     CommandOutcome outcome{};
-    std::uint8_t result = 0; ///< MAV_RESULT, when answered
-    std::string reason; ///< in words: MAV_RESULT's name, the vehicle's own words where it gave any, or why nothing was sent
-    bool unanswered = false; ///< timed out, and not one word of it came back
+    std::uint8_t result = 0; ///< MAV_RESULT, if the vehicle answered
+    /// For people: the name of the MAV_RESULT and the vehicle's status texts, or why nothing was sent.
+    std::string reason = {};
+    bool changeUnanswered = false; ///< timed out without any answer
 };
 
 } // namespace skyseal::vehicle

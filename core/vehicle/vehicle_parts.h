@@ -1,5 +1,5 @@
-// The inside of a Vehicle: its state, its conversations, and the routing of messages between them. Only vehicle.cpp and
-// vehicle_parts.cpp include this.
+// The inside of a Vehicle: its state, its clients, and the routing of frames to them. Included by vehicle.cpp and
+// vehicle_parts.cpp alone.
 #pragma once
 
 #include "core/vehicle/commander.h"
@@ -21,42 +21,38 @@ namespace skyseal::vehicle {
 
 struct Vehicle::Parts
 {
-    static constexpr std::size_t kMostTexts = 200;
+    static constexpr std::size_t kMaxTexts = 200;
 
     Parts(const VehicleConfig &config, const Addressing &ends);
 
     void handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
-    void takeTexts(TimePoint now, WallTime wall);
+    void handleDeadline(TimePoint now);
+    TimePoint nextDeadline() const;
 
-    Addressing addressing;
-    VehicleState state;
-    std::deque<StatusText> texts;  ///< the last ones, for the state
-    std::deque<StatusText> unread; ///< for pollText()
-    std::uint64_t lastTextNumber = 0;
-    WallTime lastWall{}; ///< of the last frame, for texts that a time-out completes
-    MessageQueue outbox;
-    Telemetry telemetry;
+    VehicleContext context;
+    std::deque<StatusText> texts; ///< the last kMaxTexts, for the state
     HeartbeatMonitor monitor;
-    StatusTextJoiner joiner;
-    StreamRequester streams;
-    TimeSyncClient timeSync;
-    FirmwareInfo firmware;
-    HomeTracker home;
     FlightTimer flightTimer;
-    Commander commander;
-    ParameterClient parameters;
-    MissionClient mission;
+
+    // The clients, one row each. Every frame is offered to them in this order.
+    StreamRequester streams;
+    TimeSyncClient timeSync{context};
+    FirmwareInfo firmware{context};
+    Commander commander{context};
+    ParameterClient parameters{context};
+    MissionClient mission{context};
 
 private:
-    /// A message that is part of a conversation rather than telemetry. True when it was.
-    bool handleConversation(TimePoint now, const mavlink::Frame &frame);
     void handleHeartbeat(TimePoint now, const mavlink::Frame &frame);
-    void handleStatusText(TimePoint now, WallTime wall, const mavlink::Frame &frame);
-    void handleAck(TimePoint now, const mavlink::Frame &frame);
-    void handleVersion(const mavlink::Frame &frame);
-    void handleParameter(TimePoint now, const mavlink::Frame &frame);
-    void handleMission(TimePoint now, const mavlink::Frame &frame);
-    void takeStatus(TimePoint now, const TelemetryNews &news);
+    void handleStatusText(TimePoint now, const mavlink::Frame &frame);
+    void handleTelemetry(TimePoint now, const mavlink::Frame &frame);
+    void takeTexts();
+
+    Telemetry telemetry;
+    HomeTracker home;
+    StatusTextJoiner joiner;
+    std::uint64_t lastTextNumber = 0;
+    WallTime lastWall{}; ///< of the last frame, for texts that a time-out completes
 };
 
 } // namespace skyseal::vehicle

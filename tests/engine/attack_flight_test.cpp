@@ -107,7 +107,7 @@ void AttackFlightTest::injectionReachesNoAutopilot()
     QCOMPARE(agent.channel.rx.forged + agent.channel.rx.replayed, forged);
     QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
     // And the station's own command still arrives.
-    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
     QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
 }
 
@@ -118,8 +118,8 @@ void AttackFlightTest::observerCommandsNothing()
     QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->snapshot->vehicles.empty(), 10000);
     const auto refused = [&] { return flight.rig.agent->snapshot().counters.observerRefused; };
     const std::uint64_t before = refused();
-    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
-    flight.ground.station->command(1, vehicle::Arm{true});
+    flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
+    flight.ground.station->perform(1, vehicle::Arm{true});
     // The commands are repeated; heartbeats are refused among them, and harmless questions are not.
     QTRY_VERIFY_WITH_TIMEOUT(!flight.untouched() || refused() >= before + 10, 30000);
     HOLDS(flight.untouched(), "an observer moves nothing");
@@ -148,7 +148,7 @@ void AttackFlightTest::nobodySpeaksAsAnother()
     QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
     QTRY_VERIFY_WITH_TIMEOUT(
         flight.rig.agent->snapshot().counters.spoofRefused > 0 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
-    flight.ground.station->command(1, vehicle::Arm{true});
+    flight.ground.station->perform(1, vehicle::Arm{true});
     QTRY_VERIFY_WITH_TIMEOUT(
         flight.rig.agent->snapshot().counters.spoofRefused > 3 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
     HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");
@@ -198,7 +198,7 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
     const auto shown = [&] { return !ground.ears->snapshot->vehicles.empty(); };
     QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 20 || shown(), 20000);
     HOLDS(!shown(), "no telemetry without an explicit act");
-    ground.station->command(1, vehicle::Arm{true});
+    ground.station->perform(1, vehicle::Arm{true});
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 10000);
     QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Refused));
     QVERIFY(!impostor.vehicle.autopilot().armed());
@@ -227,7 +227,7 @@ void AttackFlightTest::nothingReadableOnTheWire()
     QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->channel.suite == crypto::SuiteId::Aes256Ctr, 10000);
     flight.attacker.seen.clear();
     flight.attacker.toGround(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_GCS}, 42));
-    flight.ground.station->requestParameters(1);
+    flight.ground.station->perform(1, vehicle::ReadParameters{});
     std::vector<vehicle::MissionItem> mission(5);
     for (std::size_t i = 0; i < mission.size(); ++i) {
         mission[i].sequence = static_cast<std::uint16_t>(i);
@@ -235,9 +235,9 @@ void AttackFlightTest::nothingReadableOnTheWire()
         mission[i].longitude = 149.16523;
         mission[i].altitude = 20;
     }
-    flight.ground.station->writeMission(1, mission);
-    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->all<engine::MissionTransferDone>().empty(), 20000);
-    QVERIFY(flight.ground.ears->all<engine::MissionTransferDone>()[0].ok);
+    flight.ground.station->perform(1, vehicle::WriteMission{mission});
+    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->all<vehicle::MissionResult>().empty(), 20000);
+    QVERIFY(flight.ground.ears->all<vehicle::MissionResult>()[0].ok);
     QTRY_VERIFY_WITH_TIMEOUT(flight.attacker.seen.size() > 400, 20000);
 
     const auto coordinate = [](std::int32_t value) { return QByteArray(reinterpret_cast<const char *>(&value), 4); };

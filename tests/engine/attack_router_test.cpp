@@ -72,7 +72,7 @@ void AttackRouterTest::copiesAreSealed()
         ++copies;
         readable += framesIn(QByteArray(reinterpret_cast<const char *>(copy.payload.data()), copy.payload_length));
     };
-    flight.ground.station->requestParameters(1);
+    flight.ground.station->perform(1, vehicle::ReadParameters{});
     QTRY_VERIFY_WITH_TIMEOUT(copies > 150, 20000);
     HOLDS(readable == 0, "he gets nothing but what is sealed");
     QVERIFY(!flight.spoofers.more);
@@ -118,7 +118,7 @@ void AttackRouterTest::forgedTunnelsDivertNothing()
     const bool arrive = QTest::qWaitFor([&] { return station().good > good + 60; }, 10000);
     HOLDS(arrive && lost() == 0, "delivery goes on");
     QVERIFY(station().forged > 20);
-    flight.ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
     QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
     QCOMPARE(lost(), std::uint64_t(0));
     QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));

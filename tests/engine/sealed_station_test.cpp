@@ -233,15 +233,15 @@ void SealedStationTest::observerCannotCommand()
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
-    ground.station->command(1, vehicle::SetMode{"GUIDED"});
+    ground.station->perform(1, vehicle::SetMode{"GUIDED"});
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
     const vehicle::CommandResult result = ground.ears->all<vehicle::CommandResult>()[0];
     QCOMPARE(int(result.outcome), int(vehicle::CommandOutcome::TimedOut));
     QVERIFY2(result.reason.starts_with("no answer to 5 attempts; ") && result.reason.find("observer") != std::string::npos,
              result.reason.c_str());
-    ground.station->writeParameter(1, "FS_GCS_ENABLE", 0);
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::ParameterWritten>().empty(), 30000);
-    const engine::ParameterWritten written = ground.ears->all<engine::ParameterWritten>()[0];
+    ground.station->perform(1, vehicle::WriteParameter{"FS_GCS_ENABLE", 0});
+    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::ParameterResult>().empty(), 30000);
+    const vehicle::ParameterResult written = ground.ears->all<vehicle::ParameterResult>()[0];
     QVERIFY2(!written.ok && written.reason.find("observer") != std::string::npos, written.reason.c_str());
     const engine::AgentSnapshot agent = rig.agent->snapshot();
     QVERIFY(agent.counters.observerRefused > 0);
@@ -255,7 +255,7 @@ void SealedStationTest::pilotCanCommand()
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
-    const vehicle::CommandId id = ground.station->command(1, vehicle::SetMode{"ALT_HOLD"});
+    const vehicle::RequestId id = ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
     QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Accepted));
     QVERIFY(ground.ears->all<vehicle::CommandResult>()[0].id == id);

@@ -31,17 +31,16 @@ public:
     void setAllowResearch(bool allow) override { allowResearch = allow; }
     void setWeakestSuite(crypto::SuiteId suite) override { weakest = suite; }
     void allowPlaintext(std::uint8_t systemId) override { allowedClear.push_back(systemId); }
-    vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command) override
+    vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request) override
     {
-        commands.emplace_back(systemId, std::move(command));
-        return vehicle::CommandId{static_cast<std::uint32_t>(commands.size())};
-    }
-    void requestParameters(std::uint8_t systemId) override { parameterRequests.push_back(systemId); }
-    void writeParameter(std::uint8_t, std::string name, double value) override { written.emplace_back(std::move(name), value); }
-    void readMission(std::uint8_t systemId) override { missionReads.push_back(systemId); }
-    void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items) override
-    {
-        missionWrites.emplace_back(systemId, std::move(items));
+        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&request))
+            commands.emplace_back(systemId, *command);
+        else if (const auto *write = std::get_if<vehicle::WriteParameter>(&request))
+            written.emplace_back(write->name, write->value);
+        else if (const auto *mission = std::get_if<vehicle::WriteMission>(&request))
+            missionWrites.emplace_back(systemId, mission->items);
+        requests.push_back(std::move(request));
+        return vehicle::RequestId{static_cast<std::uint32_t>(requests.size())};
     }
     void setInspecting(bool on) override { inspecting = on; }
     void setRecording(bool on) override { recording = on; }
@@ -55,7 +54,8 @@ public:
     std::vector<LinkId> removedLinks;
     std::vector<std::pair<channel::SessionId, crypto::SuiteId>> switches;
     std::vector<std::pair<std::uint8_t, vehicle::VehicleCommand>> commands;
-    std::vector<std::uint8_t> parameterRequests, missionReads, allowedClear;
+    std::vector<vehicle::Request> requests; ///< all of them; commands and writes also stand in the lists below
+    std::vector<std::uint8_t> allowedClear;
     std::vector<std::pair<std::string, double>> written;
     std::vector<std::pair<std::uint8_t, std::vector<vehicle::MissionItem>>> missionWrites;
     bool allowResearch = false, inspecting = false, recording = false;

@@ -78,9 +78,9 @@ void play(FakeStation &station, MainWindow &window, const QString &state, const 
                                        state == QLatin1String("attack") ? channel::SwitchFailure::NotConfirmed
                                                                         : channel::SwitchFailure::None,
                                        std::chrono::milliseconds(84)});
-    station.notify(engine::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
-    station.notify(engine::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
-    station.notify(engine::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
+    station.notify(vehicle::TextReceived{1, {1, 6, "EKF3 IMU0 is using GPS", {}}});
+    station.notify(vehicle::TextReceived{1, {2, 4, "Battery 1 low voltage", {}}});
+    station.notify(vehicle::TextReceived{1, {3, 3, "PreArm: Compass not calibrated", {}}});
 }
 
 } // namespace

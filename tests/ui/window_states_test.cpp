@@ -169,13 +169,13 @@ private Q_SLOTS:
         QVERIFY(std::holds_alternative<vehicle::Disarm>(m_station->commands[0].second));
         QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
         m_station->notify(
-            vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
+            vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
         QTest::mousePress(arm, Qt::LeftButton);
         QTRY_COMPARE(m_station->commands.size(), std::size_t(2));
         QTest::mouseRelease(arm, Qt::LeftButton);
         m_station->notify(
-            vehicle::CommandResult{vehicle::CommandId{2}, 1, vehicle::CommandOutcome::TimedOut, 0, "no answer to 5 attempts"});
+            vehicle::CommandResult{vehicle::RequestId{2}, 1, vehicle::CommandOutcome::TimedOut, 0, "no answer to 5 attempts"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: no answer to 5 attempts")); // said once
     }
 
@@ -189,7 +189,7 @@ private Q_SLOTS:
         QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
         QTest::keyRelease(button, Qt::Key_Return);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 25.0);
-        m_station->notify(vehicle::CommandResult{vehicle::CommandId{1}, 1, vehicle::CommandOutcome::Accepted, 0, {}});
+        m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Accepted, 0, {}});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Take off to 25 m: accepted"));
     }
 

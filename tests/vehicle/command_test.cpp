@@ -43,7 +43,7 @@ constexpr std::uint8_t kAccepted = 0, kDenied = 2, kUnsupported = 3, kFailed = 4
 void CommandTest::repeatsOnceASecondWithARisingConfirmation()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{7}, RawCommand{246, {1, 2, 3, 4, 5, 6, 7}});
+    h.vehicle.perform(h.now, RequestId{7}, RawCommand{246, {1, 2, 3, 4, 5, 6, 7}});
     for (int attempt = 0; attempt < 5; ++attempt) {
         const auto sent = h.nextSent<mavlink::CommandLong>(at(200));
         QVERIFY(sent);
@@ -54,75 +54,75 @@ void CommandTest::repeatsOnceASecondWithARisingConfirmation()
         QCOMPARE(sent->second.target_system, std::uint8_t(1));
     }
     h.runUntil(at(104.999));
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     h.runUntil(at(105));
-    const auto result = h.vehicle.pollResult();
+    const auto result = h.poll<CommandResult>();
     QVERIFY(result);
-    QCOMPARE(result->id, CommandId{7});
+    QCOMPARE(result->id, RequestId{7});
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
     QCOMPARE(result->reason, std::string("no answer to 5 attempts"));
-    QVERIFY(result->unanswered);
+    QVERIFY(result->changeUnanswered);
 }
 
 void CommandTest::progressExtendsTheWait()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, RawCommand{241, {}});
+    h.vehicle.perform(h.now, RequestId{1}, RawCommand{241, {}});
     for (int i = 0; i < 3; ++i) {
         h.ack(241, kInProgress);
         h.runUntil(h.now + std::chrono::seconds(9));
-        QVERIFY(!h.vehicle.pollResult());
+        QVERIFY(!h.poll<CommandResult>());
     }
     QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1)); // not repeated while it is being done
     h.ack(241, kAccepted);
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::armingIsConfirmedByTheHeartbeat()
 {
     Harness h = Harness::copter(4);
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.ack(kArm, kAccepted);
-    QVERIFY(!h.vehicle.pollResult()); // until it is seen, too
+    QVERIFY(!h.poll<CommandResult>()); // until it is seen, too
     h.feed(heartbeat(4, false));
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     h.feed(heartbeat(4, true));
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
     QVERIFY(h.vehicle.current().armed);
 }
 
 void CommandTest::heartbeatProvesWhatALostAckDidNot()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, Arm{true});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{true});
     QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 2989.f);
     h.feed(heartbeat(0, true));
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 
     // But a state that was there before proves nothing about this command.
-    h.vehicle.command(h.now, CommandId{2}, Arm{});
+    h.vehicle.perform(h.now, RequestId{2}, Arm{});
     h.feed(heartbeat(0, true));
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
 }
 
 void CommandTest::acknowledgedButNotDoneTimesOut()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.ack(kArm, kAccepted);
     for (int i = 0; i < 4; ++i) {
         h.runUntil(h.now + std::chrono::seconds(1));
         h.feed(heartbeat(0, false));
     }
-    const auto result = h.vehicle.pollResult();
+    const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::TimedOut);
     QCOMPARE(result->reason, std::string("acknowledged, but the vehicle reports disarmed"));
 
-    h.vehicle.command(h.now, CommandId{2}, Arm{});
+    h.vehicle.perform(h.now, RequestId{2}, Arm{});
     h.ack(kArm, kAccepted);
     h.runUntil(h.now + std::chrono::seconds(4));
-    const auto unseen = h.vehicle.pollResult();
+    const auto unseen = h.poll<CommandResult>();
     QVERIFY(unseen);
     QCOMPARE(unseen->outcome, CommandOutcome::Accepted);
     QCOMPARE(unseen->reason, std::string("acknowledged; no heartbeat came since"));
@@ -132,11 +132,11 @@ void CommandTest::reasonMayComeBeforeTheRefusal()
 {
     Harness h = Harness::copter();
     h.feed(statusText("an older text"));
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.feed(statusText("PreArm: Compass not healthy"));
     h.feed(statusText("chatter", 6));
     h.ack(kArm, kFailed);
-    const auto result = h.vehicle.pollResult();
+    const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::Refused);
     QCOMPARE(result->result, kFailed);
@@ -146,27 +146,27 @@ void CommandTest::reasonMayComeBeforeTheRefusal()
 void CommandTest::reasonMayComeAfterTheRefusal()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.ack(kArm, kFailed);
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     h.runUntil(at(100.3));
     h.feed(statusText("Arm: Throttle too high"));
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("failed: Arm: Throttle too high"));
+    QCOMPARE(h.poll<CommandResult>()->reason, std::string("failed: Arm: Throttle too high"));
 }
 
 void CommandTest::refusalWithoutAReasonDoesNotWaitLong()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
     h.ack(kArm, kDenied);
     h.runUntil(at(100.7));
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("denied"));
+    QCOMPARE(h.poll<CommandResult>()->reason, std::string("denied"));
 }
 
 void CommandTest::modeFallsBackToTheOldMessage()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, SetMode{"guided"});
+    h.vehicle.perform(h.now, RequestId{1}, SetMode{"guided"});
     const auto command = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(command.size(), std::size_t(1));
     QCOMPARE(command[0].command, kSetMode);
@@ -179,25 +179,25 @@ void CommandTest::modeFallsBackToTheOldMessage()
     h.runUntil(at(102.5));
     QCOMPARE(h.sentOf<mavlink::SetMode>().size(), std::size_t(2));
     h.feed(heartbeat(4));
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
     QCOMPARE(h.vehicle.current().mode, std::string("GUIDED"));
 }
 
 void CommandTest::oldMessageMayBeAcknowledgedByItsId()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, SetMode{"AUTO"});
+    h.vehicle.perform(h.now, RequestId{1}, SetMode{"AUTO"});
     h.ack(kSetMode, kUnsupported);
     h.ack(mavlink::SetMode::kId, kFailed, 0);
     h.feed(statusText("Mode change to AUTO failed: missing mission", 4));
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("failed: Mode change to AUTO failed: missing mission"));
+    QCOMPARE(h.poll<CommandResult>()->reason, std::string("failed: Mode change to AUTO failed: missing mission"));
 }
 
 void CommandTest::unknownModeNamesThoseThatExist()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, SetMode{"WARP"});
-    const auto result = h.vehicle.pollResult();
+    h.vehicle.perform(h.now, RequestId{1}, SetMode{"WARP"});
+    const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->outcome, CommandOutcome::Refused);
     QVERIFY(result->reason.find("'WARP'") != std::string::npos);
@@ -208,34 +208,34 @@ void CommandTest::unknownModeNamesThoseThatExist()
 void CommandTest::takeOffStatesItsPreconditions()
 {
     Harness h = Harness::copter(0, false);
-    h.vehicle.command(h.now, CommandId{1}, TakeOff{10});
-    QCOMPARE(h.vehicle.pollResult()->reason,
+    h.vehicle.perform(h.now, RequestId{1}, TakeOff{10});
+    QCOMPARE(h.poll<CommandResult>()->reason,
              std::string("nothing was sent: take-off needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, false));
-    h.vehicle.command(h.now, CommandId{2}, TakeOff{10});
-    QCOMPARE(h.vehicle.pollResult()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
+    h.vehicle.perform(h.now, RequestId{2}, TakeOff{10});
+    QCOMPARE(h.poll<CommandResult>()->reason, std::string("nothing was sent: take-off needs an armed vehicle, it is disarmed"));
     h.feed(heartbeat(4, true));
-    h.vehicle.command(h.now, CommandId{3}, TakeOff{-1});
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Refused);
+    h.vehicle.perform(h.now, RequestId{3}, TakeOff{-1});
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Refused);
     QVERIFY(h.sent().empty());
-    h.vehicle.command(h.now, CommandId{4}, TakeOff{12.5});
+    h.vehicle.perform(h.now, RequestId{4}, TakeOff{12.5});
     const auto sent = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(sent.size(), std::size_t(1));
     QCOMPARE(sent[0].command, std::uint16_t(mavlink::MAV_CMD_NAV_TAKEOFF));
     QCOMPARE(sent[0].param7, 12.5f);
     h.ack(mavlink::MAV_CMD_NAV_TAKEOFF, kAccepted);
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::newerModeReplacesTheOneUnderWay()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, SetMode{"LOITER"});
+    h.vehicle.perform(h.now, RequestId{1}, SetMode{"LOITER"});
     h.runUntil(at(100.5));
-    h.vehicle.command(h.now, CommandId{2}, ReturnToLaunch{}); // in a hurry: does not wait for the first one to end
-    const auto first = h.vehicle.pollResult();
+    h.vehicle.perform(h.now, RequestId{2}, ReturnToLaunch{}); // in a hurry: does not wait for the first one to end
+    const auto first = h.poll<CommandResult>();
     QVERIFY(first);
-    QCOMPARE(first->id, CommandId{1});
+    QCOMPARE(first->id, RequestId{1});
     QCOMPARE(first->reason, std::string("replaced by a newer command"));
     const auto sent = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(sent.size(), std::size_t(2));
@@ -247,66 +247,66 @@ void CommandTest::newerModeReplacesTheOneUnderWay()
         h.runUntil(h.now + std::chrono::seconds(1));
         h.feed(heartbeat(5));
     }
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 6.f);
     h.ack(kSetMode, kAccepted);
     h.feed(heartbeat(6));
-    const auto second = h.vehicle.pollResult();
+    const auto second = h.poll<CommandResult>();
     QVERIFY(second);
-    QCOMPARE(second->id, CommandId{2});
+    QCOMPARE(second->id, RequestId{2});
     QCOMPARE(second->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::disarmReplacesArm()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, Arm{});
-    h.vehicle.command(h.now, CommandId{2}, Disarm{true});
-    QCOMPARE(h.vehicle.pollResult()->id, CommandId{1});
+    h.vehicle.perform(h.now, RequestId{1}, Arm{});
+    h.vehicle.perform(h.now, RequestId{2}, Disarm{true});
+    QCOMPARE(h.poll<CommandResult>()->id, RequestId{1});
     const auto sent = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(sent.size(), std::size_t(2));
     QCOMPARE(sent[1].param1, 0.f);
     QCOMPARE(sent[1].param2, 21196.f);
     h.ack(kArm, kAccepted);
     h.feed(heartbeat(0, false));
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::sameRawCommandsTakeTurns()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, RawCommand{183, {1, 1100}});
-    h.vehicle.command(h.now, CommandId{2}, RawCommand{183, {2, 1200}});
+    h.vehicle.perform(h.now, RequestId{1}, RawCommand{183, {1, 1100}});
+    h.vehicle.perform(h.now, RequestId{2}, RawCommand{183, {2, 1200}});
     QCOMPARE(h.sentOf<mavlink::CommandLong>().size(), std::size_t(1));
     h.ack(183, kAccepted);
-    QCOMPARE(h.vehicle.pollResult()->id, CommandId{1});
+    QCOMPARE(h.poll<CommandResult>()->id, RequestId{1});
     const auto second = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(second.size(), std::size_t(1));
     QCOMPARE(second[0].param1, 2.f);
     h.ack(183, kAccepted);
-    QCOMPARE(h.vehicle.pollResult()->id, CommandId{2});
+    QCOMPARE(h.poll<CommandResult>()->id, RequestId{2});
 }
 
 void CommandTest::ackForAnotherStationIsIgnored()
 {
     Harness h = Harness::copter();
-    h.vehicle.command(h.now, CommandId{1}, RawCommand{183, {}});
+    h.vehicle.perform(h.now, RequestId{1}, RawCommand{183, {}});
     h.ack(183, kFailed, 254);
     h.runUntil(at(100.9));
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     h.ack(183, kAccepted, 0); // MAVLink 1 has no targets in it
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
 {
     Harness h = Harness::copter(0, true);
     const GoTo place{-35.3625, 149.1655, 25};
-    h.vehicle.command(h.now, CommandId{1}, place);
-    QCOMPARE(h.vehicle.pollResult()->reason,
+    h.vehicle.perform(h.now, RequestId{1}, place);
+    QCOMPARE(h.poll<CommandResult>()->reason,
              std::string("nothing was sent: going to a place needs the mode GUIDED, the vehicle is in STABILIZE"));
     h.feed(heartbeat(4, true));
-    h.vehicle.command(h.now, CommandId{2}, place);
+    h.vehicle.perform(h.now, RequestId{2}, place);
     const auto reposition = h.sentOf<mavlink::CommandInt>();
     QCOMPARE(reposition.size(), std::size_t(1));
     QCOMPARE(reposition[0].x, -353625000);
@@ -320,17 +320,17 @@ void CommandTest::goToFallsBackToATargetAndIsConfirmedByItsEcho()
     echo.lat_int = -353625003;
     echo.lon_int = 1491654998;
     h.feed(echo);
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::goToWithoutAnEchoSaysSo()
 {
     Harness h = Harness::copter(4, true);
-    h.vehicle.command(h.now, CommandId{1}, GoTo{1, 2, 3});
+    h.vehicle.perform(h.now, RequestId{1}, GoTo{1, 2, 3});
     h.ack(mavlink::MAV_CMD_DO_REPOSITION, kUnsupported);
     h.runUntil(at(106));
     QCOMPARE(h.sentOf<mavlink::SetPositionTargetGlobalInt>().size(), std::size_t(5));
-    const auto result = h.vehicle.pollResult();
+    const auto result = h.poll<CommandResult>();
     QVERIFY(result);
     QCOMPARE(result->reason, std::string("sent 5 times; the vehicle does not confirm it"));
 }
@@ -338,11 +338,11 @@ void CommandTest::goToWithoutAnEchoSaysSo()
 void CommandTest::landAndReturnAreModesOnArduPilot()
 {
     Harness h = Harness::copter(4, true);
-    h.vehicle.command(h.now, CommandId{1}, Land{});
+    h.vehicle.perform(h.now, RequestId{1}, Land{});
     QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 9.f);
     h.feed(heartbeat(9, true));
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
-    h.vehicle.command(h.now, CommandId{2}, ReturnToLaunch{});
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
+    h.vehicle.perform(h.now, RequestId{2}, ReturnToLaunch{});
     QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).param2, 6.f);
 }
 
@@ -352,26 +352,26 @@ void CommandTest::px4GetsCommandsAndMainModes()
     h.feed(heartbeat(4u << 16 | 3u << 24, true, mavlink::MAV_TYPE_QUADROTOR, mavlink::MAV_AUTOPILOT_PX4));
     h.sent();
     QCOMPARE(h.vehicle.current().mode, std::string("LOITER"));
-    h.vehicle.command(h.now, CommandId{1}, SetMode{"MISSION"});
+    h.vehicle.perform(h.now, RequestId{1}, SetMode{"MISSION"});
     const auto mode = h.sentOf<mavlink::CommandLong>();
     QCOMPARE(mode.at(0).param2, 4.f);
     QCOMPARE(mode.at(0).param3, 4.f);
-    h.vehicle.command(h.now, CommandId{2}, Land{});
+    h.vehicle.perform(h.now, RequestId{2}, Land{});
     QCOMPARE(h.sentOf<mavlink::CommandLong>().at(0).command, std::uint16_t(mavlink::MAV_CMD_NAV_LAND));
 }
 
 void CommandTest::missionItemIsConfirmedByMissionCurrent()
 {
     Harness h = Harness::copter(3, true);
-    h.vehicle.command(h.now, CommandId{1}, SetCurrentMissionItem{3});
+    h.vehicle.perform(h.now, RequestId{1}, SetCurrentMissionItem{3});
     QCOMPARE(h.sentOf<mavlink::MissionSetCurrent>().at(0).seq, std::uint16_t(3));
     mavlink::MissionCurrent current;
     current.seq = 2;
     h.feed(current);
-    QVERIFY(!h.vehicle.pollResult());
+    QVERIFY(!h.poll<CommandResult>());
     current.seq = 3;
     h.feed(current);
-    QCOMPARE(h.vehicle.pollResult()->outcome, CommandOutcome::Accepted);
+    QCOMPARE(h.poll<CommandResult>()->outcome, CommandOutcome::Accepted);
 }
 
 void CommandTest::everyCommandEndsExactlyOnce()
@@ -394,10 +394,10 @@ void CommandTest::everyCommandEndsExactlyOnce()
     std::uint32_t id = 0;
     for (int round = 0; round < 5; ++round) {
         for (const VehicleCommand &command : all)
-            h.vehicle.command(h.now, CommandId{id++}, command);
+            h.vehicle.perform(h.now, RequestId{id++}, command);
     }
     h.runUntil(at(400));
-    while (const auto result = h.vehicle.pollResult())
+    while (const auto result = h.poll<CommandResult>())
         ++ended[static_cast<std::uint32_t>(result->id)];
     for (std::uint32_t i = 0; i < id; ++i)
         QCOMPARE(ended[i], 1);

@@ -44,15 +44,15 @@ struct Run
         return states.back();
     }
 
-    /// Takes the order that must be there and answers it.
-    ScriptOrder answer(CommandOutcome outcome, std::string reason = {})
+    /// Takes the request that must be there and answers it.
+    ScriptRequest answer(CommandOutcome outcome, std::string reason = {})
     {
-        const auto order = runner.pollOrder();
-        if (!order)
-            throw std::runtime_error("no order");
-        runner.orderSent(CommandId{++lastId});
-        runner.handleResult({CommandId{lastId}, order->systemId, outcome, 0, std::move(reason)});
-        return *order;
+        const auto request = runner.pollRequest();
+        if (!request)
+            throw std::runtime_error("no request");
+        runner.requestSent(RequestId{++lastId});
+        runner.handleResult(CommandResult{RequestId{lastId}, request->systemId, outcome, 0, std::move(reason)});
+        return *request;
     }
 
     FlightScriptRunner runner;
@@ -76,7 +76,7 @@ void FlightScriptRunnerTest::runsStepByStep()
     QCOMPARE(first->step, std::string("mode GUIDED"));
     QCOMPARE(first->result, StepResult::Accepted);
     QCOMPARE(stepResultName(first->result), std::string_view("accepted"));
-    QVERIFY(!run.runner.pollOrder()); // the next step begins with the next look
+    QVERIFY(!run.runner.pollRequest()); // the next step begins with the next look
     run.advance(0.1);
     QVERIFY(std::holds_alternative<Arm>(std::get<VehicleCommand>(run.answer(CommandOutcome::Accepted).request)));
     run.runner.pollReport();
@@ -102,7 +102,7 @@ void FlightScriptRunnerTest::refusedStepEndsTheScript()
     QCOMPARE(report->result, StepResult::Refused);
     QCOMPARE(report->reason, std::string("failed: PreArm: no"));
     run.advance(1);
-    QVERIFY(!run.runner.pollOrder());
+    QVERIFY(!run.runner.pollRequest());
     QVERIFY(run.runner.finished() && run.runner.failed());
 }
 
@@ -126,7 +126,7 @@ void FlightScriptRunnerTest::waitsForItsVehicle()
     Run run("2: arm; land");
     run.add(1);
     run.advance(0);
-    QVERIFY(!run.runner.pollOrder());
+    QVERIFY(!run.runner.pollRequest());
     run.add(2);
     run.advance(29);
     QCOMPARE(run.answer(CommandOutcome::Accepted).systemId, std::uint8_t(2));
@@ -170,14 +170,15 @@ void FlightScriptRunnerTest::sleepsAndWritesParameters()
     run.add(1);
     run.advance(0);
     run.advance(1.9);
-    QVERIFY(!run.runner.pollOrder());
+    QVERIFY(!run.runner.pollRequest());
     run.advance(2);
-    const auto order = run.runner.pollOrder();
-    QVERIFY(order);
-    QCOMPARE(std::get<WriteParameter>(order->request).value, 750.);
-    run.runner.handleParameterResult(9, {{"WPNAV_SPEED", 750}, true, {}});
+    const auto request = run.runner.pollRequest();
+    QVERIFY(request);
+    QCOMPARE(std::get<WriteParameter>(request->request).value, 750.);
+    run.runner.requestSent(RequestId{7});
+    run.runner.handleResult(ParameterResult{RequestId{6}, 1, {"WPNAV_SPEED", 750}, true});
     QVERIFY(run.runner.pollReport() && !run.runner.pollReport()); // only the sleep's
-    run.runner.handleParameterResult(1, {{"WPNAV_SPEED", 750}, true, {}});
+    run.runner.handleResult(ParameterResult{RequestId{7}, 1, {"WPNAV_SPEED", 750}, true});
     QCOMPARE(run.runner.pollReport()->result, StepResult::Accepted);
     run.advance(3);
     QVERIFY(run.runner.finished());
@@ -188,15 +189,15 @@ void FlightScriptRunnerTest::answersToOthersAreIgnored()
     Run run("arm; arm");
     run.add(1);
     run.advance(0);
-    QVERIFY(run.runner.pollOrder());
-    run.runner.orderSent(CommandId{50});
-    run.runner.handleResult({CommandId{49}, 1, CommandOutcome::Refused, 4, {}});
+    QVERIFY(run.runner.pollRequest());
+    run.runner.requestSent(RequestId{50});
+    run.runner.handleResult(CommandResult{RequestId{49}, 1, CommandOutcome::Refused, 4, {}});
     QVERIFY(!run.runner.pollReport());
-    run.runner.handleResult({CommandId{50}, 1, CommandOutcome::Accepted, 0, {}});
+    run.runner.handleResult(CommandResult{RequestId{50}, 1, CommandOutcome::Accepted, 0, {}});
     QVERIFY(run.runner.pollReport());
     run.advance(1);
-    QVERIFY(run.runner.pollOrder());
-    run.runner.handleResult({CommandId{50}, 1, CommandOutcome::Refused, 4, {}}); // late, and not of this step
+    QVERIFY(run.runner.pollRequest());
+    run.runner.handleResult(CommandResult{RequestId{50}, 1, CommandOutcome::Refused, 4, {}}); // late, and not of this step
     QVERIFY(!run.runner.failed());
 }
 
@@ -205,8 +206,8 @@ void FlightScriptRunnerTest::noAnswerAtAll()
     Run run("arm");
     run.add(1);
     run.advance(0);
-    run.runner.pollOrder();
-    run.runner.orderSent(CommandId{1});
+    run.runner.pollRequest();
+    run.runner.requestSent(RequestId{1});
     run.advance(59.9);
     QVERIFY(!run.runner.finished());
     run.advance(60);

@@ -116,7 +116,7 @@ private:
 void MissionTest::uploadAnswersAsItIsAsked()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeMission(h.now, plan(3));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(3)});
     QCOMPARE(h.sentOf<mavlink::MissionCount>().at(0).count, std::uint16_t(3));
     for (const std::uint16_t sequence : {0, 1, 1, 2}) { // asked twice for one: answered twice
         h.feed(toUs<mavlink::MissionRequestInt>(sequence));
@@ -130,7 +130,7 @@ void MissionTest::uploadAnswersAsItIsAsked()
     QVERIFY(h.sent().empty());
     QVERIFY(!h.vehicle.mission());
     h.feed(acknowledgement(0));
-    const auto result = h.vehicle.pollMissionResult();
+    const auto result = h.poll<MissionResult>();
     QVERIFY(result && result->ok);
     QCOMPARE(*h.vehicle.mission(), plan(3));
 }
@@ -138,7 +138,7 @@ void MissionTest::uploadAnswersAsItIsAsked()
 void MissionTest::oldFirmwareGetsFloatsUnlessItTakesIntegers()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeMission(h.now, plan(1));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(1)});
     h.feed(toUs<mavlink::MissionRequest>(0));
     const auto item = h.sentOf<mavlink::MissionItem>();
     QCOMPARE(item.size(), std::size_t(1));
@@ -153,45 +153,45 @@ void MissionTest::oldFirmwareGetsFloatsUnlessItTakesIntegers()
 void MissionTest::refusalsAreWorded()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeMission(h.now, plan(2));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(2)});
     h.feed(acknowledgement(0)); // of something before: nothing was sent yet
-    QVERIFY(!h.vehicle.pollMissionResult());
+    QVERIFY(!h.poll<MissionResult>());
     h.feed(acknowledgement(4));
-    auto result = h.vehicle.pollMissionResult();
+    auto result = h.poll<MissionResult>();
     QVERIFY(result && !result->ok);
     QCOMPARE(result->reason, std::string("no space left on the vehicle"));
     auto bad = plan(2);
     bad[1].latitude = 95;
-    h.vehicle.writeMission(h.now, bad);
-    QCOMPARE(h.vehicle.pollMissionResult()->reason, std::string("item 1 is not on the globe"));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{bad});
+    QCOMPARE(h.poll<MissionResult>()->reason, std::string("item 1 is not on the globe"));
 }
 
 void MissionTest::uploadStopsWhenNobodyAsks()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeMission(h.now, plan(2));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(2)});
     h.runUntil(at(150));
     QCOMPARE(h.sentOf<mavlink::MissionCount>().size(), std::size_t(8));
-    QCOMPARE(h.vehicle.pollMissionResult()->reason, std::string("no answer to 8 attempts"));
+    QCOMPARE(h.poll<MissionResult>()->reason, std::string("no answer to 8 attempts"));
 }
 
 void MissionTest::lostAcknowledgementBeginsAnew()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeMission(h.now, plan(1));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(1)});
     h.feed(toUs<mavlink::MissionRequestInt>(0));
     h.sent();
     h.runUntil(at(103));
     QCOMPARE(h.sentOf<mavlink::MissionCount>().size(), std::size_t(1));
     h.feed(toUs<mavlink::MissionRequestInt>(0));
     h.feed(acknowledgement(0));
-    QVERIFY(h.vehicle.pollMissionResult()->ok);
+    QVERIFY(h.poll<MissionResult>()->ok);
 }
 
 void MissionTest::downloadAsksUntilItHasAll()
 {
     Harness h = Harness::copter();
-    h.vehicle.readMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     QCOMPARE(h.sentOf<mavlink::MissionRequestList>().size(), std::size_t(1));
     h.runUntil(at(101.5));
     QCOMPARE(h.sentOf<mavlink::MissionRequestList>().size(), std::size_t(1));
@@ -207,37 +207,38 @@ void MissionTest::downloadAsksUntilItHasAll()
     item.seq = 1;
     h.feed(item);
     QCOMPARE(h.sentOf<mavlink::MissionAck>().at(0).type, std::uint8_t(0));
-    QVERIFY(h.vehicle.pollMissionResult()->ok);
+    QVERIFY(h.poll<MissionResult>()->ok);
     QCOMPARE(h.vehicle.mission()->size(), std::size_t(2));
     QVERIFY(std::abs(h.vehicle.mission()->at(0).latitude - 48.1234567) < 1e-9);
 
-    h.vehicle.readMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     h.feed(toUs<mavlink::MissionCount>(0)); // an empty one is a mission, too
-    QVERIFY(h.vehicle.pollMissionResult()->ok);
+    QVERIFY(h.poll<MissionResult>()->ok);
     QVERIFY(h.vehicle.mission()->empty());
 }
 
 void MissionTest::firmwareWithoutIntegersIsAskedForFloats()
 {
     Harness h = Harness::copter();
-    h.vehicle.readMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     h.feed(toUs<mavlink::MissionCount>(1));
     const auto asked = h.nextSent<mavlink::MissionRequest>(at(110));
     QVERIFY(asked);
     auto item = toUs<mavlink::MissionItem>(0);
     item.x = 48.5f;
     h.feed(item);
-    QVERIFY(h.vehicle.pollMissionResult()->ok);
+    QVERIFY(h.poll<MissionResult>()->ok);
     QCOMPARE(h.vehicle.mission()->at(0).latitude, 48.5);
 }
 
 void MissionTest::oneTransferAtATime()
 {
     Harness h = Harness::copter();
-    h.vehicle.readMission(h.now);
-    h.vehicle.clearMission(h.now);
-    const auto result = h.vehicle.pollMissionResult();
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
+    h.vehicle.perform(h.now, RequestId{2}, ClearMission{});
+    const auto result = h.poll<MissionResult>();
     QVERIFY(result && !result->ok);
+    QCOMPARE(result->id, RequestId{2});
     QCOMPARE(result->transfer, MissionTransfer::Clear);
     QCOMPARE(result->reason, std::string("another mission transfer is under way"));
 }
@@ -245,7 +246,7 @@ void MissionTest::oneTransferAtATime()
 void MissionTest::otherKindsOfPlansAreNotOurs()
 {
     Harness h = Harness::copter();
-    h.vehicle.readMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     h.sent();
     auto fence = toUs<mavlink::MissionCount>(5);
     fence.mission_type = 1;
@@ -274,22 +275,22 @@ void MissionTest::uploadAndDownloadThroughABadRadio()
     MissionPeer peer;
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
     std::optional<MissionResult> result;
-    const auto ended = [&] { return (result = h.vehicle.pollMissionResult()).has_value(); };
+    const auto ended = [&] { return (result = h.poll<MissionResult>()).has_value(); };
 
-    h.vehicle.writeMission(h.now, plan(50));
+    h.vehicle.perform(h.now, RequestId{1}, WriteMission{plan(50)});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
     QVERIFY2(result->ok, result->reason.c_str());
     QCOMPARE(peer.stored.size(), std::size_t(50));
     QCOMPARE(peer.stored[49].x, 480049000);
 
-    h.vehicle.readMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
     QVERIFY(link.run(std::chrono::seconds(180), ended));
     QVERIFY2(result->ok, result->reason.c_str());
     QCOMPARE(h.vehicle.mission()->size(), std::size_t(50));
     for (std::size_t i = 0; i < 50; ++i)
         QVERIFY(std::abs(h.vehicle.mission()->at(i).latitude - plan(50)[i].latitude) < 1e-9);
 
-    h.vehicle.clearMission(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ClearMission{});
     QVERIFY(link.run(std::chrono::seconds(60), ended));
     QVERIFY(result->ok && peer.stored.empty() && h.vehicle.mission()->empty());
 }

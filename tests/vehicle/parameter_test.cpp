@@ -84,7 +84,7 @@ void ParameterTest::gapsAreAskedForByIndex()
 {
     Harness h = Harness::copter();
     QVERIFY(!h.vehicle.parameters());
-    h.vehicle.requestParameters(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
     QCOMPARE(h.sentOf<mavlink::ParamRequestList>().size(), std::size_t(1));
     h.feed(value("A", 1, 0, 3));
     h.feed(value("C", 3, 2, 3));
@@ -104,19 +104,19 @@ void ParameterTest::gapsAreAskedForByIndex()
 void ParameterTest::silentVehicleIsGivenUp()
 {
     Harness h = Harness::copter();
-    h.vehicle.requestParameters(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
     h.runUntil(at(150));
     QCOMPARE(h.sentOf<mavlink::ParamRequestList>().size(), std::size_t(11));
-    const auto result = h.vehicle.pollParameterResult();
+    const auto result = h.poll<ParameterResult>();
     QVERIFY(result && !result->ok);
     QCOMPARE(result->reason, std::string("the vehicle does not send its parameters"));
-    QVERIFY(!h.vehicle.pollParameterResult());
+    QVERIFY(!h.poll<ParameterResult>());
 }
 
 void ParameterTest::writeIsReadBackAndRepeated()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeParameter(h.now, "WPNAV_SPEED", 750);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"WPNAV_SPEED", 750});
     for (int attempt = 0; attempt < 3; ++attempt) {
         const auto sent = h.nextSent<mavlink::ParamSet>(at(110));
         QVERIFY(sent);
@@ -124,30 +124,30 @@ void ParameterTest::writeIsReadBackAndRepeated()
         QCOMPARE(mavlink::textOf(sent->second.param_id), std::string_view("WPNAV_SPEED"));
     }
     h.feed(value("WPNAV_SPEED", 750, 65535, 900));
-    const auto result = h.vehicle.pollParameterResult();
+    const auto result = h.poll<ParameterResult>();
     QVERIFY(result && result->ok);
     QCOMPARE(result->parameter.value, 750.);
 
-    h.vehicle.writeParameter(h.now, "NOBODY", 1);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"NOBODY", 1});
     h.runUntil(at(120));
-    QCOMPARE(h.vehicle.pollParameterResult()->reason, std::string("no answer to 5 attempts"));
-    h.vehicle.writeParameter(h.now, "A_NAME_THAT_IS_TOO_LONG", 1);
-    QVERIFY(!h.vehicle.pollParameterResult()->ok);
-    h.vehicle.writeParameter(h.now, "A", std::numeric_limits<double>::quiet_NaN());
-    QVERIFY(!h.vehicle.pollParameterResult()->ok);
+    QCOMPARE(h.poll<ParameterResult>()->reason, std::string("no answer to 5 attempts"));
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A_NAME_THAT_IS_TOO_LONG", 1});
+    QVERIFY(!h.poll<ParameterResult>()->ok);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A", std::numeric_limits<double>::quiet_NaN()});
+    QVERIFY(!h.poll<ParameterResult>()->ok);
 }
 
 void ParameterTest::vehicleMayKeepItsOwnValue()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeParameter(h.now, "RTL_ALT", 1.5);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"RTL_ALT", 1.5});
     h.feed(value("RTL_ALT", 1000, 5, 900)); // perhaps from before the writing
-    QVERIFY(!h.vehicle.pollParameterResult());
+    QVERIFY(!h.poll<ParameterResult>());
     for (int i = 1; i <= 5; ++i) {
         h.runUntil(at(100 + i));
         h.feed(value("RTL_ALT", 1000, 65535, 900));
     }
-    const auto result = h.vehicle.pollParameterResult();
+    const auto result = h.poll<ParameterResult>();
     QVERIFY(result && !result->ok);
     QCOMPARE(result->reason, std::string("the vehicle keeps 1000"));
     QCOMPARE(result->parameter.value, 1000.);
@@ -156,13 +156,13 @@ void ParameterTest::vehicleMayKeepItsOwnValue()
 void ParameterTest::writesTakeTurns()
 {
     Harness h = Harness::copter();
-    h.vehicle.writeParameter(h.now, "A", 1);
-    h.vehicle.writeParameter(h.now, "B", 0.1);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A", 1});
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"B", 0.1});
     QCOMPARE(h.sentOf<mavlink::ParamSet>().size(), std::size_t(1));
     h.feed(value("A", 1, 0, 2));
     QCOMPARE(h.sentOf<mavlink::ParamSet>().size(), std::size_t(1));
     h.feed(value("B", 0.1f, 1, 2)); // as exact as a float is
-    QVERIFY(h.vehicle.pollParameterResult()->ok && h.vehicle.pollParameterResult()->ok);
+    QVERIFY(h.poll<ParameterResult>()->ok && h.poll<ParameterResult>()->ok);
 }
 
 void ParameterTest::bytewiseIntegers()
@@ -172,7 +172,7 @@ void ParameterTest::bytewiseIntegers()
     h.feed(value("COM_LIMIT", std::bit_cast<float>(std::int32_t{-7}), 0, 1, mavlink::MAV_PARAM_TYPE_INT32));
     QCOMPARE(h.vehicle.parameters()->front().value, -7.);
     h.sent();
-    h.vehicle.writeParameter(h.now, "COM_LIMIT", 42);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"COM_LIMIT", 42});
     const auto sent = h.sentOf<mavlink::ParamSet>();
     QCOMPARE(std::bit_cast<std::int32_t>(sent.at(0).param_value), 42);
     QCOMPARE(int(sent.at(0).param_type), int(mavlink::MAV_PARAM_TYPE_INT32));
@@ -208,16 +208,16 @@ void ParameterTest::wholeListThroughABadRadio()
     Harness h = Harness::copter();
     ParameterPeer peer(600);
     LossyLink link(h, peer, loss, static_cast<unsigned>(seed));
-    h.vehicle.requestParameters(h.now);
+    h.vehicle.perform(h.now, RequestId{1}, ReadParameters{});
     const auto complete = [&] { return h.vehicle.parameters() && h.vehicle.parameters()->size() == 600; };
     QVERIFY(link.run(std::chrono::seconds(60), complete));
     for (const Parameter &parameter : *h.vehicle.parameters())
         QCOMPARE(parameter.value, parameter.index * 0.5);
     QCOMPARE(link.dropped() > 0, loss > 0);
 
-    h.vehicle.writeParameter(h.now, nameOf(17), 99);
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{nameOf(17), 99});
     std::optional<ParameterResult> result;
-    QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.vehicle.pollParameterResult()).has_value(); }));
+    QVERIFY(link.run(std::chrono::seconds(60), [&] { return (result = h.poll<ParameterResult>()).has_value(); }));
     QVERIFY2(result->ok, result->reason.c_str());
     QCOMPARE(peer.at(17), 99.f);
 }

@@ -70,21 +70,17 @@ public:
             for (const VehicleState &state : states)
                 views.push_back(&state);
             runner.advance(now, views);
-            if (const auto order = runner.pollOrder()) {
-                Vehicle &target = *set.find(order->systemId);
-                if (const auto *command = std::get_if<VehicleCommand>(&order->request)) {
-                    runner.orderSent(CommandId{++m_lastId});
-                    target.command(now, CommandId{m_lastId}, *command);
-                } else {
-                    const auto &write = std::get<WriteParameter>(order->request);
-                    target.writeParameter(now, write.name, write.value);
-                }
+            if (const auto order = runner.pollRequest()) {
+                runner.requestSent(RequestId{++m_lastId});
+                set.find(order->systemId)->perform(now, RequestId{m_lastId}, order->request);
             }
             for (auto &[id, vehicle] : set.all()) {
-                while (const auto result = vehicle.pollResult())
-                    runner.handleResult(*result);
-                while (const auto result = vehicle.pollParameterResult())
-                    runner.handleParameterResult(id, *result);
+                while (const auto event = vehicle.pollEvent()) {
+                    if (const auto *command = std::get_if<CommandResult>(&*event))
+                        runner.handleResult(*command);
+                    else if (const auto *parameter = std::get_if<ParameterResult>(&*event))
+                        runner.handleResult(*parameter);
+                }
             }
             while (auto report = runner.pollReport())
                 reports.push_back(std::move(*report));
@@ -220,12 +216,20 @@ void ScriptedFlightTest::missionIsUploadedAndFlown()
         items[i].altitude = 12;
     }
     items[1].command = mavlink::MAV_CMD_NAV_TAKEOFF;
-    vehicle.writeMission(world.now, items);
+    vehicle.perform(world.now, RequestId{1}, WriteMission{items});
     std::optional<MissionResult> result;
-    QVERIFY(world.run(60, [&] { return (result = vehicle.pollMissionResult()).has_value(); }));
+    const auto transferred = [&] {
+        while (const auto event = vehicle.pollEvent()) {
+            if (const auto *done = std::get_if<MissionResult>(&*event))
+                result = *done;
+        }
+        return result.has_value();
+    };
+    QVERIFY(world.run(60, transferred));
     QVERIFY2(result->ok, result->reason.c_str());
-    vehicle.readMission(world.now);
-    QVERIFY(world.run(60, [&] { return (result = vehicle.pollMissionResult()).has_value(); }));
+    vehicle.perform(world.now, RequestId{2}, ReadMission{});
+    result.reset();
+    QVERIFY(world.run(60, transferred));
     QVERIFY2(result->ok, result->reason.c_str());
     QCOMPARE(vehicle.mission()->size(), std::size_t(4));
     QVERIFY(std::abs(vehicle.mission()->at(3).latitude - items[3].latitude) < 1e-6);
@@ -241,7 +245,7 @@ void ScriptedFlightTest::parametersAreReadAndWritten()
     World world(0.1, 5);
     QVERIFY(world.run(60, [&] { return world.set.find(1) != nullptr; }));
     Vehicle &vehicle = *world.set.find(1);
-    vehicle.requestParameters(world.now);
+    vehicle.perform(world.now, RequestId{1}, ReadParameters{});
     QVERIFY(
         world.run(120, [&] { return vehicle.parameters() && vehicle.parametersExpected() == vehicle.parameters()->size(); }));
     QVERIFY(vehicle.parameters()->size() >= 100);

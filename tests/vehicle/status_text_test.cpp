@@ -129,11 +129,11 @@ void StatusTextTest::textsOfOtherComponentsAreHeard()
     Harness h = Harness::copter();
     Sender companion(1, 191);
     h.vehicle.handleFrame(h.now, {}, companion.frame(statusText("camera ready", 5)));
-    QCOMPARE(h.vehicle.pollText()->text, std::string("camera ready"));
+    QCOMPARE(h.poll<TextReceived>()->text.text, std::string("camera ready"));
     // MAVLink 1 has neither id nor chunks.
     Sender old(1, 1, 1);
     h.vehicle.handleFrame(h.now, {}, old.frame(statusText(std::string(50, 'x'), 5)));
-    QCOMPARE(h.vehicle.pollText()->text, std::string(50, 'x'));
+    QCOMPARE(h.poll<TextReceived>()->text.text, std::string(50, 'x'));
 }
 
 SKYSEAL_TEST_APPLESS(StatusTextTest)

@@ -33,13 +33,13 @@ namespace {
 /// A state after one message.
 struct Reading
 {
-    template<typename Message> TelemetryNews feed(const Message &message)
+    template<typename Message> TelemetryUpdate feed(const Message &message)
     {
         Sender sender;
         return telemetry.handle(sender.frame(message), state);
     }
 
-    TelemetryNews feedHex(std::string_view hex)
+    TelemetryUpdate feedHex(std::string_view hex)
     {
         const Bytes bytes = *fromHex(hex);
         return telemetry.handle(*mavlink::readFrame(bytes, mavlink::Dialect::builtin()), state);
@@ -216,8 +216,8 @@ void TelemetryTest::framesOfTheReference()
     QCOMPARE(r.state.climb, double(0.0236067399f));
     QCOMPARE(r.state.heading, double(1945 % 360));
     QCOMPARE(r.state.throttle, 11064.);
-    const auto current = r.feedHex("fd1200007d766d2a0000527d3834057af921189308675f0f7a996cbb89be"); // MISSION_CURRENT
-    QCOMPARE(current.missionCurrent, std::optional<std::uint16_t>(32082));
+    r.feedHex("fd1200007d766d2a0000527d3834057af921189308675f0f7a996cbb89be"); // MISSION_CURRENT
+    QCOMPARE(r.state.missionCurrent, 32082);
     r.feedHex("fd1a0000754c1fc10000920f15b9d408bd43499f38363b468e4485372fc3d87c881c2848c9c1"); // EKF_STATUS_REPORT
     QCOMPARE(int(r.state.ekfFlags), 31960);
     QCOMPARE(r.state.ekfOk, std::optional(false));
@@ -235,7 +235,7 @@ void TelemetryTest::anyPayloadLeavesShowableValues()
                                  242, 245, 253, 77, 111, 148, 22, 44, 51,  73,  39,  47};
     QVERIFY(rc::check("random payloads through a whole vehicle", [&] {
         Harness h = Harness::copter(4, true);
-        h.vehicle.readMission(h.now);
+        h.vehicle.perform(h.now, RequestId{1}, ReadMission{});
         for (const std::uint32_t id : ids) {
             const auto payload = *rc::gen::container<std::vector<std::uint8_t>>(rc::gen::arbitrary<std::uint8_t>());
             const auto *info = mavlink::Dialect::builtin().find(id);

@@ -8,6 +8,7 @@
 
 #include <QtTest/QTest>
 
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -99,7 +100,7 @@ public:
     std::vector<OutMessage> sent()
     {
         std::vector<OutMessage> out;
-        while (auto message = vehicle.pollOutgoing())
+        while (const OutMessage *message = vehicle.pollOutgoing())
             out.push_back(*message);
         return out;
     }
@@ -129,7 +130,7 @@ public:
     template<typename Message> std::optional<std::pair<TimePoint, Message>> nextSent(TimePoint end)
     {
         for (;;) {
-            while (auto message = vehicle.pollOutgoing()) {
+            while (const OutMessage *message = vehicle.pollOutgoing()) {
                 if (const auto typed = as<Message>(*message))
                     return std::pair(now, *typed);
             }
@@ -141,9 +142,27 @@ public:
         }
     }
 
+    /// The oldest event of this type; events of other types are kept for later calls.
+    template<typename T> std::optional<T> poll()
+    {
+        while (auto event = vehicle.pollEvent())
+            m_events.push_back(std::move(*event));
+        for (auto event = m_events.begin(); event != m_events.end(); ++event) {
+            if (T *found = std::get_if<T>(&*event)) {
+                T out = std::move(*found);
+                m_events.erase(event);
+                return out;
+            }
+        }
+        return std::nullopt;
+    }
+
     TimePoint now = at(100);
     Vehicle vehicle;
     Sender sender;
+
+private:
+    std::deque<Event> m_events;
 };
 
 } // namespace skyseal::vehicle

@@ -395,13 +395,13 @@ void VehicleTest::outboxIsBounded()
         QCOMPARE(outbox.push(message), i < 3);
     }
     QCOMPARE(outbox.refused(), std::uint64_t(2));
-    QCOMPARE(outbox.poll()->id, 0u);
+    QCOMPARE(outbox.take()->id, 0u);
     OutMessage more;
     more.id = 9;
     QVERIFY(outbox.push(more));
     for (const std::uint32_t expected : {1u, 2u, 9u})
-        QCOMPARE(outbox.poll()->id, expected);
-    QVERIFY(!outbox.poll());
+        QCOMPARE(outbox.take()->id, expected);
+    QVERIFY(!outbox.take());
 }
 
 SKYSEAL_TEST_APPLESS(VehicleTest)

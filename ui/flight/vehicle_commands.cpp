@@ -36,7 +36,7 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
         Q_EMIT said(tr("%1: not sent: %2").arg(words, m_whyNot), false);
         return;
     }
-    const vehicle::CommandId id = m_station.command(systemId, command);
+    const vehicle::RequestId id = m_station.perform(systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
     Q_EMIT said(tr("%1: asked …").arg(words), true);
 }

@@ -38,7 +38,7 @@ public:
         return EventLine{tr("Link to the vehicle lost"), kError, e.systemId};
     }
     Line operator()(const engine::VehicleBack &e) const { return EventLine{tr("Vehicle is back"), kNotice, e.systemId}; }
-    Line operator()(const engine::TextReceived &e) const
+    Line operator()(const vehicle::TextReceived &e) const
     {
         return EventLine{fromStd(e.text.text), e.text.severity, e.systemId};
     }
@@ -79,13 +79,13 @@ public:
     {
         return EventLine{tr("Recording %1: %2").arg(fromStd(e.file), fromStd(e.problem)), kError};
     }
-    Line operator()(const engine::MissionTransferDone &e) const
+    Line operator()(const vehicle::MissionResult &e) const
     {
-        const QString what = e.upload ? tr("Mission sent") : tr("Mission read");
+        const QString what = e.transfer == vehicle::MissionTransfer::Upload ? tr("Mission sent") : tr("Mission read");
         return e.ok ? EventLine{what, kInfo, e.systemId}
                     : EventLine{tr("%1: failed, %2").arg(what, fromStd(e.reason)), kError, e.systemId};
     }
-    Line operator()(const engine::ParameterWritten &e) const
+    Line operator()(const vehicle::ParameterResult &e) const
     {
         const QString name = fromStd(e.parameter.name);
         return e.ok ? EventLine{tr("Parameter %1 is now %2").arg(name).arg(e.parameter.value), kInfo, e.systemId}

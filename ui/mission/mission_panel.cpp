@@ -54,7 +54,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : QWidget
 
     connect(m_read, &QPushButton::clicked, this, [this] {
         say(tr("Reading …"));
-        m_station.readMission(m_systemId);
+        m_station.perform(m_systemId, vehicle::ReadMission{});
     });
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
@@ -108,7 +108,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
         return;
     }
     say(tr("Sending %1 items …").arg(items->size()));
-    m_station.writeMission(systemId, *items);
+    m_station.perform(systemId, vehicle::WriteMission{*items});
 }
 
 void MissionPanel::saveFile(const QString &file, const MissionModel::Mission &mission)
@@ -135,11 +135,11 @@ void MissionPanel::showViewState(const ViewState &view)
 
 void MissionPanel::take(const engine::Event &event)
 {
-    const auto *done = std::get_if<engine::MissionTransferDone>(&event);
+    const auto *done = std::get_if<vehicle::MissionResult>(&event);
     if (!done || done->systemId != m_systemId)
         return;
     const QString reason = fromStd(done->reason);
-    if (done->upload)
+    if (done->transfer == vehicle::MissionTransfer::Upload)
         say(done->ok ? tr("The vehicle has the mission") : tr("Not sent: %1").arg(reason));
     else
         say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));

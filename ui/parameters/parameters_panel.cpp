@@ -63,10 +63,10 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : Q
     column->addLayout(tools);
     column->addWidget(view, 1);
 
-    connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.requestParameters(m_systemId); });
+    connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.perform(m_systemId, vehicle::ReadParameters{}); });
     connect(&m_model, &ParameterModel::writeWanted, this, [this](const QString &name, double value) {
         if (m_whyNot.isEmpty())
-            m_station.writeParameter(m_systemId, name.toStdString(), value);
+            m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
         else
             m_model.written({name.toStdString(), value}, false, m_whyNot);
     });
@@ -93,7 +93,7 @@ void ParametersPanel::showViewState(const ViewState &view)
 
 void ParametersPanel::take(const engine::Event &event)
 {
-    const auto *written = std::get_if<engine::ParameterWritten>(&event);
+    const auto *written = std::get_if<vehicle::ParameterResult>(&event);
     if (written && written->systemId == m_systemId)
         m_model.written(written->parameter, written->ok, fromStd(written->reason));
 }

@@ -118,7 +118,7 @@ std::string vehicleLostEvent(std::uint8_t systemId, bool lost)
     return end(json);
 }
 
-std::string statusTextEvent(const TextReceived &text)
+std::string statusTextEvent(const vehicle::TextReceived &text)
 {
     JsonWriter json = begin("statustext");
     json.field("sysid", number(text.systemId)).field("severity", number(text.text.severity)).field("text", text.text.text);

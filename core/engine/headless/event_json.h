@@ -19,7 +19,7 @@ std::string sessionDownEvent(const channel::SessionDown &down, const std::string
 std::string switchEvent(const channel::SwitchDone &done);
 std::string vehicleEvent(const VehicleFound &found);
 std::string vehicleLostEvent(std::uint8_t systemId, bool lost);
-std::string statusTextEvent(const TextReceived &text);
+std::string statusTextEvent(const vehicle::TextReceived &text);
 std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to);
 std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
                          const std::string &fingerprint);

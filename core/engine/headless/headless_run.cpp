@@ -77,8 +77,8 @@ void HeadlessRun::hear(const Event &event)
         m_switching.switchDone(*done);
     } else if (const auto *result = std::get_if<vehicle::CommandResult>(&event)) {
         m_script.handleResult(*result);
-    } else if (const auto *written = std::get_if<ParameterWritten>(&event)) {
-        m_script.handleParameterResult(written->systemId, {written->parameter, written->ok, written->reason});
+    } else if (const auto *written = std::get_if<vehicle::ParameterResult>(&event)) {
+        m_script.handleResult(*written);
     }
     m_listener.eventOccurred(event);
     if (const auto *changed = std::get_if<LinkChanged>(&event))
@@ -132,12 +132,8 @@ void HeadlessRun::fly(TimePoint now)
 
 void HeadlessRun::drainScript()
 {
-    while (const auto order = m_script.pollOrder()) {
-        if (const auto *command = std::get_if<vehicle::VehicleCommand>(&order->request))
-            m_script.orderSent(m_station.command(order->systemId, *command));
-        else if (const auto *write = std::get_if<vehicle::WriteParameter>(&order->request))
-            m_station.writeParameter(order->systemId, write->name, write->value);
-    }
+    while (auto next = m_script.pollRequest())
+        m_script.requestSent(m_station.perform(next->systemId, std::move(next->request)));
     while (const auto report = m_script.pollReport())
         m_listener.stepEnded(*report);
 }

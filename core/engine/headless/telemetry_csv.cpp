@@ -75,6 +75,7 @@ std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &diale
         if (!vehicle)
             continue;
         while (vehicle->pollOutgoing()) {}
+        while (vehicle->pollEvent()) {}
         WallTime &next = due[vehicle->systemId()];
         if (*item->time < next)
             continue;

@@ -3,7 +3,7 @@
 
 #include "core/channel/events.h"
 #include "core/engine/station/snapshot.h"
-#include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/event.h"
 
 #include <functional>
 #include <string>
@@ -27,11 +27,6 @@ struct VehicleLost
 struct VehicleBack
 {
     std::uint8_t systemId = 0;
-};
-struct TextReceived
-{
-    std::uint8_t systemId = 0;
-    vehicle::StatusText text;
 };
 /// Clear MAVLink claims to be a vehicle whose key is pinned; at most one a second. With `mayBe`, once for each system: a
 /// vehicle that is held back, see PendingVehicle.
@@ -61,25 +56,24 @@ struct RecordingProblem
 {
     std::string file, problem;
 };
-struct MissionTransferDone
-{
-    std::uint8_t systemId = 0;
-    bool upload = false;
-    bool ok = false;
-    std::string reason;
-};
-struct ParameterWritten
-{
-    std::uint8_t systemId = 0;
-    vehicle::Parameter parameter;
-    bool ok = false;
-    std::string reason;
-};
 
-using Event = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, TextReceived, PlaintextRefused, SystemRefused,
-                           AgentUnanswering, RecordingProblem, MissionTransferDone, ParameterWritten, vehicle::CommandResult,
-                           channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
-                           channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
+/// A variant of the alternatives of all `Variants`.
+template<typename... Variants> struct Joined;
+template<typename... T> struct Joined<std::variant<T...>>
+{
+    using Type = std::variant<T...>;
+};
+template<typename... T, typename... U, typename... Rest>
+struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::variant<T..., U...>, Rest...>
+{};
+
+using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
+                                  AgentUnanswering, RecordingProblem>;
+using SessionEvent = std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
+                                  channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
+/// An event of the station itself, of a vehicle or of a session.
+using Event = Joined<StationEvent, vehicle::Event, SessionEvent>::Type;
+
 /// Publishes one event; called on the I/O thread.
 using Notify = std::function<void(Event)>;
 

@@ -26,26 +26,17 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId lin
     return VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()};
 }
 
-void Fleet::publishResults(std::uint8_t systemId, vehicle::Vehicle &vehicle, bool sealed, const Notify &notify)
+void Fleet::publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify)
 {
-    while (auto result = vehicle.pollResult()) {
-        if (sealed && result->unanswered)
-            result->reason += kMaybeObserver;
-        notify(std::move(*result));
-    }
-    while (auto text = vehicle.pollText())
-        notify(TextReceived{systemId, std::move(*text)});
-    while (auto done = vehicle.pollMissionResult()) {
-        if (sealed && done->unanswered && done->transfer != vehicle::MissionTransfer::Download)
-            done->reason += kMaybeObserver;
-        notify(MissionTransferDone{systemId, done->transfer == vehicle::MissionTransfer::Upload, done->ok,
-                                   std::move(done->reason)});
-    }
-    while (auto written = vehicle.pollParameterResult()) {
-        if (sealed && written->unanswered)
-            written->reason += kMaybeObserver;
-        notify(ParameterWritten{systemId, std::move(written->parameter), written->ok, std::move(written->reason)});
-    }
+    const auto publish = [&](auto &event) {
+        if constexpr (requires { event.changeUnanswered; }) {
+            if (sealed && event.changeUnanswered)
+                event.reason += kMaybeObserver;
+        }
+        notify(std::move(event));
+    };
+    while (auto event = vehicle.pollEvent())
+        std::visit(publish, *event);
 }
 
 bool Fleet::sample(TimePoint now, const Notify &notify)

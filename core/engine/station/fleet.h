@@ -30,8 +30,8 @@ public:
     InspectorTable &inspector() { return m_inspector; }
     const InspectorTable &inspector() const { return m_inspector; }
 
-    /// Publishes what a vehicle's conversations came to. `sealed`: it is heard over a session.
-    void publishResults(std::uint8_t systemId, vehicle::Vehicle &vehicle, bool sealed, const Notify &notify);
+    /// Publishes the events of a vehicle. `sealed`: it is heard over a session.
+    static void publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify);
 
     /// Call four times a second: publishes vehicles that are lost or back. Returns true if at least one is heard.
     bool sample(TimePoint now, const Notify &notify);

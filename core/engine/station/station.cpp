@@ -116,7 +116,7 @@ struct Station::Private
     KeyPaths paths;
     std::optional<channel::PublicKey> publicKey;
     std::uint32_t nextLink = 1;
-    std::uint32_t nextCommand = 1;
+    std::uint32_t nextRequest = 1;
 
     /// Runs on the I/O thread, in the order of the calls.
     void postToWorker(StationWorker::Task task)
@@ -264,39 +264,11 @@ void Station::cancelPairing()
     d->post([](StationCore &core) { core.cancelPairing(); });
 }
 
-vehicle::CommandId Station::command(std::uint8_t systemId, vehicle::VehicleCommand command)
+vehicle::RequestId Station::perform(std::uint8_t systemId, vehicle::Request request)
 {
-    const vehicle::CommandId id{d->nextCommand++};
-    d->post([=, command = std::move(command)](StationCore &core) { core.command(id, systemId, command); });
+    const vehicle::RequestId id{d->nextRequest++};
+    d->post([=, request = std::move(request)](StationCore &core) { core.perform(id, systemId, request); });
     return id;
-}
-
-void Station::requestParameters(std::uint8_t systemId)
-{
-    d->post([=](StationCore &core) {
-        core.withVehicle(systemId, [](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.requestParameters(now); });
-    });
-}
-
-void Station::writeParameter(std::uint8_t systemId, std::string name, double value)
-{
-    d->post([=, name = std::move(name)](StationCore &core) {
-        core.withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeParameter(now, name, value); });
-    });
-}
-
-void Station::readMission(std::uint8_t systemId)
-{
-    d->post([=](StationCore &core) {
-        core.withVehicle(systemId, [](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.readMission(now); });
-    });
-}
-
-void Station::writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items)
-{
-    d->post([=, items = std::move(items)](StationCore &core) {
-        core.withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.writeMission(now, items); });
-    });
 }
 
 void Station::setInspecting(bool inspecting)

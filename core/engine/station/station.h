@@ -13,7 +13,7 @@
 #include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/link/link_url.h"
-#include "core/vehicle/vehicle_command.h"
+#include "core/vehicle/request.h"
 
 #include <QtCore/QObject>
 
@@ -64,11 +64,8 @@ public:
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();
-    vehicle::CommandId command(std::uint8_t systemId, vehicle::VehicleCommand command);
-    void requestParameters(std::uint8_t systemId);
-    void writeParameter(std::uint8_t systemId, std::string name, double value);
-    void readMission(std::uint8_t systemId);
-    void writeMission(std::uint8_t systemId, std::vector<vehicle::MissionItem> items);
+    /// Sends a request to a vehicle and returns at once; its result arrives as an event with the returned id.
+    vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request);
     void setInspecting(bool);
     void setRecording(bool);
     /// Snapshots carry a Probe from now on.

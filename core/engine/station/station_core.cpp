@@ -154,20 +154,14 @@ void StationCore::cancelPairing()
     finishWake();
 }
 
-void StationCore::command(vehicle::CommandId id, std::uint8_t systemId, const vehicle::VehicleCommand &command)
+void StationCore::perform(vehicle::RequestId id, std::uint8_t systemId, const vehicle::Request &request)
 {
-    if (!withVehicle(systemId, [&](vehicle::Vehicle &vehicle, TimePoint now) { vehicle.command(now, id, command); }))
+    if (vehicle::Vehicle *vehicle = m_fleet.find(systemId)) {
+        vehicle->perform(steadyNow(), id, request);
+        finishWake();
+    } else if (std::holds_alternative<vehicle::VehicleCommand>(request)) {
         m_sinks.event(vehicle::CommandResult{id, systemId, vehicle::CommandOutcome::Refused, 0, "no such vehicle"});
-}
-
-bool StationCore::withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act)
-{
-    vehicle::Vehicle *vehicle = m_fleet.find(systemId);
-    if (!vehicle)
-        return false;
-    act(*vehicle, steadyNow());
-    finishWake();
-    return true;
+    }
 }
 
 void StationCore::resumeSuite(crypto::SuiteId suite)
@@ -274,7 +268,7 @@ void StationCore::finishWake()
     const TimePoint now = steadyNow();
     for (auto &[systemId, vehicle] : m_fleet.vehicles().all()) {
         const bool sealed = m_sender.sendOutgoing(now, systemId, vehicle) && !vehicle.isLost(now);
-        m_fleet.publishResults(systemId, vehicle, sealed, m_sinks.event);
+        Fleet::publishEvents(vehicle, sealed, m_sinks.event);
     }
     if (m_channel) {
         m_channel->driver.flush(now);

@@ -65,9 +65,8 @@ public:
     void cancelPairing();
 
     // Vehicles.
-    void command(vehicle::CommandId id, std::uint8_t systemId, const vehicle::VehicleCommand &command);
-    /// Calls `act` with the vehicle; returns false if it is not known.
-    bool withVehicle(std::uint8_t systemId, const std::function<void(vehicle::Vehicle &, TimePoint)> &act);
+    /// Starts a request; its result arrives as an event with this id. A command to an unknown vehicle is refused.
+    void perform(vehicle::RequestId id, std::uint8_t systemId, const vehicle::Request &request);
 
     // Measurements; see SecuritySettings.
     void holdSuite(std::optional<crypto::SuiteId> suite) { m_settings.holdSuite(suite); }

@@ -25,7 +25,7 @@ void StationSender::followLink(const link::Link &link, bool mayBeClear)
 bool StationSender::sendOutgoing(TimePoint now, std::uint8_t systemId, vehicle::Vehicle &vehicle)
 {
     Route *route = m_routes.leadingTo(systemId);
-    while (const auto message = vehicle.pollOutgoing()) {
+    while (const vehicle::OutMessage *message = vehicle.pollOutgoing()) {
         if (route)
             send(now, *route, *message);
     }

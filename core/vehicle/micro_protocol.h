@@ -1,0 +1,74 @@
+// Base of the clients that each speak one MAVLink micro-protocol (commands, parameters, missions, …) with one vehicle. Vehicle
+// owns them, passes every frame, request and deadline to them, and drains the messages and events that they leave in the
+// shared VehicleContext. Sans-I/O: time enters as an argument.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/vehicle/event.h"
+#include "core/vehicle/flight_modes.h"
+#include "core/vehicle/message_io.h"
+#include "core/vehicle/request.h"
+#include "core/vehicle/vehicle_config.h"
+#include "core/vehicle/vehicle_state.h"
+
+#include <deque>
+#include <vector>
+
+namespace skyseal::vehicle {
+
+class MicroProtocol;
+
+/// State and output of one vehicle, shared by its clients.
+struct VehicleContext
+{
+    Addressing addressing;
+    VehicleState state{};
+    MessageQueue outbox{64};
+    std::deque<Event> events{};
+    std::vector<MicroProtocol *> clients{}; ///< in the order of their construction
+
+    /// Queues a message; its target fields, if it has any, become the vehicle's autopilot.
+    template<typename Message> void send(Message message, bool urgent = true)
+    {
+        if constexpr (requires { message.target_system; })
+            message.target_system = addressing.system;
+        if constexpr (requires { message.target_component; })
+            message.target_component = addressing.component;
+        outbox.push(pack(message, urgent));
+    }
+    VehicleKind kind() const { return {state.type, state.autopilot}; }
+};
+
+class MicroProtocol
+{
+public:
+    /// Registers the client in `context`, which must be destroyed together with it.
+    explicit MicroProtocol(VehicleContext &context) : m_context(context) { context.clients.push_back(this); }
+    virtual ~MicroProtocol() = default;
+    MicroProtocol(const MicroProtocol &) = delete;
+    MicroProtocol &operator=(const MicroProtocol &) = delete;
+
+    /// Starts a request of this protocol. Returns false, and does nothing, for requests of others.
+    virtual bool perform(TimePoint, RequestId, const Request &) { return false; }
+    /// Handles a frame of the autopilot. Returns true if neither another client nor the telemetry needs it.
+    virtual bool handleFrame(TimePoint, const mavlink::Frame &) { return false; }
+    /// Called after a heartbeat of the autopilot has been taken into the state.
+    virtual void handleHeartbeat(TimePoint) {}
+    /// A complete status text of any component.
+    virtual void handleText(const StatusText &) {}
+    virtual void handleDeadline(TimePoint now) = 0;
+    /// kNever while nothing is pending.
+    virtual TimePoint nextDeadline() const = 0;
+
+protected:
+    const Addressing &addressing() const { return m_context.addressing; }
+    VehicleState &state() { return m_context.state; }
+    const VehicleState &state() const { return m_context.state; }
+    VehicleKind kind() const { return m_context.kind(); }
+    template<typename Message> void send(const Message &message, bool urgent = true) { m_context.send(message, urgent); }
+    void report(Event event) { m_context.events.push_back(std::move(event)); }
+
+    VehicleContext &m_context;
+};
+
+} // namespace skyseal::vehicle

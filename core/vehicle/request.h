@@ -1,0 +1,16 @@
+// Everything that can be requested of a vehicle. Windows, scripts and the engine pass a Request on unchanged; only the client
+// of its micro-protocol looks inside. The way back is Event (event.h).
+#pragma once
+
+#include "core/vehicle/mission.h"
+#include "core/vehicle/parameter.h"
+#include "core/vehicle/request_id.h"
+#include "core/vehicle/vehicle_command.h"
+
+#include <variant>
+
+namespace skyseal::vehicle {
+
+using Request = std::variant<VehicleCommand, ReadParameters, WriteParameter, ReadMission, WriteMission, ClearMission>;
+
+} // namespace skyseal::vehicle
