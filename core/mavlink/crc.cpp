@@ -11,7 +11,7 @@ constexpr std::uint16_t kPolynomial = 0x8408; // x^16 + x^12 + x^5 + 1, reflecte
 
 using Table = std::array<std::array<std::uint16_t, 256>, 8>;
 
-/// table[n][b]: what byte b does to the checksum when n more bytes follow it.
+/// table[n][b]: effect of byte b on the checksum if n more bytes follow it.
 constexpr Table makeTable()
 {
     Table table{};

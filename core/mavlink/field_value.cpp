@@ -9,7 +9,7 @@ namespace skyseal::mavlink {
 
 namespace {
 
-/// What a whole number of each type can hold; the bit pattern is that of the two's complement.
+/// Range of each integer type, in two's complement.
 struct Range
 {
     std::int64_t lowest = 0;

@@ -1,5 +1,5 @@
-// One element of a field, of whatever type its message gives it: how the inspector, the decoder and dialects read at run
-// time get at fields that no struct was generated for.
+// One element of a field of any type: access for the inspector, the decoder and user dialects to fields without a
+// generated struct.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::mavlink {
 
-/// A value and its type, held bit for bit: a NaN keeps its payload, and what was read can be written back unchanged.
+/// A value and its type, kept bit for bit: a NaN keeps its payload, and a value that was read can be written back unchanged.
 class FieldValue
 {
 public:
@@ -52,11 +52,11 @@ bool setFieldValue(MutableByteView payload, const FieldInfo &field, std::size_t 
 /// them.
 std::string_view fieldText(ByteView payload, const FieldInfo &field);
 
-/// Fills a char array, the rest with zeros; false when it is none, the text is too long or the payload too short.
+/// Fills a char array, the rest with zeros; false if it is not one, the text is too long or the payload too short.
 bool setFieldText(MutableByteView payload, const FieldInfo &field, std::string_view text);
 
-/// A value written by a person: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt when it is
-/// none of that type or out of its range.
+/// A value written by a person: "-3", "0x1f", "2.5", "NaN", "Infinity", or for a char one character; nullopt if it is
+/// not of that type or out of range.
 std::optional<FieldValue> parseFieldValue(FieldType type, std::string_view text);
 
 /// Shortest text that parseFieldValue reads back to the same value (every NaN becomes "NaN").

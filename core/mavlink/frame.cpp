@@ -4,7 +4,7 @@
 
 namespace skyseal::mavlink {
 
-/// The only one that may call a piece of bytes a frame.
+/// The only class that can construct a Frame.
 class FrameReader
 {
 public:

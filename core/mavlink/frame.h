@@ -1,4 +1,4 @@
-// One MAVLink frame whose extent, checksum and message are known to be right: a view into the bytes it came in.
+// One MAVLink frame whose length, checksum and message id have been verified: a view into the received bytes.
 // https://mavlink.io/en/guide/serialization.html
 #pragma once
 
@@ -26,13 +26,13 @@ public:
     std::uint8_t componentId() const { return m_bytes[version() == 2 ? 6 : 4]; }
     std::uint32_t messageId() const { return m_info->id; }
     const MessageInfo &info() const { return *m_info; }
-    /// As it came: it may be shorter than the message (trimmed zeros) or longer (fields of a newer dialect).
+    /// As received: shorter than the message (trimmed zeros) or longer (fields of a newer dialect).
     ByteView payload() const { return m_bytes.subspan(version() == 2 ? 10 : 6, m_bytes[1]); }
     bool isSigned() const { return (incompatFlags() & kFlagSigned) != 0; }
     /// Link id, timestamp (48 bits) and signature (48 bits); empty when not signed.
     ByteView signatureBlock() const { return isSigned() ? m_bytes.last(kSignatureLength) : ByteView(); }
 
-    /// The system and component it is meant for; 0 = everybody.
+    /// Target system and component; 0 = broadcast.
     std::uint8_t targetSystem() const { return byteAt(m_info->targetSystemOffset); }
     std::uint8_t targetComponent() const { return byteAt(m_info->targetComponentOffset); }
 
@@ -52,23 +52,23 @@ private:
 
 enum class FrameFault : std::uint8_t {
     Garbage,   ///< does not begin with a frame's first byte
-    Truncated, ///< the frame goes on past the end
+    Truncated, ///< the frame continues after the end
     BadCrc,
     UnknownMessage,       ///< no such id in the dialect, so its checksum cannot be checked
     UnknownIncompatFlags, ///< a format that must not be guessed at; the checksum is right
     BadSignature
 };
 
-/// "bad_crc"; for machines.
+/// "bad_crc", as in JSON.
 std::string_view nameOf(FrameFault fault);
 
 struct FrameError
 {
     FrameFault fault{};
-    std::size_t length = 0; ///< of the whole frame as its header gives it; 0 when it is none
+    std::size_t length = 0; ///< of the whole frame according to its header; 0 if there is no header
 };
 
-/// Reads one frame at the start of `bytes`, which may go on behind it. Never reads past the end, never allocates.
+/// Reads one frame at the start of `bytes`, which may continue after it. Never reads past the end, never allocates.
 Result<Frame, FrameError> readFrame(ByteView bytes, const Dialect &dialect);
 
 } // namespace skyseal::mavlink

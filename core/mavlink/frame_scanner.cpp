@@ -25,7 +25,7 @@ std::optional<ScanItem> FrameScanner::next()
     switch (fault) {
     case FrameFault::UnknownIncompatFlags: return bad(fault, m_position + length); // its checksum vouches for its length
     case FrameFault::UnknownMessage: {
-        // Nothing vouches for the length: believe it when the buffer or another frame follows, and no valid frame is
+        // The length is not verified: accept it if the buffer ends there or another frame follows, and no valid frame is
         // inside.
         const std::size_t end = m_position + length;
         if (end != m_buffer.size() && !isMagic(m_buffer[end]))

@@ -1,4 +1,4 @@
-// Walks through a buffer from frame to frame: valid ones, and the spots between them that are not.
+// Splits a buffer into valid frames and the damaged regions between them.
 #pragma once
 
 #include "core/mavlink/frame.h"
@@ -7,23 +7,23 @@
 
 namespace skyseal::mavlink {
 
-/// A valid frame, or what stands where none is.
+/// A valid frame or a damaged region.
 struct ScanItem
 {
     std::optional<Frame> frame;
     FrameFault fault{}; ///< when there is no frame
     std::size_t offset = 0;
-    ByteView bytes; ///< of the frame or of the bad spot; an UnknownMessage is whole and may be forwarded as it is
+    ByteView bytes; ///< of the frame or the damaged region; an UnknownMessage is whole and may be forwarded
 };
 
-/// What stands behind the end of a buffer.
+/// Meaning of the end of a buffer.
 enum class BufferEnd : std::uint8_t {
-    Final, ///< nothing: a datagram, or a stream that has ended
-    Open   ///< more bytes may come: a frame that goes on past the end is left for later
+    Final, ///< no more bytes: a datagram, or a stream that has ended
+    Open   ///< more bytes may follow: an incomplete frame is left for later
 };
 
-/// Resynchronises by trying every later byte, so that no valid frame behind damage is lost, whatever length the damage
-/// claims.
+/// Resynchronises by trying every later byte, so that no valid frame after damage is lost, even if the damaged header claims
+/// a wrong length.
 class FrameScanner
 {
 public:
@@ -31,8 +31,8 @@ public:
         : m_buffer(buffer), m_dialect(&dialect), m_end(end)
     {}
 
-    /// The next item; nullopt at the end. A frame that goes on past a final end is reported as Truncated, with all that is
-    /// left of it; at an open end `position()` stays before it.
+    /// The next item; nullopt at the end. A frame cut by a final end is reported as Truncated, with its remaining
+    /// bytes; at an open end `position()` stays before it.
     std::optional<ScanItem> next();
 
     /// Where the next item begins.

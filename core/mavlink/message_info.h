@@ -1,4 +1,4 @@
-// What a dialect says of its messages: names, fields and where they stand on the wire. Tables of these are generated at
+// Description of messages by a dialect: names, fields and their places on the wire. Tables of these are generated at
 // build time, and read from XML at run time; views point into whichever of them lives as long as the dialect.
 #pragma once
 

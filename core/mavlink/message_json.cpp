@@ -38,7 +38,7 @@ void writeValue(JsonWriter &json, FieldValue value)
     }
 }
 
-/// Whether the frame can hold the field at all. MAVLink 1 knows no trimming: what is not there was not sent.
+/// True if the frame can hold the field. MAVLink 1 has no trimming: a missing field was not sent.
 bool carries(const Frame &frame, const FieldInfo &field)
 {
     return frame.version() == 2 || !field.extension || field.offset < frame.payload().size();

@@ -15,7 +15,7 @@ namespace skyseal::mavlink {
 /// - floats are the shortest numbers that read back to the same bits, and "NaN", "Infinity", "-Infinity". A NaN other than
 ///   the usual one (0x7fc00000, 0x7ff8000000000000) is spelled out in a further member of the event,
 ///   "nan_bits":{"field":{"index":"hex"}};
-/// - char arrays are strings without the zeros at their end. What is no UTF-8 shows as U+FFFD, and the bytes of such a
+/// - char arrays are strings without the zeros at their end. Invalid UTF-8 shows as U+FFFD, and the bytes of such a
 ///   field are spelled out in a further member of the event, "text_bytes":{"field":"hex"}, so that nothing is lost;
 /// - fields that a MAVLink 1 frame does not carry (extensions) are left out.
 void writeMessageJson(JsonWriter &json, const Frame &frame, std::optional<WallTime> time = std::nullopt);

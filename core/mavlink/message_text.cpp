@@ -24,7 +24,7 @@ std::string quoted(std::string_view text)
     return out + '"';
 }
 
-/// The names of the bits that are set; what has no name as one number.
+/// The names of the bits that are set; the rest as one number.
 std::string bitNames(const EnumInfo &definition, std::uint64_t bits)
 {
     std::string out;

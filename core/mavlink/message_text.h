@@ -12,7 +12,7 @@ namespace skyseal::mavlink {
 std::string messageText(const Frame &frame, const Dialect &dialect);
 
 /// A field's value as people read it: the entry's name, the set bits' names joined by "|", or the number with its unit.
-/// Arrays in brackets, text in quotes with what cannot be printed as \xNN.
+/// Arrays in brackets, text in quotes with unprintable bytes as \xNN.
 std::string fieldText(const Frame &frame, const FieldInfo &field, const Dialect &dialect);
 
 } // namespace skyseal::mavlink

@@ -1,4 +1,4 @@
-// MAVLink 2 message signing, as every station and autopilot speaks it: https://mavlink.io/en/guide/message_signing.html
+// MAVLink 2 message signing in the standard format: https://mavlink.io/en/guide/message_signing.html
 // A signed frame ends in a link id, 48 bits of time and the first 48 bits of SHA-256 over the key and all that stands
 // before.
 #pragma once
@@ -20,15 +20,15 @@ inline constexpr SigningTime kSigningMinute = 6'000'000;
 /// 0 for moments before 2015.
 SigningTime signingTime(WallTime time);
 
-/// Signs what one sender writes on one link. Its time never stands still nor runs back: each frame gets at least one unit
-/// more than the one before. Keep `lastTime()` across restarts and hand it back in.
+/// Signs the frames of one sender on one link. Its time increases strictly: each frame gets at least one unit
+/// more than the one before. Store `lastTime()` across restarts and pass it to the constructor.
 class FrameSigner
 {
 public:
     FrameSigner(Key32 key, std::uint8_t linkId, SigningTime start = 0) : m_key(std::move(key)), m_last(start), m_linkId(linkId)
     {}
 
-    /// Moves the time on to `now`, if that is later: call it when the clock is at hand, once per wake-up is enough.
+    /// Advances the time to `now`, if that is later. Once per wake-up is enough.
     void advanceTo(SigningTime now) { m_last = std::max(m_last, std::min(now, kMaxSigningTime)); }
     SigningTime lastTime() const { return m_last; }
 
@@ -44,7 +44,7 @@ private:
 /// Fills the signature block with a link id and time of the caller's; for tools that write a given frame again.
 bool signFrame(MutableByteView frame, const Key32 &key, std::uint8_t linkId, SigningTime time);
 
-/// Whether the frame's signature was made with this key; false for unsigned frames. Says nothing about replay.
+/// True if the frame was signed with this key. Does not check for replay.
 bool signatureMatches(const Frame &frame, const Key32 &key);
 
 /// Of a signed frame.
@@ -61,8 +61,8 @@ enum class SignatureVerdict : std::uint8_t {
 };
 inline constexpr std::size_t kSignatureVerdicts = 6;
 
-/// Checks what arrives against one key and remembers the time of every stream (link id, system, component). Only frames
-/// with a right signature change what it remembers.
+/// Verifies frames with one key and keeps the last time of every stream (link id, system, component). Only frames with a
+/// valid signature update these times.
 class SignatureVerifier
 {
 public:

@@ -1,5 +1,5 @@
-// Frames out of a byte stream that comes in pieces (TCP, serial line): keeps the beginning of a frame until its end has
-// come.
+// Extracts frames from a byte stream that arrives in pieces (TCP, serial line): keeps an incomplete frame until its end
+// arrives.
 #pragma once
 
 #include "core/mavlink/frame_scanner.h"
@@ -28,14 +28,14 @@ public:
         }
     }
 
-    /// The stream has ended or broke off: what is left is no frame any more.
+    /// The stream has ended: reports the rest as damaged.
     template<std::invocable<const ScanItem &> Deliver> void finish(Deliver &&deliver)
     {
         deliverComplete(deliver, BufferEnd::Final);
         reset();
     }
 
-    /// Forgets a beginning that was kept; offsets go on.
+    /// Drops an incomplete frame; offsets continue.
     void reset() { m_size = 0; }
 
 private:

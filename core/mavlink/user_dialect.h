@@ -1,4 +1,4 @@
-// A dialect that a user brings along, read while the program runs.
+// A dialect file of the user, read at run time.
 #pragma once
 
 #include "core/mavlink/dialect.h"
@@ -7,7 +7,7 @@
 
 namespace skyseal::mavlink {
 
-/// The built-in dialect and what the XML file `path` defines beside it. Includes of standard definitions (common.xml,
+/// The built-in dialect extended by the definitions of the XML file `path`. Includes of standard definitions (common.xml,
 /// minimal.xml, …) need not lie beside the file: they are built in. Otherwise the rules of Dialect::extended().
 Result<Dialect, InputError> loadUserDialect(const std::string &path);
 

@@ -24,7 +24,7 @@ void Airframe::step(double dt, const Rotors &commands, double supply, const Vect
     const Vector3 thrust{0, 0, -kGravity * lift / m_model.hoverThrust};
     Vector3 acceleration = m_state.attitude.toWorld(thrust) + drag + Vector3{0, 0, kGravity};
 
-    if (m_state.onGround && acceleration.z >= 0) { // its weight holds it: the ground carries what the rotors do not
+    if (m_state.onGround && acceleration.z >= 0) { // the ground carries the rest of its weight
         m_state.velocity = {};
         m_state.rates = {};
         m_state.specificForce = m_state.attitude.toBody({0, 0, -kGravity});

@@ -24,7 +24,7 @@ struct AirframeModel
     double quadraticDrag = 0.012;        ///< 1/m
 };
 
-/// What physics acts on; the truth, which no sensor of the vehicle sees without error.
+/// The true physical state, which sensors measure with errors.
 struct BodyState
 {
     Vector3 position; ///< m, NED; the ground is z = 0
@@ -44,11 +44,11 @@ public:
     const AirframeModel &model() const { return m_model; }
     const BodyState &state() const { return m_state; }
 
-    /// Moves on by `dt` seconds (2.5 ms is meant). `commands` in [0, 1] per rotor; `supply` scales the thrust as the
+    /// Advances by `dt` seconds (designed for 2.5 ms). `commands` in [0, 1] per rotor; `supply` scales the thrust as the
     /// battery's voltage does; `wind` in m/s NED; `turbulence` in rad/s², body axes.
     void step(double dt, const Rotors &commands, double supply, const Vector3 &wind, const Vector3 &turbulence);
 
-    /// Speed (m/s) of the last touch-down that was not asked for yet; 0 when there was none.
+    /// Speed (m/s) of the last touch-down since the last call; 0 if there was none.
     double takeImpact();
 
 private:

@@ -42,7 +42,7 @@ Rotors AttitudeController::update(double dt, const AttitudeDemand &demand, const
     const double pitch = limited((missing.y * kRateGain + m_trim.y) / authority.y, kTiltShare);
     const double yaw = limited((missing.z * kYawRateGain + m_trim.z) / authority.z, kYawShare);
 
-    // Keep the differences and give up thrust instead: attitude is what keeps a multicopter in the air.
+    // Keep the differences and reduce the thrust instead: attitude has priority over altitude.
     const double spread = std::abs(roll) + std::abs(pitch) + std::abs(yaw);
     const double base = std::clamp(demand.thrust, kIdle + spread, 1 - spread);
     return {base - roll + pitch + yaw, base + roll - pitch + yaw, base + roll + pitch - yaw, base - roll - pitch - yaw};

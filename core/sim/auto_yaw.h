@@ -1,4 +1,4 @@
-// Where the nose points in the modes that fly by themselves: to the next place, or where the operator said.
+// Heading in automatic modes: towards the next place, or as the operator requested.
 #pragma once
 
 #include "core/sim/situation.h"
@@ -8,14 +8,14 @@ namespace skyseal::sim {
 class AutoYaw
 {
 public:
-    /// Back to looking where it flies; keeps the present heading until there is a direction.
+    /// Back to the direction of flight; keeps the present heading until there is one.
     void reset(const Situation &s)
     {
         m_fixed = false;
         m_heading = {s.estimate.attitude.euler().yaw, 0};
     }
 
-    /// Keeps a heading (rad) until the next reset; `rate` in rad/s, 0 = the parameter's.
+    /// Keeps a heading (rad) until the next reset; `rate` in rad/s, 0 = as the parameter says.
     void fix(double heading, double rate = 0)
     {
         m_fixed = true;

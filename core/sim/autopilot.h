@@ -1,5 +1,5 @@
 // The vehicle without its radio: a simulated quadcopter in a simulated world, and the autopilot that flies it, in steps of
-// 2.5 ms. Knows no MAVLink; every request is a method, every refusal a sentence.
+// 2.5 ms. Independent of MAVLink: every request is a method, every refusal a sentence.
 #pragma once
 
 #include "core/sim/airframe.h"
@@ -25,7 +25,7 @@ struct AutopilotConfig
 class Autopilot
 {
 public:
-    /// Why something was not done, as a sentence for the operator.
+    /// Reason of a refusal, as a sentence for the operator.
     using Refusal = std::optional<std::string>;
 
     explicit Autopilot(const AutopilotConfig &config);
@@ -41,20 +41,20 @@ public:
     /// Goes to a place in GUIDED, NED from the origin.
     Refusal goTo(const Vector3 &place);
     Refusal move(const Vector3 &velocity);
-    /// Turns the nose (rad) in GUIDED and AUTO; `rate` in rad/s, 0 = the parameter's.
+    /// Turns the nose (rad) in GUIDED and AUTO; `rate` in rad/s, 0 = as the parameter says.
     Refusal face(double heading, double rate);
     enum class SpeedKind { Ground, Climb, Descent };
     Refusal changeSpeed(SpeedKind kind, double speed);
     Refusal startMission();
     bool setHome(const Vector3 &place);
-    /// A failsafe acts: RTL, or landing where that cannot be flown; what stands on the ground is disarmed.
+    /// Triggers a failsafe: RTL, or landing if RTL is impossible; on the ground it disarms.
     void failsafe(std::string_view cause, FlightMode action);
 
     bool armed() const { return m_armed; }
     bool landed() const { return m_landDetector.landed(); }
     bool inFailsafe() const { return m_inFailsafe; }
     void setInFailsafe(bool active) { m_inFailsafe = active; }
-    /// The first thing that speaks against arming, without "PreArm: "; nullopt when it could be armed now.
+    /// The first failed arming check, without "PreArm: "; nullopt if all pass.
     Refusal preArm() const;
 
     Situation situation() const;

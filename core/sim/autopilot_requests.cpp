@@ -1,4 +1,4 @@
-// The requests that an operator can make of the autopilot: when each is granted, and in which words it is refused.
+// Requests of an operator to the autopilot: the conditions of each and the texts of its refusals.
 #include "core/sim/autopilot.h"
 
 namespace skyseal::sim {

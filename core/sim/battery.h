@@ -1,4 +1,4 @@
-// A three-cell lithium battery: voltage by charge, sag under load, and what a power module would report.
+// A three-cell lithium battery: voltage by charge, sag under load, and the readings of a power module.
 #pragma once
 
 namespace skyseal::sim {
@@ -21,7 +21,7 @@ public:
     double energy() const { return m_energy; }     ///< J since it was put in
     /// Percent left as a fuel gauge counts it, 0 to 100.
     double percent() const;
-    /// What the rotors get, relative to a full battery at rest.
+    /// Voltage at the rotors, relative to a full battery at rest.
     double supply() const { return m_voltage / kFull; }
 
 private:

@@ -1,4 +1,4 @@
-// Notices that the battery runs low, by voltage for a while or by what was drawn, once per level.
+// Detects a low battery, by voltage over time or by consumed charge, once per level.
 #pragma once
 
 #include "core/sim/battery.h"

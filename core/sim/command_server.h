@@ -1,5 +1,5 @@
-// MAVLink's command protocol, the vehicle's side (https://mavlink.io/en/services/command.html): every COMMAND_LONG and
-// COMMAND_INT that is meant for this vehicle gets exactly one COMMAND_ACK.
+// Vehicle side of the command protocol (https://mavlink.io/en/services/command.html): every COMMAND_LONG and COMMAND_INT
+// addressed to this vehicle gets exactly one COMMAND_ACK.
 #pragma once
 
 #include "core/sim/autopilot.h"
@@ -30,11 +30,11 @@ public:
 
     void handle(TimePoint now, const Peer &peer, const Command &command);
 
-    /// Whether a reboot was asked for and granted since the last call.
+    /// Returns true if a reboot was requested and accepted since the last call.
     bool takeReboot() { return std::exchange(m_reboot, false); }
 
-    /// Where a command or message means, NED; nullopt when the frame or the place cannot be used. A zero or not-a-number
-    /// place means here.
+    /// Place of a command or message, NED; nullopt if the coordinate frame or the place is unusable. Zero or NaN means the
+    /// current place.
     static std::optional<Vector3> place(const Autopilot &autopilot, std::uint8_t frame, double latitude, double longitude,
                                         double altitude);
 

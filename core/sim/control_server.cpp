@@ -72,7 +72,7 @@ void ControlServer::face(std::uint16_t mask, double yaw, double offset)
 void ControlServer::localTarget(ByteView payload)
 {
     if (m_autopilot.modes().current() != FlightMode::Guided)
-        return; // streams of targets in another mode are ignored without a word
+        return; // streams of targets in another mode are ignored silently
     const auto in = SetPositionTargetLocalNed::decode(payload);
     const Estimate &here = m_autopilot.estimate();
     const bool body = in.coordinate_frame == MAV_FRAME_BODY_NED || in.coordinate_frame == MAV_FRAME_BODY_OFFSET_NED;

@@ -1,5 +1,5 @@
-// The messages that steer without being commands: SET_MODE, position and velocity targets, stick overrides. None is
-// answered; what is refused is said as text.
+// Control messages other than commands: SET_MODE, position and velocity targets, stick overrides. They are not
+// acknowledged; a refusal becomes a STATUSTEXT.
 #pragma once
 
 #include "core/mavlink/frame.h"
@@ -12,7 +12,7 @@ class ControlServer
 public:
     explicit ControlServer(Autopilot &autopilot) : m_autopilot(autopilot) {}
 
-    /// False when the message is none of these.
+    /// Returns false for other messages.
     bool handle(TimePoint now, const mavlink::Frame &frame);
 
 private:

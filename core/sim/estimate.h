@@ -1,4 +1,4 @@
-// What the vehicle believes about itself. Everything that flies or reports uses this, never the truth.
+// State of the vehicle as its sensors estimate it. Control and telemetry use this, never the true state.
 #pragma once
 
 #include "core/sim/attitude.h"

@@ -8,7 +8,7 @@
 
 namespace skyseal::sim {
 
-/// Ratios of the innovations to what the filter allows; 1 is the limit.
+/// Ratios of the innovations to their limits; 1 is the limit.
 struct FilterVariances
 {
     double velocity = 0;

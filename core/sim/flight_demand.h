@@ -1,4 +1,4 @@
-// What a flight mode wants right now; the position controller turns it into an attitude and a thrust.
+// Demand of a flight mode, which the position controller turns into an attitude and a thrust.
 #pragma once
 
 #include "core/sim/vector3.h"
@@ -47,7 +47,7 @@ struct Thrust
 };
 using Vertical = std::variant<Thrust, Climb, HoldAltitude>;
 
-/// Turn to a heading (rad) at no more than `rate` rad/s; 0 means the parameter's.
+/// Turn to a heading (rad) at no more than `rate` rad/s; 0 means as the parameter says.
 struct Heading
 {
     double yaw = 0;

@@ -1,4 +1,4 @@
-// The mode that flies, and the switch between modes: which may be entered when, and who takes over.
+// The active flight mode and the change between modes, with the conditions for entering each.
 #pragma once
 
 #include "core/sim/flight_mode.h"
@@ -14,7 +14,7 @@ public:
     explicit FlightModes(const LocalFrame &world) : m_auto(world) {}
 
     FlightMode current() const { return m_current; }
-    /// Enters a mode; nullptr, or the reason in ArduCopter's words why it stays in the present one.
+    /// Enters a mode. Returns nullptr, or ArduCopter's reason for staying in the present mode.
     const char *enter(FlightMode mode, const Situation &s);
     FlightDemand update(double dt, const Situation &s);
 
@@ -23,7 +23,7 @@ public:
     MissionRunner &mission() { return m_auto; }
     const MissionRunner &mission() const { return m_auto; }
 
-    /// Where the present mode is heading for, NED; nullopt where that means nothing.
+    /// Target of the present mode, NED; nullopt if it has none.
     std::optional<Vector3> place(const Situation &s) const;
 
 private:

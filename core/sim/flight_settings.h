@@ -1,4 +1,4 @@
-// What flying needs to know of the parameters, in SI units: a plain value that is made anew when a parameter changes.
+// The parameters that control needs, in SI units; built again after every change of a parameter.
 #pragma once
 
 #include "core/sim/attitude.h"

@@ -15,7 +15,7 @@ constexpr std::uint8_t kComponent = mavlink::MAV_COMP_ID_AUTOPILOT1;
 bool FrameRouter::isForUs(const mavlink::Frame &frame) const
 {
     if (frame.systemId() == systemId && frame.componentId() == kComponent)
-        return false; // an echo of our own
+        return false; // an echo of an own frame
     const std::uint8_t system = frame.targetSystem(), component = frame.targetComponent();
     return (system == 0 || system == systemId) && (component == 0 || component == kComponent);
 }
@@ -156,7 +156,7 @@ bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Fram
     case mavlink::Timesync::kId: {
         const auto in = mavlink::Timesync::decode(frame.payload());
         if (in.tc1 != 0)
-            return true; // an answer, and we ask nobody
+            return true; // an answer; this vehicle sends no requests
         mavlink::Timesync out;
         out.tc1 = std::max<std::int64_t>((now - boot).count(), 1);
         out.ts1 = in.ts1;
@@ -168,7 +168,7 @@ bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Fram
     case mavlink::Ping::kId: {
         auto ping = mavlink::Ping::decode(frame.payload());
         if (ping.target_system != 0)
-            return true; // somebody's answer
+            return true; // an answer
         ping.target_system = peer.system;
         ping.target_component = peer.component;
         outbox.send(ping);

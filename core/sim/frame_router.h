@@ -1,4 +1,4 @@
-// Hands each frame that is meant for the vehicle to the server of its micro-protocol; answers PING and TIMESYNC itself.
+// Passes each frame addressed to the vehicle to the server of its micro-protocol; answers PING and TIMESYNC itself.
 #pragma once
 
 #include "core/sim/command_server.h"
@@ -30,7 +30,7 @@ private:
     bool routeParameter(TimePoint now, const mavlink::Frame &frame) const;
     bool routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
     bool routeLink(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
-    /// An item that is no part of a mission: 2 = fly there, 3 = change height.
+    /// An item outside a mission, by its `current` field: 2 = fly there, 3 = change height.
     void flyTo(const Peer &peer, const MissionItem &item, std::uint8_t kind) const;
 };
 

@@ -1,4 +1,4 @@
-// Notices that the ground station fell silent: its heartbeats stopped after at least one was heard.
+// Detects the loss of the ground station: its heartbeats stopped after at least one arrived.
 #pragma once
 
 #include "core/base/clock.h"
@@ -10,7 +10,7 @@ class GcsWatch
 public:
     enum class Event { None, Lost, Back };
 
-    /// A heartbeat of the one station that counts (SYSID_MYGCS).
+    /// A heartbeat of the station with the system id SYSID_MYGCS.
     void heartbeat(TimePoint now)
     {
         m_seen = true;
@@ -19,7 +19,7 @@ public:
 
     bool lost() const { return m_lost; }
 
-    /// A change since the last call; each is told once.
+    /// Returns the change since the last call.
     Event update(TimePoint now, Duration timeout)
     {
         const bool silent = m_seen && now - m_last > timeout;

@@ -1,4 +1,4 @@
-// GUIDED: the ground station flies. Take-off, go to a place, move at a velocity, turn; with nothing asked, it holds.
+// GUIDED: the ground station flies. Take-off, go to a place, move at a velocity, turn; without a request it holds its position.
 #pragma once
 
 #include "core/sim/auto_yaw.h"

@@ -1,4 +1,4 @@
-// Whether the vehicle stands on the ground, as it can tell itself: it touches, and does not try to leave, for a second.
+// Detects landing from the own sensors: ground contact without demand for lift, for one second.
 #pragma once
 
 namespace skyseal::sim {
@@ -10,7 +10,7 @@ public:
     /// Seconds on the ground with idle or stopped rotors.
     double idleFor() const { return m_idleFor; }
 
-    /// `touching`: the legs carry weight; `idle`: no lift is asked for; `armed`: rotors may turn.
+    /// `touching`: the legs carry weight; `idle`: no lift is demanded; `armed`: rotors may turn.
     void step(double dt, bool touching, bool idle, bool armed)
     {
         m_touchingFor = touching ? m_touchingFor + dt : 0;

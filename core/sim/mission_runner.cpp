@@ -95,7 +95,7 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
     return hold(s);
 }
 
-/// Begins the current item; what only does something is done at once, up to the next place to fly to.
+/// Begins the current item. Items without a place take effect at once, up to the next place to fly to.
 void MissionRunner::startItem(const Situation &s)
 {
     for (int steps = 0; steps < 200; ++steps) {

@@ -77,8 +77,8 @@ void MissionServer::handleItem(TimePoint now, const Peer &peer, std::uint16_t se
     if (sequence < m_incoming.size())
         return; // a copy of one that we have
     if (sequence > m_incoming.size())
-        return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE); // the right one is asked for again, in its time
-    if (sequence > 0) {                                         // item 0 is home, whatever it says
+        return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE); // the expected item is requested again later
+    if (sequence > 0) {                                         // item 0 is always home
         if (const auto error = checkItem(item))
             return finish(static_cast<std::uint8_t>(*error));
     }

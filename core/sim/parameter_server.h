@@ -1,4 +1,4 @@
-// MAVLink's parameter protocol, the vehicle's side (https://mavlink.io/en/services/parameter.html).
+// Vehicle side of the parameter protocol (https://mavlink.io/en/services/parameter.html).
 #pragma once
 
 #include "core/sim/frame_queue.h"
@@ -15,11 +15,11 @@ public:
         : m_parameters(parameters), m_outbox(outbox), m_texts(texts)
     {}
 
-    /// PARAM_REQUEST_LIST: starts, or starts again, sending all of them at a pace that a radio can take.
+    /// PARAM_REQUEST_LIST: (re)starts sending all of them, at a pace that a radio can carry.
     void requestList(TimePoint now);
-    /// PARAM_REQUEST_READ: by index, or by name when the index is negative. What does not exist is not answered.
+    /// PARAM_REQUEST_READ: by index, or by name if the index is negative. Unknown parameters get no answer.
     void requestRead(int index, std::string_view name);
-    /// PARAM_SET: answered with the value that holds now, whether it was taken or not.
+    /// PARAM_SET: answered with the resulting value, whether it was accepted or not.
     void set(std::string_view name, float value);
 
     void handleDeadline(TimePoint now);

@@ -19,17 +19,17 @@ public:
     const ParameterInfo &info(std::size_t index) const { return parameterTable()[index]; }
 
     float value(std::size_t index) const { return m_values[index]; }
-    /// The value of a parameter that the table has; 0 for any other name.
+    /// The value of a parameter; 0 for a name that is not in the table.
     float value(std::string_view name) const;
     int integer(std::string_view name) const { return static_cast<int>(value(name)); }
     bool flag(std::string_view name) const { return value(name) != 0; }
 
     enum class SetResult { Stored, Unknown, NotFinite, OutOfRange };
-    /// Stores a value, rounded where the type is an integer. What is not stored leaves everything as it was.
+    /// Stores a value, rounded if the type is an integer. A value that is refused changes nothing.
     SetResult set(std::size_t index, float value);
     SetResult set(std::string_view name, float value);
 
-    /// Rises with every stored value: whoever keeps a copy of some values sees that it is old.
+    /// Rises with every stored value, so that holders of copies detect a change.
     unsigned revision() const { return m_revision; }
 
 private:

@@ -1,4 +1,4 @@
-// Who sent a frame, so that an answer finds its way back.
+// Sender of a frame, to address the answer.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // The radio control side: eight channels in µs, as a transmitter would give them or as a ground station overrides them.
-// With nobody at the sticks they rest where a careful pilot's hands would be: centred, the throttle down while the
-// vehicle stands and in the middle while it flies.
+// Without input the sticks rest at safe positions: centred, the throttle down while the vehicle is on the ground and in
+// the middle while it flies.
 #pragma once
 
 #include "core/base/clock.h"

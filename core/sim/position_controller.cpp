@@ -8,7 +8,7 @@ constexpr double kJerk = 5;               // m/s³
 constexpr double kVerticalJerk = 5;       // m/s³
 constexpr double kFollow = 2.5;           // 1/s: how briskly the shaped velocity closes in
 constexpr double kTurnAcceleration = 0.8; // rad/s²
-constexpr double kPatience = 0.35;        // the integral is for wind, not for the lag of a lean that was just asked for
+constexpr double kPatience = 0.35;        // the integral compensates wind, not the lag of the lean angle
 constexpr double kPushLimit = 4;          // m/s²
 
 /// Speed at which a target `distance` away can be approached so that it is met at rest: proportional near by, and never
@@ -88,7 +88,7 @@ AttitudeDemand PositionController::update(double dt, const FlightDemand &demand,
 Vector3 PositionController::wantedVelocity(const FlightDemand &demand, const Estimate &estimate,
                                            const FlightSettings &settings) const
 {
-    Vector3 wanted = estimate.velocity; // what nobody controls is followed, so that taking over starts without a jump
+    Vector3 wanted = estimate.velocity; // uncontrolled axes follow the estimate, so that control starts without a jump
     if (const auto *place = std::get_if<GoTo>(&demand.horizontal)) {
         const Vector3 way{place->north - estimate.position.x, place->east - estimate.position.y, 0};
         const double distance = way.horizontal();

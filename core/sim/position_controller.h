@@ -13,7 +13,7 @@ class ShapedVelocity
 {
 public:
     void reset(const Vector3 &velocity);
-    /// Moves on by `dt` seconds towards `wanted`; the vertical part has limits of its own.
+    /// Advances by `dt` seconds towards `wanted`; the vertical part has separate limits.
     void step(double dt, const Vector3 &wanted, double acceleration, double verticalAcceleration);
     const Vector3 &velocity() const { return m_velocity; }
     const Vector3 &acceleration() const { return m_acceleration; }

@@ -8,13 +8,13 @@ namespace skyseal::sim {
 
 namespace {
 
-// Several round trips, so that a slow link is not asked to carry more because it is slow.
+// Several round trips, so that the delay of a slow link does not count as loss.
 constexpr Duration kLeastPatience = std::chrono::milliseconds(100);
 constexpr Duration kMostPatience = std::chrono::seconds(10);
 constexpr Duration kFirstPatience = std::chrono::seconds(3); ///< while nothing is known of the link
 constexpr unsigned kLostAfter = 3;                           // as in TCP (RFC 5681)
 
-/// Bursts that may wait for a line: while one goes out the next is there. Telemetry that was asked for waits between them.
+/// Bursts that may queue at a line: one is transmitted while the next waits. Requested telemetry queues between them.
 constexpr double kMostQueued = 2;
 /// Waiting of less is a busy processor's or jitter, and no line's.
 constexpr Duration kNoQueue = std::chrono::milliseconds(60);

@@ -1,7 +1,7 @@
-// Loads a link with as much telemetry as it carries: bursts go out while not too many are unanswered, and each ends with a
-// TIMESYNC request, which every station answers. How many may be unanswered grows while all answers come and is halved when
-// one is missing, as TCP does; and where answers come late because bursts wait for a slow line it holds only as many there
-// as keep the line busy, as TCP Vegas does, so that what is lost on such a line was not lost to this. Sans-I/O.
+// Loads a link with as much telemetry as it carries. Telemetry is sent in bursts, each ending with a TIMESYNC request, which
+// every station answers. The limit of unanswered bursts grows while all answers arrive and is halved when one is missing, as
+// in TCP. If answers are delayed because bursts queue at a slow line, only as many are outstanding as keep the line busy, as
+// in TCP Vegas, so that the saturator itself causes no loss there. Sans-I/O.
 #pragma once
 
 #include "core/sim/simulated_vehicle.h"
@@ -17,9 +17,9 @@ public:
     static constexpr double kWidest = 32;     ///< bursts unanswered; what a socket's buffer holds
     static constexpr std::size_t kAtOnce = 4; ///< bursts that fit the vehicle's outbox
 
-    /// A frame from a station. A burst is taken as lost once three later ones were answered: links reorder.
+    /// A frame from a station. A burst counts as lost after answers to three later ones, since links reorder.
     void handleFrame(TimePoint now, const mavlink::Frame &frame);
-    /// Lets the vehicle send what is due; true when there is more to come once its outbox is empty.
+    /// Makes the vehicle send the bursts that are due. Returns true if more follow once its outbox is empty.
     bool advance(TimePoint now, SimulatedVehicle &vehicle);
 
     std::size_t unanswered() const { return m_open.size(); }

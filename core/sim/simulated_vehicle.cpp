@@ -71,7 +71,7 @@ void SimulatedVehicle::advance(TimePoint now)
         parts.look = std::max(parts.look, now);
         parts.streams.skipTo(now);
     }
-    // From event to event, so that what is sent does not depend on how often this is called.
+    // From event to event, so that the output does not depend on how often this is called.
     for (TimePoint next = nextDeadline(); next <= now; next = nextDeadline()) {
         parts.fly(std::max(next, parts.last) - parts.last);
         parts.last = std::max(next, parts.last);

@@ -1,11 +1,11 @@
-// One simulated vehicle as the other end of a link sees it: frames and time go in, frames come out. Composes the autopilot
+// One simulated vehicle as seen from the other end of a link: frames and time go in, frames come out. Composes the autopilot
 // and one server per MAVLink micro-protocol, and only routes between them.
 //
 // Sans-I/O. Input: handleFrame(), advance(). Output, after any input: pollFrame() until it is empty. Query: nextDeadline().
 //
-// Two times: what belongs to the link (heartbeats, streams, repetitions, the station's silence) runs on the caller's clock;
-// flying runs SIM_SPEEDUP times as fast, and so does time_boot_ms. A station can therefore speed a flight up without
-// having to speak faster, and without being taken for lost.
+// Two clocks: link functions (heartbeats, streams, repetitions, loss of the station) run on the caller's clock; flight and
+// time_boot_ms run SIM_SPEEDUP times as fast. A station can therefore speed a flight up without sending faster and without
+// being considered lost.
 #pragma once
 
 #include "core/base/clock.h"
@@ -32,19 +32,19 @@ public:
     SimulatedVehicle(SimulatedVehicle &&) noexcept;
     SimulatedVehicle &operator=(SimulatedVehicle &&) noexcept;
 
-    /// A frame that arrived; what is not meant for this vehicle is ignored.
+    /// A received frame; frames for other targets are ignored.
     void handleFrame(TimePoint now, const mavlink::Frame &frame);
-    /// Lives on until `now`. After a stop of more than a second, the telemetry of the gap is left out.
+    /// Advances to `now`. After a gap of more than a second, the telemetry of the gap is skipped.
     void advance(TimePoint now);
     TimePoint nextDeadline() const;
 
-    /// Telemetry at once, beside the streams: so many messages of the usual kinds, and behind them a TIMESYNC request whose
-    /// ts1 is `ticket`. A station's answer says that it has all of them.
+    /// Sends telemetry at once, in addition to the streams: `messages` common messages, then a TIMESYNC request whose ts1 is
+    /// `ticket`. The answer of a station shows that all of them arrived.
     void sendBurst(TimePoint now, std::size_t messages, std::int64_t ticket);
 
     /// The next frame to send, valid until the next call to this object; empty when there is none.
     ByteView pollFrame();
-    /// Frames that nobody fetched in time.
+    /// Frames dropped because the outbox was full.
     std::uint64_t dropped() const;
 
     std::uint8_t systemId() const;

@@ -1,4 +1,4 @@
-// What a flight mode may look at while it decides what to do next.
+// Input of a flight mode for its next decision.
 #pragma once
 
 #include "core/sim/estimate.h"

@@ -1,4 +1,4 @@
-// What the vehicle has to say to people, waiting to be sent.
+// Status texts that wait to be sent.
 #pragma once
 
 #include "core/mavlink/enums.h"

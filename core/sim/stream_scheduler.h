@@ -1,5 +1,5 @@
-// Which message is due when: the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, and single messages
-// whose interval was set on its own. Rates are exact in the long run.
+// Schedule of telemetry: the groups of REQUEST_DATA_STREAM, whose rates are the SR0_ parameters, and single messages with
+// an interval of their own. Rates are exact in the long run.
 #pragma once
 
 #include "core/base/clock.h"
@@ -15,13 +15,13 @@ class StreamScheduler
 public:
     explicit StreamScheduler(TimePoint start) : m_start(start) {}
 
-    /// Takes over the SR0_ parameters where they changed.
+    /// Applies changed SR0_ parameters.
     void applyParameters(TimePoint now, const Parameters &parameters);
 
     /// REQUEST_DATA_STREAM: sets the rate of a group (MAV_DATA_STREAM; 0 = all) in Hz through its parameter. False for an
     /// unknown group.
     static bool requestGroup(Parameters &parameters, std::uint8_t stream, int rate);
-    /// Single intervals of the group's messages are forgotten, as a later wish overrides an earlier one.
+    /// Drops single intervals of the group's messages: a later request overrides an earlier one.
     void forgetSingles(std::uint8_t stream);
 
     /// Interval of one message: positive is a period, zero goes back to its group's rate, negative switches it off.
@@ -33,7 +33,7 @@ public:
     /// The message that is due by `now`, one a call, in the order of their times; nullopt when none is left.
     std::optional<std::uint32_t> pollDue(TimePoint now);
     TimePoint nextDeadline() const;
-    /// After a long stop of the clock: what was missed is not sent in a burst.
+    /// After a long stop of the clock: messages that were due meanwhile are skipped, not sent in a burst.
     void skipTo(TimePoint now);
 
 private:

@@ -15,7 +15,7 @@ constexpr std::size_t kTextChunk = 50;
 
 std::uint16_t pulse(double thrust, const Parameters &parameters)
 {
-    // Thrust grows with the square of the signal, more or less: MOT_THST_EXPO says how much.
+    // Thrust grows about with the square of the signal; MOT_THST_EXPO is the exact curve.
     const double expo = std::max(static_cast<double>(parameters.value("MOT_THST_EXPO")), 0.01);
     const double linear = (expo - 1 + std::sqrt((1 - expo) * (1 - expo) + 4 * expo * std::clamp(thrust, 0.0, 1.0)))
         / (2 * expo);

@@ -1,4 +1,4 @@
-// What the vehicle tells: builds each telemetry message from the autopilot's state, in MAVLink's units.
+// Builds each telemetry message from the autopilot's state, in MAVLink's units.
 #pragma once
 
 #include "core/sim/autopilot.h"
@@ -15,7 +15,7 @@ public:
     /// Wall time at the next messages, for SYSTEM_TIME.
     void setWallTime(WallTime time) { m_wallTime = time; }
 
-    /// Sends one message; false when there is no such message, or nothing to tell now.
+    /// Sends one message. Returns false if it is unknown or its data is not available.
     bool send(std::uint32_t message);
     void sendText(const StatusText &text);
 
@@ -42,7 +42,7 @@ private:
     void extendedState();
     void version();
 
-    /// What the inertial sensors read now, with their noise.
+    /// Current readings of the inertial sensors, with noise.
     struct Inertial
     {
         Vector3 acceleration; ///< m/s², body axes

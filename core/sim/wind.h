@@ -11,7 +11,7 @@ class Wind
 public:
     explicit Wind(std::uint64_t seed) : m_noise(seed, 1) {}
 
-    /// Moves on by `dt` seconds. `speed` in m/s and `from` in rad are the steady part, as a weather report says it.
+    /// Advances by `dt` seconds. `speed` in m/s and `from` in rad (where it blows from) are the steady part.
     void step(double dt, double speed, double from)
     {
         const double gustiness = 0.25 + speed * 0.15;

@@ -1,4 +1,4 @@
-// From the simulation's doubles to the integers of the wire: rounded, and cut to what the field can hold.
+// Conversion of the simulation's doubles to the integers of the wire: rounded and clamped to the range of the field.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace skyseal::sim {
 
-/// `value * scale` as an integer field; what does not fit becomes the nearest end of its range, not-a-number becomes 0.
+/// `value * scale` as an integer field, clamped to its range; NaN becomes 0.
 template<typename Integer> Integer scaled(double value, double scale = 1)
 {
     const double wanted = std::round(value * scale);

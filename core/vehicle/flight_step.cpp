@@ -1,4 +1,4 @@
-// What the steps of a flight script mean and how they are spelt; the parser is in flight_script.cpp.
+// Evaluation of conditions and canonical text of flight script steps; the parser is in flight_script.cpp.
 #include "core/vehicle/flight_script.h"
 #include "core/base/ascii.h"
 

@@ -1,5 +1,5 @@
-// How long this flight has lasted: the seconds armed and off the ground. It stays readable after landing and begins anew at
-// the next take-off after arming.
+// Flight time: the seconds armed and off the ground. It is kept after landing and starts again at the next take-off after
+// arming.
 #pragma once
 
 #include "core/base/clock.h"
@@ -22,7 +22,7 @@ class FlightTimer
 {
 public:
     void handleLandedState(LandedState state) { m_landed = state; }
-    /// With every heartbeat and position. Without a landed state of the vehicle's own, more than half a metre above home is
+    /// Call with every heartbeat and position. Before the vehicle reports a landed state, more than 0.5 m above home counts as
     /// off the ground.
     void update(TimePoint now, bool armed, double altitudeRelative);
 

@@ -1,4 +1,4 @@
-// The station's own heartbeat: what it says and when it is due. Vehicles act when it stops, so it is sent only while the
+// The station's own heartbeat: its content and its schedule. Vehicles act when it stops, so it is sent only while the
 // operator's side answers; the caller decides that.
 #pragma once
 

@@ -1,11 +1,11 @@
-// Distance on the globe, good to the half percent that a sphere is good for.
+// Distance on a spherical Earth, accurate to about 0.5 %.
 #pragma once
 
 #include "core/vehicle/vehicle_state.h"
 
 namespace skyseal::vehicle {
 
-/// Metres along the great circle; NaN when one of them is not known.
+/// Metres along the great circle; NaN if one of them is unknown.
 double distanceMetres(const Position &a, const Position &b);
 
 } // namespace skyseal::vehicle

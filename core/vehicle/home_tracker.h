@@ -1,4 +1,4 @@
-// Where home is: where the vehicle says (HOME_POSITION), and until it says so, where it was when it was armed first.
+// Home position: as reported by the vehicle (HOME_POSITION), before that the position at the first arming.
 #pragma once
 
 #include "core/vehicle/vehicle_state.h"
@@ -8,7 +8,7 @@ namespace skyseal::vehicle {
 class HomeTracker
 {
 public:
-    /// The vehicle's own word, which stands until it gives another.
+    /// A HOME_POSITION, valid until the next one.
     void handleHomePosition(const Position &home, VehicleState &state);
     /// After every change of the position or of the armed flag in `state`; keeps `home` and `distanceHome` up to date.
     void update(VehicleState &state);

@@ -1,5 +1,5 @@
-// The words of one step of a flight script, taken from the front, with what is needed to say exactly where something is
-// wrong.
+// Splits one step of a flight script into tokens, from front to back, and keeps the positions for exact error
+// messages.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::vehicle {
 
-/// Views the script; the script outlives it.
+/// A view of the script, which must outlive it.
 class ScriptTokens
 {
 public:
@@ -23,19 +23,19 @@ public:
     std::string_view rest() const { return m_rest; }
     std::size_t column() const { return m_column; }
 
-    /// The next word up to a space; empty at the end.
+    /// The next token up to a space; empty at the end.
     std::string_view peek() const;
-    /// The letters, digits and underscores that come next.
+    /// The letters, digits and underscores that follow.
     std::string_view peekName() const;
-    /// How many digits stand before a colon that comes next; 0 when that is not what comes.
+    /// Number of digits if digits and a colon follow; 0 otherwise.
     std::size_t digitsBeforeColon() const;
 
     std::string_view take();
-    /// Takes these characters (not a whole word) when they come next.
+    /// Consumes these characters (not a whole token) if they follow.
     bool takeIf(std::string_view text);
     void skip(std::size_t count);
 
-    /// The next word as a number within the limits; otherwise an error that names what was expected.
+    /// The next token as a number within the limits; otherwise an error that names `expected`.
     Result<double, InputError> number(const std::string &expected, double least, double most);
     Result<std::int64_t, InputError> wholeNumber(const std::string &expected, std::int64_t least, std::int64_t most);
     /// Seconds, up to a day.
@@ -43,7 +43,7 @@ public:
 
     /// "step 2: expected a number, found 'ten'" at the current column.
     InputError error(const std::string &expected) const;
-    /// The same about what was taken last.
+    /// The same for the token consumed last.
     InputError errorBefore(const std::string &expected) const;
 
 private:

@@ -14,7 +14,7 @@ double orUnknown(int value)
     return value < 0 ? kUnknown : value;
 }
 
-// The first sixteen are what readers of the statistics rely on; the rest follows the status line.
+// Readers of the statistics rely on the first sixteen.
 constexpr StateField kFields[] = {
     {"sysid", "", Kind::Integer, [](const State &s) -> double { return s.systemId; }},
     {"mode", "", Kind::Text, nullptr, [](const State &s) -> const std::string & { return s.mode; }},

@@ -13,7 +13,7 @@ void StatusTextJoiner::handleChunk(TimePoint now, std::uint8_t component, std::u
 {
     const bool sameText = m_pending && id != 0 && m_pending->component == component && m_pending->id == id;
     if (sameText && chunk < m_pending->nextChunk)
-        return; // came twice
+        return; // a duplicate
     if (!sameText)
         finish();
     if (id == 0) {

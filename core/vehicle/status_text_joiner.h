@@ -34,7 +34,7 @@ public:
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const { return m_pending ? m_pending->since + kTimeout : kNever; }
 
-    /// What is complete, oldest first.
+    /// The oldest complete text.
     std::optional<JoinedText> poll();
 
 private:

@@ -1,4 +1,4 @@
-// How a station wants to treat its vehicles, and who talks to whom.
+// Settings of a station for its vehicles, and the addresses of both ends.
 #pragma once
 
 #include "core/base/clock.h"
@@ -7,11 +7,11 @@
 
 namespace skyseal::vehicle {
 
-/// How much telemetry to ask for.
+/// How much telemetry to request.
 enum class StreamProfile : std::uint8_t {
-    Standard,     ///< what desktop stations are used to
+    Standard,     ///< the usual rates of desktop stations
     LowBandwidth, ///< for satellite links and slow radios
-    Quiet         ///< ask for nothing, take what comes
+    Quiet         ///< request nothing
 };
 
 struct VehicleConfig
@@ -23,7 +23,7 @@ struct VehicleConfig
     Duration timeSyncEvery = std::chrono::seconds(1);
 };
 
-/// Both ends of the conversation with one vehicle.
+/// Addresses of the station and of the vehicle's autopilot.
 struct Addressing
 {
     std::uint8_t ownSystem = 255;
@@ -31,7 +31,7 @@ struct Addressing
     std::uint8_t system = 1;
     std::uint8_t component = 1;
 
-    /// Whether a message with these targets is meant for us; 0 is a broadcast.
+    /// True if a message with these targets is addressed to the station; 0 is a broadcast.
     bool isForUs(std::uint8_t targetSystem, std::uint8_t targetComponent) const
     {
         return (targetSystem == 0 || targetSystem == ownSystem) && (targetComponent == 0 || targetComponent == ownComponent);

@@ -8,11 +8,11 @@ namespace skyseal::vehicle {
 
 namespace {
 
-/// Whether a heartbeat is that of an autopilot, the one component that makes a vehicle.
+/// True for the heartbeat of an autopilot, the only component that announces a vehicle.
 bool isAutopilot(const mavlink::Heartbeat &heartbeat)
 {
     using namespace mavlink;
-    if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID) // says of itself that it is none
+    if (heartbeat.autopilot == MAV_AUTOPILOT_INVALID) // the component declares that it is no autopilot
         return false;
     constexpr std::array<std::uint8_t, 19> kNoVehicles{MAV_TYPE_GCS,         MAV_TYPE_ONBOARD_CONTROLLER,
                                                        MAV_TYPE_GIMBAL,      MAV_TYPE_ADSB,

@@ -1,8 +1,8 @@
-// All vehicles of a station by system id. A vehicle comes to exist by a heartbeat of an autopilot; ground stations, gimbals,
-// cameras and companion computers are no vehicles.
+// All vehicles of a station by system id. The heartbeat of an autopilot announces a vehicle; ground stations, gimbals,
+// cameras and companion computers are not vehicles.
 //
-// Sans-I/O. Frames that no known vehicle sent are ignored, apart from the heartbeat that makes one known. Which path leads
-// to a vehicle is the engine's business.
+// Sans-I/O. Frames of unknown vehicles are ignored, except the heartbeat that announces one. The engine keeps the route to
+// each vehicle.
 #pragma once
 
 #include "core/vehicle/vehicle.h"
@@ -18,21 +18,21 @@ class VehicleSet
 public:
     explicit VehicleSet(const VehicleConfig &config) : m_config(config) {}
 
-    /// True when the frame made a new vehicle known (then `find(frame's system id)` has it).
+    /// Returns true if the frame announced a new vehicle, which find() then returns.
     bool handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
-    /// Whether the frame would make a vehicle known: a heartbeat of an autopilot.
+    /// True for the heartbeat of an autopilot.
     bool announcesVehicle(const mavlink::Frame &frame) const;
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 
-    /// Null when not known. Stays valid until the set dies.
+    /// Null for an unknown vehicle. Valid as long as the set.
     Vehicle *find(std::uint8_t systemId);
     /// By system id, in rising order.
     std::map<std::uint8_t, Vehicle> &all() { return m_vehicles; }
     const std::map<std::uint8_t, Vehicle> &all() const { return m_vehicles; }
     bool empty() const { return m_vehicles.empty(); }
 
-    /// For every vehicle, those that come later included.
+    /// For every vehicle, present and future.
     void setStreams(TimePoint now, StreamProfile profile, double rate = 0);
 
 private:

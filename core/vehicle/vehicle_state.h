@@ -1,5 +1,5 @@
-// What is known of one vehicle, as plain values in the units that people read. Nothing is erased when a link is lost:
-// values keep their last state and an age.
+// State of one vehicle as plain values in the units for display. Nothing is erased when a link is lost: values are
+// kept and get an age.
 #pragma once
 
 #include "core/base/clock.h"
@@ -24,7 +24,7 @@ struct Position
     bool known() const { return !std::isnan(latitude) && !std::isnan(longitude); }
 };
 
-/// One line of the vehicle's own words, long ones joined.
+/// One status text of the vehicle, joined if it came in chunks.
 struct StatusText
 {
     std::uint64_t number = 0; ///< rises by one per vehicle, so that a reader sees which are new
