@@ -111,8 +111,8 @@ void SimHost::report(link::Link &link)
         : "vehicles " + std::to_string(m_settings.systemId) + " to " + std::to_string(last);
     if ((state == State::Listening || state == State::Connected) && !m_settings.json)
         printLine("skyseal-sim: " + who + " " + verb(link)
-                  + (state == State::Listening ? link.localAddress() : link.url().toText()) + " ("
-                  + link.url().type().scheme + ")");
+                  + (state == State::Listening ? link.localAddress() : link.url().toText()) + " (" + link.url().type().scheme
+                  + ")");
     else if (state == State::Waiting)
         remark("skyseal-sim: " + link.error().sentence() + "; trying again");
     else if (state == State::Failed) {

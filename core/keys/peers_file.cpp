@@ -113,7 +113,7 @@ Acquaintance PeersFile::acquaintance(std::string_view name, const channel::Publi
 /// Names and keys occur once: with two lines for a key nobody could say which role it has.
 Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *except) const
 {
-    if (const auto fits = checkPeerEntry(entry); !fits)
+    if (auto fits = checkPeerEntry(entry); !fits)
         return fits;
     for (const Line &line : m_lines) {
         if (!line.isPeer || &line == except)
@@ -128,7 +128,7 @@ Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *ex
 
 Result<void, InputError> PeersFile::add(PeerEntry entry)
 {
-    if (const auto fits = check(entry, nullptr); !fits)
+    if (auto fits = check(entry, nullptr); !fits)
         return fits;
     std::string raw = formatPeerLine(entry);
     m_lines.push_back({std::move(raw), true, std::move(entry)});
@@ -154,7 +154,7 @@ Result<void, InputError> PeersFile::exchange(std::string_view name, PeerEntry en
     Line *line = lineOf(name);
     if (!line)
         return tl::unexpected(InputError{"there is no peer named \"" + std::string(name) + "\"", {}});
-    if (const auto fits = check(entry, line); !fits)
+    if (auto fits = check(entry, line); !fits)
         return fits;
     line->raw = formatPeerLine(entry);
     line->entry = std::move(entry);

@@ -29,7 +29,9 @@ Result<PublicKey, InputError> publicKeyFromText(std::string_view text)
 {
     text = trimmed(text);
     // The text is not quoted: a private key that was pasted by mistake must not show up on a screen or in a log.
-    const auto refuse = [](std::string why) { return tl::unexpected(InputError{"this is not a public key: " + why, {}}); };
+    const auto refuse = [](const std::string &why) {
+        return tl::unexpected(InputError{"this is not a public key: " + why, {}});
+    };
     if (!text.starts_with(kPrefix))
         return refuse("it does not begin with \"skyseal:\"");
     text.remove_prefix(kPrefix.size());

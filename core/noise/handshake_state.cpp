@@ -242,10 +242,10 @@ Result<TransportSecrets, NoiseError> HandshakeState::finish() &&
     // A state that was moved from has no pattern left; its keys are wiped and must not become a session's.
     if (!state.isComplete() || state.m_pattern.messages.empty())
         return tl::unexpected(NoiseError::Unfinished);
-    auto [initiators, responders] = state.m_symmetric.split();
-    const bool initiator = state.m_role == Role::Initiator;
-    return TransportSecrets{initiator ? std::move(initiators) : std::move(responders),
-                            initiator ? std::move(responders) : std::move(initiators), state.handshakeHash()};
+    auto [sending, receiving] = state.m_symmetric.split(); // in the view of the initiator
+    if (state.m_role == Role::Responder)
+        std::swap(sending, receiving);
+    return TransportSecrets{std::move(sending), std::move(receiving), state.handshakeHash()};
 }
 
 } // namespace skyseal::noise
