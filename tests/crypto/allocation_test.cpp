@@ -61,7 +61,7 @@ private Q_SLOTS:
 void AllocationTest::countsAtAll()
 {
     if (!SKYSEAL_COUNTS_ALLOCATIONS)
-        QSKIP("SKIPPED: a sanitizer counts allocations itself");
+        QSKIP("a sanitizer counts allocations itself");
     const std::size_t before = allocations;
     const auto bytes = std::make_unique<Bytes>(100);
     QVERIFY(bytes->size() == 100 && allocations >= before + 2);
@@ -70,7 +70,7 @@ void AllocationTest::countsAtAll()
 void AllocationTest::nothingPerRecord()
 {
     if (!SKYSEAL_COUNTS_ALLOCATIONS)
-        QSKIP("SKIPPED: a sanitizer counts allocations itself");
+        QSKIP("a sanitizer counts allocations itself");
     for (const SuiteInfo &info : suites()) {
         const auto cipher = makeRecordCipher(info.id, DirectionSecret());
         if (!cipher)

@@ -24,7 +24,7 @@ inline QString externalVectorsFolder()
 
 inline const char *externalVectorsMissing()
 {
-    return "SKIPPED: the published vector files are not here; name their folder in SKYSEAL_VECTORS";
+    return "the published vector files are not here; name their folder in SKYSEAL_VECTORS";
 }
 
 /// One of those files; nullopt when the folder is not there. A missing or unreadable file gives an empty object.

@@ -157,7 +157,7 @@ void CounterFileTest::refusesDamagedFiles()
 void CounterFileTest::survivesAFullOrReadOnlyDisk()
 {
     if (::geteuid() == 0)
-        QSKIP("SKIPPED: root may write everywhere");
+        QSKIP("root may write everywhere");
     const std::string path = m_folder.path("frozen");
     const auto store = FileCounterStore::open(path);
     const std::uint64_t before = (*store)->next();
