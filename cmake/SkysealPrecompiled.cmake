@@ -1,5 +1,6 @@
-# Headers that nearly every unit of a kind includes, compiled once for each kind: protocol (no Qt), engine (Qt
-# Core), ui (Widgets), tests (QtTest). Every unit still includes what it uses: SKYSEAL_PCH=OFF must build as well.
+# Precompiled headers of the standard library and Qt, one for each kind of target: protocol (no Qt), engine (Qt Core; also
+# the programs), ui (Widgets), tests (QtTest), ui_tests (QtTest and Widgets). Each unit still includes the headers that it
+# uses, so that it also compiles with SKYSEAL_PCH=OFF.
 option(SKYSEAL_PCH "Precompile the headers of the standard library and Qt" ON)
 
 set(protocol_headers <algorithm> <array> <chrono> <cstdint> <functional> <map> <memory> <optional> <span> <string>
@@ -23,7 +24,7 @@ function(skyseal_precompiled_kind kind)
   target_precompile_headers(skyseal_precompiled_${kind} PRIVATE ${${kind}_headers})
 endfunction()
 
-# A compiler cache takes precompiled headers only when told so, and only with this flag of GCC.
+# ccache caches units with a precompiled header only with this option of GCC and a sloppiness that CMakeLists.txt sets.
 if(SKYSEAL_PCH)
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   skyseal_precompiled_kind(protocol skyseal_hardening)
@@ -32,8 +33,8 @@ if(SKYSEAL_PCH)
     skyseal_precompiled_kind(ui skyseal_hardening Qt6::Widgets)
   endif()
   if(SKYSEAL_TESTS)
-    # QtTest tells each folder's tests where they are (for QFINDTESTDATA, which no test uses), so that no two folders could
-    # share a precompiled header.
+    # Qt6::Test defines the source folder of each target (for QFINDTESTDATA, which no test uses). With that definition, no two
+    # folders could share a precompiled header.
     set_target_properties(Qt6::Test PROPERTIES INTERFACE_COMPILE_DEFINITIONS QT_TESTLIB_LIB)
     skyseal_precompiled_kind(tests Qt6::Test Qt6::Network)
     if(SKYSEAL_UI)

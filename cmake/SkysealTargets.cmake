@@ -1,4 +1,4 @@
-# Targets of the project: options that every one of them shares, and the few verbs to declare one.
+# The options that all targets share, and the functions that declare libraries, programs and tests.
 
 add_library(skyseal_options INTERFACE)
 target_compile_options(skyseal_options INTERFACE
@@ -11,7 +11,7 @@ target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(skyseal_options INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
-# Hardening of everything that may meet hostile bytes, as Debian builds its own network programs.
+# Hardening of all code that reads bytes from a network, as Debian builds its own network programs.
 add_library(skyseal_hardening INTERFACE)
 if(NOT SKYSEAL_SANITIZE)
   target_compile_options(skyseal_hardening INTERFACE
@@ -41,7 +41,7 @@ endif()
 include(SkysealPrecompiled)
 
 # skyseal_library(NAME SOURCES … PUBLIC … PRIVATE … [QT [WIDGETS]]): the static library skyseal_NAME, alias skyseal::NAME.
-# Without QT it does not see Qt at all: the rule "no Qt" of the core layers enforces itself.
+# Without QT it has no include path of Qt, which enforces the rule that the protocol layers do not use Qt.
 function(skyseal_library name)
   cmake_parse_arguments(arg "QT;WIDGETS" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(skyseal_${name} STATIC ${arg_SOURCES})
@@ -59,7 +59,7 @@ function(skyseal_library name)
   endif()
 endfunction()
 
-# skyseal_program(NAME SOURCES … LINK …): a program that is installed.
+# skyseal_program(NAME SOURCES … LINK … COMPONENT …): a program that is installed.
 function(skyseal_program name)
   cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
