@@ -1,5 +1,5 @@
-// Joins the clear frames of one wake-up into datagrams, as large as those of a session: where a sealed link is compared with
-// plain MAVLink, the two shall differ by the sealing and not by how many datagrams they make. I/O thread; nothing is allocated.
+// Coalesces the clear frames of one wake-up into datagrams as large as those of a session: a comparison of a sealed link with
+// plain MAVLink must measure the sealing, not the number of datagrams. I/O thread; nothing is allocated.
 #pragma once
 
 #include "core/channel/sealed.h"
@@ -18,7 +18,7 @@ public:
 
     ClearPacket(LinkPool &links, const Path &to) : m_links(links), m_to(to) {}
 
-    /// A whole frame, of kRoom bytes at the most.
+    /// Adds a whole frame of at most kRoom bytes.
     void add(ByteView frame)
     {
         if (frame.size() > kRoom - m_size)
@@ -27,7 +27,7 @@ public:
         m_size += frame.size();
     }
 
-    /// At the end of each wake-up.
+    /// Call at the end of each wake-up.
     void flush()
     {
         if (m_size > 0)

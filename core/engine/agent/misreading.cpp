@@ -10,7 +10,7 @@ namespace skyseal::engine {
 namespace {
 
 constexpr std::size_t kHead = 10;
-/// Of the command's number, in COMMAND_LONG and COMMAND_INT.
+/// Offset of the command id in COMMAND_LONG and COMMAND_INT.
 constexpr std::size_t kCommandOffset = 28;
 
 bool isMagic(std::uint8_t byte)
@@ -18,7 +18,7 @@ bool isMagic(std::uint8_t byte)
     return byte == mavlink::kMagic1 || byte == mavlink::kMagic2;
 }
 
-/// Printable, then zeros.
+/// Returns true for printable characters followed by zeros.
 bool isText(ByteView name)
 {
     const auto end = std::find(name.begin(), name.end(), 0);
@@ -42,8 +42,7 @@ bool actsOnAVehicle(std::uint16_t command)
     return kCommands && !kCommands->nameOf(command).empty() && !isQuestion(command);
 }
 
-/// What can stand at the place of the command's number when bytes are lost, there or before it: any two from there on, in
-/// their order.
+/// The values that can appear as the command id when bytes are lost there or before it: any two later bytes, in order.
 bool hasCommandBehindItsCommand(const mavlink::Frame &frame)
 {
     constexpr std::size_t kCommand = kHead + kCommandOffset;

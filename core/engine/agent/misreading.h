@@ -1,25 +1,26 @@
-// What a frame can be taken for on a line that loses bytes. An autopilot whose serial line dropped the first byte of a frame
-// looks for the next one within it, and executes a whole frame that it finds there; so what an observer says, which is
-// harmless as it stands, must be nothing else either when part of it is missing.
+// Detects frames that can be misread on a line that loses bytes. An autopilot whose serial line dropped the first byte of a
+// frame searches the rest for the next one, and executes a whole frame that it finds there. A frame of an observer, harmless
+// as it was sent, must therefore not become another message when bytes of it are missing.
 //
-// - A frame begins with 0xFD or 0xFE. Where neither stands behind the first byte nothing can begin there, neither a frame
-//   that is nested in one of ours nor one that goes on into the next: to look for whole nested frames would overlook the
-//   latter. That refuses one honest TIMESYNC in thirteen, with sequence and checksum; the next one passes.
-// - The first byte may be kept and others lost. MAVLink 1 has so short a head that one lost byte makes the sequence number
-//   the length and the first byte of the payload the message. One lost byte of MAVLink 2's head makes no other message; what
-//   several make is in THREATS.md. Its flags for compatibility and payloads longer than the message have no meaning, so
-//   whatever stands there was put there for this.
-// - A command is a number before fields that the sender chooses. When bytes of it or before it are lost, others of the frame
-//   take their place: no two of them may be another command.
+// - A frame begins with 0xFD or 0xFE. If neither byte occurs behind the first one, no frame can begin there: neither one that
+//   is nested in this frame nor one that continues into the next, which a search for whole nested frames would overlook.
+//   This refuses one honest TIMESYNC in thirteen, because of its sequence number and checksum; the next one passes.
+// - The first byte may be kept and others lost. The header of MAVLink 1 is so short that one lost byte turns the sequence
+//   number into the length and the first payload byte into the message id. One lost byte of a MAVLink 2 header makes no other
+//   message; THREATS.md covers the loss of several. Unused compatibility flags, and payloads longer than the message, have no
+//   meaning, so a sender that uses them does so for this attack.
+// - A command id stands before fields that the sender chooses. When bytes of it or before it are lost, later bytes take their
+//   place: no two of them may form another command id.
 #pragma once
 
 #include "core/mavlink/frame.h"
 
 namespace skyseal::engine {
 
-/// MAVLink 2, nothing in it that the message does not have, and names are text: what an honest station always says.
+/// Returns true for MAVLink 2 without unused flags, surplus payload bytes or names that are not text: what an honest station
+/// always sends.
 bool isPlainlySaid(const mavlink::Frame &frame);
-/// A frame or a command could be read out of its middle. Happens to honest frames by chance.
+/// Returns true if another frame or command could be read from the middle of this one. Happens to honest frames by chance.
 bool mayBeMisread(const mavlink::Frame &frame);
 
 } // namespace skyseal::engine

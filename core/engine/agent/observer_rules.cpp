@@ -13,7 +13,7 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Messages that are not among the typed ones.
+/// Messages for which no typed struct is generated.
 constexpr std::uint32_t kParamExtRequestRead = 320, kParamExtRequestList = 321;
 
 bool isWholeUpTo(float value, float most)
@@ -21,14 +21,14 @@ bool isWholeUpTo(float value, float most)
     return value >= 0 && value <= most && std::trunc(value) == value;
 }
 
-/// Zero, or the one NaN that libraries put there; others would be room again.
+/// Zero, or the one NaN that libraries write; any other value would be usable space for an attacker.
 bool isUnused(float value)
 {
     return value == 0 || std::bit_cast<std::uint32_t>(value) == 0x7fc00000;
 }
 
-/// A question has a number of a message, an index and whom to answer; the rest of the parameters would be room for
-/// something else.
+/// A question has a message id, an index and the address of the answer; other parameters would be usable space for an
+/// attacker.
 template<typename Command> bool asks(const Command &said)
 {
     bool rest = isUnused(said.param3) && isUnused(said.param4);
@@ -65,9 +65,9 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
     case mavlink::MissionRequestList::kId:
     case mavlink::MissionRequest::kId:
     case mavlink::MissionRequestInt::kId: return true;
-    case mavlink::Timesync::kId: // the question alone: PX4 sets its clock's offset by an answer
+    case mavlink::Timesync::kId: // only the question: PX4 sets its clock offset by an answer
         return mavlink::Timesync::decode(frame.payload()).tc1 == 0;
-    case mavlink::MissionAck::kId: // the end of a download; any other result would cancel one
+    case mavlink::MissionAck::kId: // ends a download; any other result would cancel one
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
     case mavlink::RequestDataStream::kId:
         return !pilotThere && mavlink::RequestDataStream::decode(frame.payload()).start_stop == 1;

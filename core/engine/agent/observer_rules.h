@@ -1,24 +1,24 @@
-// What a peer that may only look may say to an autopilot: a list of what is let through, so that whatever it does not name
-// (messages that were invented later, and those of dialects that are not known here) stays outside.
+// Which frames of an observer reach the autopilot: a list of permitted messages, so that every other message, including those
+// of later or unknown dialects, is refused.
 //
-// Let through are questions about the vehicle that change nothing in it. Not let through, though they look harmless:
-// - HEARTBEAT of a ground station: autopilots take it for the pilot's, and their failsafe would not act when the pilot's
-//   own link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
+// Permitted are questions about the vehicle that change nothing in it. Refused, though they look harmless:
+// - HEARTBEAT of a ground station: autopilots take it for the pilot's, so their failsafe would not act when the pilot's own
+//   link is lost. https://ardupilot.org/copter/docs/gcs-failsafe.html
 // - SET_MESSAGE_INTERVAL, and REQUEST_DATA_STREAM while a pilot is there: the rates are the autopilot's, one set for all
-//   stations behind an agent, so that an observer could take the pilot's instruments away.
+//   stations behind an agent, so an observer could take the pilot's instruments away.
 // - SYSTEM_TIME sets clocks, and an answer by TIMESYNC moves PX4's; FILE_TRANSFER_PROTOCOL writes as well as it reads;
 //   LOG_REQUEST_DATA stops logging.
-// - PING, which TIMESYNC replaced long ago, is fourteen bytes of the sender's choice: a whole frame of MAVLink 1. And
-//   GET_MESSAGE_INTERVAL, whose number 510 holds a frame's first byte: REQUEST_MESSAGE asks the same (misreading.h).
+// - PING, which TIMESYNC replaced long ago, has fourteen bytes of the sender's choice: room for a whole MAVLink 1 frame. And
+//   GET_MESSAGE_INTERVAL, whose id 510 contains the first byte of a frame: REQUEST_MESSAGE asks the same (misreading.h).
 #pragma once
 
 #include "core/mavlink/frame.h"
 
 namespace skyseal::engine {
 
-/// A command that only asks.
+/// Returns true for a command that only asks.
 bool isQuestion(std::uint16_t command);
-/// `pilotThere`: a peer that may command has a session. What is true here may still have to be left out by mayBeMisread().
+/// `pilotThere`: a peer that may command has a session. A permitted frame must still pass mayBeMisread().
 bool observerMaySend(const mavlink::Frame &frame, bool pilotThere);
 
 } // namespace skyseal::engine

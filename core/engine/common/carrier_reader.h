@@ -1,5 +1,5 @@
-// Messages of the channel out of what links receive in other carriers than datagrams: COBS frames of a byte stream, and the
-// payloads of TUNNEL. Knows as well which streams turned out to be COBS, so that their bytes are not searched for MAVLink.
+// Extracts messages of the channel from carriers other than datagrams: COBS frames of a byte stream and the payloads of
+// TUNNEL (core/channel/PROTOCOL.md). Also tracks which streams carry COBS, so that their bytes are not searched for MAVLink.
 // I/O thread; no I/O itself.
 #pragma once
 
@@ -18,14 +18,14 @@ namespace skyseal::engine {
 class CarrierReader
 {
 public:
-    /// A stream on which no COBS message came for so long may have another speaker by now.
+    /// Without a COBS message for this long, another program may be sending on the stream.
     static constexpr Duration kBelievedFor = std::chrono::seconds(10);
-    /// Nodes of routers that are remembered.
+    /// Nodes behind routers that are remembered at most.
     static constexpr std::size_t kMostNodes = 256;
 
     /// Calls `deliver(const link::ReceivedBlock &)` for each message in the next piece of a stream: its path is that of the
-    /// piece, in Carrier::Serial. Until the stream is known to be COBS, only what begins a conversation is taken for a
-    /// message, by its kind and length: bytes of MAVLink between two zeros can look like anything else.
+    /// piece, in Carrier::Serial. Until the stream is known to be COBS, only messages that open a handshake or pairing are
+    /// accepted, by kind and length: bytes of MAVLink between two zeros can resemble any other message.
     template<typename Deliver> void takeCobs(const link::ReceivedBlock &piece, Deliver &&deliver)
     {
         auto &line = m_lines[piece.path];
@@ -41,20 +41,20 @@ public:
         });
     }
 
-    /// Whether messages came in COBS from there of late.
+    /// Whether messages in COBS arrived on the stream within kBelievedFor.
     bool isCobs(const Path &stream, TimePoint now) const;
-    /// A whole MAVLink frame came in this stream, so what is damaged there is MAVLink too.
+    /// A valid MAVLink frame arrived on this stream, so damaged frames there are MAVLink too.
     void noteMavlink(const Path &stream);
     bool speaksMavlink(const Path &stream) const;
-    /// A stream begins or ended.
+    /// Call when a stream begins or ends.
     void forget(const Path &stream) { m_lines.erase(stream); }
 
-    /// True for a frame that may carry a message of ours.
+    /// Returns true for a TUNNEL frame with the channel's payload type.
     static bool isTunnel(const mavlink::ScanItem &item);
-    /// The message that this frame completes, from the path in Carrier::Tunnel of the node that sent it. nullopt when none
-    /// is complete, or it is meant for another node than ours.
+    /// Returns the message that this frame completes, with the path in Carrier::Tunnel of the node that sent it; nullopt if
+    /// none is complete or the frame is addressed to another node than `ours`.
     std::optional<link::ReceivedBlock> takeTunnel(TimePoint now, const Path &from, const mavlink::Frame &frame, Node ours);
-    /// Whether it is the heartbeat by which an agent behind a router makes itself known: nobody's telemetry.
+    /// Returns true for the heartbeat by which an agent behind a router announces its node; it is not telemetry.
     bool isAgentsHeartbeat(const Path &from, const mavlink::Frame &frame) const;
 
 private:
@@ -69,7 +69,7 @@ private:
 
     std::map<Path, std::unique_ptr<Line>> m_lines;
     channel::TunnelReader m_tunnels;
-    std::set<Path> m_nodes; ///< that sent messages of ours
+    std::set<Path> m_nodes; ///< nodes that sent messages of the channel
 };
 
 } // namespace skyseal::engine

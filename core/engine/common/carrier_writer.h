@@ -1,5 +1,5 @@
-// Puts messages of the channel on a link as the carrier of their path wants them: a datagram is the message, a serial line
-// takes COBS, MAVLink routers and radios take TUNNEL. I/O thread; no I/O itself, and nothing is allocated.
+// Encodes messages of the channel for the carrier of their path: a datagram is the message itself, a serial line takes COBS,
+// MAVLink routers and radios take TUNNEL (core/channel/PROTOCOL.md). I/O thread; no I/O itself, and nothing is allocated.
 #pragma once
 
 #include "core/channel/cobs.h"
@@ -12,12 +12,12 @@ namespace skyseal::engine {
 class CarrierWriter
 {
 public:
-    /// As whom TUNNEL messages go out: a system and component that the other end and the routers between know us by. With
-    /// system 0, which is nobody's, none goes out.
+    /// Sets the system and component from which TUNNEL messages are sent, by which routers and the other end know this node.
+    /// With system 0, which no node has, none is sent.
     void setNode(Node node);
     Node node() const { return m_node; }
 
-    /// Calls `send(ByteView)` for each block that carries the message. False when it cannot travel so.
+    /// Calls `send(ByteView)` for each block that carries the message. Returns false if it does not fit the carrier.
     template<typename Send> bool write(const Path &to, ByteView message, Send &&send)
     {
         switch (to.carrier) {
@@ -36,9 +36,9 @@ public:
         return false;
     }
 
-    /// A TUNNEL without a message, to everybody: routers learn from it where we are. Empty without a node.
+    /// A broadcast TUNNEL without a message, from which routers learn the address of this node. Empty without a node.
     ByteView hello();
-    /// A clear HEARTBEAT of an onboard computer, which tells radios that MAVLink is spoken here. Empty without a node.
+    /// A clear HEARTBEAT of an onboard computer, which tells radios that the line carries MAVLink. Empty without a node.
     ByteView heartbeat();
 
 private:

@@ -11,10 +11,10 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Frames that are put together in one record. On a line, as many as one code byte of COBS is enough for: 45 ms of a
-/// 57,600-baud radio, so that an urgent frame never waits long behind them, and a spoilt byte does not cost more.
+/// Bytes of frames that are coalesced into one record. On a serial line, as many as one code byte of COBS covers: 45 ms of a
+/// 57,600-baud radio, so that an urgent frame never waits long behind them and a damaged byte does not cost more.
 constexpr std::size_t kSerialRoom = 254 - channel::kSingleHeaderLength - channel::kMacLength;
-/// In a TUNNEL, as many as its payload holds; CBC fills its last block up.
+/// In TUNNEL, as many as its payload holds; CBC pads its last block.
 constexpr std::size_t kTunnelRoom = channel::kTunnelPayload - channel::kRecordHeaderLength - channel::kMacLength;
 constexpr std::size_t kTunnelRoomOfCbc = kTunnelRoom / 16 * 16 - 1;
 
@@ -87,12 +87,12 @@ bool ChannelDriver::mayWait(TimePoint now, const Path &path, const Batch &batch)
     return !batch.urgent && !batch.sealedInPlace && now < batch.since + kCoalesceDelay && m_links.isSlow(path);
 }
 
-/// False when this frame has to travel in a record.
+/// Returns false if this frame has to be sent in a record.
 bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch)
 {
     if (frame[0] != 0xfd || frame.size() < 3 || frame[2] != 0)
         return false;
-    if (!batch.sealedInPlace) // what came before goes first, counters rise
+    if (!batch.sealedInPlace) // the frames before it go first, since counters rise
         sealBatch(now, session, batch);
     const std::uint64_t begin = m_clock.begin();
     const auto size = m_endpoint.sealInline(now, session, frame, m_record);
@@ -210,7 +210,7 @@ void ChannelDriver::roll(TimePoint now)
 {
     for (auto &[session, meter] : m_meters)
         meter.roll(now);
-    // Also where a session carries nothing but its own reports.
+    // Also for sessions that carry only their own reports.
     for (const channel::SessionId session : m_endpoint.sessions()) {
         const auto info = m_endpoint.sessionInfo(session);
         if (info && now < info->lastReceived + std::chrono::seconds(2))

@@ -1,4 +1,4 @@
-// From the deadlines of protocol objects, which know no timers, to one timer of the event loop. I/O thread.
+// One timer of the event loop for the deadlines of protocol objects, which know no timers. I/O thread.
 #pragma once
 
 #include "core/link/steady_now.h"
@@ -10,7 +10,7 @@
 
 namespace skyseal::engine {
 
-/// Calls back once at (never before) the moment that was last set.
+/// Calls back once at the moment that was last set, never before it.
 class DeadlineTimer
 {
 public:

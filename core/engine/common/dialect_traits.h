@@ -1,4 +1,4 @@
-// What the channel asks of MAVLink when it seals frames in place, answered from a dialect.
+// The properties of MAVLink messages that the channel needs to seal frames in place, read from a dialect.
 #pragma once
 
 #include "core/channel/message_traits.h"
@@ -10,7 +10,7 @@ namespace skyseal::engine {
 class DialectTraits final : public channel::MessageTraits
 {
 public:
-    /// `dialect` outlives this.
+    /// `dialect` must outlive this object.
     explicit DialectTraits(const mavlink::Dialect &dialect) : m_dialect(&dialect) {}
 
     std::optional<Message> message(std::uint32_t id) const override

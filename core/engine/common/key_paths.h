@@ -1,4 +1,4 @@
-// Where a sealed program finds its private key and its known peers.
+// The files with a program's private key and its known peers.
 #pragma once
 
 #include "core/keys/secret_file.h"
@@ -7,12 +7,12 @@
 
 namespace skyseal::engine {
 
-/// Where the secrets and the known peers are; empty paths mean a program that can only do plain links.
+/// Empty paths mean a program that can only use plain links.
 struct KeyPaths
 {
     std::string identity;                   ///< private key file
     std::string peers;                      ///< known peers
-    keys::AskPassphrase askPassphrase = {}; ///< when the private key is sealed; empty = such a file is refused
+    keys::AskPassphrase askPassphrase = {}; ///< for an encrypted private key; empty: such a file is rejected
 };
 
 } // namespace skyseal::engine

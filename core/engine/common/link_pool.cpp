@@ -31,7 +31,7 @@ LinkPool::LinkPool(link::LinkListener &listener, StateChanged stateChanged, link
 
 LinkPool::~LinkPool()
 {
-    // The owner is dying: nobody may be called any more, and no event loop may come round.
+    // The owner is being destroyed: it must not be called any more, and the event loop may never run again.
     for (Entry &entry : m_entries) {
         entry.link->disconnect();
         delete entry.link.release();

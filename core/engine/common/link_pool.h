@@ -1,5 +1,5 @@
-// All links of one engine: made from URLs, found by number, flushed together at the end of a wake-up, and described for
-// people. I/O thread.
+// All links of one engine: created from URLs, found by id, flushed together at the end of a wake-up, and described in
+// snapshots. I/O thread.
 #pragma once
 
 #include "core/engine/common/carrier_writer.h"
@@ -16,7 +16,7 @@ namespace skyseal::engine {
 /// What a link is for.
 enum class LinkUse : std::uint8_t {
     Both,
-    ListenOnly ///< nothing is ever sent on it, whoever asks
+    ListenOnly ///< nothing is ever sent on it
 };
 
 class LinkPool
@@ -29,7 +29,7 @@ public:
     ~LinkPool();
 
     link::Link &open(LinkId id, const link::LinkUrl &url, LinkUse use = LinkUse::Both);
-    /// Closes it; the object dies when the event loop comes round, since it may be the caller.
+    /// Closes the link; the object is deleted by the event loop, since it may be the caller.
     void remove(LinkId id);
     link::Link *find(LinkId id) const;
     /// Nothing is ever sent on the link.
@@ -38,12 +38,12 @@ public:
     /// Queues one block for a remote, in the carrier of the path (clear MAVLink goes in Carrier::Datagram, which adds
     /// nothing); dropped when the link is gone or only listens.
     void send(const Path &to, ByteView block);
-    /// What goes in Carrier::Tunnel is said under these ids.
+    /// The encoder of the carriers; its node is the sender of TUNNEL messages.
     CarrierWriter &carriers() { return m_carriers; }
     const CarrierWriter &carriers() const { return m_carriers; }
-    /// Whether bytes are dear there: a serial line of a radio's speed, or what goes through MAVLink routers to one.
+    /// Whether frames should be coalesced there: a serial line at a radio's speed, or a path through MAVLink routers.
     bool isSlow(const Path &path) const;
-    /// Sends what was queued since the last flush.
+    /// Sends the blocks that were queued since the last flush.
     void flush();
 
     template<typename F> void forEach(F &&each)
@@ -52,10 +52,11 @@ public:
             each(*entry.link);
     }
 
-    /// `remoteHeard`, `badCrc`: what the engine knows besides.
+    /// The remote address to show for the link.
     void noteRemote(LinkId id, const Address &remote);
-    /// What came from there was of use; see link::Link.
+    /// A valid frame or authentic record came from there; see link::Link::noteUse().
     void noteUse(const Path &from);
+    /// Frames with a bad checksum.
     void countBadFrame(LinkId id, std::uint64_t count = 1);
     std::uint64_t badFrames() const;
     std::vector<LinkSnapshot> snapshots(TimePoint now);

@@ -16,10 +16,10 @@ struct LinkSnapshot
     std::string url;
     LinkPhase phase{};
     std::string localAddress;  ///< "0.0.0.0:14550"; always shown
-    std::string remoteAddress; ///< the last one heard of
-    std::string problem;       ///< the operating system's or the link's words; empty when all is well
-    bool addressInUse = false; ///< the problem is a port that somebody else has
-    bool hostUnknown = false;  ///< the problem is a name that nobody knows
+    std::string remoteAddress; ///< of the newest datagram or connection
+    std::string problem;       ///< error text of the system or the link; empty without one
+    bool addressInUse = false; ///< the problem is a port that another program uses
+    bool hostUnknown = false;  ///< the problem is a host name that cannot be resolved
     bool listenOnly = false;   ///< a stream of MAVSec's published code: insecure, and never sent to
     double rxBytesPerSecond = 0, txBytesPerSecond = 0;
     std::uint64_t rxBytes = 0, txBytes = 0, rxDatagrams = 0, txDatagrams = 0, dropped = 0;

@@ -1,5 +1,5 @@
-// From counters that only grow to what people want to read: the share that was lost over the last second, and how much came
-// in over the last minute. Fed with the counters at a steady pace; no clock.
+// Turns counters that only grow into recent rates: the share lost over the last second, the growth over the last minute.
+// Fed with the counters at a steady pace; no clock.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace skyseal::engine {
 
-/// The growth of a counter over the last `slots` readings. The first reading is where it starts from.
+/// The growth of a counter over the last `slots` readings, counted from the first one.
 template<std::size_t slots> class Growth
 {
 public:
@@ -20,7 +20,7 @@ public:
         m_readings[m_count++ % (slots + 1)] = total;
     }
 
-    /// Signed: a loss can be taken back when a record comes late.
+    /// Signed, since a loss is taken back when a record arrives late.
     std::int64_t value() const
     {
         if (m_count == 0)

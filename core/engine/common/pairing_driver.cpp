@@ -4,7 +4,7 @@ namespace skyseal::engine {
 
 void PairingDriver::open(TimePoint now, channel::PairingConfig config)
 {
-    if (m_pairing) { // told to the other end, but not here: what comes next is about the new one
+    if (m_pairing) { // only the other end is informed: events from here on are about the new pairing
         m_pairing->cancel(now, channel::PairingEnd::Cancelled);
         while (const auto out = m_pairing->pollTransmit())
             m_links.send(out->to, out->bytes);

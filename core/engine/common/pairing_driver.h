@@ -1,5 +1,4 @@
-// Joins a pairing, which knows no sockets, with the links. The station and the agent drive theirs by the same class. I/O
-// thread.
+// Connects a pairing, which knows no sockets, with the links. The station and the agent use the same class. I/O thread.
 #pragma once
 
 #include "core/channel/pairing.h"
@@ -20,18 +19,18 @@ public:
         : m_links(links), m_random(random), m_notify(std::move(notify))
     {}
 
-    /// Opens a window; one that is open is cancelled without a further event.
+    /// Opens a pairing window; one that is already open is cancelled without a further event.
     void open(TimePoint now, channel::PairingConfig config);
     bool isOpen() const { return m_pairing && !m_over; }
 
-    /// False when the datagram is none of a pairing that is under way.
+    /// Returns false if the datagram does not belong to a pairing in progress.
     bool take(TimePoint now, const Path &from, ByteView datagram);
     void handleDeadline(TimePoint now);
     void confirm(TimePoint now, const channel::PublicKey &key);
     void refuse(TimePoint now);
     void cancel(TimePoint now, channel::PairingEnd reason);
 
-    /// Sends and tells what there is. At the end of each wake-up.
+    /// Sends outgoing datagrams and publishes events. Call at the end of each wake-up.
     void flush();
     TimePoint nextDeadline() const { return m_pairing ? m_pairing->nextDeadline() : kNever; }
 

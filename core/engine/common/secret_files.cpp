@@ -16,7 +16,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
         return tl::unexpected(peers.error());
     if (!peers->unusable.empty())
         return tl::unexpected(peers->unusable.front());
-    // Beside the key that they belong to: a copied key without its counters would repeat numbers.
+    // Beside the key that they belong to: a key that is copied without its counters would repeat numbers.
     auto counters = keys::FileCounterStore::open(paths.identity + ".counters");
     if (!counters)
         return tl::unexpected(counters.error());

@@ -1,4 +1,4 @@
-// What a sealed program reads before it can start: its private key, its known peers and its persisted counters.
+// The files that a program with sealed links reads before it starts: private key, known peers and persisted counters.
 #pragma once
 
 #include "core/base/result.h"
@@ -18,21 +18,21 @@ struct SecretFiles
     KeyPaths paths;
     std::shared_ptr<const crypto::X25519KeyPair> identity;
     std::vector<channel::Peer> peers;
-    SealedSystems sealedSystems; ///< that the peers were heard as, by earlier runs
+    SealedSystems sealedSystems; ///< that the peers used in earlier runs
     std::unique_ptr<channel::CounterStore> counters;
     crypto::SystemRandom random;
 };
 
-/// An error names the file and what is wrong with it: missing, readable by others, damaged. Here no peer is left out.
+/// An error names the file and the reason: missing, readable by others, damaged. An unusable pre-shared key is an error.
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths);
-/// Where the systems of the peers are remembered.
+/// The file for writeSealedSystems().
 inline std::string sealedSystemsFile(const KeyPaths &paths)
 {
     return paths.peers + ".systems";
 }
 
-/// The peers of the file as it is now, but for those whose pre-shared key cannot be used: one bad file must not keep anybody
-/// else who was removed in force.
+/// The peers of the current file, except those whose pre-shared key cannot be used: one bad key file must not keep peers in
+/// force that were removed from the list.
 struct PeerList
 {
     std::vector<channel::Peer> peers;
@@ -40,7 +40,7 @@ struct PeerList
 
     keys::PeersInForce inForce() const;
 };
-/// An error when the list itself cannot be read.
+/// An error if the list itself cannot be read.
 Result<PeerList, InputError> readPeers(const KeyPaths &paths);
 
 } // namespace skyseal::engine

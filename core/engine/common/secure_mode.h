@@ -1,4 +1,4 @@
-// What the operator asks of the link's security.
+// Which protection the operator requires of received MAVLink.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 namespace skyseal::engine {
 
 enum class SecureMode : std::uint8_t {
-    Preferred, ///< sealed where the vehicle's agent is known; plain vehicles are shown as "not sealed", where an
-               ///< agent is still to be heard only after a person allowed them
-    Required,  ///< clear MAVLink is never shown, but for recordings
+    Preferred, ///< sealed where the vehicle's agent is known; plain vehicles are shown as "not sealed", and while an
+               ///< agent was not heard yet only after the operator allowed them
+    Required,  ///< clear MAVLink is never shown, except for recordings
     Off        ///< plain only: no handshake
 };
 

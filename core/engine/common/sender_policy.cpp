@@ -44,7 +44,7 @@ void SenderPolicy::rememberSealed(const SealedSystems &heard)
 
 void SenderPolicy::collectSealed()
 {
-    // A peer that a person removed from the list no longer stands in the way of its vehicle in clear.
+    // The vehicle of a peer that was removed from the list may be accepted in clear again.
     const auto isGone = [this](const channel::PublicKey &key) {
         return std::none_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) { return peer.key == key; });
     };
@@ -130,7 +130,7 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
     return true;
 }
 
-/// The peer of the list that the system is bound to, or one that was heard as it and still may be.
+/// The peer to which the list binds the system, or one that used it and still may.
 const channel::Peer *SenderPolicy::holderOf(std::uint8_t systemId, const channel::PublicKey &except) const
 {
     const auto holds = [&](const channel::Peer &peer) {

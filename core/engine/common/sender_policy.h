@@ -1,5 +1,5 @@
-// Whose MAVLink is believed: which system ids a sealed peer may speak as, and whether clear frames are taken at all. No
-// I/O and no clock; the station asks it for every frame.
+// Decides which senders of MAVLink are trusted: the system ids that an authenticated peer may use, and whether clear frames
+// are accepted at all. No I/O and no clock; consulted for every frame.
 #pragma once
 
 #include "core/base/path.h"
@@ -18,8 +18,8 @@
 
 namespace skyseal::engine {
 
-/// A vehicle has one agent. Stations share: several may speak as the customary system 255, and one that takes over from
-/// another that crashed must not wait until the crashed one's session is forgotten.
+/// A vehicle has one agent. Stations share system ids: several may use the customary 255, and a station that replaces a
+/// crashed one must not wait until the crashed one's session times out.
 enum class Speakers : std::uint8_t { OnePerSystem, MayShareASystem };
 
 class SenderPolicy
@@ -30,47 +30,46 @@ public:
     SecureMode mode() const { return m_mode; }
     void setMode(SecureMode mode) { m_mode = mode; }
 
-    /// The known peers: the system ids that they are bound to are never again taken in clear.
+    /// Sets the known peers. System ids that are bound to one of them are not accepted in clear.
     void setPeers(const std::vector<channel::Peer> &peers);
-    /// The systems that peers were heard to speak as, sealed, by earlier runs as well: cutting the sealed link, or a
-    /// restart, must not open the way for clear frames in their name. Those of peers that are no longer known do not count.
+    /// Adds the system ids that peers used over sealed links in earlier runs: neither a broken sealed link nor a restart may
+    /// let clear frames of these systems in. Entries of peers that are not in the list are ignored.
     void rememberSealed(const SealedSystems &heard);
     const SealedSystems &sealedSystems() const { return m_heard; }
     void sessionUp(channel::SessionId session, const channel::PublicKey &peer, const Path &path);
     void sessionMoved(channel::SessionId session, const Path &path);
     void sessionDown(channel::SessionId session);
 
-    /// What it sends may reach an autopilot, whatever it is. False for observers.
+    /// Whether everything that the peer sends may reach an autopilot. False for observers.
     bool mayCommand(channel::SessionId session) const;
-    /// A peer that may command has a session.
+    /// Whether a peer that may command has a session.
     bool pilotThere() const;
-    /// Whether a frame that came sealed may speak as this system id. A system that is bound to peers by the list is theirs
-    /// alone; with Speakers::OnePerSystem any other belongs to the first peer that was ever heard sealed as it, until that
-    /// one is taken off the list: while a vehicle is silent no other agent can take its place.
+    /// Whether a sealed frame of this session may have this system id. A system that the list binds to peers is theirs alone;
+    /// with Speakers::OnePerSystem any other belongs to the first peer that ever used it sealed, until that peer is removed
+    /// from the list: while a vehicle is silent no other agent can take its place.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
-    /// The name of another peer to which the system belongs; empty when there is none.
+    /// The name of another peer to which the system belongs; empty if there is none.
     std::string ownerOf(std::uint8_t systemId, channel::SessionId asker) const;
 
-    /// Whether a clear frame may be shown: every one with SecureMode::Off, which a person chose. Otherwise not when sealing
-    /// is required, not for a system that is bound to a peer or was ever heard sealed, not from the very place where a
-    /// session's records come from, and not while it is held back.
+    /// Whether a clear frame may be shown: always with SecureMode::Off, which the operator chose. Otherwise not if sealing is
+    /// required, not for a system that is bound to a peer or was ever used sealed, not from the address of a session, and
+    /// not while it needs approval.
     bool acceptClear(const Path &from, std::uint8_t systemId) const;
-    /// Whether nothing but a person's word is missing. A peer that is bound to no system and was never heard sealed may have
-    /// any: whoever blocks its handshakes from the start could offer another vehicle, in clear, in its place.
+    /// Whether only the operator's approval is missing. A peer that is bound to no system and was never heard sealed may have
+    /// any system id: an attacker who blocks its handshakes from the start could offer another vehicle in clear instead.
     bool needsApproval(const Path &from, std::uint8_t systemId) const;
-    /// The peers for whose sake that is so: their names.
+    /// The names of the peers that cause it: bound to no system and never heard sealed.
     std::string neverHeard() const;
-    /// A person takes the system in clear, for as long as this object lives and it is not heard sealed.
+    /// The operator accepts the system in clear, until it is heard sealed or this object is destroyed.
     void allowPlaintext(std::uint8_t systemId) { m_allowed.set(systemId); }
-    /// The session whose records come from there.
+    /// The session whose records come from this address.
     std::optional<channel::SessionId> sessionAt(const Path &path) const;
-    /// Whether a known peer's session was ever there, in this run.
+    /// Whether a known peer had a session at this address in this run.
     bool sealedSpokeAt(const Path &path) const;
     bool knowsAnybody() const { return !m_peers.empty(); }
-    /// The session to which a refused clear frame is to be charged: the one at that place, or the one that speaks as the
-    /// system.
+    /// The session to which a refused clear frame is charged: the one at this address, or the one that uses the system id.
     std::optional<channel::SessionId> sessionConcerned(const Path &from, std::uint8_t systemId) const;
-    /// True when clear frames of the system are refused because it is known to be sealed.
+    /// Whether clear frames of the system are refused because it is known to be sealed.
     bool isSealedSystem(std::uint8_t systemId) const { return m_sealed.test(systemId) || m_pinned.test(systemId); }
 
 private:
@@ -79,9 +78,9 @@ private:
         channel::PublicKey peer{};
         Path path;
         bool pilot = false;
-        std::bitset<256> bound;   ///< to it, by the list of peers
-        std::bitset<256> allowed; ///< by the same
-        std::bitset<256> spoken;  ///< as what it has spoken: checked once, then cheap
+        std::bitset<256> bound;   ///< system ids bound to the peer by the list
+        std::bitset<256> allowed; ///< system ids that the list permits
+        std::bitset<256> spoken;  ///< system ids that were used: checked once, then cheap
     };
 
     struct SealedPlace
@@ -89,7 +88,7 @@ private:
         channel::PublicKey peer{};
         Path path;
     };
-    static constexpr std::size_t kMostPlaces = 64; ///< of peers that move about; the oldest is forgotten first
+    static constexpr std::size_t kMostPlaces = 64; ///< of peers whose address changes; the oldest is dropped first
 
     void applyRules(Speaker &speaker) const;
     const channel::Peer *holderOf(std::uint8_t systemId, const channel::PublicKey &except) const;
@@ -104,7 +103,7 @@ private:
     std::bitset<256> m_pinned;
     SealedSystems m_heard;
     std::bitset<256> m_sealed;  ///< all of m_heard
-    std::bitset<256> m_allowed; ///< in clear, by a person
+    std::bitset<256> m_allowed; ///< in clear, by the operator
     std::map<channel::SessionId, Speaker> m_speakers;
     std::deque<SealedPlace> m_sealedPlaces;
 };

@@ -1,5 +1,5 @@
-// What sealing and opening costs: nanoseconds per record, and how much of a core they take. One meter per session; the
-// clock is read right around each call, by whoever makes it.
+// Measures the cost of sealing and opening: nanoseconds per record and the share of a core. One meter per session; the
+// caller reads the clock directly around each call.
 #pragma once
 
 #include "core/engine/common/totals.h"
@@ -17,9 +17,9 @@ public:
 
     /// Closes the period that began with the last call; call it about once a second.
     void roll(TimePoint now);
-    /// Of the last closed period.
+    /// The cost in the last closed period.
     const SuiteCost &cost() const { return m_cost; }
-    /// Records and time since the session began; what the process costs stays 0.
+    /// Records and time since the session began; the cost of the whole process stays 0.
     const channel::EndCosts &sums() const { return m_sums; }
 
 private:

@@ -1,5 +1,5 @@
-// Sums over a whole run, as reports and scripts want them: they never go back, whatever sessions and vehicles came and
-// went. The station and the agent both keep them.
+// Sums over a whole run for reports and scripts: they never decrease, whatever sessions and vehicles come and go. Used by the
+// station and the agent.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -10,7 +10,7 @@
 
 namespace skyseal::engine {
 
-/// MAVLink frames that were taken in, and what their sequence numbers tell.
+/// Accepted MAVLink frames, and their loss by sequence numbers.
 struct MavlinkTotals
 {
     std::uint64_t frames = 0;
@@ -18,19 +18,19 @@ struct MavlinkTotals
     std::uint64_t late = 0;
     std::uint64_t duplicate = 0;
     std::uint64_t badCrc = 0;
-    std::uint64_t sendersEvicted = 0; ///< more senders than anybody has: made up; see metrics::SequenceTable
+    std::uint64_t sendersEvicted = 0; ///< by more senders than are tracked, which hints at forgery; see metrics::SequenceTable
     std::uint64_t bytes = 0;          ///< of all these frames
 };
 
 /// Cost of the suite in use, over the last second: elapsed time from the datagram to the opened frames (session look-up,
 /// replay window, tag, decryption, counters) and back, control messages not counted.
 ///
-/// The first record after the thread slept finds cold caches and costs several microseconds whatever the suite; at the pace
-/// of telemetry that is nearly every record. Those that come in the same wake-up behind it show what the suite itself costs.
+/// The first record after the thread slept finds cold caches and costs several microseconds with any suite; at the pace of
+/// telemetry that is nearly every record. The records behind it in the same wake-up show the cost of the suite itself.
 struct SuiteCost
 {
     double openNsP50 = 0, openNsP99 = 0, sealNsP50 = 0, sealNsP99 = 0;
-    double openNextNsP50 = 0, openNextNsP99 = 0; ///< of records behind the first of a wake-up; 0 when there were none
+    double openNextNsP50 = 0, openNextNsP99 = 0; ///< of records behind the first of a wake-up; 0 without any
     double openedRecordsPerSecond = 0, openedFramesPerSecond = 0, openedBytesPerSecond = 0;
     double cpuPercent = 0; ///< of one core, spent in seal and open
 };
@@ -43,18 +43,18 @@ struct WireTotals
     std::uint64_t sent = 0, sentFrames = 0;
 };
 
-/// The sealed link, both directions. `rx` contains what belongs to no session, such as garbage and unknown connections.
+/// The sealed link, both directions. `rx` includes datagrams that belong to no session, such as garbage.
 struct ChannelTotals
 {
-    bool up = false;         ///< a session is up now
+    bool up = false;         ///< a session is up
     crypto::SuiteId suite{}; ///< of that session; None without one
     std::uint32_t epoch = 0;
-    channel::Framing framing{}; ///< how its frames are sent now
+    channel::Framing framing{}; ///< how its frames are sent
     channel::ReceiveCounters rx;
-    channel::ReceiveCounters unmatched; ///< contained in rx: what belongs to no session
+    channel::ReceiveCounters unmatched; ///< contained in rx: datagrams that belong to no session
     channel::SendCounters tx;
     channel::ReceiveCounters peerRx; ///< ours, as the other end counts them; at most a second old
-    /// MAVLink frames that the agents took of ours; nothing where none tells.
+    /// This end's MAVLink frames as the agents counted them; nullopt if no agent reports them.
     std::optional<channel::FrameCounters> peerFrames;
     SuiteCost cost;
     WireTotals wire;

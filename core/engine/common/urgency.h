@@ -1,5 +1,5 @@
-// Which frames do not wait for company on a slow link: what a pilot's hand or a conversation that answers step by step is
-// waiting for, and the heartbeat by which a vehicle knows that its station lives.
+// Which frames are not coalesced on a slow link: manual control, steps of a conversation in which each frame answers another,
+// and the heartbeat that keeps a vehicle's failsafe from acting.
 #pragma once
 
 #include "core/base/bytes.h"

@@ -1,4 +1,4 @@
-// The agent's statistics as scripts read them; its other events have the shapes of event_json.h.
+// The agent's statistics and refusals as lines of JSON for scripts; its other events have the shapes of event_json.h.
 #pragma once
 
 #include "core/engine/agent/agent_event.h"
@@ -8,11 +8,11 @@
 
 namespace skyseal::engine {
 
-/// {"event":"frames_refused"}: what an authenticated peer sent and the vehicle never saw.
+/// {"event":"frames_refused"}: frames of an authenticated peer that were not forwarded to the vehicle.
 std::string framesRefusedEvent(const FramesRefused &refused);
 
-/// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx is what went
-/// to the ground.
+/// `event` is "stats" or "summary"; `time` is seconds since the start. The channel is seen from the agent: tx goes to the
+/// ground.
 std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time);
 
 } // namespace skyseal::engine

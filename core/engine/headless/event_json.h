@@ -1,5 +1,5 @@
-// The lines that scripts read: one JSON object for each event, and the statistics of every second. The station's
-// monitor and the agent write the same shapes with the same names; they are part of the programs' interface.
+// Lines of JSON for scripts: one object for each event, and the statistics of every second. The station's monitor and the
+// agent write the same shapes and names, which are part of the programs' interface.
 #pragma once
 
 #include "core/base/json_writer.h"

@@ -140,7 +140,7 @@ void HeadlessRun::drainScript()
 
 void HeadlessRun::endIfDue()
 {
-    // A switch that is under way is let finish: cut off, it would be told as rolled back though nothing is wrong with it.
+    // A switch in progress may finish: if it were cut off, it would be reported as rolled back although nothing failed.
     const double grace = m_switching.isPending() ? seconds(channel::Timing().switchConfirm) + 1 : 0;
     const bool timeUp = m_plan.duration && elapsed() >= seconds(*m_plan.duration) + grace;
     const bool flown = !m_plan.script.empty() && m_script.finished() && (!m_plan.duration || m_script.failed());
@@ -156,7 +156,7 @@ void HeadlessRun::settle(const Snapshot &last)
     const auto end = [this](RunOutcome outcome, std::string problem = {}) { Q_EMIT finished(outcome, std::move(problem)); };
     if (!m_brokenLink.empty())
         return end(RunOutcome::CannotOpen, m_brokenLink);
-    // Each went on trying, as it should, but the run is over and there never was anything to hear.
+    // Each link kept trying, as it should, but the run is over and none ever received anything.
     const bool anyWorked = std::any_of(m_links.begin(), m_links.end(), [](const auto &link) { return link.second; });
     if (!anyWorked && !m_linkProblem.empty())
         return end(RunOutcome::CannotOpen, m_linkProblem);

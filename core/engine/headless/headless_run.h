@@ -1,5 +1,5 @@
-// A station's run without a window: flies a script, walks through a list of suites, and says when it is over and whether
-// what was asked for was reached. The words and lines are its listener's. Lives on the station's thread.
+// Runs a station without a window: executes a flight script, cycles through a list of suites, and reports when the run is
+// over and whether its goals were reached. The listener writes the output. Lives on the thread of the Station object.
 #pragma once
 
 #include "core/engine/station/station.h"
@@ -18,16 +18,16 @@ namespace skyseal::engine {
 struct RunPlan
 {
     std::vector<vehicle::FlightStep> script;
-    std::vector<crypto::SuiteId> switchTo; ///< walked through again and again
+    std::vector<crypto::SuiteId> switchTo; ///< cycled through repeatedly
     Duration switchEvery = std::chrono::seconds(1);
     std::optional<Duration> duration;
     bool sessionRequired = false;
-    /// All links are read as MAVSec's published code encrypts them, and never sent to.
+    /// All links carry the encryption of MAVSec's published code and are never sent to.
     std::optional<crypto::MavsecCipher> mavsec;
     bool inlineRequired = false; ///< a session must agree to inline framing
 };
 
-/// Told on the run's thread, in the order of what happened.
+/// Called on the run's thread, in the order of the events.
 class RunListener
 {
 public:
@@ -41,12 +41,12 @@ public:
 
 enum class RunOutcome : std::uint8_t {
     Reached,
-    NoSession,        ///< one was required and never came up
+    NoSession,        ///< a session was required and never came up
     ScriptFailed,     ///< a step failed
-    ScriptUnfinished, ///< the run ended before it
-    SuiteNotReached,  ///< a suite of the list was refused or not confirmed, and never came into use
+    ScriptUnfinished, ///< the run ended before the script
+    SuiteNotReached,  ///< a suite of the list was refused or not confirmed, and never used
     InlineNotReached, ///< the other end does not allow inline framing
-    CannotOpen        ///< a link that cannot work: its port is taken, its host unknown, its file unreadable
+    CannotOpen        ///< a link cannot work: its port is taken, its host unknown, its file unreadable
 };
 
 class HeadlessRun : public QObject
@@ -58,11 +58,11 @@ public:
     HeadlessRun(Station &station, RunListener &listener, RunPlan plan, std::vector<link::LinkUrl> links);
 
     void start();
-    /// Ends it in good order, as a signal asks.
+    /// Ends the run in an orderly way, as after a signal.
     void stop();
 
 Q_SIGNALS:
-    /// `problem` is a sentence for people about what was not reached; empty with Reached.
+    /// `problem` is a sentence about the goal that was not reached; empty with Reached.
     void finished(skyseal::engine::RunOutcome outcome, std::string problem);
 
 private:
@@ -83,8 +83,8 @@ private:
     std::vector<link::LinkUrl> m_urls;
     vehicle::FlightScriptRunner m_script;
     SwitchPlan m_switching;
-    std::map<LinkId, bool> m_links;  ///< whether it ever worked
-    std::map<LinkId, bool> m_played; ///< logs that have come to their end
+    std::map<LinkId, bool> m_links;  ///< whether the link ever worked
+    std::map<LinkId, bool> m_played; ///< whether the log has been replayed to its end
     std::shared_ptr<const Snapshot> m_snapshot;
     QElapsedTimer m_clock;
     QTimer m_tick;
@@ -93,7 +93,7 @@ private:
     bool m_inlineSeen = false;
     bool m_stopping = false;
     std::string m_brokenLink;
-    std::string m_linkProblem; ///< the last one of a link that has never worked
+    std::string m_linkProblem; ///< the newest one of a link that never worked
 };
 
 } // namespace skyseal::engine

@@ -1,6 +1,6 @@
-// What a program can check of itself on the machine it runs on, in a second: that every cipher, the handshake and the
-// MAVLink code give the known answers, and that two ends inside this process agree on a session. A wrong library or
-// processor flag shows here, before it shows in flight.
+// Self-test of a program on the machine where it runs, within a second: every cipher, the handshake and the MAVLink code must
+// give known answers, and two endpoints in this process must establish a session. It finds a wrong library or processor flag
+// before a flight does.
 #pragma once
 
 #include <functional>
@@ -13,14 +13,14 @@ namespace skyseal::engine {
 struct SelfTest
 {
     std::string name;
-    /// What is wrong; nullopt when all is well.
+    /// The problem; nullopt if the test passed.
     std::function<std::optional<std::string>()> run;
 };
 
-/// In the order of the layers: what fails first is likely the cause of what fails after it. Call crypto::initCrypto() first.
+/// In the order of the layers: the first failure is likely the cause of later ones. Call crypto::initCrypto() first.
 std::vector<SelfTest> selfTests();
 
-// The layers' own, joined by selfTests().
+// The tests of the single layers, which selfTests() combines.
 std::vector<SelfTest> primitiveSelfTests();
 std::vector<SelfTest> suiteSelfTests();
 std::vector<SelfTest> handshakeSelfTests();

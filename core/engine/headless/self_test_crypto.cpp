@@ -1,5 +1,5 @@
-// Known answers of the ciphers and the handshake. The primitives' are from their standards; the records' were computed by
-// another implementation (Python's cryptography) from the description in core/crypto/record_cipher.h.
+// Known answers of the ciphers and the handshake. Those of the primitives are from their standards; those of the records were
+// computed by another implementation (Python's cryptography) from the description in core/crypto/record_cipher.h.
 #include "core/engine/headless/self_test.h"
 
 #include "core/base/hex.h"

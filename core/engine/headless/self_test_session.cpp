@@ -1,5 +1,5 @@
-// Two endpoints inside this process: they shake hands, carry a frame each way under every suite, and refuse what was
-// touched.
+// Two endpoints in this process: they perform a handshake, carry a frame in each direction under every suite, and reject
+// records that were modified.
 #include "core/engine/headless/self_test.h"
 
 #include "core/channel/endpoint.h"
@@ -40,7 +40,7 @@ public:
         m_air = std::make_unique<Endpoint>(config(Role::Agent, air, ground->publicKey), m_random, m_airCounters, m_now);
     }
 
-    /// Lets time pass, a millisecond a step, until `reached`; false when it never came.
+    /// Advances the clock in steps of a millisecond until `reached` returns true; returns false if it never does.
     template<typename F> bool runUntil(F &&reached)
     {
         for (int step = 0; step < 3000; ++step) {
@@ -116,7 +116,7 @@ private:
         const auto delivery = record.empty() ? std::nullopt : to.handleDatagram(m_now, path, record);
         if (!delivery || !std::equal(delivery->frames.begin(), delivery->frames.end(), kFrame.begin(), kFrame.end()))
             return false;
-        Bytes again = record; // spent: whatever it holds now, it is not taken twice
+        Bytes again = record; // a record is not accepted twice
         return !to.handleDatagram(m_now, path, again);
     }
 
@@ -132,7 +132,7 @@ std::optional<std::string> checkSession()
     if (!ends.runUntil([&] { return ends.up(); }))
         return "no session comes up";
     for (const crypto::SuiteInfo &info : crypto::suites()) {
-        if (!info.authenticated || !crypto::suiteAvailable(info.id)) // which the suite's own test tells
+        if (!info.authenticated || !crypto::suiteAvailable(info.id)) // the suite's own test reports that
             continue;
         if (info.id != ends.suite()) {
             ends.switchTo(info.id);

@@ -14,7 +14,7 @@ void SwitchPlan::sessionUp(TimePoint now, channel::SessionId session)
 void SwitchPlan::switchDone(const channel::SwitchDone &done)
 {
     const auto walk = m_walks.find(done.session);
-    // The session rekeys by itself as well; a switch to the suite in use, ordered here, is told as a rekey too.
+    // A session also rekeys by itself, and a requested switch to the suite in use is reported as a rekey too.
     if (done.rekey && (walk == m_walks.end() || walk->second.pending != done.to))
         return;
     (done.failure == channel::SwitchFailure::None ? m_committed : m_failed).insert(done.to);
@@ -34,7 +34,7 @@ std::vector<SwitchPlan::Order> SwitchPlan::poll(TimePoint now)
         out.push_back({session, suite});
         walk.due += m_every;
         if (walk.due <= now)
-            walk.due = now + m_every; // a late one does not hurry the next one
+            walk.due = now + m_every; // a late switch does not shorten the period after it
         walk.pending = suite;
     }
     return out;

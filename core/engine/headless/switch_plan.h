@@ -1,4 +1,4 @@
-// Walks through a list of suites on every session: one switch each period, never a second one while the first is pending.
+// Cycles through a list of suites on every session: one switch per period, and none while another is pending.
 #pragma once
 
 #include "core/base/clock.h"
@@ -26,12 +26,12 @@ public:
         channel::SessionId session{};
         crypto::SuiteId suite{};
     };
-    /// The switches that are due now.
+    /// Returns the switches that are due.
     std::vector<Order> poll(TimePoint now);
 
-    /// Whether a switch was ordered whose result is not known yet.
+    /// Whether a switch was requested whose result is not known yet.
     bool isPending() const;
-    /// Suites that were tried and never came into use.
+    /// Suites that were tried and never used.
     std::vector<crypto::SuiteId> notReached() const;
 
 private:
@@ -39,7 +39,7 @@ private:
     {
         std::size_t next = 0;
         TimePoint due{};
-        std::optional<crypto::SuiteId> pending; ///< ordered, and not done yet
+        std::optional<crypto::SuiteId> pending; ///< requested, and not done yet
     };
 
     std::vector<crypto::SuiteId> m_suites;

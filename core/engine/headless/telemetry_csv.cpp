@@ -18,7 +18,7 @@ std::string numberText(double value)
     return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
-/// RFC 4180: in quotes where it holds a comma, a quote or a line end.
+/// RFC 4180: quoted if it contains a comma, a quote or a line end.
 std::string quoted(const std::string &text)
 {
     if (text.find_first_of(",\"\r\n") == std::string::npos)
@@ -68,7 +68,7 @@ std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &diale
     while (const auto item = reader.next()) {
         if (!item->frame || !item->time)
             continue;
-        // The recording's own clock is the clock here.
+        // Time is that of the recording.
         const TimePoint now(std::chrono::duration_cast<Duration>(item->time->time_since_epoch()));
         vehicles.handleFrame(now, *item->time, *item->frame);
         vehicle::Vehicle *vehicle = vehicles.find(item->frame->systemId());

@@ -1,5 +1,5 @@
-// A recording as a table: what a station would have known of each vehicle, a row at a steady pace, for spreadsheets and
-// plots. The columns are those under which the monitor and flight scripts know the values.
+// Exports a recording as a table for spreadsheets and plots: the state of each vehicle, one row per period. The columns have
+// the names that the monitor and flight scripts use.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,8 +12,8 @@
 
 namespace skyseal::engine {
 
-/// Reads all of `input` (a .tlog; raw bytes have no times and give no rows) and hands out a head line and then each row,
-/// without their ends: "time" as seconds since 1970 first. The number of rows.
+/// Reads all of `input` (a .tlog; raw bytes have no times and give no rows) and passes on a header line and then each row,
+/// without line ends; the first column is "time" in seconds since 1970. Returns the number of rows.
 std::uint64_t exportTelemetry(std::istream &input, const mavlink::Dialect &dialect, Duration every,
                               const std::function<bool(const std::string &line)> &sink);
 

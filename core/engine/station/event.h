@@ -1,4 +1,5 @@
-// Rare events of the engine for people: values, in the order in which they happened. Words are made by the reader.
+// Rare events of the station for people and scripts, as values in the order in which they occurred. The reader turns them
+// into text.
 #pragma once
 
 #include "core/channel/events.h"
@@ -28,8 +29,8 @@ struct VehicleBack
 {
     std::uint8_t systemId = 0;
 };
-/// Clear MAVLink claims to be a vehicle whose key is pinned; at most one a second. With `mayBe`, once for each system: a
-/// vehicle that is held back, see PendingVehicle.
+/// Clear MAVLink of a system that must be sealed was refused; at most once a second. With `mayBe`, once for each system: a
+/// vehicle awaits approval, see PendingVehicle.
 struct PlaintextRefused
 {
     std::uint8_t systemId = 0;
@@ -37,16 +38,16 @@ struct PlaintextRefused
     std::uint64_t frames = 0;
     std::string mayBe = {};
 };
-/// A sealed peer speaks as a system that it may not speak as; `owner` is the peer to which that belongs, by the list or
-/// because it was heard as it before, empty when there is none. At most one a second.
+/// A peer used a system id that it may not use; at most once a second. `owner` is the peer to which the system belongs, by
+/// the list or because it used it before; empty if there is none.
 struct SystemRefused
 {
     std::uint8_t systemId = 0;
     std::string peer, owner;
     std::uint64_t frames = 0;
 };
-/// A known agent announces itself and answers no handshake: most likely it does not know this station's key, which stands
-/// here for the operator to compare. Told when it begins, and when it is over (answered, or gone).
+/// A known agent announces itself and answers no handshake: most likely it does not know this station's key, whose
+/// fingerprint is included for the operator to compare. Published when it begins and when it is over (answered, or gone).
 struct AgentUnanswering
 {
     UnansweringAgent agent;

@@ -1,5 +1,5 @@
-// Every kind of message of every sender, with its newest content and its rate: what an inspector shows. Kept only while one
-// is watching. I/O thread.
+// The rows of the message inspector: each kind of message of each sender, with its newest content and rate. Filled only while
+// an inspector is open. I/O thread.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -18,7 +18,7 @@ public:
     void note(TimePoint now, const mavlink::Frame &frame);
     std::vector<InspectorRow> rows(TimePoint now) const;
 
-    /// Rows at the most; senders can be forged on a plain link.
+    /// Rows at most; senders can be forged on a plain link.
     static constexpr std::size_t kMost = 2048;
 
 private:

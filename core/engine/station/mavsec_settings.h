@@ -1,5 +1,5 @@
-// How a stream of MAVSec's published code (mavsec_stream.h) was encrypted, as a person says it, and the cipher of it. What is
-// not said is as the code has it built in.
+// The operator's description of how a stream of MAVSec's published code (mavsec_stream.h) was encrypted, and the cipher for
+// it. Omitted values are those that are built into the published code.
 #pragma once
 
 #include "core/base/result.h"
@@ -20,9 +20,9 @@ struct MavsecSettings
 /// 64 hex digits; nullopt for anything else.
 std::optional<Key32> mavsecKeyFromHex(std::string_view text);
 
-/// Reads the key file, if one is named. The error names the file, or says what is expected of the nonce.
+/// Reads the key file, if one is named. The error names the file, or the expected form of the nonce.
 Result<crypto::MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings);
-/// The same with a key that is at hand already.
+/// The same with a given key.
 Result<crypto::MavsecCipher, InputError> makeMavsecCipher(const MavsecSettings &settings, const Key32 &key);
 
 } // namespace skyseal::engine

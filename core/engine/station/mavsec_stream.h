@@ -1,6 +1,5 @@
-// Reads the stream of the autopilot that was published with the paper MAVSec (2019): frames whose payload is encrypted and
-// whose checksum is that of the encrypted frame. INSECURE (core/crypto/mavsec_cipher.h), and read only: a link that is read
-// so is never sent to.
+// Decrypts the stream of the autopilot that was published with the paper MAVSec (2019): frames with an encrypted payload and
+// the checksum of the encrypted frame. INSECURE (core/crypto/mavsec_cipher.h); such a link is received and never sent to.
 #pragma once
 
 #include "core/crypto/mavsec_cipher.h"
@@ -11,13 +10,13 @@ namespace skyseal::engine {
 class MavsecStream
 {
 public:
-    /// `dialect` outlives this.
+    /// `dialect` must outlive this object.
     MavsecStream(crypto::MavsecCipher cipher, const mavlink::Dialect &dialect)
         : m_cipher(std::move(cipher)), m_dialect(&dialect)
     {}
 
-    /// The plain frame of an encrypted one, MAVLink 1 or 2, with a checksum of its own. Nothing tells whether the key was
-    /// right, or whether the frame was encrypted at all. Lives until the next call.
+    /// Returns the decrypted frame, MAVLink 1 or 2, with a checksum of its own; valid until the next call. A wrong key, or a
+    /// frame that was not encrypted, cannot be detected.
     mavlink::Frame open(const mavlink::Frame &encrypted);
 
 private:

@@ -60,7 +60,7 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     one.openedFramesPerSecond = static_cast<double>(m_frames.value());
     one.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
     one.txBytesPerSecond = static_cast<double>(m_txBytes.value());
-    // What came in clear needed no opening.
+    // Clear frames needed no opening.
     one.openedBytesPerSecond = static_cast<double>(channel.up ? m_bytes.value() : m_clearBytes.value());
     one.rxOverheadPercent = channel.up ? overheadPercent(m_wireReceived, m_wireReceivedFrames) : 0;
     one.txOverheadPercent = channel.up ? overheadPercent(m_wireSent, m_wireSentFrames) : 0;

@@ -1,5 +1,5 @@
-// Takes the diagnostics' readings: four times a second what the link carries, what it loses and what it costs, and once a
-// second what the process needs. I/O thread.
+// Takes the readings of the diagnostics: traffic, loss and cost of the link four times a second, CPU and memory of the
+// process once a second. I/O thread.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"
@@ -15,13 +15,13 @@ class MetricsSampler
 {
 public:
     static constexpr Duration kEvery = std::chrono::milliseconds(250);
-    /// Samples that a snapshot carries, so that a reader that was busy for a while misses none.
+    /// Samples that a snapshot carries, so that a reader that was busy for up to 10 s misses none.
     static constexpr std::size_t kKept = 40;
 
-    /// `powercap`: where the kernel shows its counters of energy.
+    /// `powercap`: folder of the kernel's energy counters.
     explicit MetricsSampler(const std::string &powercap = metrics::EnergyMeter::kFolder) : m_energy(powercap) {}
 
-    /// What the engine knows at that moment.
+    /// The engine's values at the time of a sample.
     struct Reading
     {
         ChannelTotals channel;
@@ -51,7 +51,7 @@ private:
     Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
     Growth<4> m_good, m_replayed;
     std::uint64_t m_replayedBefore = 0;
-    std::uint64_t m_attackingReplays = 0; ///< copies that came in greater number than originals; fewer a network makes, too
+    std::uint64_t m_attackingReplays = 0; ///< counted only while replays outnumber originals; a network also duplicates some
     std::deque<MetricsSample> m_samples;
 };
 

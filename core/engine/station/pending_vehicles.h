@@ -1,4 +1,4 @@
-// Vehicles in clear that are not taken before a person says so: see SenderPolicy::needsApproval(). I/O thread; no I/O itself.
+// Vehicles in clear that await the operator's approval, see SenderPolicy::needsApproval(). No I/O and no clock.
 #pragma once
 
 #include "core/base/clock.h"
@@ -14,11 +14,11 @@ namespace skyseal::engine {
 class PendingVehicles
 {
 public:
-    /// One that was silent for so long is no longer offered to the operator.
+    /// A vehicle that is silent for this long is not offered to the operator any more.
     static constexpr Duration kForgetAfter = std::chrono::seconds(10);
 
-    /// A heartbeat of such a vehicle. True for the first one of a system in this run, which is told: whoever forges many
-    /// gets few words.
+    /// Notes a heartbeat of such a vehicle. Returns true for the first one of a system in this run, which is worth an event;
+    /// forged heartbeats thus cause few events.
     bool note(TimePoint now, std::uint8_t systemId, std::string remoteAddress)
     {
         m_vehicles[systemId] = {std::move(remoteAddress), now};
@@ -26,7 +26,7 @@ public:
         m_notified.set(systemId);
         return isNew;
     }
-    /// Any frame of theirs.
+    /// Counts any frame of such a vehicle.
     void count() { ++m_frames; }
     std::uint64_t frames() const { return m_frames; }
     void forgetSilent(TimePoint now)
@@ -34,7 +34,7 @@ public:
         std::erase_if(m_vehicles, [now](const auto &entry) { return now - entry.second.heard > kForgetAfter; });
     }
     void release(std::uint8_t systemId) { m_vehicles.erase(systemId); }
-    /// `mayBe`: whose they may pretend to be.
+    /// `mayBe`: names of the agents that such a vehicle may impersonate.
     std::vector<PendingVehicle> all(const std::string &mayBe) const
     {
         std::vector<PendingVehicle> out;

@@ -1,5 +1,5 @@
-// What a measurement needs beside the counters: sums that only grow, read on the I/O thread together with everything else in
-// a snapshot, so that two snapshots subtracted are exactly what happened between them.
+// Additional sums for measurements. They only grow and are read on the I/O thread together with the rest of a snapshot, so
+// that the difference of two snapshots is exactly the traffic between them.
 #pragma once
 
 #include "core/base/clock.h"
@@ -16,7 +16,7 @@ struct Probe
     std::uint64_t residentBytes = 0;
     metrics::Histogram open; ///< ns per record, session look-up and replay window included
     metrics::Histogram seal;
-    /// Datagrams of agents that wait for a session while this end speaks plain MAVLink: no part of that.
+    /// Datagrams of agents that wait for a session while this end uses plain MAVLink; not part of the plain traffic.
     std::uint64_t waitingBytes = 0, waitingDatagrams = 0;
 };
 

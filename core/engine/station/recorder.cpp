@@ -32,7 +32,7 @@ std::string nameByTime()
 
 } // namespace
 
-/// The writer thread's own.
+/// Used by the writer thread alone.
 struct Recorder::File
 {
     using Clock = std::chrono::steady_clock;
@@ -52,12 +52,12 @@ struct Recorder::File
 
     bool openIn(const std::string &folder)
     {
-        std::error_code ignored; // open() says it better
+        std::error_code ignored; // open() reports a better error
         std::filesystem::create_directories(folder, ignored);
         const std::string stem = folder + "/" + nameByTime();
         for (int copy = 1; copy < 100; ++copy) {
             name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
-            // For the owner alone: here stands in clear what the link kept secret, the vehicle's whereabouts first of all.
+            // Readable by the owner alone: the file holds in clear what the link kept secret, such as positions.
             fd = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
             if (fd >= 0 || errno != EEXIST)
                 break;
@@ -179,7 +179,7 @@ void Recorder::fail(File &file, const char *what)
     file.fd = -1;
     file.retry = File::Clock::now() + kRetryAfter;
     const std::lock_guard lock(m_mutex);
-    // Told once, not every ten seconds.
+    // Reported once, not every ten seconds.
     m_problemPending = m_problemPending || m_status.problem != problem;
     m_status.file = file.name;
     m_status.problem = problem;

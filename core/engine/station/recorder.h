@@ -1,6 +1,6 @@
-// Writes the .tlog of a flight: every frame with its time, as ground stations have always kept them. A slow or full disk
-// must never hold up a flight, so the I/O thread only copies into a bounded buffer, and a thread of the recorder's own
-// writes it out five times a second and makes it durable once a second: a crash costs no more than the last second.
+// Writes the .tlog of a flight: every frame with its time, in the format that ground stations share. A slow or full disk must
+// never delay the flight, so the I/O thread only copies into a bounded buffer. The recorder's own thread writes it to the file
+// five times a second and syncs the file once a second, so that a crash loses at most the last second.
 //
 // record(), snapshot() and takeProblem() are called from one thread (I/O); the file is touched by the writer thread alone.
 #pragma once
@@ -20,16 +20,16 @@ namespace skyseal::engine {
 class Recorder
 {
 public:
-    /// Begins a file in `folder`, named by the time in UTC, with the first frame; the folder is made when it is missing.
+    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created.
     explicit Recorder(std::string folder, std::size_t bufferBytes = 4u << 20);
-    /// Writes out what waits and closes the file.
+    /// Writes the buffer and closes the file.
     ~Recorder();
     Recorder(const Recorder &) = delete;
     Recorder &operator=(const Recorder &) = delete;
 
     void record(WallTime time, ByteView frame);
     RecordingSnapshot snapshot() const;
-    /// A problem that was not told yet: what could not be written and why, in the system's words.
+    /// Returns a problem that was not returned before, with the system's error text.
     std::optional<RecordingSnapshot> takeProblem();
 
 private:
@@ -42,7 +42,7 @@ private:
     const std::string m_folder;
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
-    Bytes m_filling; ///< capacity is fixed; what does not fit is dropped and counted
+    Bytes m_filling; ///< of fixed capacity; frames that do not fit are dropped and counted
     std::uint64_t m_fillingFrames = 0;
     RecordingSnapshot m_status;
     bool m_problemPending = false;

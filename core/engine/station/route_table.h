@@ -1,4 +1,4 @@
-// Where frames go out: one route for each place that proved to be worth sending to, each with its own sequence of frame
+// The destinations of the station's frames: one route for each session and each clear remote, each with its own sequence
 // numbers, and which route leads to which system. I/O thread; no I/O itself.
 #pragma once
 
@@ -14,37 +14,37 @@ namespace skyseal::engine {
 
 struct Route
 {
-    std::optional<channel::SessionId> session; ///< empty: clear MAVLink to `path`
+    std::optional<channel::SessionId> session; ///< nullopt: clear MAVLink to `path`
     Path path;
     std::uint8_t sequence = 0;      ///< of the next frame
-    std::optional<TimePoint> heard; ///< a vehicle in clear was taken there, not long ago
-    bool fixed = false;             ///< named by the operator, so it needs no sign of life
+    std::optional<TimePoint> heard; ///< when a vehicle in clear was last accepted there
+    bool fixed = false;             ///< named by the operator, so it does not expire
 };
 
 class RouteTable
 {
 public:
-    /// So long without a heartbeat a clear target is forgotten: it may be somebody else's address by now.
+    /// A clear target without a heartbeat for this long is removed: the address may belong to another program.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
-    /// Clear targets at the most; heartbeats can be forged.
+    /// Clear targets at most; heartbeats can be forged.
     static constexpr std::size_t kMost = 64;
 
-    /// The route of a session, made when it comes up.
+    /// Returns the route of a session; creates it if necessary.
     Route &ofSession(channel::SessionId session);
     void sessionDown(channel::SessionId session);
-    /// A remote that the operator named in a link's URL.
+    /// Adds a remote that the operator named in a link's URL.
     void addFixed(const Path &path);
     void removeLink(LinkId link);
 
-    /// A system was heard: what is for it goes there from now on. The sealed way wins over a clear one.
+    /// The system was heard over this session: frames for it go there. A session takes precedence over a clear route.
     void heardSealed(std::uint8_t systemId, channel::SessionId session);
-    /// After a valid heartbeat only.
+    /// Call for valid heartbeats only.
     void heardClear(TimePoint now, std::uint8_t systemId, const Path &path);
     void forgetSilent(TimePoint now);
-    /// All clear targets, also those that the operator named.
+    /// Removes all clear targets, including those that the operator named.
     void forgetClear();
 
-    /// Null when the system was never heard or its way is gone.
+    /// Null if the system was never heard or its route was removed.
     Route *leadingTo(std::uint8_t systemId);
     std::deque<Route> &all() { return m_routes; }
 

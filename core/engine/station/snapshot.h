@@ -1,5 +1,5 @@
-// All that a window or a report may know, as values, taken on the I/O thread and handed over whole: the reader never
-// sees a half of one moment and a half of another, and no packet crosses the threads.
+// The state of a station for windows and reports, as one immutable value that is built on the I/O thread: a reader never sees
+// a mixture of two moments, and no packet crosses the threads.
 #pragma once
 
 #include "core/base/path.h"
@@ -21,13 +21,13 @@
 
 namespace skyseal::engine {
 
-/// What the operator must see at one glance.
+/// The security state that the operator must see at a glance.
 enum class Security : std::uint8_t {
-    Nothing, ///< nobody there
+    Nothing, ///< no vehicle and no session
     Plain,   ///< clear MAVLink: "not sealed"
     Sealed,
-    Switching,  ///< sealed, another suite is being agreed
-    UnderAttack ///< sealed, and somebody forges or replays records; see isAttacked()
+    Switching,  ///< sealed, and a switch of suites is in progress
+    UnderAttack ///< sealed, and records are forged or replayed; see isAttacked()
 };
 
 struct SessionSnapshot
@@ -39,20 +39,20 @@ struct SessionSnapshot
     std::string remoteAddress;
     double age = 0; ///< seconds since the session is up
     std::uint64_t forgedLastMinute = 0, replayedLastMinute = 0, goodLastMinute = 0;
-    double lossPercent = 0;     ///< to us, over the last second
+    double lossPercent = 0;     ///< from the peer, over the last second
     double peerLossPercent = 0; ///< to the peer, over the last second
 };
 
-/// Whether what was refused within the last minute is the work of an attacker. A wrong tag is: damage on the way is caught
-/// by checksums below us. A record that came before is not by itself: networks deliver datagrams twice, and a copy looks
-/// the same whoever made it. But a network does not make more copies than there were records, so beyond that somebody
-/// replays. Slower replays are refused and counted all the same.
+/// Whether the records that were refused within the last minute show an attacker. A wrong tag does: transmission errors are
+/// caught by lower checksums. A repeated record alone does not: networks duplicate datagrams, and a copy looks the same
+/// in both cases. But a network does not make more copies than there were records, so more than that are replays. Slower
+/// replays are refused and counted all the same.
 inline bool isAttacked(const SessionSnapshot &session)
 {
     return session.forgedLastMinute > 0 || session.replayedLastMinute > session.goodLastMinute;
 }
 
-/// The session over which a vehicle was heard, and that is not there any more.
+/// The ended session over which a vehicle was heard.
 struct EndedSession
 {
     std::string peerName;
@@ -64,16 +64,16 @@ struct VehicleSnapshot
 {
     vehicle::VehicleState state;
     LinkId link{};
-    std::optional<channel::SessionId> session; ///< over which it was heard last, also when that ended since; empty: plain
-    std::optional<EndedSession> ended;         ///< that session, unless it is up or another one with the same peer is
+    std::optional<channel::SessionId> session; ///< over which it was heard last, even if that ended; nullopt: plain
+    std::optional<EndedSession> ended;         ///< set if that session ended and its peer has no other
     double lossPercent = 0;                    ///< by MAVLink sequence numbers, over the last second
     double framesPerSecond = 0;
-    std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until asked for; shared while unchanged
+    std::shared_ptr<const std::vector<vehicle::Parameter>> parameters; ///< null until requested; shared while unchanged
     std::uint32_t parametersExpected = 0;
     std::shared_ptr<const std::vector<vehicle::MissionItem>> mission; ///< as last read from the vehicle
 };
 
-/// One row of the inspector: a kind of message of one sender. Filled only while an inspector is watching.
+/// One row of the inspector: a kind of message of one sender. Filled only while an inspector is open.
 struct InspectorRow
 {
     std::uint32_t messageId = 0;
@@ -98,10 +98,10 @@ struct MetricsSample
     bool linkUp = false;
     double openedFramesPerSecond = 0;
     double openedBytesPerSecond = 0;
-    double lossPercent = 0;     ///< channel, to us; MAVLink's where plain
+    double lossPercent = 0;     ///< channel, from the peer; MAVLink's where plain
     double peerLossPercent = 0; ///< channel, to the peer
     double mavlinkLossPercent = 0;
-    double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, as its agent counts and tells once a second
+    double peerMavlinkLossPercent = vehicle::kUnknown; ///< to the vehicle, as its agent reports once a second
     double processCpuPercent = 0;                      ///< of one core, all threads; over the last second
     double ioCpuPercent = 0;                           ///< of the thread that receives, opens, parses and sends
     double suiteCpuPercent = 0;                        ///< of one core, in seal and open
@@ -114,9 +114,9 @@ struct MetricsSample
     double txOverheadPercent = vehicle::kUnknown;
     double rxBytesPerSecond = 0, txBytesPerSecond = 0; ///< all links, datagrams as they are
     std::uint64_t residentBytes = 0;
-    double sessionBytes = vehicle::kUnknown; ///< heap of a session under this suite; for whoever shows samples to fill in
+    double sessionBytes = vehicle::kUnknown; ///< heap of a session under this suite; filled in by the reader
     double powerWatts = vehicle::kUnknown;   ///< of the whole processor, by the kernel's counters; over the last second
-    /// Signs of an attack so far: forged records, clear frames, and replayed ones where they outnumber the good.
+    /// Signs of an attack so far: forged records, refused clear frames, and replays while they outnumber good records.
     std::uint64_t refused = 0;
 };
 
@@ -128,28 +128,28 @@ struct RecordingSnapshot
     std::string problem;
 };
 
-/// A known agent that is there, as its announcements show, and answers none of our handshakes.
+/// A known agent that announces itself and answers none of the station's handshakes.
 struct UnansweringAgent
 {
     std::string peerName;
     std::string remoteAddress;
-    std::string ownFingerprint; ///< of this station's key, which the agent has to know
-    double seconds = 0;         ///< since the first message that it did not answer
+    std::string ownFingerprint; ///< of this station's key, which the agent must have among its peers
+    double seconds = 0;         ///< since the first unanswered message
 };
 
-/// Something announces itself as an agent, with a key that is not among the known peers. Its key is not shown by that.
+/// An agent announces itself with a key that is not among the known peers. The announcement does not contain the key.
 struct UnknownAgent
 {
     std::string remoteAddress;
 };
 
-/// A vehicle in clear of which nothing is shown, and to which nothing is sent, before a person allows it; see
+/// A vehicle in clear that is neither shown nor sent to before the operator allows it; see
 /// Station::allowPlaintext().
 struct PendingVehicle
 {
     std::uint8_t systemId = 0;
     std::string remoteAddress;
-    std::string mayBe; ///< names of the known agents that were never heard sealed: it may pretend to be theirs
+    std::string mayBe; ///< names of the known agents, never heard sealed, that it may impersonate
 };
 
 struct Snapshot
@@ -164,20 +164,20 @@ struct Snapshot
     std::vector<UnknownAgent> unknownAgents;
     std::vector<PendingVehicle> pendingApproval;
     channel::ReceiveCounters unmatched;
-    std::vector<MetricsSample> samples; ///< the last few; take those with a number not seen yet
+    std::vector<MetricsSample> samples; ///< the newest ones; use those with a number not seen before
     std::vector<InspectorRow> inspector;
     RecordingSnapshot recording;
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
-    std::uint64_t plaintextRefused = 0; ///< clear frames that were not taken, see SenderPolicy; held-back ones included
-    std::uint64_t spoofed = 0;          ///< sealed frames that spoke as a system which their peer may not speak as
+    std::uint64_t plaintextRefused = 0; ///< clear frames, including those of vehicles that await approval; see SenderPolicy
+    std::uint64_t spoofed = 0;          ///< sealed frames with a system id that their peer may not use
     std::uint64_t eventsDropped = 0;    ///< events that a reader which hung did not receive, see OutputQueue
     MavlinkTotals mavlink;              ///< since the start, all links
-    ChannelTotals channel;              ///< since the start, ended sessions included
-    std::shared_ptr<const Probe> probe; ///< null unless the station is being measured
+    ChannelTotals channel;              ///< since the start, including ended sessions
+    std::shared_ptr<const Probe> probe; ///< null unless a measurement is in progress
 };
 
-/// The one word for the lock: of what the sessions and vehicles of a snapshot show.
+/// Derives the security state from the sessions and vehicles of a snapshot.
 Security securityOf(const Snapshot &snapshot);
 
 } // namespace skyseal::engine

@@ -1,8 +1,8 @@
-// The station's engine as a window or a command line sees it: commands go in from any thread, snapshots and events
-// come out as queued signals. Behind it one I/O thread owns sockets, timers, sessions and vehicles.
+// The station's engine as a window or a command line sees it: calls go in, snapshots and events come out as signals. Behind
+// it, one I/O thread owns sockets, timers, sessions and vehicles.
 //
-// Lives on the thread that creates it. When that thread stops answering for 3 s (a hung window), the ground station's
-// heartbeat stops as well, so that the vehicle's own failsafe still works.
+// Lives on the thread that creates it. If that thread does not answer for 3 s (a hung window), the station's heartbeat stops,
+// so that the vehicle's own failsafe acts; meanwhile at most one snapshot and a limited number of events wait (OutputQueue).
 #pragma once
 
 #include "core/channel/pairing.h"
@@ -32,35 +32,34 @@ class Station : public QObject
     Q_OBJECT
 
 public:
-    /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is
-    /// an error that names it.
+    /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is an
+    /// error that names the file.
     static Result<std::unique_ptr<Station>, InputError> create(StationConfig config);
     ~Station() override;
 
     LinkId addLink(const link::LinkUrl &url);
-    /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, read, and never sent to.
+    /// A link whose frames are encrypted as by the published code of the paper MAVSec: INSECURE, received, never sent to.
     LinkId addMavsecLink(const link::LinkUrl &url, crypto::MavsecCipher cipher);
     void removeLink(LinkId);
     void switchSuite(channel::SessionId, crypto::SuiteId);
-    /// While something is measured: sessions that come up begin with this suite, in place of the one that the configuration
-    /// prefers. nullopt ends that.
+    /// For measurements: new sessions begin with this suite, in place of the configured preference. nullopt ends that.
     void holdSuite(std::optional<crypto::SuiteId>);
-    /// The sessions that are up go over to this suite. Where none is heard, the next one that comes up does, and no other.
+    /// Switches the sessions that are up to this suite. If none of them is heard, only the next session begins with it.
     void resumeSuite(crypto::SuiteId);
     void setAllowResearch(bool);
-    /// Suites weaker than this one are no longer offered; see channel::strengthOf. Sessions that use one are switched.
+    /// Stops offering suites weaker than this one; see channel::strengthOf. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);
-    /// After the peers file was changed; sessions of peers that are no longer in it end. An error leaves the old list in
-    /// force; otherwise what is in force now.
+    /// Call after the peers file was changed; sessions of peers that are not in it end. Returns the peers in force; an error
+    /// leaves the old list in force.
     Result<keys::PeersInForce, InputError> reloadPeers();
-    /// Takes a vehicle in clear that is held back because it may be an impostor, for as long as this station lives. A
-    /// person's explicit act, and nothing else's.
+    /// Accepts a vehicle in clear that awaits approval because it may be an impostor, until this station is destroyed. Only
+    /// an explicit act of the operator may call it.
     void allowPlaintext(std::uint8_t systemId);
-    /// Waits for an agent that is open for pairing; what happens comes as pairing(). Needs an identity. `name` is what we
-    /// call ourselves, `roleAsked` what we want to be there; `passphraseKey` is of channel::pairingPassphraseKey(), null without
-    /// a passphrase. Nothing is stored.
+    /// Waits for an agent that is open for pairing; its progress comes as pairing(). Needs an identity. `name` is this
+    /// station's own, `roleAsked` the role that it requests; `passphraseKey` is of channel::pairingPassphraseKey(), null
+    /// without a passphrase. Nothing is stored.
     void openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey = {});
-    /// The person compared the fingerprints of this key at both ends.
+    /// The operator compared the fingerprints of this key at both ends.
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();
@@ -68,21 +67,21 @@ public:
     vehicle::RequestId perform(std::uint8_t systemId, vehicle::Request request);
     void setInspecting(bool);
     void setRecording(bool);
-    /// Snapshots carry a Probe from now on.
+    /// While true, snapshots carry a Probe.
     void setMeasuring(bool);
-    /// How links carry MAVLink while they are measured, in place of what the configuration says; nullopt ends that. Sessions
-    /// that do not fit end and begin anew; links stay open.
+    /// How links carry MAVLink during a measurement, in place of the configuration; nullopt ends that. Sessions that do not
+    /// fit end and begin anew; links stay open.
     void setProtection(std::optional<Protection>);
-    /// Says goodbye to every peer, ends the recording and answers with stopped(); nothing is received after that.
+    /// Says goodbye to every peer, ends the recording and emits stopped(); nothing is received after that.
     void stop();
-    /// Our own public key; nullopt without an identity.
+    /// The station's own public key; nullopt without an identity.
     std::optional<channel::PublicKey> publicKey() const;
 
 Q_SIGNALS:
     void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
     void eventOccurred(skyseal::engine::Event event);
     void pairing(skyseal::channel::PairingEvent event);
-    /// The last word: all counters as they stood at the end.
+    /// The final signal, with all counters as they were at the end.
     void stopped(std::shared_ptr<const skyseal::engine::Snapshot> last);
 
 private:

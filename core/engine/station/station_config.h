@@ -1,4 +1,4 @@
-// How a station is to be: one plain value, made by whoever starts it.
+// The configuration of a station, as one plain value.
 #pragma once
 
 #include "core/base/clock.h"
@@ -19,7 +19,7 @@ struct StationConfig
     SecureMode secure = SecureMode::Preferred;
     KeyPaths keys;
     channel::Policy policy;
-    std::optional<crypto::SuiteId> preferredSuite; ///< every session begins with it, where both ends permit it
+    std::optional<crypto::SuiteId> preferredSuite; ///< sessions begin with it where both ends permit it
     bool record = true;
     std::string recordFolder;
     bool lowBandwidth = false; ///< ask vehicles for slower streams

@@ -8,7 +8,7 @@ namespace skyseal::engine {
 
 std::vector<AgentUnanswering> UnansweringAgents::update(TimePoint now, const std::vector<channel::Unanswered> &attempts)
 {
-    std::vector<AgentUnanswering> news;
+    std::vector<AgentUnanswering> events;
     const auto isUnanswering = [now](const channel::Unanswered &attempt) {
         return attempt.sent >= kLeastSent && now - attempt.since >= kPatience && now - attempt.announced < kStillThere;
     };
@@ -17,7 +17,7 @@ std::vector<AgentUnanswering> UnansweringAgents::update(TimePoint now, const std
             return attempt.peer == entry.first && isUnanswering(attempt);
         });
         if (!still)
-            news.push_back({entry.second, true});
+            events.push_back({entry.second, true});
         return !still;
     });
     for (const channel::Unanswered &attempt : attempts) {
@@ -26,9 +26,9 @@ std::vector<AgentUnanswering> UnansweringAgents::update(TimePoint now, const std
         const auto [entry, isNew] = m_agents.try_emplace(attempt.peer);
         entry->second = {attempt.peerName, link::toText(attempt.path.remote), m_ownFingerprint, seconds(now - attempt.since)};
         if (isNew)
-            news.push_back({entry->second, false});
+            events.push_back({entry->second, false});
     }
-    return news;
+    return events;
 }
 
 std::vector<UnansweringAgent> UnansweringAgents::all() const

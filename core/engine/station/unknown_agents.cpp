@@ -8,7 +8,7 @@ namespace skyseal::engine {
 
 bool UnknownAgents::note(TimePoint now, const Path &from)
 {
-    std::erase_if(m_agents, [now](const Entry &entry) { return now - entry.heard >= kTellAgain; });
+    std::erase_if(m_agents, [now](const Entry &entry) { return now - entry.heard >= kReportAgain; });
     const auto known = std::find_if(m_agents.begin(), m_agents.end(), [&](const Entry &entry) { return entry.from == from; });
     if (known == m_agents.end()) {
         if (m_agents.size() < kMost)
@@ -16,7 +16,7 @@ bool UnknownAgents::note(TimePoint now, const Path &from)
         return m_agents.back().from == from;
     }
     known->heard = now;
-    const bool due = now - known->notified >= kTellAgain;
+    const bool due = now - known->notified >= kReportAgain;
     if (due)
         known->notified = now;
     return due;

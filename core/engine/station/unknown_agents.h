@@ -1,5 +1,5 @@
-// Agents that announce themselves here with a key that nobody confirmed. An announcement shows neither a key nor a
-// fingerprint, and anybody can send one: where it came from is all that is known. No clock and no I/O; I/O thread.
+// Agents that announce themselves with a key that is not among the known peers. An announcement contains neither a key nor a
+// fingerprint, and anybody can send one, so only its origin is known. No clock and no I/O; I/O thread.
 #pragma once
 
 #include "core/base/clock.h"
@@ -15,14 +15,14 @@ class UnknownAgents
 public:
     /// An agent announces itself every 500 ms, of which one a second is noted here.
     static constexpr Duration kStillThere = std::chrono::seconds(4);
-    /// One that goes on is told again after so long.
-    static constexpr Duration kTellAgain = std::chrono::minutes(1);
-    /// Whoever forges many of them gets few words.
+    /// An agent that keeps announcing itself is reported again after this time.
+    static constexpr Duration kReportAgain = std::chrono::minutes(1);
+    /// Entries at most, so that forged announcements cause few events.
     static constexpr std::size_t kMost = 8;
 
-    /// An announcement that no known key made. True when it is to be told.
+    /// Notes an announcement of no known key. Returns true if it is to be reported.
     bool note(TimePoint now, const Path &from);
-    /// Those that are there, the first one first.
+    /// Those that are still announcing themselves, oldest first.
     std::vector<UnknownAgent> all(TimePoint now) const;
 
 private:
