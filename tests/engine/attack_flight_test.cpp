@@ -1,6 +1,5 @@
-// Attacks on a whole flight over real sockets: station, agent and a simulated autopilot behind it, with somebody on the wire
-// between them who speaks MAVLink as well as they do. What reaches the autopilot and what the station shows stay what they
-// were.
+// Attacks on a whole flight over real sockets: station, agent and a simulated autopilot, and an attacker on the wire between
+// them who sends MAVLink as well as they do. The state of the autopilot and the display of the station must not change.
 #include "core/base/weakness.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
@@ -174,7 +173,7 @@ void AttackFlightTest::spoofedTelemetryIsNotShown()
     QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->plaintextRefused - before == 120 || shown(), 10000);
     HOLDS(!shown(), "the list of vehicles is unchanged");
     QVERIFY(!flight.ground.ears->snapshot->vehicles[0].state.armed);
-    QVERIFY(!flight.ground.ears->all<engine::PlaintextRefused>().empty()); // told, not only counted
+    QVERIFY(!flight.ground.ears->all<engine::PlaintextRefused>().empty()); // published, not only counted
 }
 
 void AttackFlightTest::blockedHandshakesOpenNoClearWay_data()
@@ -217,7 +216,7 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
 
 void AttackFlightTest::nothingReadableOnTheWire()
 {
-    // A whole conversation with an ear on the wire, as a router has that copies to whoever sent it a heartbeat: telemetry,
+    // A whole conversation with an eavesdropper, as at a router that copies to every sender of a heartbeat: telemetry,
     // all parameters, a mission.
     AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
         config.preferredSuite = crypto::SuiteId::Aes256Ctr;

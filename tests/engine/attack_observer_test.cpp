@@ -1,4 +1,4 @@
-// An observer's station that is in an attacker's hands, before an agent whose line to the autopilot loses bytes.
+// An observer's station under an attacker's control, in front of an agent whose line to the autopilot loses bytes.
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/mavlink/enums.h"

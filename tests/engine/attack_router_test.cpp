@@ -1,5 +1,5 @@
-// A MAVLink router between agent and station, and somebody who speaks at it in every name: all that it copies to him is
-// sealed, nothing of what he says is taken, and delivery goes on.
+// A MAVLink router between agent and station, and an attacker who sends to it under every system id: everything that it copies
+// to him is sealed, nothing that he sends is accepted, and delivery continues.
 #include "core/base/weakness.h"
 #include "tests/engine/ground.h"
 #include "tests/support/holds.h"
@@ -96,7 +96,7 @@ void AttackRouterTest::spoofedHeartbeatsAreNotTaken()
 
 void AttackRouterTest::forgedTunnelsDivertNothing()
 {
-    // Under a name of his own he repeats each copy as a newer record, so that whoever believed it would send to him.
+    // From an address of his own he repeats each copy as a newer record; a receiver that accepted it would send to him.
     RoutedFlight flight;
     QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
     QUdpSocket forger;

@@ -1,5 +1,5 @@
-// The far end of a sealed link without an engine around it: one endpoint on one plain socket, driven by hand. What it costs
-// is the test's own, so that the engine on the other side can be measured alone.
+// The far end of a sealed link without an engine: one endpoint on one plain socket, driven by hand. The test accounts for its
+// cost, so that the engine on the other side can be measured alone.
 #pragma once
 
 #include "core/channel/endpoint.h"

@@ -1,5 +1,5 @@
-// To whom a station that may seal beats in clear: a link that calls one place (udpout), with somebody there who looks at what
-// arrives and passes it on between station, agent and vehicle, as a router does.
+// Where a station that can seal sends its heartbeat in clear: a link to one address (udpout), whose remote end inspects what
+// arrives and forwards it between station, agent and vehicle, as a router does.
 #include "core/keys/peers_file.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"
@@ -15,7 +15,7 @@ using namespace skyseal::test;
 
 namespace {
 
-/// Passes datagrams on between the station, which calls it, and whoever else sends to it first.
+/// Forwards datagrams between the station, which sends to it, and the first other program that does.
 class Middle
 {
 public:

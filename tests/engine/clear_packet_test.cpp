@@ -1,5 +1,5 @@
-// The agent joins the clear frames of one wake-up, as it joins sealed ones, so that a comparison with plain MAVLink is one of
-// suites. Real sockets on both sides of it.
+// The agent coalesces the clear frames of one wake-up as it does sealed ones, so that a comparison with plain MAVLink compares
+// suites. Real sockets on both sides of the agent.
 #include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
@@ -14,7 +14,7 @@ using namespace skyseal::test;
 
 namespace {
 
-/// An agent that may speak in clear, and nobody it has a session with.
+/// An agent that may send in clear and has no session.
 class ClearAgent
 {
 public:

@@ -1,5 +1,5 @@
-// Engines over real sockets of 127.0.0.1 with hand-driven far ends, so that the CPU time of the engine's own thread is all
-// that is timed: what fills its sockets and drains them again happens between two readings of the clock.
+// Engines over real sockets of 127.0.0.1 with hand-driven far ends. Only the CPU time of the engine's own thread is measured:
+// the sockets are filled and drained between two readings of the clock.
 #pragma once
 
 #include "core/engine/agent/agent_core.h"

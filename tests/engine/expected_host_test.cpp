@@ -1,6 +1,6 @@
-// An agent that was told a station's host by name, under a flood from many hosts that answer its cookies: the station at that
-// host is expected there, and gets its session before any of them. The whole way from the configuration on, over real
-// sockets; the limit itself is tested with addresses in channel_attack_cookie_test.
+// An agent whose configuration names a station's host, under a flood from many hosts that answer its cookies: the station at
+// that host gets its session before any of them. Covers the whole path from the configuration on, over real sockets;
+// channel_attack_cookie_test tests the limit itself with addresses.
 #include "core/channel/cookie.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"

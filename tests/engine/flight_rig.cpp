@@ -78,7 +78,7 @@ FlightRig::FlightRig(channel::PeerRole stationRole, std::vector<std::uint8_t> pi
 
 void FlightRig::introduceStation(bool known)
 {
-    // Otherwise somebody else's key stands there.
+    // Otherwise the list holds another key.
     crypto::PublicKey key = m_groundKey;
     key[0] ^= known ? 0 : 1;
     introduce(file("air.peers"), "ground", key, m_stationRole, m_stationSystems);

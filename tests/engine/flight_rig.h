@@ -46,7 +46,7 @@ public:
     void startAgent(const std::string &ground);
     /// Whether agents that start from now on know the station's key.
     void introduceStation(bool known);
-    /// As kill -9: nobody is told.
+    /// As kill -9: without a goodbye.
     void killAgent() { agent.reset(); }
     std::string vehicleAddress(); ///< where a vehicle sends to
 

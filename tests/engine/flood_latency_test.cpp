@@ -1,7 +1,7 @@
-// A flood against a real agent, of 20,000 handshake messages or 50,000 forged records a second: what a legitimate session
-// feels of it. Telemetry goes through the agent all the while, seconds with and without the flood take turns, and the two are
-// compared within this one run. Nothing else should run beside it. With SKYSEAL_FLOOD_SECONDS the flood lasts so long in one
-// piece, between two quiet times.
+// A flood of 20,000 handshake messages or 50,000 forged records a second against a real agent, and its effect on a legitimate
+// session. Telemetry passes the agent all the time, seconds with and without the flood alternate, and the two are compared
+// within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood last that long without a pause,
+// between two quiet periods.
 #include "core/channel/handshake.h"
 #include "core/channel/record.h"
 #include "core/crypto/init_crypto.h"
@@ -46,7 +46,7 @@ std::vector<Bytes> firstMessages(const channel::PublicKey *knownKey)
     return out;
 }
 
-/// As if the next `count` of the session that `sample` is from: its connection and epoch, and nobody's tag.
+/// Forges the next `count` records of the session of `sample`: its connection and epoch, and an invalid tag.
 std::vector<Bytes> forgedRecords(ByteView sample, std::uint32_t count)
 {
     crypto::SystemRandom random;
@@ -184,7 +184,7 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
 
     BareSocket vehicle;
     const Traffic telemetry(256);
-    // The agent takes a session for up only once it heard a record; what its vehicle says before is for nobody.
+    // The agent considers a session up only after its first record; frames of the vehicle before that are dropped.
     std::size_t through = 0;
     for (const TimePoint stop = steadyNow() + 10s; through == 0 && steadyNow() < stop; through = ground.pump()) {
         const std::array<ByteView, 1> frame{telemetry.frames()[0]};

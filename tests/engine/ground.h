@@ -1,4 +1,4 @@
-// A station in a test, that listens on a port of its own.
+// A station for tests that listens on a port of its own.
 #pragma once
 
 #include "tests/engine/flight_rig.h"

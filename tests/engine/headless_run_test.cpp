@@ -1,4 +1,4 @@
-// A station's run without a window ends in good order: a switch that is under way has the time that a switch has.
+// A run without a window ends in an orderly way: a switch that is in progress may finish within its usual time.
 #include "core/engine/headless/headless_run.h"
 #include "tests/engine/ground.h"
 #include "tests/support/test_runner.h"

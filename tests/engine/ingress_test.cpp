@@ -1,4 +1,4 @@
-// What a received block is, by the rules of its link: every kind of traffic on every kind of link.
+// The classification of received blocks by the rules of their link: every kind of traffic on every kind of link.
 #include "core/channel/cobs.h"
 #include "core/channel/handshake.h"
 #include "core/engine/common/ingress.h"

@@ -1,4 +1,5 @@
-// The last record of a session comes after its goodbye: it is taken as what it is, and the end is told after it.
+// The last record of a session arrives after its goodbye: its frames are accepted, and the end of the session is published
+// after them.
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/station/station_core.h"

@@ -1,5 +1,5 @@
-// The diagnostics' readings: that each figure of a sample is what the counters grew by, and that the cost of a record tells
-// the first of a wake-up from those behind it.
+// The readings of the diagnostics: each figure of a sample is the growth of its counters, and the cost of the first record of
+// a wake-up is kept apart from those behind it.
 #include "core/engine/station/metrics_sampler.h"
 #include "core/engine/common/suite_meter.h"
 #include "tests/support/test_runner.h"
@@ -73,7 +73,7 @@ private Q_SLOTS:
             sampler.sample(TimePoint{}, 0, reading);
         }
         QCOMPARE(sampler.samples().back().mavlinkLossPercent, 20.0);
-        QVERIFY(std::isnan(sampler.samples().back().peerMavlinkLossPercent)); // nobody tells
+        QVERIFY(std::isnan(sampler.samples().back().peerMavlinkLossPercent)); // no agent reports it
     }
 
     void powerIsWhatTheKernelsCounterGrewBy()
@@ -119,7 +119,7 @@ private Q_SLOTS:
             return sampler.samples().back().refused;
         };
         QCOMPARE(pass(20, 5), std::uint64_t(0)); // a network that delivers twice
-        QVERIFY(pass(2, 50) >= 150);             // somebody who plays back
+        QVERIFY(pass(2, 50) >= 150);             // a replay attack
     }
 
     void aPlainLinkHasNoOverheadAndASilentOneNone()
@@ -134,7 +134,7 @@ private Q_SLOTS:
         QCOMPARE(sampler.samples().back().rxOverheadPercent, 0.0);
         QCOMPARE(sampler.samples().back().openedBytesPerSecond, 360.0);
         QVERIFY(std::isnan(sampler.samples().back().roundTrip));
-        reading.channel.up = true; // a session that carries nothing: no share can be told
+        reading.channel.up = true; // a session without traffic: no share can be computed
         for (int i = 5; i < 10; ++i)
             sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, i * 0.25, reading);
         QVERIFY(std::isnan(sampler.samples().back().rxOverheadPercent));

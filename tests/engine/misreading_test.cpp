@@ -1,5 +1,5 @@
-// What an observer says is nothing else when bytes of it are lost: nothing that begins a frame stands in its middle, whatever
-// is missing at its front; one lost byte anywhere makes no other message; and no question becomes a command.
+// An observer's frame does not become another message when bytes of it are lost: no frame begins in its middle, whatever is
+// missing at the front; one lost byte anywhere makes no other message; and no question becomes a command.
 #include "core/engine/agent/misreading.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/enums.h"

@@ -1,5 +1,5 @@
-// What an observer may say to the vehicle: of all messages and commands only harmless questions, on the list and on the
-// wire, where a simulated vehicle and a bare socket show what really arrived.
+// What an observer can send to the vehicle: of all messages and commands only harmless questions, by the rules and on the
+// wire, where a simulated vehicle and a bare socket show what arrived.
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/dialect.h"
@@ -117,7 +117,7 @@ Frames questions()
     };
 }
 
-/// An agent with a vehicle's side and a ground's, and what it told.
+/// An agent with a vehicle side and a ground side, and the events that it published.
 struct AgentWithOneStation
 {
     explicit AgentWithOneStation(channel::PeerRole role)
@@ -261,7 +261,7 @@ void ObserverTest::onlyQuestionsReachTheVehiclesSocket()
         QVERIFY(refused.messageId != mavlink::Heartbeat::kId);
         told += refused.frames;
     }
-    QCOMPARE(told, std::uint64_t(acts().size() - 1)); // the heartbeat is counted, and no news
+    QCOMPARE(told, std::uint64_t(acts().size() - 1)); // the heartbeat is counted and makes no event
 }
 
 void ObserverTest::actsChangeNothing_data()

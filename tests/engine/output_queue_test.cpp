@@ -1,4 +1,5 @@
-// The queue between a station and its reader is bounded, keeps its order, and never drops what a reader cannot do without.
+// The queue between a station and its reader is bounded, keeps its order, and never drops pairing events or the final
+// snapshot.
 #include "core/engine/station/output_queue.h"
 
 #include "tests/support/test_runner.h"

@@ -1,4 +1,5 @@
-// A station without keys: it shows plain vehicles, says which port is taken, and stops its heartbeat when its reader hangs.
+// A station without keys: it shows plain vehicles, names the port that is in use, and stops its heartbeat when its reader
+// hangs.
 #include "core/engine/station/station_core.h"
 #include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"
@@ -53,7 +54,7 @@ void PlainStationTest::plainVehicleIsShownAsPlain()
 
 void PlainStationTest::plainVehicleWaitsForAPerson()
 {
-    // An agent is known and was never heard: this could be somebody in its place.
+    // An agent is known and was never heard: this vehicle could be an impostor.
     FlightRig rig;
     auto station = engine::Station::create(rig.stationConfig(engine::SecureMode::Preferred));
     QVERIFY(station);
@@ -70,7 +71,7 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 2500));
     const auto txDatagrams = [&] { return ears.snapshot->links.empty() ? 0 : ears.snapshot->links[0].txDatagrams; };
     QCOMPARE(txDatagrams(), std::uint64_t(0));
-    QCOMPARE(ears.all<engine::PlaintextRefused>().size(), std::size_t(1)); // told once
+    QCOMPARE(ears.all<engine::PlaintextRefused>().size(), std::size_t(1)); // published once
     QCOMPARE(ears.all<engine::PlaintextRefused>()[0].mayBe, std::string("air-1"));
     (*station)->allowPlaintext(2);
     QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 1500));
@@ -231,7 +232,7 @@ void PlainStationTest::noTargetWithoutAHeartbeat()
     QVERIFY(!QTest::qWaitFor([&] { return noise.hasPendingDatagrams(); }, 1500));
 }
 
-/// An agent that would seal announces itself to whoever is there.
+/// An agent that can seal announces itself to every station.
 void PlainStationTest::announcementsAreNoGarbage()
 {
     ListeningCore station;

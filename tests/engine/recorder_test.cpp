@@ -1,4 +1,4 @@
-// The recorder: what it writes reads back, a crash costs the last second at the most, and a bad disk stops nothing.
+// The recorder: what it writes can be read back, a crash loses at most the last second, and a failing disk stops nothing.
 #include "core/engine/station/recorder.h"
 #include "core/base/hex.h"
 #include "core/log/log_summary.h"
@@ -127,7 +127,7 @@ void RecorderTest::unwritableFolderIsAProblemAndNoMore()
     QVERIFY(QTest::qWaitFor([&] { return (problem = recorder.takeProblem()).has_value(); }, 10000));
     QVERIFY(problem->file.find("/dev/null/flights") == 0);
     QVERIFY(!problem->problem.empty());
-    QVERIFY(!recorder.takeProblem()); // told once
+    QVERIFY(!recorder.takeProblem()); // reported once
     recorder.record(timeOf(1), kFrame);
     QTRY_COMPARE_WITH_TIMEOUT(recorder.snapshot().dropped, std::uint64_t(2), 10000);
 }

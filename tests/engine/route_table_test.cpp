@@ -1,4 +1,4 @@
-// Where frames go out, and for how long.
+// The routes of outgoing frames, and when they expire.
 #include "core/engine/station/route_table.h"
 #include "tests/support/test_runner.h"
 

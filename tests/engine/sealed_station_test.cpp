@@ -1,5 +1,5 @@
-// Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, comes back
-// after a restart, and lets through only what is allowed.
+// Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, returns after a
+// restart, and passes only what is allowed.
 #include "tests/engine/ground.h"
 #include "tests/support/test_runner.h"
 
@@ -120,7 +120,7 @@ void SealedStationTest::clearFramesOfAPinnedVehicleAreRefused()
     QVERIFY(ground.ears->snapshot->vehicles.empty());
     QVERIFY(ground.ears->snapshot->channel.rx.plaintextDropped > 0);
 
-    // Another vehicle, whose key nobody pinned, is shown for what it is.
+    // Another vehicle, whose system id is not bound to a key, is shown as plain.
     VehicleOnUdp other(ground.ears->listening(), 2);
     QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<engine::VehicleFound>().size(), std::size_t(1), 10000);
     QCOMPARE(int(ground.ears->all<engine::VehicleFound>()[0].systemId), 2);
@@ -210,7 +210,7 @@ void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
     QCOMPARE(told.owner, std::string("air-0"));
     QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->spoofed > 20, 10000);
     QVERIFY(ground.ears->snapshot->vehicles.empty());
-    // What was refused just before the end of its session is told with the same names.
+    // A refusal just before the end of its session is published with the same names.
     rig.agent->stop();
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::SessionDown>().empty(), 10000);
     const auto frames = [&ground] {
@@ -271,7 +271,7 @@ void SealedStationTest::unknownStationGetsNothing()
     QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::HandshakeRefused>().empty(), 10000);
     QVERIFY(!ground.up());
     QVERIFY(ground.ears->snapshot->vehicles.empty());
-    // It goes on announcing itself, which the snapshots show and which is told once.
+    // It keeps announcing itself, which snapshots show and one event reports.
     const auto unknown = [&ground] { return ground.ears->snapshot->unknownAgents; };
     QTRY_COMPARE(unknown().size(), std::size_t(1));
     QVERIFY(unknown()[0].remoteAddress.starts_with("127.0.0.1:"));

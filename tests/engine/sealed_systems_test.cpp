@@ -1,4 +1,4 @@
-// The file of systems that were heard sealed.
+// The file of systems that were heard over sealed links.
 #include "core/engine/common/sealed_systems.h"
 #include "tests/support/test_runner.h"
 

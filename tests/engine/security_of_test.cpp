@@ -1,4 +1,5 @@
-// When the lock says "under attack": for every forged record, and for more copies than a network can make of what there was.
+// When the security state is "under attack": for every forged record, and for more copies than a network can make of the
+// original records.
 #include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
 

@@ -1,4 +1,4 @@
-// Whose frames are believed.
+// Which senders of MAVLink are trusted.
 #include "core/engine/common/sender_policy.h"
 #include "tests/support/test_runner.h"
 
@@ -129,7 +129,7 @@ void SenderPolicyTest::samePeerKeepsItsSystemOverARestart()
     policy.setPeers({a});
     policy.sessionUp(kFirst, a.key, kPathA);
     QVERIFY(policy.acceptSealed(kFirst, 1));
-    policy.sessionUp(kSecond, a.key, kPathB); // the new one is up before the old one is told down
+    policy.sessionUp(kSecond, a.key, kPathB); // the new session is up before the old one is known to be down
     QVERIFY(policy.acceptSealed(kSecond, 1));
 }
 
@@ -162,7 +162,7 @@ void SenderPolicyTest::systemHeardSealedIsNeverClearAgain()
 void SenderPolicyTest::clearWaitsWhileAnAgentIsStillToBeHeard()
 {
     SenderPolicy policy(SecureMode::Preferred);
-    QVERIFY(policy.acceptClear(kElsewhere, 1)); // nobody is known: there is nobody to pretend to be
+    QVERIFY(policy.acceptClear(kElsewhere, 1)); // without known peers there is none to impersonate
     const channel::Peer a = peerWith(1, {}), b = peerWith(2, {}), bound = peerWith(3, {7});
     policy.setPeers({a, b, bound});
     for (const std::uint8_t systemId : {1, 2, 200}) {

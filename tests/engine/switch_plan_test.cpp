@@ -1,4 +1,4 @@
-// The walk through a list of suites.
+// Cycling through a list of suites.
 #include "core/engine/headless/switch_plan.h"
 #include "tests/support/test_runner.h"
 
@@ -76,7 +76,7 @@ void SwitchPlanTest::goesOnFromTheSuiteInUse()
     rekey.rekey = true;
     plan.switchDone(rekey);
     QVERIFY(plan.poll(kStart + std::chrono::seconds(2)).empty());
-    rekey.to = SuiteId::ChaCha20Poly1305; // ordered while in use: told as a rekey
+    rekey.to = SuiteId::ChaCha20Poly1305; // requested while in use: reported as a rekey
     plan.switchDone(rekey);
     const auto orders = plan.poll(kStart + std::chrono::seconds(3));
     QCOMPARE(orders.size(), std::size_t(1));

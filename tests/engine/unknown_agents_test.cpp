@@ -1,4 +1,5 @@
-// Agents of unknown keys, by a clock that is made up: named while they speak, told once a minute, however many there are.
+// Agents with unknown keys, on a simulated clock: listed while they announce themselves, reported once a minute, and limited
+// in number.
 #include "core/engine/station/unknown_agents.h"
 #include "tests/support/test_runner.h"
 

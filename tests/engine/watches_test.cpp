@@ -1,4 +1,4 @@
-// Sessions and the vehicles heard over them: what becomes of a vehicle when its session ends, and when its agent returns.
+// Sessions and the vehicles heard over them: the state of a vehicle when its session ends and when its agent returns.
 #include "core/engine/station/vehicle_watches.h"
 
 #include "tests/support/test_runner.h"

@@ -1,5 +1,5 @@
-// What sealing costs on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames wait
-// for company there. The clock is simulated, the device is a pseudo-terminal, the far end reads what arrives and opens it.
+// The cost of sealing on a 57,600-baud radio, in bytes that are really written to a serial device, and how long frames are
+// coalesced there. The clock is simulated, the device is a pseudo-terminal, and the far end reads and opens what arrives.
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/channel_driver.h"
@@ -322,7 +322,7 @@ void WireCostTest::sealedCostsNoMoreThanSigned()
     QVERIFY2(cost.sealedPercent <= bar, qPrintable(QString::number(cost.sealedPercent)));
 }
 
-/// What company is worth.
+/// What coalescing saves.
 void WireCostTest::eachFrameAlone()
 {
     const Cost alone = measure(Carrier::Serial, crypto::SuiteId::ChaCha20Poly1305, false);
