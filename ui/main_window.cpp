@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
@@ -170,7 +171,7 @@ void MainWindow::take(const engine::Event &event)
         const engine::PendingVehicle held{refused->systemId, refused->remoteAddress, refused->mayBe};
         tellProblem(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.")
                         .arg(held.systemId)
-                        .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)),
+                        .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)),
                     allowPlainText(held), [this, held] { askAllowPlain(m_station, held, this); });
     }
 }
@@ -232,7 +233,7 @@ void MainWindow::popUpVehicles()
     QMenu menu(this);
     for (const auto &vehicle : m_view.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
-        const QString type = vehicleTypeText(vehicle.state.type);
+        const QString type = engine::vehicleTypeText(vehicle.state.type);
         QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type)
                                                          : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
         action->setCheckable(true);

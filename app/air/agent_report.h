@@ -1,10 +1,10 @@
-// What the agent says: one JSON object a line on stdout with --json, sentences for people on stderr otherwise.
+// Output of the agent: one JSON object a line on stdout with --json, sentences for people on stderr otherwise. Main thread.
 #pragma once
 
 #include "app/common/pairing_status.h"
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/common/peer_names.h"
 
-#include <map>
 #include <string>
 
 namespace skyseal::app {
@@ -15,7 +15,7 @@ public:
     explicit AgentReport(bool json) : m_json(json) {}
 
     void notify(const engine::AgentEvent &event);
-    /// What is told where the window for pairing was opened.
+    /// A status of the window for pairing.
     void pairing(const PairingStatus &status);
     void stats(const engine::AgentSnapshot &snapshot, double time);
     void summary(const engine::AgentSnapshot &snapshot, double time);
@@ -23,14 +23,12 @@ public:
 private:
     void say(const std::string &json, const std::string &sentence);
     void print(const std::string &json);
-    void linkChanged(const engine::AgentLinkChanged &changed);
-    void framesRefused(const engine::FramesRefused &refused);
-    void channelEvent(const channel::Event &event);
-    std::string peer(channel::SessionId session) const;
+    std::string jsonOf(const engine::AgentEvent &event) const;
+    std::string jsonOf(const channel::Event &event) const;
 
     bool m_json;
-    std::map<channel::SessionId, std::string> m_peers;
-    unsigned m_unread = 0; ///< lines that found no room
+    engine::PeerNames m_peers;
+    unsigned m_unread = 0; ///< lines of JSON that were left out since the last one that was printed
 };
 
 } // namespace skyseal::app

@@ -8,14 +8,9 @@
 
 namespace skyseal::app {
 
-std::string JsonReport::peerName(channel::SessionId session) const
-{
-    const auto found = m_peers.find(session);
-    return found == m_peers.end() ? std::string() : found->second;
-}
-
 void JsonReport::eventOccurred(const engine::Event &event)
 {
+    m_peers.note(event);
     std::visit(Overloaded{
                    [](const engine::LinkChanged &e) { printLine(engine::linkEvent(e.link)); },
                    [](const engine::VehicleFound &e) { printLine(engine::vehicleEvent(e)); },
@@ -29,14 +24,11 @@ void JsonReport::eventOccurred(const engine::Event &event)
                    [](const vehicle::MissionResult &) {},
                    [](const vehicle::ParameterResult &) {},
                    [](const vehicle::CommandResult &) {}, // the script reports its steps
-                   [this](const channel::SessionUp &e) {
-                       m_peers[e.session] = e.peerName;
-                       printLine(engine::sessionUpEvent(e, link::toText(e.path.remote)));
-                   },
-                   [this](const channel::SessionDown &e) { printLine(engine::sessionDownEvent(e, peerName(e.session))); },
+                   [](const channel::SessionUp &e) { printLine(engine::sessionUpEvent(e, link::toText(e.path.remote))); },
+                   [this](const channel::SessionDown &e) { printLine(engine::sessionDownEvent(e, m_peers.of(e.session))); },
                    [this](const channel::PeerMoved &e) {
-                       printLine(
-                           engine::peerMovedEvent(peerName(e.session), link::toText(e.from.remote), link::toText(e.to.remote)));
+                       printLine(engine::peerMovedEvent(m_peers.of(e.session), link::toText(e.from.remote),
+                                                        link::toText(e.to.remote)));
                    },
                    [](const channel::SwitchPending &) {},
                    [](const channel::SwitchDone &e) { printLine(engine::switchEvent(e)); },

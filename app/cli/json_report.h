@@ -1,10 +1,8 @@
-// What a monitor run prints with --json: one object a line.
+// Report of a monitor run with --json: one object a line. Main thread.
 #pragma once
 
+#include "core/engine/common/peer_names.h"
 #include "core/engine/headless/headless_run.h"
-
-#include <map>
-#include <string>
 
 namespace skyseal::app {
 
@@ -17,9 +15,7 @@ public:
     void ended(const engine::Snapshot &last, double time) override;
 
 private:
-    std::string peerName(channel::SessionId session) const;
-
-    std::map<channel::SessionId, std::string> m_peers;
+    engine::PeerNames m_peers;
 };
 
 } // namespace skyseal::app

@@ -1,8 +1,9 @@
 #include "app/cli/people_report.h"
 
 #include "app/common/format.h"
-#include "app/common/event_text.h"
 #include "app/common/output.h"
+#include "core/engine/text/event_text.h"
+#include "core/engine/text/state_text.h"
 
 #include <cmath>
 
@@ -32,10 +33,10 @@ std::string sealText(const engine::Snapshot &snapshot)
     std::string out;
     for (const engine::SessionSnapshot &session : snapshot.sessions) {
         out += format("%s%s, epoch %u, %s, authenticated", out.empty() ? "sealed: " : "; ",
-                      suiteText(session.info.suite).c_str(), static_cast<unsigned>(session.info.epoch),
+                      engine::suiteText(session.info.suite).toStdString().c_str(), static_cast<unsigned>(session.info.epoch),
                       session.info.peerName.c_str());
         if (session.info.pending)
-            out += ", switching to " + suiteText(*session.info.pending);
+            out += ", switching to " + engine::suiteText(*session.info.pending).toStdString();
         if (engine::isAttacked(session))
             out += format(", UNDER ATTACK: %llu forged and %llu replayed in a minute",
                           static_cast<unsigned long long>(session.forgedLastMinute),
@@ -73,6 +74,22 @@ std::string statusLine(const engine::Snapshot &snapshot)
     return out;
 }
 
+std::string eventLine(const engine::Event &event, const engine::PeerNames &peers)
+{
+    using Remedy = engine::EventText::Remedy;
+    const engine::EventText text = engine::eventText(event, peers);
+    if (text.isRoutine)
+        return {};
+    const std::string line = text.line().toStdString();
+    switch (text.remedy) {
+    case Remedy::None: break;
+    case Remedy::AllowPlaintext: return line + ". --secure off accepts plain MAVLink";
+    case Remedy::PairAgent:
+        return line + ". Pair the two (keys pair; beside the agent skyseal-air --pair), or add its key (keys peers add)";
+    }
+    return line;
+}
+
 PeopleReport::PeopleReport(const std::string &recordFolder)
 {
     if (!recordFolder.empty())
@@ -81,10 +98,9 @@ PeopleReport::PeopleReport(const std::string &recordFolder)
 
 void PeopleReport::eventOccurred(const engine::Event &event)
 {
-    if (const auto *up = std::get_if<channel::SessionUp>(&event))
-        m_peers[up->session] = up->peerName;
-    if (const std::string words = sentence(event, m_peers); !words.empty())
-        remark(words);
+    m_peers.note(event);
+    if (const std::string line = eventLine(event, m_peers); !line.empty())
+        remark(line);
 }
 
 void PeopleReport::stepEnded(const vehicle::StepReport &report)

@@ -1,16 +1,19 @@
-// What a monitor run prints for people: a status line each second in the manner of console ground stations, and a sentence
-// for each thing that happens.
+// Report of a monitor run for people: a status line each second, as console ground stations print, and a sentence for each
+// event. Main thread.
 #pragma once
 
+#include "core/engine/common/peer_names.h"
 #include "core/engine/headless/headless_run.h"
 
-#include <map>
 #include <string>
 
 namespace skyseal::app {
 
 /// "Link 1 OK 99.8 % (1204 frames, 2 lost, 0.01 s) | sealed: ChaCha20-Poly1305, epoch 3, air-1, authenticated | …"
 std::string statusLine(const engine::Snapshot &snapshot);
+/// The sentence for an event that `peers` has noted, and the command that helps; empty for a routine event.
+std::string eventLine(const engine::Event &event, const engine::PeerNames &peers);
+
 class PeopleReport final : public engine::RunListener
 {
 public:
@@ -23,7 +26,7 @@ public:
     void ended(const engine::Snapshot &last, double time) override;
 
 private:
-    std::map<channel::SessionId, std::string> m_peers;
+    engine::PeerNames m_peers;
 };
 
 } // namespace skyseal::app

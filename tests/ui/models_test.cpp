@@ -1,12 +1,13 @@
 // Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and what its cells say.
+#include "core/engine/text/event_text.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/inspector/field_model.h"
 #include "ui/inspector/inspector_model.h"
 #include "ui/links/link_model.h"
-#include "ui/messages/event_text.h"
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
+#include "ui/messages/messages_panel.h"
 #include "ui/mission/mission_file.h"
 #include "ui/mission/mission_model.h"
 #include "ui/parameters/parameter_model.h"
@@ -58,13 +59,26 @@ private Q_SLOTS:
         QVERIFY(tip.contains(QStringLiteral("&lt;img")));
     }
 
-    void whoSpeaksAsAnothersVehicleIsNamed()
+    void eventsReadAsOnTheCommandLine()
     {
-        const auto words = [](const char *owner) { return eventLine(engine::SystemRefused{1, "air-2", owner, 3})->text; };
-        QCOMPARE(words(""), QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle and may not"));
-        QCOMPARE(words("air-1"),
-                 QStringLiteral("Refused 3 frames of air-2, which speaks as this vehicle: it is air-1's. Is it a new agent of "
-                                "the same vehicle? Then remove air-1 from the keys, or bind the system to air-2"));
+        MessagesPanel panel;
+        engine::PeerNames names;
+        const auto shown = [&](const engine::Event &event) {
+            panel.take(event);
+            names.note(event);
+            return cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Text);
+        };
+        const auto sentence = [&](const engine::Event &event) { return engine::eventText(event, names).sentence; };
+        const engine::Event up = channel::SessionUp{channel::SessionId{7}, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}};
+        const engine::Event down = channel::SessionDown{channel::SessionId{7}, channel::DownReason::TimedOut, {}};
+        QCOMPARE(shown(up), sentence(up));
+        QCOMPARE(shown(down), sentence(down));
+        const int rows = panel.model().rowCount();
+        panel.take(channel::SwitchPending{});
+        QCOMPARE(panel.model().rowCount(), rows);
+        const engine::Event pending = engine::PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1"};
+        QVERIFY(shown(pending).startsWith(sentence(pending)));
+        QVERIFY(shown(pending).contains(QStringLiteral("Allow plain MAVLink")));
     }
 
     void messagesAreFiltered()

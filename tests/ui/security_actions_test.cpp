@@ -1,7 +1,8 @@
 // The choice of the suite, by real clicks and keys in the menu and in the panel, and the faces of a switch.
+#include "core/engine/text/event_text.h"
+#include "core/engine/text/state_text.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
-#include "ui/messages/event_text.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"
@@ -187,7 +188,7 @@ private Q_SLOTS:
                                            channel::SwitchFailure::None,
                                            took};
             m_station->notify(done);
-            return note()->text() + QLatin1Char('\n') + eventLine(done)->text;
+            return note()->text() + QLatin1Char('\n') + engine::eventText(done, {}).sentence;
         };
         using std::chrono::microseconds;
         const QString fresh = noteOf(SuiteId::ChaCha20Poly1305, microseconds(430));
@@ -198,7 +199,7 @@ private Q_SLOTS:
         const QString slow = noteOf(SuiteId::Aes256Gcm, microseconds(42'300));
         QVERIFY2(slow.contains(QStringLiteral("after 42 ms\n")), qPrintable(slow));
         QVERIFY2(slow.endsWith(QStringLiteral("in 42 ms")), qPrintable(slow));
-        QCOMPARE(switchTimeText(microseconds(9'960)), QStringLiteral("10 ms"));
+        QCOMPARE(engine::switchTimeText(microseconds(9'960)), QStringLiteral("10 ms"));
     }
 
     void rollBackKeepsTheOldSuiteAndSaysWhy()

@@ -1,5 +1,6 @@
 #include "ui/links/link_model.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/palettes.h"
@@ -50,8 +51,8 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
         case Url:
             return link->listenOnly ? tr("%1 · MAVSec 2019, INSECURE, only read").arg(fromStd(link->url)) : fromStd(link->url);
         case State:
-            return link->problem.empty() ? linkPhaseText(link->phase)
-                                         : tr("%1: %2").arg(linkPhaseText(link->phase), fromStd(link->problem));
+            return link->problem.empty() ? engine::linkPhaseText(link->phase)
+                                         : tr("%1: %2").arg(engine::linkPhaseText(link->phase), fromStd(link->problem));
         case Local: return link->localAddress.empty() ? dash() : fromStd(link->localAddress);
         case Remote: return link->remoteAddress.empty() ? dash() : fromStd(link->remoteAddress);
         case Received: return tr("%1 · %2").arg(rateText(link->rxBytesPerSecond), sizeText(link->rxBytes));

@@ -1,5 +1,6 @@
 #include "ui/map/empty_state.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/security/allow_plain.h"
 #include "ui/status/link_ended.h"
 #include "ui/text/state_text.h"
@@ -112,7 +113,7 @@ void EmptyState::showViewState(const ViewState &view)
         text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. "
                   "Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
                   "If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.")
-                   .arg(fromStd(m_held.remoteAddress), anyOfNames(m_held.mayBe));
+                   .arg(fromStd(m_held.remoteAddress), engine::anyOfNames(m_held.mayBe));
     } else if (view.snapshot && !view.snapshot->unanswering.empty()) {
         const engine::UnansweringAgent &agent = view.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));

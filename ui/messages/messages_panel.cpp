@@ -1,6 +1,6 @@
 #include "ui/messages/messages_panel.h"
 
-#include "ui/messages/event_text.h"
+#include "core/engine/text/event_text.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
@@ -80,8 +80,22 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
 
 void MessagesPanel::take(const engine::Event &event)
 {
-    if (const auto line = eventLine(event))
-        append({QDateTime::currentDateTime(), line->systemId, line->severity, line->text});
+    m_peers.note(event);
+    const engine::EventText text = engine::eventText(event, m_peers);
+    if (!text.isRoutine)
+        append({QDateTime::currentDateTime(), text.systemId, text.severity, withRemedy(text)});
+}
+
+/// The sentence and the menu where the operator can act on it.
+QString MessagesPanel::withRemedy(const engine::EventText &text)
+{
+    switch (text.remedy) {
+    case engine::EventText::Remedy::None: break;
+    case engine::EventText::Remedy::AllowPlaintext:
+        return tr("%1. Security → Allow plain MAVLink accepts it").arg(text.sentence);
+    case engine::EventText::Remedy::PairAgent: return tr("%1. Security → Keys and peers pairs the two").arg(text.sentence);
+    }
+    return text.sentence;
 }
 
 void MessagesPanel::say(const QString &text, std::uint8_t severity)

@@ -1,5 +1,6 @@
 #include "ui/security/allow_plain.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/station_interface.h"
 #include "ui/text/state_text.h"
 
@@ -37,7 +38,7 @@ void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held
                   "what is sent.\n\n"
                   "If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.")
             .arg(held.systemId)
-            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
+            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
     box->setDefaultButton(QMessageBox::Cancel);
     box->setEscapeButton(QMessageBox::Cancel);
     box->button(QMessageBox::Yes)->setText(Words::tr("Allow plain MAVLink"));

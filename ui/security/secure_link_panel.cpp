@@ -1,5 +1,6 @@
 #include "ui/security/secure_link_panel.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -202,7 +203,7 @@ void SecureLinkPanel::showHead(const ViewState &view)
             advice = tr("Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: "
                         "Security → Allow plain MAVLink.")
                          .arg(view.pendingApproval->systemId)
-                         .arg(anyOfNames(view.pendingApproval->mayBe));
+                         .arg(engine::anyOfNames(view.pendingApproval->mayBe));
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;

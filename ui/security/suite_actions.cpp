@@ -1,6 +1,7 @@
 #include "ui/security/suite_actions.h"
 
 #include "core/channel/suite_strength.h"
+#include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 
@@ -122,16 +123,18 @@ void SuiteActions::take(const engine::Event &event)
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
             m_info->epoch = done->epoch;
-            setNote(tr("Fresh keys, epoch %1, after %2").arg(static_cast<quint32>(done->epoch)).arg(switchTimeText(done->took)),
+            setNote(tr("Fresh keys, epoch %1, after %2")
+                        .arg(static_cast<quint32>(done->epoch))
+                        .arg(engine::switchTimeText(done->took)),
                     false);
         } else if (done->rekey) {
-            setNote(tr("Stays with its keys: %1").arg(switchFailureText(done->failure)), true);
+            setNote(tr("Stays with its keys: %1").arg(engine::switchFailureText(done->failure)), true);
         } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
-            setNote(tr("Now %1, after %2").arg(suiteName(done->to), switchTimeText(done->took)), false);
+            setNote(tr("Now %1, after %2").arg(suiteName(done->to), engine::switchTimeText(done->took)), false);
         } else {
-            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), switchFailureText(done->failure)), true);
+            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), engine::switchFailureText(done->failure)), true);
         }
         refresh();
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
@@ -139,7 +142,7 @@ void SuiteActions::take(const engine::Event &event)
         if (wanted)
             setNote({}, false);
         else if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
-            setNote(tr("Session ended: %1").arg(downReasonText(down->reason)), true);
+            setNote(tr("Session ended: %1").arg(engine::downReasonText(down->reason)), true);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "ui/status/link_ended.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 
@@ -50,7 +51,8 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     case DownReason::Closed: break;
     }
     return LinkEnded{Words::tr("Session ended · %1").arg(name),
-                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason)) + waiting};
+                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, engine::downReasonText(ended.reason))
+                         + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const ViewState &view)

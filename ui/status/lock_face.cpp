@@ -1,5 +1,6 @@
 #include "ui/status/lock_face.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/status/link_ended.h"
 #include "ui/status/one_way.h"
 #include "ui/text/units.h"
@@ -50,7 +51,7 @@ LockFace pendingApprovalFace(const engine::PendingVehicle &held)
                         Words::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
                                   "and nothing is sent to it until you allow plain MAVLink for it.")
                             .arg(held.systemId)
-                            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
+                            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)

@@ -1,5 +1,6 @@
 #include "ui/status/status_strip.h"
 
+#include "core/engine/text/state_text.h"
 #include "core/mavlink/enums.h"
 #include "ui/status/lock_face.h"
 #include "ui/text/units.h"
@@ -76,7 +77,8 @@ void StatusStrip::showVehicle(const ViewState &view)
     const auto &state = view.vehicle->state;
     const QColor aged = view.stale() ? colors.dim : QColor();
     m_vehicle->setContent({tr("Vehicle %1").arg(state.systemId), QString::number(state.systemId)}, QStringLiteral("vehicle"));
-    m_vehicle->setToolTip(vehicleTypeText(state.type) + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
+    m_vehicle->setToolTip(engine::vehicleTypeText(state.type)
+                          + (state.firmware.empty() ? QString() : kDot + fromStd(state.firmware)));
     m_vehicle->setTextColor(aged);
     m_armed->setContent({state.armed ? tr("ARMED") : tr("DISARMED")},
                         state.armed ? QStringLiteral("armed") : QStringLiteral("disarmed"));

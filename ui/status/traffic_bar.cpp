@@ -1,5 +1,6 @@
 #include "ui/status/traffic_bar.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
@@ -49,8 +50,9 @@ void TrafficBar::showViewState(const ViewState &view)
             tx += link.txBytesPerSecond;
             problem |= !link.problem.empty();
             const QString where = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
-            parts << (link.problem.empty() ? tr("%1 %2").arg(linkPhaseText(link.phase), where)
-                                           : tr("%1 %2 (%3)").arg(linkPhaseText(link.phase), where, fromStd(link.problem)));
+            parts << (link.problem.empty()
+                          ? tr("%1 %2").arg(engine::linkPhaseText(link.phase), where)
+                          : tr("%1 %2 (%3)").arg(engine::linkPhaseText(link.phase), where, fromStd(link.problem)));
         }
     }
     const QString links = parts.isEmpty() ? tr("no link") : parts.join(QStringLiteral(" · "));

@@ -117,10 +117,4 @@ QString latencyText(double seconds)
     return QString::number(std::lround(seconds * 1000)) + QStringLiteral(" ms");
 }
 
-QString switchTimeText(Duration took)
-{
-    const double ms = seconds(took) * 1000;
-    return number(ms, ms < 9.95 ? 1 : 0) + QStringLiteral(" ms");
-}
-
 } // namespace skyseal::ui

@@ -1,8 +1,6 @@
 // Values as people read them: rounded, with a unit, and a dash where nothing is known.
 #pragma once
 
-#include "core/base/clock.h"
-
 #include <QtCore/QString>
 
 #include <cstdint>
@@ -39,7 +37,5 @@ QString rateText(double bytesPerSecond);
 QString sizeText(std::uint64_t bytes);
 /// "12 ms"; a dash when not known.
 QString latencyText(double seconds);
-/// How long the ends took to agree: "0.4 ms", "42 ms".
-QString switchTimeText(Duration took);
 
 } // namespace skyseal::ui

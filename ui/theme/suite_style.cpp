@@ -1,6 +1,7 @@
 #include "ui/theme/suite_style.h"
 
-#include <QtCore/QCoreApplication>
+#include "core/engine/text/state_text.h"
+
 #include <QtGui/QPainter>
 #include <QtGui/QPixmap>
 
@@ -24,11 +25,7 @@ QColor suiteColor(SuiteId suite)
 
 QString suiteName(SuiteId suite)
 {
-    if (suite == SuiteId::None)
-        return QCoreApplication::translate("skyseal::ui::Suite", "plain, not sealed");
-    const auto &info = crypto::suiteInfo(suite);
-    const QString name = QString::fromUtf8(info.displayName.data(), static_cast<qsizetype>(info.displayName.size()));
-    return info.research ? QCoreApplication::translate("skyseal::ui::Suite", "%1 (insecure)").arg(name) : name;
+    return engine::suiteText(suite);
 }
 
 QIcon suiteDot(SuiteId suite)

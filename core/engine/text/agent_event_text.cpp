@@ -1,0 +1,101 @@
+#include "core/engine/text/agent_event_text.h"
+
+#include "core/keys/public_key_text.h"
+#include "core/mavlink/enums.h"
+
+#include <QtCore/QCoreApplication>
+
+namespace skyseal::engine {
+
+namespace {
+
+QString qt(const std::string &text)
+{
+    return QString::fromStdString(text);
+}
+
+/// Pairing events are routine: the window for pairing reports its own state to the person who opened it.
+class DescribePairing
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::engine::PairingText)
+
+public:
+    QString operator()(const channel::PairingPeerSeen &e) const { return tr("Pairing: %1 is there").arg(device(e.peer.key)); }
+    QString operator()(const channel::PairingPeerConfirmed &e) const
+    {
+        return tr("Pairing: confirmed at the other end, %1").arg(device(e.key));
+    }
+    QString operator()(const channel::PairingPeerGone &e) const { return tr("Pairing: %1 is gone").arg(device(e.key)); }
+    QString operator()(const channel::PairingOtherTried &e) const
+    {
+        return tr("Pairing: another device tried, %1").arg(device(e.peer.key));
+    }
+    QString operator()(const channel::PairingPassphraseDiffers &) const
+    {
+        return tr("Pairing: the passphrases of the two ends differ");
+    }
+    QString operator()(const channel::Paired &e) const
+    {
+        return tr("Paired with %1, %2").arg(qt(e.peer.name), device(e.peer.key));
+    }
+    QString operator()(const channel::PairingOver &e) const
+    {
+        switch (e.reason) {
+        case channel::PairingEnd::Paired: return tr("Pairing: done");
+        case channel::PairingEnd::TimedOut: return tr("Pairing: the time is over");
+        case channel::PairingEnd::Cancelled: return tr("Pairing: cancelled");
+        case channel::PairingEnd::Armed: return tr("Pairing: ended because the vehicle was armed");
+        }
+        return {};
+    }
+
+private:
+    static QString device(const channel::PublicKey &key) { return tr("key %1").arg(qt(keys::fingerprint(key))); }
+};
+
+class DescribeAgent
+{
+    Q_DECLARE_TR_FUNCTIONS(skyseal::engine::AgentEventText)
+
+public:
+    explicit DescribeAgent(const PeerNames &names) : m_names(names) {}
+
+    EventText operator()(const AgentLinkChanged &e) const
+    {
+        EventText text = linkText(e.link);
+        text.sentence = (e.groundSide ? tr("Ground side: %1") : tr("Vehicle side: %1")).arg(text.sentence);
+        return text;
+    }
+    EventText operator()(const channel::Event &e) const
+    {
+        return eventText(std::visit([](const auto &value) { return Event(value); }, e), m_names);
+    }
+    EventText operator()(const channel::PairingEvent &e) const
+    {
+        EventText text{std::visit(DescribePairing{}, e)};
+        text.isRoutine = true;
+        return text;
+    }
+    EventText operator()(const FramesRefused &e) const
+    {
+        QString message = e.messageName.empty() ? tr("message %1").arg(e.messageId) : qt(e.messageName);
+        if (e.command != 0)
+            message += QStringLiteral(" %1").arg(e.command);
+        const QString sentence = e.reason == FramesRefused::Reason::Observer
+            ? tr("Refused %1 frames of %2, which is an observer; the last one was %3")
+            : tr("Refused %1 frames of %2, which may not send as that system; the last one was %3");
+        return {sentence.arg(e.frames).arg(qt(e.peer), message), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
+    }
+
+private:
+    const PeerNames &m_names;
+};
+
+} // namespace
+
+EventText agentEventText(const AgentEvent &event, const PeerNames &names)
+{
+    return std::visit(DescribeAgent(names), event);
+}
+
+} // namespace skyseal::engine

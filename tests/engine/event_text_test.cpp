@@ -1,0 +1,160 @@
+// The sentences for events: each alternative of the variants has one, and the station and the agent share those of the channel.
+#include "core/engine/text/agent_event_text.h"
+#include "core/engine/text/state_text.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+#include <set>
+#include <utility>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+
+namespace {
+
+/// One default value of each alternative.
+template<typename Variant> std::vector<Variant> samples()
+{
+    std::vector<Variant> out;
+    [&]<std::size_t... I>(std::index_sequence<I...>)
+    {
+        (out.push_back(Variant(std::in_place_index<I>)), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<Variant>>());
+    return out;
+}
+
+void checkForm(const EventText &text)
+{
+    QVERIFY(!text.sentence.isEmpty());
+    QVERIFY2(text.sentence.front().isUpper(), qPrintable(text.sentence));
+    QVERIFY2(!text.sentence.endsWith(QLatin1Char('.')), qPrintable(text.sentence));
+    QVERIFY2(!text.sentence.contains(QLatin1Char('%')), qPrintable(text.sentence));
+    QVERIFY(text.severity <= 7);
+}
+
+const channel::SessionId kSession{7};
+
+} // namespace
+
+class EventTextTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void eachStationEventHasASentence();
+    void eachAgentEventHasASentence();
+    void channelEventsReadTheSameAtBothEnds();
+    void eachReasonHasItsOwnText();
+    void vehicleThatWaitsForApprovalIsNotCalledRefused();
+    void systemOfAnotherPeerNamesItsOwner();
+    void vehicleIsNamedInALine();
+    void switchTimesAreRounded();
+    void peerNameIsKeptToTheEndOfItsSession();
+};
+
+void EventTextTest::eachStationEventHasASentence()
+{
+    for (Event event : samples<Event>()) {
+        if (auto *text = std::get_if<vehicle::TextReceived>(&event))
+            text->text.text = "PreArm: Compass"; // the vehicle's own words
+        checkForm(eventText(event, {}));
+    }
+}
+
+void EventTextTest::eachAgentEventHasASentence()
+{
+    for (const AgentEvent &event : samples<AgentEvent>())
+        checkForm(agentEventText(event, {}));
+    for (const channel::Event &event : samples<channel::Event>())
+        checkForm(agentEventText(event, {}));
+    for (const channel::PairingEvent &event : samples<channel::PairingEvent>()) {
+        checkForm(agentEventText(event, {}));
+        QVERIFY(agentEventText(event, {}).isRoutine);
+    }
+}
+
+void EventTextTest::channelEventsReadTheSameAtBothEnds()
+{
+    PeerNames names;
+    names.note(channel::Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    const channel::ForgeryAlarm alarm{kSession, 3, 4};
+    const EventText text = eventText(alarm, names);
+    QCOMPARE(text.sentence,
+             QStringLiteral("Under attack: refused 3 forged and 4 replayed records that claim to come from air-1"));
+    QCOMPARE(int(text.severity), 2);
+    QCOMPARE(agentEventText(channel::Event(alarm), names).sentence, text.sentence);
+}
+
+void EventTextTest::eachReasonHasItsOwnText()
+{
+    const auto distinct = [](auto last, auto textOf) {
+        std::set<QString> texts;
+        for (int i = 0; i <= int(last); ++i)
+            texts.insert(textOf(static_cast<decltype(last)>(i)));
+        return int(texts.size()) == int(last) + 1 && !texts.count(QString());
+    };
+    QVERIFY(distinct(channel::DownReason::Closed, downReasonText));
+    QVERIFY(distinct(channel::SwitchFailure::SessionEnded, switchFailureText));
+    QVERIFY(distinct(channel::RefusalReason::Flood, refusalText));
+    QVERIFY(distinct(LinkPhase::Failed, linkPhaseText));
+}
+
+void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()
+{
+    const EventText pending = eventText(PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1, air-2"}, {});
+    QVERIFY2(pending.sentence.contains(QStringLiteral("waits for approval")), qPrintable(pending.sentence));
+    QVERIFY(pending.sentence.contains(QStringLiteral("10.0.0.9:14550")));
+    QVERIFY(pending.sentence.contains(QStringLiteral("air-1 or air-2")));
+    QVERIFY(!pending.sentence.contains(QStringLiteral("efused")));
+    QCOMPARE(pending.remedy, EventText::Remedy::AllowPlaintext);
+    const EventText refused = eventText(PlaintextRefused{1, "10.0.0.9:14550", 3, {}}, {});
+    QVERIFY(refused.sentence.startsWith(QStringLiteral("Refused 3 plain frames from 10.0.0.9:14550")));
+    QCOMPARE(refused.remedy, EventText::Remedy::None);
+}
+
+void EventTextTest::systemOfAnotherPeerNamesItsOwner()
+{
+    const auto sentence = [](const char *owner) { return eventText(SystemRefused{1, "air-2", owner, 3}, {}).sentence; };
+    QCOMPARE(sentence(""), QStringLiteral("Refused 3 frames of air-2, which may not send as this vehicle"));
+    QCOMPARE(
+        sentence("air-1"),
+        QStringLiteral("Refused 3 frames of air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "
+                       "a new agent of the same vehicle, remove air-1 from the list of peers or bind the system to air-2"));
+}
+
+void EventTextTest::vehicleIsNamedInALine()
+{
+    QCOMPARE(eventText(VehicleLost{3}, {}).line(), QStringLiteral("Vehicle 3: Link to the vehicle lost"));
+    QCOMPARE(eventText(VehicleFound{3, 2, 3, false}, {}).line(), QStringLiteral("Vehicle 3: Found a quadrotor, not sealed"));
+    LinkSnapshot link;
+    link.url = "udpin:0.0.0.0:0";
+    link.phase = LinkPhase::Listening;
+    link.localAddress = "0.0.0.0:14550";
+    QCOMPARE(linkText(link).line(), QStringLiteral("Link udpin:0.0.0.0:0: listening on 0.0.0.0:14550"));
+}
+
+void EventTextTest::switchTimesAreRounded()
+{
+    using std::chrono::microseconds;
+    QCOMPARE(switchTimeText(microseconds(430)), QStringLiteral("0.4 ms"));
+    QCOMPARE(switchTimeText(microseconds(9'960)), QStringLiteral("10 ms"));
+    QCOMPARE(switchTimeText(microseconds(42'300)), QStringLiteral("42 ms"));
+}
+
+void EventTextTest::peerNameIsKeptToTheEndOfItsSession()
+{
+    PeerNames names;
+    names.note(Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    names.note(Event(VehicleLost{1}));
+    QCOMPARE(names.of(kSession), std::string("air-1"));
+    const Event down = channel::SessionDown{kSession, channel::DownReason::TimedOut, {}};
+    names.note(down);
+    QCOMPARE(eventText(down, names).sentence, QStringLiteral("Sealed link to air-1 ended: silent for too long"));
+    names.note(Event(VehicleBack{1}));
+    QCOMPARE(names.of(kSession), std::string());
+}
+
+SKYSEAL_TEST(EventTextTest)
+#include "event_text_test.moc"
