@@ -219,7 +219,7 @@
     </message>
 </context>
 <context>
-    <name>skyseal::app::SweepDesk</name>
+    <name>skyseal::app::SweepController</name>
     <message>
         <source>skyseal-sim, skyseal-air or skyseal-cli is not installed</source>
         <translation type="unfinished"></translation>
@@ -237,6 +237,457 @@
     </message>
     <message>
         <source>the station is not running</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::AgentEventText</name>
+    <message>
+        <source>Ground side: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle side: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>message %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which is an observer; the last one was %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which may not send as that system; the last one was %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::EventText</name>
+    <message>
+        <source>Found a %1, sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found a %1, not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link to the vehicle lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle is back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 plain frames from %2 that claim to come from this sealed vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This vehicle, at %1, waits for approval: it is not sealed and may be an impostor of %2, which was never heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which may not send as this vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent %1 at %2 answered, or is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent %1 at %2 announces itself but does not answer: does it know this station&apos;s key? %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not recording to %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission not sent: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission not read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter %1 is now %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameter %1 not written: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command refused: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command not answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed link to %1 at %2 is up with %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed link to %1 ended: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The address of %1 changed to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switching from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch to %1 rolled back: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fresh keys for %1, epoch %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switched from %1 to %2, epoch %3, in %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with a key that is not known here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused a handshake from %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (key %2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Under attack: refused %1 forged and %2 replayed records that claim to come from %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link %1: listening on %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Link %1: replayed to its end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the peer</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::PairingText</name>
+    <message>
+        <source>Pairing: %1 is there</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: confirmed at the other end, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: %1 is gone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: another device tried, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: the passphrases of the two ends differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paired with %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: done</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: the time is over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: cancelled</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: ended because the vehicle was armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::engine::StateText</name>
+    <message>
+        <source>plain, not sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (insecure)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>quadrotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coaxial helicopter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>helicopter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>antenna tracker</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>airship</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>rover</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>boat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>submarine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>hexarotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>octorotor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tricopter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VTOL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting to try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end restarted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed by the other end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>silent for too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its keys were used up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its key is not among the known peers any more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closed here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>switched</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not allowed at this end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not allowed by the other end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end did not confirm in time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the other end&apos;s choice came first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the session ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its key is not among the known peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was made for another key than this one: a wrong destination, or an impostor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its counter was used before: a replay, or the station lost its file of counters</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no cipher suite that both ends allow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its offer of suites was changed on the way</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it has another version of the protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this end&apos;s file of counters was lost or restored; it continues from the number that the other end remembers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all handshake counters of this station&apos;s key are used up; it needs a new key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there are too many; only senders that prove their address are answered</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::link::LinkType</name>
+    <message>
+        <source>UDP, listen for vehicles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Receives datagrams on a local port; each sender is a peer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UDP, send to an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sends datagrams to one host and receives its answers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP, connect to an address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connects to one server, again when the connection was lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>TCP, listen for connections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Accepts connections on a local port; each client is a peer.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial radio</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opens a serial device: 8 data bits, no parity, 1 stop bit, no flow control.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recorded log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replays a telemetry log at the recorded pace; nothing is sent.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -773,109 +1224,6 @@ If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent
     </message>
 </context>
 <context>
-    <name>skyseal::ui::HappeningLine</name>
-    <message>
-        <source>Link %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Found a %1, sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Found a %1, not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Link to the vehicle lost</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle is back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 clear frames from %2 that claim to be this sealed vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recording %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mission sent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mission read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: failed, %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parameter %1 is now %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Parameter %1 not written: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sealed link to %1 is up with %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sealed link ended: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The peer&apos;s address changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Switch to %1 rolled back: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fresh keys for %1, epoch %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Handshake refused: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Under attack: %1 forged and %2 replayed records refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The agent %1 at %2 is there but does not answer: does it know this station&apos;s key? %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Held back: this vehicle, at %1, is not sealed and may be an impostor of %2, which was never heard. Security → Allow plain MAVLink takes it all the same</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 frames of %2, which speaks as this vehicle and may not</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 frames of %2, which speaks as this vehicle: it is %3&apos;s. Is it a new agent of the same vehicle? Then remove %3 from the keys, or bind the system to %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Switched from %1 to %2 in %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An agent at %1 announces itself with a key that is not known here. Security → Keys and peers pairs the two</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>skyseal::ui::HelpDialog</name>
     <message>
         <source>Help</source>
@@ -1124,30 +1472,6 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
     <name>skyseal::ui::LinkDialog</name>
     <message>
         <source>Connect</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>UDP, listen for vehicles</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>UDP, send to an address</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP, connect to an address</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>TCP, listen for connections</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Serial radio</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Recorded log</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1849,6 +2173,14 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>Clear the messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Security → Allow plain MAVLink accepts it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Security → Keys and peers pairs the two</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3028,17 +3360,6 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::Suite</name>
-    <message>
-        <source>plain, not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (insecure)</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>skyseal::ui::SuiteActions</name>
     <message>
         <source>the link is not sealed</source>
@@ -3144,13 +3465,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>In use</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::SweepControl</name>
-    <message>
-        <source>Choose where to make the folder of this sweep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3405,6 +3719,13 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Run %1 of %2, %3 left: %4, %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::SweepPresenter</name>
+    <message>
+        <source>Choose where to make the folder of this sweep</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3708,62 +4029,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>plane</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>quadrotor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>coaxial helicopter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>helicopter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>antenna tracker</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>airship</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>rover</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>boat</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>submarine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hexarotor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>octorotor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>tricopter</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>VTOL</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>emergency</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3793,106 +4058,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>debug</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>switched</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not allowed at this end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>not allowed by the vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle did not confirm in time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the other end&apos;s choice came first</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the session ended</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the other end restarted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>closed by the other end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>silent for too long</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its keys were used up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>its key is no longer a known peer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>closed here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>an unknown key: nobody confirmed it here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>made for another key: meant for somebody else, or an impostor</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>a replayed handshake</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no cipher suite that both ends allow</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the offer of suites was tampered with</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>another version of the protocol</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>closed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>opening</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>listening</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>connected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>waiting to try again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>finished</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>failed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3957,22 +4122,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Command %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the file of counters was lost or put back; going on from the number that the other end remembers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>all handshake counters of this station&apos;s key are used; make a new key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>too many of them; only senders that prove their address get through</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
