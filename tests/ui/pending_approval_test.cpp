@@ -137,4 +137,4 @@ private Q_SLOTS:
 };
 
 SKYSEAL_TEST_WIDGETS(PendingApprovalTest)
-#include "held_back_test.moc"
+#include "pending_approval_test.moc"
