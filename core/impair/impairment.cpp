@@ -10,7 +10,7 @@ Impairment::Impairment(const Settings &settings, std::uint64_t stream)
 
 double Impairment::uniform()
 {
-    // SplitMix64 (Steele, Lea, Flood 2014): the same on every machine, which std's distributions do not promise.
+    // SplitMix64 (Steele, Lea, Flood 2014): unlike the distributions of std, the same on every platform.
     std::uint64_t z = m_random += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
@@ -26,7 +26,7 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
 {
     const bool lost = uniform() < m_settings.loss;
     const bool duplicated = uniform() < m_settings.duplicate;
-    const bool pendingApproval = uniform() < m_settings.reorder;
+    const bool heldBack = uniform() < m_settings.reorder;
     const bool corrupted = uniform() < m_settings.corrupt;
     const double where = uniform();
     const unsigned holdFor = 1 + static_cast<unsigned>(uniform() * 3);
@@ -48,20 +48,20 @@ Verdict Impairment::push(TimePoint now, ByteView datagram)
     }
     const TimePoint deadline = onLine + m_settings.delay + jitter;
     verdict.duplicated = duplicated;
-    verdict.pendingApproval = pendingApproval;
+    verdict.heldBack = heldBack;
     verdict.corrupted = corrupted && !datagram.empty();
     m_counters.duplicated += duplicated;
-    m_counters.pendingApproval += pendingApproval;
+    m_counters.heldBack += heldBack;
     m_counters.corrupted += verdict.corrupted;
 
     if (verdict.corrupted) {
-        // Before the copies part: the damage is the same in both.
+        // Before the copies are made: both carry the same damage.
         const auto bit = static_cast<std::size_t>(where * static_cast<double>(datagram.size() * 8));
         m_damaged.assign(datagram.begin(), datagram.end());
         m_damaged[bit / 8] ^= static_cast<std::uint8_t>(1u << bit % 8);
         datagram = m_damaged;
     }
-    enqueue(deadline, datagram, verdict.sequence, pendingApproval ? holdFor : 0);
+    enqueue(deadline, datagram, verdict.sequence, heldBack ? holdFor : 0);
     if (duplicated)
         enqueue(onLine + m_settings.delay + copyJitter, datagram, verdict.sequence, 0);
     releaseHeld(deadline, verdict.sequence);
@@ -155,7 +155,7 @@ bool Impairment::pop(TimePoint now, Delivery &out)
     std::pop_heap(m_heap.begin(), m_heap.end(), [this](std::size_t a, std::size_t b) { return later(a, b); });
     const std::size_t index = m_heap.back();
     m_heap.pop_back();
-    // The bytes stay where they are until the slot is used again.
+    // `out` views the slot's bytes, which stay until the slot is used again.
     m_free.push_back(index);
     const Slot &slot = m_slots[index];
     --m_counters.waiting;

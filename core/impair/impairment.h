@@ -1,6 +1,6 @@
-// A bad link in a box: loss, duplicates, reordering, corruption, delay, jitter and a line rate, all decided by a seed, so
-// that a run can be repeated and every datagram accounted for. No sockets and no clock inside: test harnesses drive it on
-// a simulated clock, the relay of core/link on the real one. One object is one direction.
+// Model of a bad link in one direction: loss, duplicates, reordering, corruption, delay, jitter and a line rate. A seed
+// determines all decisions, so that a run can be repeated and every datagram accounted for. No sockets and no clock inside:
+// tests drive it on a simulated clock, the relay in core/link on the real one.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -16,19 +16,19 @@ struct Settings
 {
     // Probabilities per datagram, 0…1, independent of each other.
     double loss = 0;
-    double duplicate = 0; ///< a second copy, with a jitter of its own
-    double reorder = 0;   ///< held back until 1 to 3 later datagrams have gone ahead
+    double duplicate = 0; ///< a second copy follows, with its own jitter
+    double reorder = 0;   ///< the datagram is held until 1 to 3 later ones were delivered
     double corrupt = 0;   ///< one bit is flipped
     Duration delay{};
-    Duration jitter{};                     ///< on top of the delay, evenly from 0 to this
-    std::uint64_t baud = 0;                ///< line rate at 10 bits a byte, as on a serial line; 0 = unlimited
-    std::size_t lineQueueBytes = 16 << 10; ///< what may wait for the line; more is dropped
+    Duration jitter{};                     ///< added to the delay, uniform from 0 to this value
+    std::uint64_t baud = 0;                ///< line rate in bit/s at 10 bits per byte, as on a serial line; 0 = unlimited
+    std::size_t lineQueueBytes = 16 << 10; ///< queue in front of the line; datagrams that do not fit are dropped
     std::uint64_t seed = 1;
 
     bool operator==(const Settings &) const = default;
 };
 
-/// What was done with one datagram.
+/// Decision about one datagram.
 struct Verdict
 {
     enum class Fate : std::uint8_t { Passed, Lost, QueueFull };
@@ -37,7 +37,7 @@ struct Verdict
     std::size_t bytes = 0;
     Fate fate = Fate::Passed;
     bool duplicated = false;
-    bool pendingApproval = false;
+    bool heldBack = false; ///< chosen for reordering
     bool corrupted = false;
 
     bool dropped() const { return fate != Fate::Passed; }
@@ -50,32 +50,32 @@ struct Counters
     std::uint64_t offered = 0;
     std::uint64_t offeredBytes = 0;
     std::uint64_t lost = 0;
-    std::uint64_t queueFull = 0; ///< dropped because the line or the memory was full
+    std::uint64_t queueFull = 0; ///< dropped because the line queue or kMostWaiting was full
     std::uint64_t duplicated = 0;
-    std::uint64_t pendingApproval = 0; ///< chosen for reordering
+    std::uint64_t heldBack = 0; ///< chosen for reordering
     std::uint64_t corrupted = 0;
-    std::uint64_t delivered = 0; ///< copies that came out
+    std::uint64_t delivered = 0; ///< copies returned by pop()
     std::uint64_t deliveredBytes = 0;
-    std::uint64_t outOfOrder = 0; ///< copies that came out after a datagram that went in later, whatever the reason
+    std::uint64_t outOfOrder = 0; ///< copies delivered after a datagram that was pushed later
     std::uint64_t waiting = 0;
 
     std::uint64_t dropped() const { return lost + queueFull; }
     bool operator==(const Counters &) const = default;
 };
 
-/// Query: nextDeadline(), counters(). Input: push(). Output: pop(), to be called until it gives nothing whenever the
-/// deadline has come, and after push() when there is no delay.
+/// Query: nextDeadline(), counters(). Input: push(). Output: pop(); call it until it returns false, after each push() and at
+/// nextDeadline().
 ///
-/// Every datagram draws the same number of random values whatever the settings are: raising one probability leaves the
-/// other decisions of the same seed as they were.
+/// Each datagram draws the same number of random values whatever the settings are, so that a change of one probability
+/// leaves the other decisions of the same seed unchanged.
 class Impairment
 {
 public:
-    /// `stream` tells the two directions of one seed apart.
+    /// `stream` makes the two directions of one seed differ.
     explicit Impairment(const Settings &settings, std::uint64_t stream = 0);
 
     Verdict push(TimePoint now, ByteView datagram);
-    /// When pop() will have something, kNever when nothing waits.
+    /// Time of the next delivery; kNever when nothing waits.
     TimePoint nextDeadline() const;
 
     struct Delivery
@@ -83,15 +83,15 @@ public:
         std::uint64_t sequence = 0;
         ByteView bytes; ///< valid until the next call of push() or pop()
     };
-    /// The next datagram that is due; false when there is none.
+    /// Takes the next datagram that is due. Returns false when there is none.
     bool pop(TimePoint now, Delivery &out);
 
     const Counters &counters() const { return m_counters; }
     const Settings &settings() const { return m_settings; }
 
-    /// Bound of the memory, in datagrams that wait.
+    /// Limit of waiting datagrams, which bounds the memory.
     static constexpr std::size_t kMostWaiting = 8192;
-    /// A datagram that is held back goes at last after this, when no later ones come.
+    /// A held datagram is delivered after this time even when no later ones follow.
     static constexpr Duration kLongestHold = std::chrono::milliseconds(250);
 
 private:
@@ -101,7 +101,7 @@ private:
         std::uint64_t sequence = 0;
         std::uint64_t order = 0; ///< breaks ties of the deadline
         TimePoint deadline{};
-        unsigned holdFor = 0; ///< later datagrams that still have to go ahead
+        unsigned holdFor = 0; ///< number of later datagrams to let pass first
     };
 
     double uniform();
@@ -120,8 +120,8 @@ private:
     Bytes m_damaged;
     std::vector<Slot> m_slots;
     std::vector<std::size_t> m_free;
-    std::vector<std::size_t> m_heap; ///< slots by deadline, the next one in front
-    std::vector<std::size_t> m_held; ///< slots that wait for later ones
+    std::vector<std::size_t> m_heap; ///< slots as a heap by deadline
+    std::vector<std::size_t> m_held; ///< slots that are held for reordering
 };
 
 } // namespace skyseal::impair

@@ -29,7 +29,7 @@ Address ipv4(std::uint32_t hostOrder, std::uint16_t port)
 
 Address fromQt(const QHostAddress &host, std::uint16_t port)
 {
-    // Not toIPv4Address()'s own opinion: it also turns :: into 0.0.0.0.
+    // toIPv4Address() alone would also convert :: to 0.0.0.0.
     if (host.protocol() == QAbstractSocket::IPv4Protocol)
         return ipv4(host.toIPv4Address(), port);
     Address out;

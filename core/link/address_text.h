@@ -1,5 +1,5 @@
-// Text of transport addresses, and the step between ours and Qt's. IPv4 is kept mapped into IPv6 (base/path.h) and
-// written as people know it.
+// Text of transport addresses, and conversion to and from Qt. IPv4 addresses are stored mapped into IPv6 (base/path.h,
+// RFC 4291 2.5.5.2) and printed in dotted decimal.
 #pragma once
 
 #include "core/base/path.h"
@@ -17,9 +17,9 @@ std::string toText(const Address &address);
 /// The host part alone: "1.2.3.4" or "::1", without brackets.
 std::string hostText(const Address &address);
 
-/// The reverse of toText; nullopt for anything else (names are not looked up).
+/// The inverse of toText(); nullopt for any other text. Does not resolve names.
 std::optional<Address> parseAddress(std::string_view text);
-/// Strict dotted decimal IPv4 or an IPv6 literal without brackets and scope, joined with `port`.
+/// Parses strict dotted decimal IPv4, or an IPv6 literal without brackets and zone, and adds `port`; nullopt otherwise.
 std::optional<Address> parseHost(std::string_view host, std::uint16_t port);
 
 bool isIpv4(const Address &address);

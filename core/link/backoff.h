@@ -1,4 +1,4 @@
-// How long to wait before the next try: doubling from the first to the longest wait.
+// Delay before the next retry: doubles from the first to the longest delay.
 #pragma once
 
 #include "core/base/clock.h"

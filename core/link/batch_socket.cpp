@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kBatch = DatagramSocket::kBatch;
 
-// Both families in one slot; sockaddr_in fits into the front of sockaddr_in6, and the family tells them apart.
+// One slot for both address families, which share the field with the family.
 union SocketAddress {
     sockaddr any;
     sockaddr_in four;
@@ -54,7 +54,7 @@ Address fromSocket(const SocketAddress &from)
     return to;
 }
 
-/// Everything that the system calls point into, wired up once.
+/// Buffers of recvmmsg and sendmmsg with the pointers between them, set up once.
 struct Slots
 {
     Slots()
@@ -110,12 +110,12 @@ std::optional<LinkError> BatchSocket::bind(const Address &local, int receiveBuff
         return systemError(errno, toText(local));
     const int on = 1;
     const int off = 0;
-    // Best effort: without them the socket works, with a smaller buffer or without broadcast.
+    // Failures are ignored: the socket works with a smaller buffer and without broadcast.
     ::setsockopt(m_fd, SOL_SOCKET, SO_RCVBUF, &receiveBufferBytes, sizeof receiveBufferBytes);
     ::setsockopt(m_fd, SOL_SOCKET, SO_BROADCAST, &on, sizeof on);
     if (m_ipv6)
         ::setsockopt(m_fd, IPPROTO_IPV6, IPV6_V6ONLY, &off, sizeof off);
-    // No SO_REUSEADDR: with it two stations could share a port and each would get some of the datagrams.
+    // No SO_REUSEADDR: two stations could share a port, and each would receive a part of the datagrams.
     SocketAddress address;
     const socklen_t length = toSocket(local, m_ipv6, address);
     if (::bind(m_fd, &address.any, length) != 0)
@@ -146,7 +146,7 @@ DatagramSocket::Batch BatchSocket::receive(LinkId id, LinkCounters &counters, st
     Slots &in = m_buffers->in;
     const int count = ::recvmmsg(m_fd, in.headers.data(), static_cast<unsigned>(most), MSG_DONTWAIT, nullptr);
     if (count < 0) {
-        // An ICMP error of some earlier datagram ends up here on some kernels: the peer is not there yet, no more.
+        // Some kernels report the ICMP error of an earlier datagram here. It only means that the peer is not up yet.
         const bool peerAbsent = errno == ECONNREFUSED;
         if (!peerAbsent && errno != EAGAIN && errno != EINTR)
             ++counters.rxErrors;
@@ -198,7 +198,7 @@ void BatchSocket::flush(LinkCounters &counters)
         if (sent < 0 && errno == EINTR)
             continue;
         if (sent < 0) {
-            // The system refuses this one (no route, too long, nobody there): it is lost, the others are not.
+            // The system rejects the first datagram (no route, too long, port closed): skip it and send the others.
             ++counters.txErrors;
             sent = 1;
         } else {

@@ -28,7 +28,7 @@ private:
 
     int m_fd = -1;
     bool m_ipv6 = false;
-    bool m_blocked = false;  ///< the system takes nothing now; m_writeNotifier tells when it does
+    bool m_blocked = false;  ///< the send buffer of the system is full; m_writeNotifier signals when it has room
     std::size_t m_first = 0; ///< oldest queued datagram, in the ring of kBatch
     std::size_t m_queued = 0;
     std::unique_ptr<Buffers> m_buffers;

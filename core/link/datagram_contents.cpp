@@ -13,7 +13,7 @@ constexpr std::uint8_t kMagic1 = 0xfe, kMagic2 = 0xfd;
 constexpr std::size_t kHeader1 = 6, kHeader2 = 10, kChecksum = 2;
 constexpr std::uint8_t kIsSigned = 0x01;
 
-/// The length of the frame that begins here; 0 when none does, or not all of it is there.
+/// The length of the frame at the front of `bytes`; 0 when there is none or it is truncated.
 std::size_t frameLength(ByteView bytes)
 {
     std::size_t length = 0;

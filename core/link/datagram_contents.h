@@ -1,6 +1,6 @@
-// What a datagram shows to somebody without keys: how many sealed units are in it, and whose MAVLink frames stand in the
-// clear. The relay counts its drops by it, so that both ends' books can be checked against an account that neither of them
-// made. Follows PROTOCOL.md 2 (records) and 12 (frames sealed in place), and the MAVLink guide's packet formats.
+// Reads the parts of a datagram that are visible without keys: the number of sealed units and the headers of MAVLink frames.
+// The relay counts its drops with it, so that tests compare the counters of both ends with an independent account. Follows
+// PROTOCOL.md 2 (records) and 12 (frames sealed in place), and the packet formats of the MAVLink guide.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -21,19 +21,19 @@ struct DatagramContents
         bool operator==(const Frame &) const = default;
     };
 
-    /// Of a record: the receiver's name for the session. Nothing for all else, handshakes included.
+    /// Connection id of a record; none in other datagrams, handshakes included.
     std::optional<std::uint16_t> connection;
-    /// The two low bits of the epoch that it was sealed under, and the counters of the record or of the frames in place.
+    /// The two low bits of the epoch, and the counters of the record or of the frames that are sealed in place.
     std::optional<std::uint8_t> epoch;
     std::vector<std::uint32_t> counters;
     std::vector<Frame> frames;
 
-    /// What the receiver's session counts one by one: a record, or each frame that is sealed in place.
+    /// Units that the receiver's session counts: one for a record, or one for each frame that is sealed in place.
     std::uint64_t sealedUnits() const { return counters.size(); }
     std::uint64_t clearFrames() const;
 };
 
-/// Frames are walked by the lengths that they give; what comes behind a byte that begins none is not looked at.
+/// Follows the length fields from frame to frame and stops at the first byte that begins no frame.
 DatagramContents contentsOf(ByteView datagram);
 
 } // namespace skyseal::link

@@ -1,5 +1,5 @@
-// The seam between the UDP link and the two ways to move datagrams: batches straight from the system (Linux), or
-// QUdpSocket anywhere. Both deliver the same; one costs a quarter of the other.
+// Interface of the UDP link to its two implementations: system calls for batches of datagrams (Linux), and QUdpSocket for
+// other systems. Both behave alike; batches cost about a quarter of the CPU time.
 #pragma once
 
 #include "core/link/link.h"
@@ -18,26 +18,26 @@ class DatagramSocket : public QObject
 public:
     static constexpr std::size_t kBatch = 64;
 
-    /// Binds exclusively: a port that anyone holds is an error. [::] serves IPv4 as well.
+    /// Binds exclusively: fails when another socket holds the port. [::] receives IPv4 as well.
     virtual std::optional<LinkError> bind(const Address &local, int receiveBufferBytes) = 0;
     virtual Address local() const = 0;
-    /// Gives the port back at once; buffers stay, so that a caller may be inside receive()'s views.
+    /// Releases the port at once. Keeps the buffers, since a caller may still use the views of receive().
     virtual void shut() = 0;
 
-    /// Up to `most` (1 to kBatch) datagrams that wait now; the views hold until the next call. Fewer (even none) means
-    /// that the socket is drained. Datagrams that are too long are counted and left out.
+    /// Receives up to `most` (1 to kBatch) datagrams without waiting. The views are valid until the next call. Oversized
+    /// datagrams are dropped and counted.
     struct Batch
     {
         std::span<const ReceivedBlock> blocks;
-        bool drained = true;
+        bool drained = true; ///< nothing was left to receive
     };
     virtual Batch receive(LinkId id, LinkCounters &counters, std::size_t most) = 0;
 
-    /// Queues one datagram, sending the queue first when it is full.
+    /// Queues one datagram; flushes a full queue first.
     virtual void send(const Address &to, ByteView datagram, LinkCounters &counters) = 0;
-    /// Sends what is queued as far as the system takes it; the rest goes when it takes more.
+    /// Sends the queue until the system's buffer is full; the rest follows when it has room (see writable()).
     virtual void flush(LinkCounters &counters) = 0;
-    /// Datagrams that the system dropped on receive so far, 0 where it does not tell.
+    /// Datagrams that the system dropped on receive so far; 0 where the system does not report them.
     virtual std::uint64_t kernelDrops() const { return 0; }
 
 Q_SIGNALS:
@@ -45,7 +45,7 @@ Q_SIGNALS:
     void writable();
 };
 
-/// The batching socket where the system has one and `portable` is false, otherwise QUdpSocket.
+/// Returns a BatchSocket on Linux unless `portable` is set, otherwise a QtDatagramSocket.
 std::unique_ptr<DatagramSocket> makeDatagramSocket(bool portable);
 
 } // namespace skyseal::link

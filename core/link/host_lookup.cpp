@@ -27,7 +27,7 @@ void HostLookup::abort()
 
 void HostLookup::finish(const QHostInfo &info, std::uint16_t port)
 {
-    // An answer that was already on its way when abort() was called.
+    // The answer was already queued when abort() was called.
     if (info.lookupId() != m_id)
         return;
     m_id = -1;
@@ -36,7 +36,7 @@ void HostLookup::finish(const QHostInfo &info, std::uint16_t port)
         m_answer(std::nullopt);
         return;
     }
-    // IPv4 first: autopilots and stations mostly listen on 0.0.0.0, and "localhost" often names ::1 before 127.0.0.1.
+    // Prefer IPv4: autopilots and stations mostly listen on 0.0.0.0, while "localhost" often resolves to ::1 first.
     const auto four = std::find_if(found.begin(), found.end(),
                                    [](const QHostAddress &host) { return host.protocol() == QAbstractSocket::IPv4Protocol; });
     m_answer(fromQt(four != found.end() ? *four : found.front(), port));

@@ -1,4 +1,4 @@
-// From a host (name or literal) to an address without blocking: literals at once, names through the system's resolver.
+// Resolves a host to an address without blocking: literals at once, names through the system's resolver.
 #pragma once
 
 #include "core/base/path.h"
@@ -18,7 +18,8 @@ public:
 
     ~HostLookup() override { abort(); }
 
-    /// Calls `answer` with the address, or nullopt when the name is not known; for a literal before start() returns.
+    /// Calls `answer` with the address, or nullopt when the name cannot be resolved. For a literal the call comes before
+    /// start() returns. Cancels a lookup that is running.
     void start(const std::string &host, std::uint16_t port, Answer answer);
     void abort();
     bool isRunning() const { return m_id >= 0; }

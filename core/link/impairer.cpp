@@ -17,7 +17,7 @@ Impairer::Side Impairer::makeSide(const LinkUrl &url, LinkId id, const impair::S
 {
     auto link = makeLink(url, id, *this, options);
     connect(link.get(), &Link::stateChanged, this, [this, made = link.get()] { Q_EMIT linkStateChanged(*made); });
-    // What leaves by link 1 goes forward and is stream 0.
+    // Datagrams that leave through link 1 go forward; that direction uses random stream 0.
     return {std::move(link), impair::Impairment(settings, id == LinkId{1} ? 0 : 1), {}, {}};
 }
 
@@ -66,7 +66,7 @@ void Impairer::linkReceived(Link &link, std::span<const ReceivedBlock> blocks)
     }
     const Direction direction = from == 0 ? Direction::Forward : Direction::Backward;
     for (const ReceivedBlock &block : blocks) {
-        link.noteUse(block.path.remote); // what is of use to others, it cannot tell
+        link.noteUse(block.path.remote); // the relay cannot judge the content, so every block counts
         take(block, direction, target);
     }
     release();
@@ -122,7 +122,7 @@ static void writeTotals(JsonWriter &json, const Impairer::Totals &totals)
         .field("lost", c.lost)
         .field("queue_full", c.queueFull)
         .field("duplicated", c.duplicated)
-        .field("held_back", c.pendingApproval)
+        .field("held_back", c.heldBack)
         .field("corrupted", c.corrupted)
         .field("delivered", c.delivered)
         .field("delivered_bytes", c.deliveredBytes)
@@ -172,9 +172,7 @@ std::string arrivalJson(Impairer::Direction direction, Duration sinceStart, cons
     JsonWriter json = begin("in", direction, sinceStart, verdict.sequence);
     json.field("bytes", static_cast<std::uint64_t>(verdict.bytes));
     json.field("fate", verdict.fate == Fate::Passed ? "passed" : verdict.fate == Fate::Lost ? "lost" : "queue_full");
-    json.field("duplicated", verdict.duplicated)
-        .field("held_back", verdict.pendingApproval)
-        .field("corrupted", verdict.corrupted);
+    json.field("duplicated", verdict.duplicated).field("held_back", verdict.heldBack).field("corrupted", verdict.corrupted);
     json.key("counters").beginArray();
     for (const std::uint32_t counter : contents.counters)
         json.value(counter);

@@ -1,6 +1,6 @@
-// A relay between two links that treats what passes as a bad radio would: the tool to try a protocol or a vehicle on a
-// link that loses, repeats, reorders, damages and delays. Each direction has its own Impairment; every drop can be
-// written down, so that what arrives can be checked against it frame by frame. Lives on the thread of its links.
+// Relay between two links that impairs the traffic like a bad radio: loss, duplicates, reordering, corruption and delay, for
+// tests of protocols and vehicles. Each direction has its own Impairment. Every datagram can be logged, so that arrivals are
+// compared with the log frame by frame. Lives on the thread that made it.
 #pragma once
 
 #include "core/impair/impairment.h"
@@ -20,7 +20,7 @@ class Impairer : public QObject, private LinkListener
 public:
     enum class Direction : std::uint8_t { Forward, Backward }; ///< from `listen` to `to`, and back
 
-    /// Datagrams are impaired one by one; on streams (tcp) the chunks as they happen to arrive.
+    /// Impairs each datagram; on byte streams (tcp, serial) each received chunk.
     Impairer(const LinkUrl &listen, const LinkUrl &to, const impair::Settings &settings, const LinkOptions &options = {});
 
     void open();
@@ -32,19 +32,19 @@ public:
     struct Totals
     {
         impair::Counters counters;
-        std::uint64_t unroutable = 0; ///< came before anyone was known on the other side: not offered, not counted there
-        /// What is in datagrams that were dropped, or went out twice: sealed units (records, and frames sealed in place; no
-        /// handshakes) and MAVLink frames in the clear. What a link must miss, and no more.
+        std::uint64_t unroutable = 0; ///< arrived before the other side had a peer; not part of `counters`
+        /// Contents of datagrams that were dropped or duplicated: sealed units (records and frames sealed in place, without
+        /// handshakes) and clear MAVLink frames. A receiver must miss exactly these.
         std::uint64_t droppedRecords = 0, droppedFrames = 0;
         std::uint64_t duplicatedRecords = 0, duplicatedFrames = 0;
     };
     Totals totals(Direction direction) const;
 
-    /// What was done with one datagram, at the time it came in, and what was in it.
+    /// Receives the arrival time, verdict and contents of a datagram.
     using Log = std::function<void(Direction, TimePoint, const impair::Verdict &, const DatagramContents &)>;
-    /// Called for every datagram; nothing when empty.
+    /// `log` is called for every datagram that arrives; may be empty.
     void setLog(Log log) { m_log = std::move(log); }
-    /// A copy of the datagram with this number went out.
+    /// Called for every copy that is sent; `sequence` is that of its verdict.
     using DeliveryLog = std::function<void(Direction, TimePoint, std::uint64_t sequence)>;
     void setDeliveryLog(DeliveryLog log) { m_deliveryLog = std::move(log); }
 
@@ -56,9 +56,9 @@ private:
     struct Side
     {
         std::unique_ptr<Link> link;
-        impair::Impairment outgoing; ///< towards this side's peer
-        Address peer;                ///< whoever sent here last, for links without a fixed remote
-        Totals totals;               ///< all but the impairment's own counters
+        impair::Impairment outgoing; ///< towards the peer of this side
+        Address peer;                ///< the latest sender, for links without a fixed remote
+        Totals totals;               ///< without `counters`, which the impairment keeps
     };
 
     void linkReceived(Link &link, std::span<const ReceivedBlock> blocks) override;

@@ -27,7 +27,7 @@ const char *name(LinkErrorCode code)
     return "system";
 }
 
-static std::string words(LinkErrorCode code, const std::string &subject)
+static std::string textOf(LinkErrorCode code, const std::string &subject)
 {
     switch (code) {
     case LinkErrorCode::None: return "no error";
@@ -51,7 +51,7 @@ static std::string words(LinkErrorCode code, const std::string &subject)
 
 std::string LinkError::sentence() const
 {
-    std::string out = words(code, subject);
+    std::string out = textOf(code, subject);
     if (!detail.empty())
         out += ": " + detail;
     return out;

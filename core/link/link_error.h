@@ -1,4 +1,4 @@
-// Why a link is not carrying anything, as a value. Programs decide on the code; people read the sentence.
+// Reason why a link is down, as a value: a code for programs, a sentence for people.
 #pragma once
 
 #include <cstdint>
@@ -20,25 +20,25 @@ enum class LinkErrorCode : std::uint8_t {
     DeviceBusy,
     FileUnreadable,
     EndOfFile,
-    NotSupported, ///< built without, or not on this system
-    System,       ///< anything else; `detail` has the system's own words
+    NotSupported, ///< not in this build, or not on this system
+    System,       ///< any other error; `detail` has the system's message
 };
 
-/// One word for scripts, e.g. "port-in-use".
+/// Keyword for scripts, e.g. "port-in-use".
 const char *name(LinkErrorCode code);
 
 struct LinkError
 {
     LinkErrorCode code = LinkErrorCode::None;
-    std::string subject; ///< what it happened to: an address, host, device or file
-    std::string detail;  ///< what else is known (who holds the port, the system's message), may be empty
+    std::string subject; ///< the address, host, device or file
+    std::string detail;  ///< program that holds the port, or the system's message; may be empty
 
     bool operator==(const LinkError &) const = default;
     /// One plain English sentence without a full stop, e.g. "port 0.0.0.0:14550 is in use by another program".
     std::string sentence() const;
 };
 
-/// From an errno of the socket or device calls.
+/// Converts an errno of a socket or device call.
 LinkError systemError(int number, std::string subject);
 
 } // namespace skyseal::link

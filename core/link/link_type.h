@@ -1,5 +1,5 @@
-// The types of links: what each is called in a URL and by people, what follows its scheme, its traits and its class. The
-// table in link_type.cpp is the only list; the URL parser, makeLink(), the window's dialog, the programs' --help and the
+// Descriptor of a link type: scheme and form of its URLs, traits, texts for people, factory. The table in link_type.cpp is the
+// only list of types; the URL parser, makeLink(), the window's dialog, the programs' --help and the
 // manual page derive from it.
 #pragma once
 
@@ -19,7 +19,7 @@ class LinkListener;
 class LinkUrl;
 struct LinkOptions;
 
-/// What follows the scheme in a URL.
+/// Form of the part of a URL after the scheme.
 enum class LinkTarget : std::uint8_t {
     HostPort,   ///< network address; a listening link may leave the host out
     DeviceBaud, ///< serial device and its rate in bit/s

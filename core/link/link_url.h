@@ -12,8 +12,6 @@
 
 namespace skyseal::link {
 
-enum class LinkScheme : std::uint8_t { UdpIn, UdpOut, Tcp, TcpIn, Serial, Tlog };
-
 /// A well-formed link URL. Plain value.
 class LinkUrl
 {
@@ -25,13 +23,12 @@ public:
     static Result<LinkUrl, InputError> parse(std::string_view text, std::string_view unnamedHost = kAnyHost,
                                              std::span<const LinkType> types = linkTypes());
 
-    /// Hosts for a listening link whose URL names none: all interfaces for a station, which waits for vehicles; this machine
-    /// for the plain side of an agent.
+    /// Hosts for a listening link whose URL has none: all interfaces for a station, which waits for vehicles; the loopback
+    /// interface for the plain side of an agent.
     static constexpr std::string_view kAnyHost = "0.0.0.0";
     static constexpr std::string_view kLoopback = "127.0.0.1";
 
     const LinkType &type() const { return *m_type; }
-    LinkScheme scheme() const { return static_cast<LinkScheme>(m_type - linkTypes().data()); }
     LinkTraits traits() const;
     bool isListening() const { return m_type->traits.isListening; }
     /// Name or address without brackets; empty unless the target is HostPort.

@@ -10,7 +10,7 @@ namespace skyseal::link {
 
 namespace fs = std::filesystem;
 
-/// Links of /proc/PID/fd that would stand for the sockets bound to the port, as "socket:[inode]".
+/// The targets of links in /proc/PID/fd that mean a socket bound to the port: "socket:[inode]".
 static std::vector<std::string> socketsOf(PortKind kind, std::uint16_t port)
 {
     static constexpr const char *kTcpListen = "0A"; // state TCP_LISTEN in /proc/net/tcp
@@ -39,7 +39,7 @@ std::string portOwner(PortKind kind, std::uint16_t port)
     const std::vector<std::string> sockets = socketsOf(kind, port);
     if (sockets.empty())
         return {};
-    // Processes end while we look and those of others may not be read: every step may fail, and then it is skipped.
+    // Processes may end meanwhile, and those of other users are not readable: skip whatever fails.
     std::error_code error;
     for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {
         const std::string pid = process->path().filename();

@@ -1,4 +1,4 @@
-// Which program holds a port, so that "in use" can name it. Best effort: Linux tells for programs of the same user.
+// Finds the program that holds a port, for the error "in use". Best effort: Linux shows only programs of the same user.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace skyseal::link {
 
 enum class PortKind : std::uint8_t { Udp, Tcp };
 
-/// "skyseal (process 1234)", or empty when the system does not tell. Reads /proc: for the moment of failure only.
+/// Returns "skyseal (process 1234)", or an empty text when it cannot be found. Slow, since it reads /proc.
 std::string portOwner(PortKind kind, std::uint16_t port);
 
 } // namespace skyseal::link

@@ -15,7 +15,7 @@ namespace skyseal::link {
 
 struct QtDatagramSocket::Buffers
 {
-    // One byte more than allowed: a datagram that fills it was too long, whatever was cut off.
+    // One byte more than allowed: a datagram that fills the buffer is oversized.
     std::array<std::array<std::uint8_t, kMaxDatagram + 1>, kBatch> bytes;
     std::array<ReceivedBlock, kBatch> blocks;
 };

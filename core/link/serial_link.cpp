@@ -37,7 +37,7 @@ void SerialLink::open()
 
 void SerialLink::openNow()
 {
-    // A failure arrives through errorOccurred.
+    // Failures are handled in failed(), through errorOccurred.
     if (!m_port.open(QIODevice::ReadWrite))
         return;
     m_backoff.reset();
@@ -63,16 +63,16 @@ void SerialLink::failed(QSerialPort::SerialPortError error)
     if (error == QSerialPort::NoError || state() == LinkState::Closed || m_retryTimer.isActive())
         return;
     LinkErrorCode code = codeOf(error);
-    const std::string words = m_port.errorString().toStdString();
-    // QSerialPort says "permission" both for a device that is taken and for one that we may not touch.
-    if (code == LinkErrorCode::PermissionDenied && words.find("busy") != std::string::npos)
+    const std::string message = m_port.errorString().toStdString();
+    // QSerialPort reports PermissionError both for a device in use and for missing permissions.
+    if (code == LinkErrorCode::PermissionDenied && message.find("busy") != std::string::npos)
         code = LinkErrorCode::DeviceBusy;
-    // A device that vanishes while it is read shows first as a read error.
+    // A device that is unplugged shows first as a read error.
     if (code == LinkErrorCode::System && !QFile::exists(QString::fromStdString(url().path())))
         code = LinkErrorCode::DeviceMissing;
     LinkError reason{code, url().path(), {}};
     if (code == LinkErrorCode::System || code == LinkErrorCode::NotSupported)
-        reason.detail = words;
+        reason.detail = message;
     m_retryTimer.start(std::chrono::duration_cast<std::chrono::milliseconds>(m_backoff.next()));
     setState(LinkState::Waiting, std::move(reason));
     dropPeer();

@@ -1,5 +1,5 @@
-// A serial device: telemetry radio or autopilot on USB. 8N1 without flow control, as MAVLink devices speak. A device that
-// is unplugged is waited for and opened again. Only built where Qt SerialPort is present.
+// Link over a serial device, such as a telemetry radio or an autopilot on USB: 8N1 without flow control. Opens the device
+// again after it was unplugged. Built only with Qt SerialPort.
 #pragma once
 
 #include "core/link/backoff.h"
@@ -22,7 +22,7 @@ public:
 
     void open() override;
     void close() override;
-    /// A line has one other end: the address says nothing.
+    /// Ignores the address: a serial line has one remote end.
     void send(const Address &to, ByteView block) override;
     void flush() override;
 

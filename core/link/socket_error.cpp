@@ -18,12 +18,12 @@ static LinkErrorCode codeOf(QAbstractSocket::SocketError error)
     }
 }
 
-LinkError socketError(QAbstractSocket::SocketError error, const QString &words, std::string subject)
+LinkError socketError(QAbstractSocket::SocketError error, const QString &message, std::string subject)
 {
     const LinkErrorCode code = codeOf(error);
     const bool needsText = code == LinkErrorCode::System || code == LinkErrorCode::NotSupported
         || code == LinkErrorCode::Unreachable;
-    return {code, std::move(subject), needsText ? words.toStdString() : std::string()};
+    return {code, std::move(subject), needsText ? message.toStdString() : std::string()};
 }
 
 } // namespace skyseal::link

@@ -1,4 +1,4 @@
-// Qt's socket errors as ours.
+// Converts socket errors of Qt to LinkError.
 #pragma once
 
 #include "core/link/link_error.h"
@@ -7,7 +7,7 @@
 
 namespace skyseal::link {
 
-LinkError socketError(QAbstractSocket::SocketError error, const QString &words, std::string subject);
+LinkError socketError(QAbstractSocket::SocketError error, const QString &message, std::string subject);
 
 inline LinkError socketError(const QAbstractSocket &socket, std::string subject)
 {

@@ -1,5 +1,5 @@
-// The only place of core that asks the operating system for the time. Programs read it once per wake-up and hand the
-// value in; the protocol classes never come here.
+// The clocks of the operating system, read only here. The I/O code reads the time once per wake-up and passes it to the
+// protocol classes, which never call these functions.
 #pragma once
 
 #include "core/base/clock.h"

@@ -1,5 +1,5 @@
-// One open byte stream (a TCP connection, a serial device): chunks in, whole blocks out through a bounded queue. Used by
-// every stream link, so that all of them drop and count alike.
+// One open byte stream (TCP connection, serial device): receives chunks, sends whole blocks through a bounded queue. Shared
+// by the stream links, so that all of them drop and count in the same way.
 #pragma once
 
 #include "core/link/link.h"
@@ -11,15 +11,15 @@ namespace skyseal::link {
 class StreamPeer
 {
 public:
-    /// `device` must be open, buffered and outlive this.
+    /// `device` must be open and buffered, and outlive this object.
     StreamPeer(QIODevice &device, Path path, std::size_t queueBytes);
 
     const Path &path() const { return m_path; }
 
-    /// Hands everything that has arrived to the listener. The listener may close the link; then false is returned, and
-    /// this object may be gone.
+    /// Passes all received bytes to the listener. Returns false when the listener closed the link; this object may be
+    /// deleted then.
     bool receive(Link &link, LinkListener &listener, LinkCounters &counters);
-    /// Takes a whole block or none: half a frame would cost the receiver the next one too.
+    /// Queues the whole block or drops it: half a frame would make the receiver lose the next one as well.
     void send(ByteView block, LinkCounters &counters);
     void flush(LinkCounters &counters);
 

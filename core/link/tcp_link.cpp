@@ -8,12 +8,12 @@
 
 namespace skyseal::link {
 
-static constexpr qint64 kReadBuffer = 256 << 10; // bounds what one wake-up can bring
+static constexpr qint64 kReadBuffer = 256 << 10; // bounds the bytes of one wake-up
 
 TcpLink::TcpLink(LinkUrl linkUrl, LinkId linkId, LinkListener &linkListener, LinkOptions linkOptions)
     : Link(std::move(linkUrl), linkId, linkListener, linkOptions), m_backoff(options().retryFirst, options().retryMax)
 {
-    // A desktop's proxy is for its browser: it must neither get to see a vehicle's MAVLink nor to lose it.
+    // The desktop's proxy settings are meant for browsers; MAVLink must not pass through such a proxy.
     m_socket.setProxy(QNetworkProxy::NoProxy);
     m_socket.setReadBufferSize(kReadBuffer);
     m_retryTimer.setSingleShot(true);
@@ -74,7 +74,7 @@ void TcpLink::lost()
         return;
     const std::string subject = url().host() + ":" + std::to_string(url().port());
     LinkError error = socketError(m_socket, m_socket.error() == QAbstractSocket::HostNotFoundError ? url().host() : subject);
-    // What came before the end still counts.
+    // Deliver the bytes that arrived before the connection ended.
     if (m_peer && !m_peer->receive(*this, listener(), m_counters))
         return;
     dropPeer();

@@ -1,4 +1,4 @@
-// TCP client. When the peer refuses or closes, the link waits and connects again by itself, ever less often.
+// TCP client. Connects again with a growing delay (Backoff) after the peer refused or closed the connection.
 #pragma once
 
 #include "core/link/backoff.h"

@@ -14,7 +14,7 @@ namespace skyseal::link {
 
 static constexpr qint64 kReadBuffer = 256 << 10;
 
-/// An IPv6 host owns the lower half of its address.
+/// IPv6 addresses of one host may differ in the lower 64 bits (interface identifier, RFC 4291 2.5.1).
 static bool isSameHost(const Address &a, const Address &b)
 {
     return isIpv4(a) == isIpv4(b) && std::equal(a.ip.begin(), a.ip.begin() + (isIpv4(a) ? 16 : 8), b.ip.begin());
@@ -94,7 +94,7 @@ void TcpServerLink::accept()
     }
 }
 
-/// Ends one connection; false when each has a better right to its place than the newcomer, or the link was closed over it.
+/// Closes one connection to make room. Returns false when none may be replaced, or when the listener closed the link meanwhile.
 bool TcpServerLink::makeRoomFor(const QTcpSocket &newcomer)
 {
     auto victim = mostUseless();
@@ -103,7 +103,7 @@ bool TcpServerLink::makeRoomFor(const QTcpSocket &newcomer)
     if (victim == m_clients.end())
         return false;
     QTcpSocket *const socket = victim->socket;
-    receive(socket); // what it said last may be of use after all, but its place is gone
+    receive(socket); // deliver its last bytes
     socket->abort();
     drop(socket);
     return state() != LinkState::Closed && m_clients.size() < kMostClients;
@@ -159,7 +159,7 @@ void TcpServerLink::receive(QTcpSocket *socket)
     const auto client = find(socket);
     if (client == m_clients.end())
         return;
-    // Kept alive by the copy: the listener may close the link from within.
+    // The copy keeps the peer alive when the listener closes the link.
     const std::shared_ptr<StreamPeer> peer = client->peer;
     peer->receive(*this, listener(), m_counters);
 }
@@ -207,7 +207,7 @@ void TcpServerLink::close()
     const std::vector<Client> clients = std::exchange(m_clients, {});
     for (const Client &client : clients) {
         client.socket->disconnect(this);
-        // What was flushed still goes out; the socket deletes itself when it is done.
+        // Flushed bytes are still sent; the socket deletes itself afterwards.
         client.socket->setParent(nullptr);
         connect(client.socket, &QTcpSocket::disconnected, client.socket, &QObject::deleteLater);
         client.socket->disconnectFromHost();

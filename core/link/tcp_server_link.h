@@ -1,6 +1,7 @@
-// TCP server: every client that connects is a path of its own, named by its address. There are 32 places. When all are
-// taken, a new client gets the place of one that was of no use for some seconds; failing that, of one from a host that has
-// more than its share, unless it comes from there itself. So neither idle connections nor one busy host keep others out.
+// TCP server. Each client is a path of its own, with the client's address. At most 32 clients are served. When all places are
+// taken, a new client replaces one that sent nothing useful (Link::noteUse()) for some seconds, otherwise one of a host that
+// holds more than its share, unless the new client comes from that host. Thus neither idle connections nor one busy host can
+// exclude others.
 #pragma once
 
 #include "core/link/host_lookup.h"
@@ -22,7 +23,7 @@ class TcpServerLink final : public Link
 
 public:
     static constexpr std::size_t kMostClients = 32;
-    static constexpr std::ptrdiff_t kShareOfHost = 8; ///< when there is no room; before, a host may have as many as it likes
+    static constexpr std::ptrdiff_t kShareOfHost = 8; ///< applies only when all places are taken
 
     TcpServerLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~TcpServerLink() override;
@@ -44,10 +45,10 @@ private:
         QTcpSocket *socket; ///< child of the server
         std::shared_ptr<StreamPeer> peer;
         TimePoint joined{};
-        std::optional<TimePoint> useful = std::nullopt; ///< last
+        std::optional<TimePoint> useful = std::nullopt; ///< last call of noteUse()
 
         const Address &address() const { return peer->path().remote; }
-        /// The least gives way first: who never was of use, then who no longer is.
+        /// The client with the lowest rank is replaced first: never useful, then useful the longest time ago.
         auto rank() const { return std::pair(useful, joined); }
     };
 

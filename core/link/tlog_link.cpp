@@ -39,7 +39,7 @@ void TlogLink::open()
     if (state() != LinkState::Closed && state() != LinkState::Failed && state() != LinkState::Ended)
         return;
     const std::string &path = url().path();
-    // A pipe or a directory opens as well, and then reading blocks or fails.
+    // Opening a pipe or a directory succeeds, but reading from it would block or fail.
     std::error_code error;
     const bool isFile = std::filesystem::is_regular_file(path, error);
     m_file = std::ifstream(path, std::ios::binary);
@@ -59,7 +59,7 @@ void TlogLink::open()
 bool TlogLink::readNext()
 {
     while (const auto item = m_reader->next()) {
-        // Damage has no bytes; a frame of an unknown message has.
+        // Damaged spots have no bytes; frames of unknown messages do, and are replayed.
         if (item->bytes.empty() || item->bytes.size() > m_frames->ahead.bytes.size()) {
             ++m_counters.rxErrors;
             continue;

@@ -1,5 +1,5 @@
-// Plays a recording as if its vehicle were there: one block per frame, at the pace at which they were recorded (or faster).
-// What is sent into it goes nowhere.
+// Replays a .tlog recording: one block per frame, at the recorded pace or faster (LinkOptions::replayFactor). Blocks that are
+// sent are dropped and counted.
 #pragma once
 
 #include "core/link/link.h"
@@ -20,7 +20,7 @@ public:
     TlogLink(LinkUrl url, LinkId id, LinkListener &listener, LinkOptions options);
     ~TlogLink() override;
 
-    /// From the beginning, also after Ended.
+    /// Starts from the beginning, also after Ended.
     void open() override;
     void close() override;
     void send(const Address &, ByteView) override { ++m_counters.txDropped; }
@@ -39,7 +39,7 @@ private:
     QTimer m_timer;
     TimePoint m_startedAt{};
     std::optional<WallTime> m_firstTime;
-    std::optional<WallTime> m_nextTime; ///< of the frame that was read ahead; none in a recording without times
+    std::optional<WallTime> m_nextTime; ///< of the frame that was read ahead; none in a file without timestamps
 };
 
 } // namespace skyseal::link

@@ -86,7 +86,7 @@ void UdpLink::receive()
     bool drained = false;
     std::size_t taken = 0;
     TimePoint now = start;
-    // The listener may close the link: the socket is looked at afresh for every batch.
+    // The listener may close the link, so m_socket is checked after every batch.
     do {
         const DatagramSocket::Batch received = m_socket->receive(id(), m_counters, m_batch);
         if (!received.blocks.empty())
@@ -95,7 +95,7 @@ void UdpLink::receive()
         taken += received.blocks.size();
         now = steadyNow();
     } while (m_socket && !drained && now - start < options().turn);
-    // As many the next time as fit into a turn at what they cost this time.
+    // Size the next batch to fit into one turn at the measured cost per datagram.
     if (taken > 0) {
         const Duration each = std::max<Duration>((now - start) / static_cast<Duration::rep>(taken), Duration(1));
         const auto fitting = static_cast<std::size_t>(options().turn / each);
@@ -126,7 +126,7 @@ void UdpLink::flush()
 
 void UdpLink::checkRoute(std::uint64_t errorsBefore)
 {
-    // The named host may have moved; a literal address cannot.
+    // The address of a host name may have changed; resolve it again. Literal addresses cannot change.
     if (m_counters.txErrors == errorsBefore || m_lookup.isRunning() || m_retryTimer.isActive() || url().isListening()
         || parseHost(url().host(), 0))
         return;
@@ -138,7 +138,7 @@ void UdpLink::dropSocket()
     if (!m_socket)
         return;
     m_earlierDrops += m_socket->kernelDrops();
-    // This may run inside one of the socket's own signals: the port is free now, the object goes later.
+    // This may run inside a signal of the socket: release the port now, delete the object later.
     m_socket->shut();
     m_socket->disconnect(this);
     m_socket.release()->deleteLater();

@@ -1,5 +1,5 @@
-// UDP, both ways: udpin binds a port and reports who sends; udpout sends to one remote, whose name is looked up without
-// blocking and looked up again when sending fails. A remote that is not there yet is no error: datagrams to it vanish.
+// UDP link. udpin binds a port and reports the address of each sender; udpout sends to one remote, whose name is resolved
+// without blocking, and again after sending failed. A remote that is not up yet is no error: datagrams to it are lost.
 #pragma once
 
 #include "core/link/backoff.h"
@@ -35,12 +35,12 @@ private:
     void dropSocket();
 
     std::unique_ptr<DatagramSocket> m_socket;
-    /// A turn of fewer would go into waking up.
+    /// With smaller batches the cost of the wake-up would dominate.
     static constexpr std::size_t kLeastBatch = 8;
 
-    std::size_t m_batch = DatagramSocket::kBatch; ///< datagrams for the next batch
+    std::size_t m_batch = DatagramSocket::kBatch; ///< size of the next batch, by the measured cost of a datagram
     Address m_remote;
-    std::uint64_t m_earlierDrops = 0; ///< of sockets that are gone
+    std::uint64_t m_earlierDrops = 0; ///< kernel drops of previous sockets
     HostLookup m_lookup;
     QTimer m_retryTimer;
     Backoff m_backoff;

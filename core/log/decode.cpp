@@ -20,7 +20,7 @@ void writeJson(JsonWriter &json, const LogItem &item)
         mavlink::writeBadJson(json, item.fault, item.offset, item.length);
 }
 
-std::string words(const LogItem &item, const mavlink::Dialect &dialect)
+std::string textOf(const LogItem &item, const mavlink::Dialect &dialect)
 {
     const std::string time = item.time ? utcText(*item.time) + " " : std::string();
     if (item.frame)
@@ -51,7 +51,7 @@ DecodeCounts decode(std::istream &input, const mavlink::Dialect &dialect, const 
             writeJson(json, *item);
             taken = sink(json.text());
         } else {
-            taken = sink(words(*item, dialect));
+            taken = sink(textOf(*item, dialect));
         }
         if (!taken)
             break;

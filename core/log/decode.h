@@ -1,5 +1,5 @@
-// A recording as text, one message a line: JSON for scripts, or words for people. What is damaged gets a line of its own,
-// and what follows it is not lost.
+// Prints a recording as text, one message a line: JSON for scripts, plain text for people. Each damaged spot has its own line;
+// reading continues behind it.
 #pragma once
 
 #include "core/base/secret_bytes.h"
@@ -14,10 +14,9 @@ struct DecodeOptions
 {
     bool json = false;
     LogFormat format = LogFormat::Auto;
-    /// When given, signed frames whose signature was not made with this key are bad; unsigned ones stay as they are.
+    /// If set, signed frames with a signature of another key are reported as bad. Unsigned frames are not affected.
     const Key32 *signingKey = nullptr;
-    /// When given, what each frame is shown as: for streams whose payloads are encrypted. The result lives until the next
-    /// call.
+    /// If set, decrypts each frame before it is printed. The result must be valid until the next call.
     std::function<mavlink::Frame(const mavlink::Frame &)> open = {};
 };
 
@@ -27,8 +26,8 @@ struct DecodeCounts
     std::uint64_t bad = 0;
 };
 
-/// Reads all of `input` and hands out each line without its end. The lines of JSON are those of writeMessageJson and
-/// writeBadJson. A sink that returns false ends it (the reader of a pipe has gone).
+/// Reads `input` to its end and passes each line, without a line break, to `sink`. JSON lines have the form of
+/// writeMessageJson() and writeBadJson(). Stops when `sink` returns false (for example, when a pipe was closed).
 DecodeCounts decode(std::istream &input, const mavlink::Dialect &dialect, const DecodeOptions &options,
                     const std::function<bool(std::string_view line)> &sink);
 

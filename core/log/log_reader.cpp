@@ -88,7 +88,7 @@ std::optional<LogItem> LogReader::scanWindow()
     return out;
 }
 
-/// In a .tlog eight bytes stand between two frames and before the first, in bare MAVLink none do.
+/// Detects the format: in a .tlog eight bytes precede every frame, in raw MAVLink none do.
 void LogReader::findFormat()
 {
     const bool isAll = m_ended || m_end - m_begin >= kEnoughToTell;
@@ -125,7 +125,7 @@ bool LogReader::readMore()
         m_end -= m_begin;
         m_begin = 0;
     }
-    // What a pipe has at hand, but at least the byte that peek() waited for.
+    // Read only what is available without waiting, but at least the byte that peek() returned.
     const std::size_t room = m_buffer.size() - m_end;
     if (room == 0 || m_input.peek() == std::istream::traits_type::eof()) {
         m_ended = true;

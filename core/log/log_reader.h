@@ -1,5 +1,4 @@
-// Reads a recording piece by piece from a stream, be it a .tlog or bare MAVLink bytes, and loses nothing that damage has
-// spared.
+// Reads a recording from a stream, either a .tlog or raw MAVLink bytes, and recovers every intact frame of a damaged file.
 #pragma once
 
 #include "core/log/tlog_scanner.h"
@@ -9,29 +8,30 @@
 namespace skyseal::tlog {
 
 enum class LogFormat : std::uint8_t {
-    Auto, ///< found out from the beginning
-    Raw,  ///< frames one after the other
+    Auto, ///< detected from the beginning of the stream
+    Raw,  ///< frames without timestamps
     Tlog
 };
 
-/// A frame, or a bad spot of `length` bytes.
+/// A frame, or a damaged spot of `length` bytes.
 struct LogItem
 {
-    std::optional<mavlink::Frame> frame; ///< lives until the reader's next step
-    mavlink::FrameFault fault{};         ///< when there is no frame
-    std::optional<WallTime> time;        ///< in a .tlog
-    std::uint64_t offset = 0;            ///< from the beginning of the stream; of the entry with its time in a .tlog
+    std::optional<mavlink::Frame> frame; ///< valid until the next call of the reader
+    mavlink::FrameFault fault{};         ///< set if there is no frame
+    std::optional<WallTime> time;        ///< .tlog only
+    std::uint64_t offset = 0;            ///< from the beginning of the stream; in a .tlog that of the timestamp
     std::uint64_t length = 0;
-    ByteView bytes; ///< of the frame, also of one whose message is unknown; empty for damage
+    ByteView bytes; ///< of the frame, also of an unknown message; empty for damage
 };
 
 class LogReader
 {
 public:
-    /// Both must outlive the reader. The stream is read in the portions it has at hand, so that a pipe is followed live.
+    /// `input` and `dialect` must outlive the reader. Reads only as much as the stream has available, so that a pipe is
+    /// followed live.
     LogReader(std::istream &input, const mavlink::Dialect &dialect, LogFormat format = LogFormat::Auto);
 
-    /// The next frame or bad spot; nullopt at the end. Damage that goes on is one spot, however long it is.
+    /// Returns the next frame or damaged spot; nullopt at the end. Contiguous damage is one spot, whatever its length.
     std::optional<LogItem> next();
 
     /// Auto until the first item was read.
@@ -50,11 +50,11 @@ private:
     const mavlink::Dialect &m_dialect;
     LogFormat m_format;
     Bytes m_buffer;
-    std::size_t m_begin = 0, m_end = 0; ///< what of the buffer is still to be read
-    std::uint64_t m_windowOffset = 0;   ///< of the buffer's first byte in the stream
+    std::size_t m_begin = 0, m_end = 0; ///< unread part of the buffer
+    std::uint64_t m_windowOffset = 0;   ///< offset of the buffer in the stream
     bool m_ended = false;
-    std::optional<LogItem> m_damage; ///< may still grow
-    std::optional<LogItem> m_after;  ///< what ended the damage
+    std::optional<LogItem> m_damage; ///< damaged spot whose end is not known yet
+    std::optional<LogItem> m_after;  ///< the item behind the damaged spot
 };
 
 } // namespace skyseal::tlog

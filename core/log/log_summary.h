@@ -1,4 +1,4 @@
-// What a recording holds, for `log info` and `log verify`.
+// Summary of a recording, for `log info` and `log verify`.
 #pragma once
 
 #include "core/base/json_writer.h"
@@ -11,7 +11,7 @@
 
 namespace skyseal::tlog {
 
-/// A spot that is no valid message.
+/// Bytes that are no valid message.
 struct BadSpot
 {
     mavlink::FrameFault fault{};
@@ -19,40 +19,40 @@ struct BadSpot
     std::uint64_t length = 0;
 };
 
-/// A pause in the recording, or time that runs back.
+/// A pause in the recording, or a step back in time.
 struct TimeGap
 {
-    std::uint64_t offset = 0; ///< of the entry behind it
+    std::uint64_t offset = 0; ///< of the entry after the gap
     WallTime before, after;
 };
 
 struct LogSummary
 {
-    static constexpr std::size_t kListed = 1000; ///< at most so many spots and gaps are kept; all are counted
+    static constexpr std::size_t kListed = 1000; ///< limit of listedSpots and of listedGaps; the counts have no limit
 
     LogFormat format = LogFormat::Auto;
     std::uint64_t bytes = 0;
     std::uint64_t frames = 0;
     std::uint64_t signedFrames = 0;
     std::uint64_t version1Frames = 0;
-    std::uint64_t unknownMessages = 0; ///< whole frames with an id that the dialect does not have
+    std::uint64_t unknownMessages = 0; ///< complete frames with a message id that the dialect does not define
     std::uint64_t badSpots = 0, badBytes = 0;
     std::uint64_t pauses = 0, backwardSteps = 0;
-    std::optional<WallTime> first, last; ///< the earliest and the latest, in a .tlog
+    std::optional<WallTime> first, last; ///< earliest and latest time; .tlog only
     std::map<std::string, std::uint64_t, std::less<>> byMessage;
     std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint64_t> bySender; ///< system and component
     std::vector<BadSpot> listedSpots;
     std::vector<TimeGap> listedGaps;
 
-    /// Nothing is damaged and time never runs back; unknown messages and pauses are no fault of the recording.
+    /// No damage and no step back in time. Unknown messages and pauses are not faults of the recording.
     bool isSound() const { return badSpots == 0 && backwardSteps == 0; }
 };
 
-/// Reads all of `input`. Neighbouring entries more than `pause` apart count as a pause.
+/// Reads `input` to its end. Two consecutive entries more than `pause` apart count as a pause.
 LogSummary summarize(std::istream &input, const mavlink::Dialect &dialect,
                      std::chrono::microseconds pause = std::chrono::seconds(5));
 
-/// The counts as an object's members: {"format","bytes","frames",…,"messages":{name:n},"senders":[…],"bad":[…],
+/// Writes the members of a JSON object: {"format","bytes","frames",…,"messages":{name:n},"senders":[…],"bad":[…],
 /// "gaps":[…]}.
 void writeSummaryFields(JsonWriter &json, const LogSummary &summary);
 

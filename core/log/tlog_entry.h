@@ -1,5 +1,5 @@
-// The form of a .tlog, as ground stations have always kept it: each frame behind the microseconds since 1970, eight bytes,
-// the most significant first. There is no header, no length and no checksum but the frame's own.
+// Entry format of a .tlog, as used by Mission Planner, QGroundControl and MAVProxy: eight bytes with the microseconds since
+// 1970-01-01 UTC, big-endian, then the frame. The file has no header, length fields or checksums beside those of the frames.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -11,11 +11,11 @@ namespace skyseal::tlog {
 
 inline constexpr std::size_t kTimeLength = 8;
 
-/// Writes one entry into `out` and gives its bytes; empty when it does not fit. Moments before 1970 become 1970.
+/// Writes one entry to `out` and returns the written bytes; empty when it does not fit. Times before 1970 become 1970.
 MutableByteView writeEntry(MutableByteView out, WallTime time, ByteView frame);
 
-/// The time at the start of `bytes`; nullopt when they are fewer than eight or say a moment that no recording has (after
-/// 2200).
+/// Reads the timestamp at the front of `bytes`; nullopt when they are fewer than eight or the time is implausible (after
+/// the year 2200).
 std::optional<WallTime> readTime(ByteView bytes);
 
 } // namespace skyseal::tlog

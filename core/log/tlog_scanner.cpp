@@ -41,8 +41,8 @@ std::optional<TlogItem> TlogScanner::next()
     }
 }
 
-/// An entry whose checksum cannot be checked: believed when the file ends behind it or another entry begins there, and no
-/// valid frame begins inside it.
+/// Handles an entry of an unknown message, whose checksum cannot be verified. It is accepted when another entry or the end of
+/// the file follows and no valid frame begins inside it.
 std::optional<TlogItem> TlogScanner::unknown(std::size_t length)
 {
     const std::size_t end = m_position + length;
@@ -58,12 +58,12 @@ std::optional<TlogItem> TlogScanner::unknown(std::size_t length)
         if (frame)
             return damaged(FrameFault::Garbage);
         if (frame.error().fault == FrameFault::Truncated && m_end == BufferEnd::Open)
-            return std::nullopt; // it may prove valid when more has come
+            return std::nullopt; // more bytes may complete a valid frame
     }
     return take(std::nullopt, FrameFault::UnknownMessage, length);
 }
 
-/// Looks for the next valid frame, wherever it is; its time stands right before it, if there is room for one.
+/// Searches for the next valid frame. Its timestamp are the eight bytes before it, if they are inside the spot.
 std::optional<TlogItem> TlogScanner::damaged(FrameFault fault)
 {
     std::size_t at = m_position;
@@ -72,7 +72,7 @@ std::optional<TlogItem> TlogScanner::damaged(FrameFault fault)
             continue;
         const auto frame = mavlink::readFrame(m_buffer.subspan(at), *m_dialect);
         if (frame && at < m_position + kTimeLength) {
-            // Bytes of the time are missing: the frame is good all the same.
+            // The timestamp is truncated; the frame itself is valid.
             m_position = at + frame->bytes().size();
             return TlogItem{*frame, {}, std::nullopt, at, frame->bytes().size(), frame->bytes()};
         }
@@ -83,11 +83,11 @@ std::optional<TlogItem> TlogScanner::damaged(FrameFault fault)
     }
     if (m_end == BufferEnd::Final)
         return take(std::nullopt, fault, m_buffer.size() - m_position);
-    // Keep what may be an entry whose end is still to come; the damage before it is sure.
+    // Keep a possible entry that is not complete yet; everything before it is damage.
     const std::size_t sure = at > m_position + kTimeLength ? at - kTimeLength - m_position : 0;
     if (sure > 0)
         return take(std::nullopt, fault, sure);
-    // A false beginning right here would stand in the way for ever.
+    // Give up on an incomplete entry that is longer than any entry can be, or it would block the scanner.
     return m_buffer.size() - m_position > kLongestEntry + kTimeLength ? std::optional(take(std::nullopt, fault, 1))
                                                                       : std::nullopt;
 }

@@ -1,4 +1,4 @@
-// Walks through a buffer of a .tlog from entry to entry, and over what is damaged.
+// Splits a buffer of a .tlog into entries and resynchronizes behind damage.
 #pragma once
 
 #include "core/log/tlog_entry.h"
@@ -6,18 +6,18 @@
 
 namespace skyseal::tlog {
 
-/// A frame with its time, or what stands where none is.
+/// A frame with its time, or a damaged spot.
 struct TlogItem
 {
     std::optional<mavlink::Frame> frame;
-    mavlink::FrameFault fault{};  ///< when there is no frame
-    std::optional<WallTime> time; ///< of a frame, unless its bytes are damaged; of a spot whose extent is sure
+    mavlink::FrameFault fault{};  ///< set if there is no frame
+    std::optional<WallTime> time; ///< of a frame with an intact timestamp, or of a spot with a known length
     std::size_t offset = 0;
-    std::size_t length = 0; ///< of the entry with its time, or of the bad spot
-    ByteView bytes;         ///< of the frame, or of the bad spot without its time
+    std::size_t length = 0; ///< of the entry including its timestamp, or of the damaged spot
+    ByteView bytes;         ///< of the frame, or of the damaged spot without its timestamp
 };
 
-/// Finds every valid frame, also where its time or the entry before it is damaged.
+/// Finds every valid frame, even if its timestamp or the entry before it is damaged.
 class TlogScanner
 {
 public:
@@ -25,7 +25,7 @@ public:
         : m_buffer(buffer), m_dialect(&dialect), m_end(end)
     {}
 
-    /// The next item; nullopt at the end, and at an open end when more must come first.
+    /// Returns the next item; nullopt at the end of the buffer, or when an open buffer needs more bytes first.
     std::optional<TlogItem> next();
 
     std::size_t position() const { return m_position; }

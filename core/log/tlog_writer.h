@@ -1,4 +1,4 @@
-// Writes a .tlog to whatever takes bytes. It holds no file and no thread: the recorder of the engine brings both.
+// Encodes .tlog entries for a sink. Owns no file and no thread; those belong to the recorder in core/engine.
 #pragma once
 
 #include "core/log/tlog_entry.h"
@@ -9,14 +9,14 @@
 
 namespace skyseal::tlog {
 
-/// Hands `sink(ByteView)` one complete entry after the other; the view lives during the call. The sink says whether it took
-/// it.
+/// Calls `sink(ByteView)` with one complete entry at a time; the view is valid during the call. The sink returns false when
+/// it failed.
 template<std::predicate<ByteView> Sink> class TlogWriter
 {
 public:
     explicit TlogWriter(Sink sink) : m_sink(std::move(sink)) {}
 
-    /// False when the sink refused or the frame is longer than any frame can be.
+    /// Returns false when the sink failed or the frame is longer than kMaxFrameLength.
     bool write(WallTime time, ByteView frame)
     {
         const MutableByteView entry = writeEntry(m_buffer, time, frame);

@@ -1,5 +1,5 @@
-// The cheapest clock of the processor, for timing one seal or open (a few hundred ns) without paying more for the clock
-// than for what it times: clock_gettime costs 20 to 40 ns a call, the counter of the processor 5 to 10.
+// Cycle counter of the processor, to time one seal or open (a few hundred ns) at low cost: a reading takes 5 to 10 ns, while
+// clock_gettime takes 20 to 40 ns.
 #pragma once
 
 #include "core/base/clock.h"
@@ -12,12 +12,12 @@
 
 namespace skyseal::metrics {
 
-/// Reads a counter that runs at a constant rate on every core (invariant TSC, ARM's virtual counter), elsewhere the
-/// monotonic clock itself.
+/// Reads a counter with a constant rate on every core (invariant TSC on x86, CNTVCT_EL0 on ARM); on other processors the
+/// monotonic clock.
 class CycleClock
 {
 public:
-    /// Times the counter against the monotonic clock for `duration`; done once, at the start of a program.
+    /// Calibrates the counter against the monotonic clock. Blocks for `duration`; call once, when the program starts.
     static CycleClock measure(Duration duration = std::chrono::milliseconds(5));
 
     static std::uint64_t now()
@@ -37,7 +37,7 @@ public:
     {
         return static_cast<std::uint64_t>(static_cast<double>(cycles) * m_nanosecondsPerCycle);
     }
-    /// Time between two readings of now(); 0 when they are the wrong way round.
+    /// Nanoseconds between two readings of now(); 0 if `end` is before `begin`.
     std::uint64_t between(std::uint64_t begin, std::uint64_t end) const
     {
         return end > begin ? nanoseconds(end - begin) : 0;

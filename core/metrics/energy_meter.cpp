@@ -37,7 +37,7 @@ EnergyMeter::EnergyMeter(const std::string &folder)
     }
     std::sort(zones.begin(), zones.end());
     for (const std::string &zone : zones) {
-        // Its parts (cores, memory) are zones of their own, and "psys" contains it: only packages may be added up.
+        // Other zones are parts of a package (core, dram) or contain it (psys), so only packages are summed.
         Package package{lineIn(zone + "/name"), zone + "/energy_uj", 0, 0};
         if (package.name.rfind("package", 0) != 0)
             continue;

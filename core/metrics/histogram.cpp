@@ -15,7 +15,7 @@ std::size_t Histogram::bucketOf(std::uint64_t nanoseconds)
     const unsigned highest = static_cast<unsigned>(std::bit_width(nanoseconds)) - 1;
     if (highest >= kHighestBit)
         return kBuckets - 1;
-    // The leading bit names the group of buckets, the next kStepBits the one within it.
+    // The leading bit selects the group of buckets, the next kStepBits bits the bucket within it.
     const unsigned shift = highest - kStepBits;
     return static_cast<std::size_t>((shift + 1) * kSteps + ((nanoseconds >> shift) - kSteps));
 }

@@ -1,6 +1,6 @@
-// How long things take: a histogram of nanoseconds with a fixed number of buckets, so that recording never allocates and
-// two of them merge exactly. Buckets are log-linear (as in HdrHistogram): 32 per power of two, so a percentile is at most
-// 1/32 above the true value, from 1 ns to 18 minutes.
+// Histogram of durations in nanoseconds. The number of buckets is fixed, so that recording never allocates and two histograms
+// merge exactly. Buckets are log-linear (as in HdrHistogram), 32 per power of two: a percentile is at most 1/32 above the
+// true value, from 1 ns to 18 minutes.
 #pragma once
 
 #include "core/base/clock.h"
@@ -18,7 +18,8 @@ public:
     void record(std::uint64_t nanoseconds, std::uint64_t times = 1);
     void merge(const Histogram &other);
     void reset() { *this = {}; }
-    /// What was recorded since `earlier`, a copy of this one; min() and max() to the width of a bucket.
+    /// Returns the values recorded since `earlier`, a previous copy of this histogram. min() and max() of the result are
+    /// accurate to one bucket.
     Histogram since(const Histogram &earlier) const;
 
     std::uint64_t count() const { return m_count; }
@@ -28,11 +29,11 @@ public:
     std::uint64_t max() const { return m_max; }
     double mean() const { return m_count ? static_cast<double>(m_sum) / static_cast<double>(m_count) : 0; }
 
-    /// The smallest value such that `share` (0…1) of what was recorded is not above it, rounded up to the end of its
-    /// bucket but never above max(); 0 when empty.
+    /// The smallest value that is not exceeded by `share` (0…1) of the recorded values, rounded up to the end of its bucket,
+    /// at most max(); 0 when empty.
     std::uint64_t percentile(double share) const;
 
-    /// What is shown and written, in nanoseconds.
+    /// Figures for reports, in nanoseconds.
     struct Summary
     {
         std::uint64_t count = 0;
@@ -50,9 +51,9 @@ public:
     static constexpr unsigned kHighestBit = 40;
     static constexpr std::size_t kBuckets = (std::size_t(1) << kStepBits) * (kHighestBit - kStepBits + 1);
 
-    /// Where a value is counted; the highest bucket takes all that is larger.
+    /// Index of the bucket of a value; the last bucket takes all larger values.
     static std::size_t bucketOf(std::uint64_t nanoseconds);
-    /// The largest value that the bucket counts.
+    /// The largest value of a bucket.
     static std::uint64_t lastOf(std::size_t bucket);
 
 private:

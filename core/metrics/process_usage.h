@@ -1,4 +1,4 @@
-// What this process costs: CPU time and resident memory, read from the system; percentages from two readings.
+// CPU time and resident memory of a process, read from the system, and the CPU load between two readings.
 #pragma once
 
 #include "core/base/clock.h"
@@ -8,22 +8,22 @@
 
 namespace skyseal::metrics {
 
-/// CPU time (user and system) that the process has used so far.
+/// CPU time (user and system) of this process so far.
 Duration processCpuTime();
-/// CPU time of the calling thread alone.
+/// CPU time of the calling thread.
 Duration threadCpuTime();
-/// Bytes of memory that are resident now (VmRSS); nullopt where the system does not tell.
+/// Resident memory in bytes (VmRSS); nullopt where the system does not report it.
 std::optional<std::uint64_t> residentBytes();
 
-/// The same of another process of this machine, by its number; nullopt when there is none or the system does not tell.
+/// The same for another process of this machine, by its process id; nullopt if it does not exist or is not readable.
 std::optional<Duration> processCpuTime(std::int64_t process);
 std::optional<std::uint64_t> residentBytes(std::int64_t process);
 
-/// CPU load between readings that are taken now and then (once a second), in percent of one core: 200 is two cores.
+/// CPU load between periodic readings (about once a second), in percent of one core: 200 means two full cores.
 class CpuSampler
 {
 public:
-    /// The load since the previous sample; 0 for the first, and the last value again when no time has passed.
+    /// Returns the load since the previous sample; 0 for the first, and the previous value if no time has passed.
     double sample(TimePoint now, Duration cpuTime);
     double percent() const { return m_percent; }
 
@@ -34,7 +34,7 @@ private:
     double m_percent = 0;
 };
 
-/// Resident memory now and at its highest, from readings handed in.
+/// Current and peak resident memory, from readings of the caller.
 class MemorySampler
 {
 public:

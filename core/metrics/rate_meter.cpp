@@ -18,7 +18,7 @@ void RateMeter::add(TimePoint now, std::uint64_t amount)
         m_start = now;
         m_last = slice;
     }
-    // Slices that passed without an event still hold what was there a round ago.
+    // Slices without an event still hold the amounts of the previous round.
     for (std::int64_t passed = std::max(m_last + 1, slice - kSlots); passed <= slice; ++passed)
         m_amounts[at(passed)] = 0;
     m_last = std::max(m_last, slice);
@@ -40,7 +40,7 @@ double RateMeter::perSecond(TimePoint now) const
         return 0;
     const std::int64_t slice = sliceOf(now);
     const Duration window = m_slice * kSlots;
-    // The running slice is only partly over, so the window ends where it begins; early on everything counts.
+    // The current slice is incomplete, so the window ends where it begins. Before the first full window all slices count.
     if (now - m_start < window)
         return static_cast<double>(amountSince(m_last - kSlots, slice)) / std::max(seconds(now - m_start), seconds(m_slice));
     return static_cast<double>(amountSince(slice - kSlots, slice - 1)) / seconds(window);

@@ -1,4 +1,4 @@
-// Events per second over a sliding window: what a rate display shows. Fixed memory, time handed in.
+// Events per second over a sliding window, for rate displays. Fixed memory; the caller passes the time.
 #pragma once
 
 #include "core/base/clock.h"
@@ -11,11 +11,11 @@ namespace skyseal::metrics {
 class RateMeter
 {
 public:
-    /// `window` is how far back the rate looks; it is kept in kSlots slices.
+    /// `window` is the averaging time; it is divided into kSlots slices.
     explicit RateMeter(Duration window = std::chrono::seconds(1)) : m_slice(window / kSlots) {}
 
     void add(TimePoint now, std::uint64_t amount = 1);
-    /// Amount per second over the last full window, or over the time since the first add() while that is shorter.
+    /// Amount per second over the last window, or over the time since the first add() if that is shorter.
     double perSecond(TimePoint now) const;
     std::uint64_t total() const { return m_total; }
 
@@ -26,7 +26,7 @@ private:
     std::uint64_t amountSince(std::int64_t firstSlice, std::int64_t lastSlice) const;
 
     Duration m_slice;
-    std::array<std::uint64_t, kSlots + 1> m_amounts{}; ///< the running slice and the full ones before it
+    std::array<std::uint64_t, kSlots + 1> m_amounts{}; ///< the current slice and the completed ones before it
     std::int64_t m_last = INT64_MIN;                   ///< newest slice in m_amounts
     TimePoint m_start{};
     std::uint64_t m_total = 0;

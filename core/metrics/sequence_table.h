@@ -1,5 +1,5 @@
-// One SequenceTracker for every (link, system, component) that sends to us: a vehicle with an autopilot, a gimbal and a
-// companion counts three sequences, and each link loses its own.
+// One SequenceTracker for each sender (link, system, component): every MAVLink component has its own sequence, and every link
+// its own losses.
 #pragma once
 
 #include "core/base/path.h"
@@ -24,21 +24,21 @@ public:
 
     SequenceTable();
 
-    /// Counts one frame. Allocates only for a sender that was never seen. Where anybody can send, anybody can make senders up:
-    /// when kMostSenders are known, a new one takes the place of the one that was silent longest, and what that one counted
-    /// stays in the sums. One that has been heard kEstablishedAfter times, and within kEstablishedFor, keeps its place; when
-    /// all are such, the new one is counted in untracked() alone.
+    /// Counts one frame. Allocates only for a new sender. Since plain MAVLink senders can be forged, the table is bounded:
+    /// when kMostSenders are known, a new sender replaces the one that was silent longest, whose counts stay in the sums. An
+    /// established sender (kEstablishedAfter frames, the last within kEstablishedFor) is not replaced; when all are
+    /// established, frames of new senders count only in untracked().
     void note(const Sender &sender, std::uint8_t sequence, TimePoint now);
     void expectRestart(const Sender &sender);
 
-    /// Zeros for a sender that was never seen.
+    /// All zero for an unknown sender.
     SequenceCounts counts(const Sender &sender) const;
     SequenceCounts countsOfSystem(std::uint8_t system) const;
-    SequenceCounts countsOfLink(LinkId link) const; ///< of the senders that are known now
+    SequenceCounts countsOfLink(LinkId link) const; ///< without replaced senders
     SequenceCounts total() const;
     std::size_t size() const { return m_trackers.size(); }
-    std::uint64_t evicted() const { return m_evicted; }     ///< senders that gave their place to a new one
-    std::uint64_t untracked() const { return m_untracked; } ///< frames of senders that found no place
+    std::uint64_t evicted() const { return m_evicted; }     ///< senders that were replaced
+    std::uint64_t untracked() const { return m_untracked; } ///< frames of senders for which there was no place
 
     static constexpr std::size_t kMostSenders = 256;
     static constexpr std::uint64_t kEstablishedAfter = 8;

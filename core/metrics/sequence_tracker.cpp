@@ -49,7 +49,7 @@ SequenceTracker::Verdict SequenceTracker::begin(std::uint8_t sequence, TimePoint
 
 SequenceTracker::Verdict SequenceTracker::ahead(std::uint8_t sequence, unsigned step, TimePoint now)
 {
-    // The old newest becomes bit step − 1 (received), the numbers between are missing.
+    // The previous newest number becomes bit step − 1 (received); the numbers between are missing.
     m_missing <<= step;
     m_before <<= step;
     for (unsigned k = 0; k + 1 < step && k < kWindow; ++k)
@@ -72,7 +72,7 @@ SequenceTracker::Verdict SequenceTracker::behind(std::uint8_t sequence, unsigned
     m_runNext = static_cast<std::uint8_t>(sequence + 1);
     if (back == 0 || (!m_missing.test(back - 1) && !m_before.test(back - 1))) {
         ++m_counts.duplicate;
-        // Second copies come one by one between new frames; a whole run of them is a sender that counts anew.
+        // Duplicates arrive singly between new frames; a whole run of them means that the sender restarted.
         return ++m_runDuplicates == kRestartRun ? restarted(sequence, now) : Verdict::Duplicate;
     }
     if (m_missing.test(back - 1))

@@ -1,6 +1,6 @@
-// Times short pieces of one thread's work as CPU time, for little more than two readings of the processor's counter. That
-// counter also runs while the kernel gives the core to somebody else. No record takes as long as the shortest such pause, so
-// only where a piece took suspiciously long the thread's own clock, a system call, is asked how much of it was work.
+// CPU time of short pieces of work of one thread, at little more than the cost of two readings of the cycle counter. That
+// counter also runs while the thread is preempted. A preemption takes longer than any record, so the thread's CPU clock (a
+// system call) is read only for pieces that took suspiciously long.
 #pragma once
 
 #include "core/metrics/cycle_clock.h"
@@ -10,22 +10,22 @@ namespace skyseal::metrics {
 class WorkClock
 {
 public:
-    /// Longer than any record takes, shorter than a pause by the scheduler.
+    /// Longer than the work on any record, shorter than a preemption.
     static constexpr std::uint64_t kSuspicious = 50'000; // ns
-    /// So old the last look at the thread's clock may be when a piece begins. What was taken from the thread since then, be
-    /// it asleep or without its core, is not told from what is taken from the piece; this is the most that can be.
+    /// Largest age of the last reading of the thread's CPU clock when a piece begins. Time in which the thread slept or was
+    /// preempted since that reading cannot be separated from the piece, so this bounds the error.
     static constexpr std::uint64_t kFresh = 200'000; // ns
 
-    /// A reading of CycleClock::now() for the beginning of a piece.
+    /// Begins a piece; returns a reading of CycleClock::now().
     std::uint64_t begin();
-    /// Nanoseconds that the thread worked from a begin() to a reading of CycleClock::now() that was just taken.
+    /// CPU time in ns between the result of begin() and `end`, a reading of CycleClock::now() taken just before the call.
     std::uint64_t between(std::uint64_t begin, std::uint64_t end);
 
 private:
     void look();
 
     CycleClock m_clock = CycleClock::measure();
-    std::uint64_t m_cycles = 0; ///< at the last look
+    std::uint64_t m_cycles = 0; ///< at the last reading of the thread's clock
     Duration m_cpu{};
 };
 

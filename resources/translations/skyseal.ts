@@ -1483,10 +1483,6 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The link that this makes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Kind</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1527,14 +1523,6 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>INSECURE: MAVSec 2019, ChaCha20, only read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>INSECURE: MAVSec 2019, AES-256-CTR, only read</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the published key</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1563,11 +1551,6 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1
-INSECURE: anybody can read, change and invent what comes. Nothing is sent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Key of the stream</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1581,6 +1564,23 @@ INSECURE: anybody can read, change and invent what comes. Nothing is sent.</sour
     </message>
     <message>
         <source>The counter is a number from 0 to 4294967295</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>INSECURE: MAVSec 2019, ChaCha20, receive only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>INSECURE: MAVSec 2019, AES-256-CTR, receive only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>URL of the link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+INSECURE: anyone can read, change and forge this stream. Nothing is sent.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1646,14 +1646,6 @@ INSECURE: anybody can read, change and invent what comes. Nothing is sent.</sour
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Received</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1666,7 +1658,15 @@ INSECURE: anybody can read, change and invent what comes. Nothing is sent.</sour
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 · MAVSec 2019, INSECURE, only read</source>
+        <source>%1 · MAVSec 2019, INSECURE, receive only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remote</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

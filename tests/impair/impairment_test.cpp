@@ -1,5 +1,5 @@
-// The lossy channel: exact accounting whatever the settings, the same run from the same seed, and each impairment doing
-// what its name says and nothing else.
+// The model of a bad link: exact accounting for all settings, the same run from the same seed, and each impairment with its own
+// effect only.
 #include "core/impair/impairment.h"
 #include "tests/support/test_runner.h"
 
@@ -25,10 +25,10 @@ private Q_SLOTS:
     void directionsOfOneSeedDiffer();
     void lossComesNearItsProbability();
     void corruptionFlipsOneBitOfBothCopies();
-    void reorderingHoldsBackAndLosesNothing();
-    void heldBackGoesAtLastWhenNothingFollows();
+    void reorderingDelaysAndLosesNothing();
+    void heldDatagramIsDeliveredWhenNothingFollows();
     void delayAndJitterStayInTheirBounds();
-    void lineRateSpacesAndDropsWhatDoesNotFit();
+    void lineRateSpacesAndDropsOverflow();
     void memoryIsBounded();
 };
 
@@ -50,7 +50,7 @@ struct Run
     bool operator==(const Run &) const = default;
 };
 
-/// Datagram i holds its number and some filling.
+/// Datagram i holds its number and padding.
 Bytes datagram(int i, std::size_t size)
 {
     Bytes out(size, static_cast<std::uint8_t>(i * 7));
@@ -59,7 +59,7 @@ Bytes datagram(int i, std::size_t size)
     return out;
 }
 
-/// Sends `count` datagrams, one each `every`, on a simulated clock, and waits for the last to come out.
+/// Pushes `count` datagrams, one per `every`, on a simulated clock, and runs until the last was delivered.
 Run drive(const Settings &settings, int count, Duration every, std::size_t size = 40, std::uint64_t stream = 0)
 {
     Impairment link(settings, stream);
@@ -139,7 +139,7 @@ void ImpairmentTest::everyDatagramIsAccountedFor()
             expected.lost += verdict.fate == Verdict::Fate::Lost;
             expected.queueFull += verdict.fate == Verdict::Fate::QueueFull;
             expected.duplicated += verdict.duplicated;
-            expected.pendingApproval += verdict.pendingApproval;
+            expected.heldBack += verdict.heldBack;
             expected.corrupted += verdict.corrupted;
             RC_ASSERT(copies[verdict.sequence] == (verdict.dropped() ? 0u : verdict.duplicated ? 2u : 1u));
         }
@@ -174,7 +174,7 @@ void ImpairmentTest::directionsOfOneSeedDiffer()
 
 void ImpairmentTest::lossComesNearItsProbability()
 {
-    // 20,000 draws at 0.2: five standard deviations are 283. The seeds are fixed, so this cannot fail by chance.
+    // 20,000 draws at 0.2: five standard deviations are 283. The seeds are fixed, so the result is always the same.
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
         const Counters counters = drive(bad(seed), 20'000, milliseconds(1)).counters;
         QVERIFY2(counters.lost > 3717 && counters.lost < 4283, qPrintable(QString::number(counters.lost)));
@@ -204,20 +204,20 @@ void ImpairmentTest::corruptionFlipsOneBitOfBothCopies()
     QVERIFY(bits.size() > 17u * 8 / 2);
 }
 
-void ImpairmentTest::reorderingHoldsBackAndLosesNothing()
+void ImpairmentTest::reorderingDelaysAndLosesNothing()
 {
     Settings settings;
     settings.reorder = 0.1;
     const Run run = drive(settings, 5000, milliseconds(10));
     QCOMPARE(run.counters.delivered, std::uint64_t(5000));
-    QVERIFY(run.counters.pendingApproval > 400);
-    // Nearly all that are held back come out late; one whose followers are held back as well may not.
-    QVERIFY(run.counters.outOfOrder > run.counters.pendingApproval * 8 / 10);
+    QVERIFY(run.counters.heldBack > 400);
+    // Nearly all held datagrams are delivered out of order; one whose successors are held as well may not be.
+    QVERIFY(run.counters.outOfOrder > run.counters.heldBack * 8 / 10);
     for (const Arrival &arrival : run.arrivals)
         QVERIFY(arrival.time - TimePoint(milliseconds(10) * arrival.sequence) <= milliseconds(30));
 }
 
-void ImpairmentTest::heldBackGoesAtLastWhenNothingFollows()
+void ImpairmentTest::heldDatagramIsDeliveredWhenNothingFollows()
 {
     Settings settings;
     settings.reorder = 1;
@@ -243,7 +243,7 @@ void ImpairmentTest::delayAndJitterStayInTheirBounds()
     QVERIFY(most <= milliseconds(50) && most > milliseconds(49));
 }
 
-void ImpairmentTest::lineRateSpacesAndDropsWhatDoesNotFit()
+void ImpairmentTest::lineRateSpacesAndDropsOverflow()
 {
     Settings settings;
     settings.baud = 57'600; // 5760 bytes a second
@@ -253,7 +253,7 @@ void ImpairmentTest::lineRateSpacesAndDropsWhatDoesNotFit()
     for (const Arrival &arrival : slow.arrivals)
         QCOMPARE(arrival.time - TimePoint(milliseconds(10) * arrival.sequence), Duration(8'333'333));
 
-    // Twice what the line carries: half is dropped, the rest flows at the line's rate.
+    // Twice the capacity of the line: half is dropped, the rest passes at the line rate.
     const Run fast = drive(settings, 2400, milliseconds(5), 57);
     const double carried = double(fast.counters.deliveredBytes) / seconds(fast.arrivals.back().time.time_since_epoch());
     QVERIFY2(carried > 5700 && carried < 5820, qPrintable(QString::number(carried)));

@@ -1,4 +1,4 @@
-// The relay with real sockets on both sides: what its log and counters say is exactly what arrives.
+// The relay with real sockets on both sides: its log and counters match the arrivals exactly.
 #include "core/link/impairer.h"
 #include "tests/link/recorder.h"
 #include "tests/support/test_runner.h"
@@ -18,11 +18,11 @@ class ImpairerTest : public QObject
 
 private Q_SLOTS:
     void perfectRelayCarriesBothWays();
-    void whatTheLogSaysIsWhatArrives();
+    void arrivalsMatchTheLog();
     void sameSeedDropsTheSame();
     void relaysTcp();
-    void beforeAPeerIsKnownNothingIsOffered();
-    void jsonHasWhatScriptsNeed();
+    void blocksWithoutAPeerAreNotOffered();
+    void jsonHasItsFields();
 
 private:
     struct Setup
@@ -48,7 +48,7 @@ private:
 
 static Bytes numbered(std::uint32_t number)
 {
-    // The whole datagram follows from its number, so that a damaged number is noticed as well.
+    // All bytes are derived from the number, so that a damaged number is detected as well.
     Bytes out(50);
     for (std::size_t i = 0; i < out.size(); ++i)
         out[i] = static_cast<std::uint8_t>(number >> (8 * (i % 4)));
@@ -74,7 +74,7 @@ void ImpairerTest::perfectRelayCarriesBothWays()
     QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.deliveredBytes, std::uint64_t(12));
 }
 
-void ImpairerTest::whatTheLogSaysIsWhatArrives()
+void ImpairerTest::arrivalsMatchTheLog()
 {
     impair::Settings settings;
     settings.loss = 0.2;
@@ -163,10 +163,10 @@ void ImpairerTest::relaysTcp()
     QTRY_COMPARE(station.stream(), std::string("down"));
 }
 
-void ImpairerTest::beforeAPeerIsKnownNothingIsOffered()
+void ImpairerTest::blocksWithoutAPeerAreNotOffered()
 {
     Setup setup{{}};
-    // The relay's own socket is bound to every address; it is reached by the loopback's.
+    // The relay is bound to every address; use the loopback address to reach it.
     Address loopback = *setup.relay.listenLink().localEndpoint();
     loopback.port = setup.relay.toLink().localEndpoint()->port;
     setup.station->send(loopback, asBytes("early"));
@@ -175,7 +175,7 @@ void ImpairerTest::beforeAPeerIsKnownNothingIsOffered()
     QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.offered, std::uint64_t(0));
 }
 
-void ImpairerTest::jsonHasWhatScriptsNeed()
+void ImpairerTest::jsonHasItsFields()
 {
     Setup setup{{}};
     QCOMPARE(statsJson("summary", setup.relay, milliseconds(1500)).substr(0, 49),

@@ -1,4 +1,4 @@
-// The table of link types: all that derives from it agrees with it, and a further type needs its class and one row.
+// The table of link types: texts that derive from it agree with it, and a further type needs its class and one row.
 #include "core/link/link_type.h"
 #include "core/link/make_link.h"
 #include "tests/link/recorder.h"
@@ -16,7 +16,7 @@ using namespace skyseal::link;
 
 namespace {
 
-/// A link that returns each block to its sender: stands for a type that somebody adds.
+/// A link that returns each block to its sender, as an example of a further type.
 class EchoLink final : public Link
 {
 public:

@@ -1,4 +1,4 @@
-// Link URLs: every form that is accepted, what is said about those that are not, and that the canonical text parses back.
+// Link URLs: accepted forms, errors for other texts, and the canonical text, which parses back.
 #include "core/link/address_text.h"
 #include "core/link/link_url.h"
 #include "tests/support/test_runner.h"
@@ -16,13 +16,13 @@ class LinkUrlTest : public QObject
 private Q_SLOTS:
     void accepts_data();
     void accepts();
-    void unnamedHostIsTheCallersChoice();
+    void callerChoosesTheDefaultHost();
     void traits_data();
     void traits();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
-    void anyTextIsAnsweredOnce();
+    void anyTextGivesAUrlOrAnError();
     void addressTextParsesBack();
     void addressRefusesOtherTexts();
 };
@@ -65,7 +65,7 @@ void LinkUrlTest::accepts()
     QCOMPARE(LinkUrl::parse(canonical).value(), *url);
 }
 
-void LinkUrlTest::unnamedHostIsTheCallersChoice()
+void LinkUrlTest::callerChoosesTheDefaultHost()
 {
     const auto parsed = [](const char *text) { return LinkUrl::parse(text, LinkUrl::kLoopback)->toText(); };
     QCOMPARE(parsed("udpin:14551"), std::string("udpin:127.0.0.1:14551"));
@@ -166,7 +166,7 @@ void LinkUrlTest::canonicalTextParsesBack()
     }));
 }
 
-void LinkUrlTest::anyTextIsAnsweredOnce()
+void LinkUrlTest::anyTextGivesAUrlOrAnError()
 {
     QVERIFY(rc::check("any text gives a URL or a message with a column inside it", [](const std::string &text) {
         const auto url = LinkUrl::parse("udpin:" + text);

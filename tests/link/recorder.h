@@ -1,4 +1,4 @@
-// A listener that keeps what it was given, and the few lines that every link test needs.
+// A listener that keeps the received blocks, and helpers of the link tests.
 #pragma once
 
 #include "core/link/make_link.h"
@@ -29,7 +29,7 @@ public:
     void linkPeerJoined(link::Link &, const Path &path) override { joined.push_back(path); }
     void linkPeerLeft(link::Link &, const Path &path) override { left.push_back(path); }
 
-    /// All bytes of all blocks in order: what a stream carried.
+    /// The bytes of all blocks in order.
     std::string stream() const
     {
         std::string out;

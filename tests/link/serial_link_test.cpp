@@ -1,5 +1,5 @@
-// The serial link on a pseudo-terminal, whose other end the test holds: both ways, a device that is missing, one that is
-// unplugged and comes back.
+// The serial link on a pseudo-terminal whose other end the test holds: both directions, a missing device, and a device that is
+// unplugged and plugged in again.
 #include "tests/link/recorder.h"
 #include "tests/support/test_runner.h"
 
@@ -18,7 +18,7 @@ using namespace skyseal::test;
 
 namespace {
 
-/// The radio's end of the line.
+/// The other end of the serial line.
 class PseudoTerminal
 {
 public:
@@ -56,8 +56,8 @@ private Q_SLOTS:
     void initTestCase();
     void carriesBothWays();
     void bytesPassUnchanged();
-    void missingDeviceIsSaidAndWaitedFor();
-    void unpluggedDeviceIsSaid();
+    void missingDeviceIsReportedAndRetried();
+    void unpluggedDeviceIsReported();
 
 private:
     static LinkOptions quick()
@@ -112,7 +112,7 @@ void SerialLinkTest::bytesPassUnchanged()
     QTRY_COMPARE(radio.read(), all);
 }
 
-void SerialLinkTest::missingDeviceIsSaidAndWaitedFor()
+void SerialLinkTest::missingDeviceIsReportedAndRetried()
 {
     QTemporaryDir folder;
     const QString name = folder.filePath(QStringLiteral("radio"));
@@ -128,7 +128,7 @@ void SerialLinkTest::missingDeviceIsSaidAndWaitedFor()
     QTRY_COMPARE(recorder.stream(), std::string("here"));
 }
 
-void SerialLinkTest::unpluggedDeviceIsSaid()
+void SerialLinkTest::unpluggedDeviceIsReported()
 {
     auto radio = std::make_unique<PseudoTerminal>();
     Recorder recorder;

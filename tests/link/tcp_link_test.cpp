@@ -1,4 +1,4 @@
-// TCP links over the loopback: both ends ours, peers that close and come back, several clients at once.
+// TCP links over the loopback interface: reconnection, several clients at once, limits of the server.
 #include "core/link/address_text.h"
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
@@ -23,19 +23,19 @@ class TcpLinkTest : public QObject
 private Q_SLOTS:
     void carriesBothWays();
     void bulkArrivesCompleteAndInOrder();
-    void refusedWaitsAndConnectsWhenTheServerComes();
-    void closedPeerIsSaidAndComesBack();
-    void lastWordsBeforeTheEndArrive();
+    void retriesUntilTheServerListens();
+    void closedPeerIsReportedAndReconnects();
+    void bytesBeforeTheEndAreDelivered();
     void serverKeepsClientsApart();
     void serverRefusesTooManyClients();
-    void uselessClientsGiveWay();
+    void uselessClientsAreReplaced();
     void oneHostCannotTakeAllPlaces();
     void portInUseFails();
-    void unknownHostIsSaid();
+    void unknownHostIsReported();
     void fullQueueDropsWholeBlocks();
     void listenerMayCloseEitherEnd();
     void closeSendsWhatWasQueued();
-    void desktopsProxyIsNotAsked();
+    void desktopProxyIsIgnored();
 };
 
 static LinkOptions quick()
@@ -94,7 +94,7 @@ void TcpLinkTest::bulkArrivesCompleteAndInOrder()
     QCOMPARE(out->counters().txDropped, std::uint64_t(0));
 }
 
-void TcpLinkTest::refusedWaitsAndConnectsWhenTheServerComes()
+void TcpLinkTest::retriesUntilTheServerListens()
 {
     Recorder server;
     Recorder client;
@@ -111,7 +111,7 @@ void TcpLinkTest::refusedWaitsAndConnectsWhenTheServerComes()
     QCOMPARE(out->error().code, LinkErrorCode::None);
 }
 
-void TcpLinkTest::closedPeerIsSaidAndComesBack()
+void TcpLinkTest::closedPeerIsReportedAndReconnects()
 {
     Recorder server;
     Recorder client;
@@ -142,7 +142,7 @@ void TcpLinkTest::closedPeerIsSaidAndComesBack()
     QTRY_COMPARE(server.stream(), std::string("again"));
 }
 
-void TcpLinkTest::lastWordsBeforeTheEndArrive()
+void TcpLinkTest::bytesBeforeTheEndAreDelivered()
 {
     Recorder server;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
@@ -209,7 +209,7 @@ void TcpLinkTest::serverRefusesTooManyClients()
 
 namespace {
 
-/// Connects from one of this machine's own addresses.
+/// Connects from the given local address.
 std::unique_ptr<QTcpSocket> clientOf(const Link &server, const char *from = "127.0.0.1")
 {
     auto socket = std::make_unique<QTcpSocket>();
@@ -225,7 +225,7 @@ bool isOut(const QTcpSocket &socket)
 
 } // namespace
 
-void TcpLinkTest::uselessClientsGiveWay()
+void TcpLinkTest::uselessClientsAreReplaced()
 {
     LinkOptions options = quick();
     options.uselessAfter = Duration::zero();
@@ -239,7 +239,7 @@ void TcpLinkTest::uselessClientsGiveWay()
     };
     for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i)
         add();
-    // Two were never of use, the tenth was so longest ago of the others.
+    // Two clients were never useful; of the others the tenth was useful the longest time ago.
     for (std::size_t i = 0; i < sockets.size(); ++i) {
         if (i != 5 && i != 20)
             in->noteUse(server.joined[i].remote);
@@ -259,7 +259,7 @@ void TcpLinkTest::uselessClientsGiveWay()
     QCOMPARE(server.left.back(), server.joined[10]);
     QCOMPARE(server.left.size(), std::size_t(3));
     QCOMPARE(static_cast<const TcpServerLink &>(*in).clients(), TcpServerLink::kMostClients);
-    sockets.back()->write("here"); // and the newcomers are served
+    sockets.back()->write("here"); // the new clients are served
     sockets.back()->flush();
     QTRY_COMPARE(server.stream(), std::string("here"));
 }
@@ -273,19 +273,19 @@ void TcpLinkTest::oneHostCannotTakeAllPlaces()
         sockets.push_back(clientOf(*in));
         QVERIFY(sockets.back());
         QTRY_COMPARE(server.joined.size(), sockets.size());
-        in->noteUse(server.joined.back().remote); // all of them busy
+        in->noteUse(server.joined.back().remote); // all of them are useful
     }
     const auto other = clientOf(*in, "127.0.0.2");
     QVERIFY(other);
     QTRY_VERIFY(isOut(*sockets.front()));
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
-    // The first host's next one does not get it back.
+    // A further client of the first host is refused.
     const auto again = clientOf(*in);
     QVERIFY(again);
     QTRY_VERIFY(isOut(*again));
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
     QVERIFY(!isOut(*other) && !isOut(*sockets.back()));
-    // Others take their part, down to the first one's share.
+    // Clients of other hosts are accepted until the first host is down to its share.
     std::vector<std::unique_ptr<QTcpSocket>> more;
     for (std::ptrdiff_t i = 0; i < 40; ++i)
         more.push_back(clientOf(*in, qPrintable(QStringLiteral("127.0.0.%1").arg(10 + i))));
@@ -309,7 +309,7 @@ void TcpLinkTest::portInUseFails()
     QCOMPARE(second->state(), LinkState::Listening);
 }
 
-void TcpLinkTest::unknownHostIsSaid()
+void TcpLinkTest::unknownHostIsReported()
 {
     Recorder client;
     const auto out = openLink("tcp:no-such-host.invalid:5760", client, quick());
@@ -379,7 +379,7 @@ void TcpLinkTest::closeSendsWhatWasQueued()
     QCOMPARE(server.stream(), std::string("goodbye"));
 }
 
-void TcpLinkTest::desktopsProxyIsNotAsked()
+void TcpLinkTest::desktopProxyIsIgnored()
 {
     QTcpServer proxy;
     QVERIFY(proxy.listen(QHostAddress::LocalHost));

@@ -1,4 +1,4 @@
-// Replay of recordings made here: every frame in order, at the recorded pace, and what is said of files that are none.
+// Replay of recordings that the test writes: every frame in order, at the recorded pace, and errors for unreadable files.
 #include "core/log/tlog_writer.h"
 #include "tests/link/recorder.h"
 #include "tests/support/test_runner.h"
@@ -21,8 +21,8 @@ private Q_SLOTS:
     void playsEveryFrameInOrder();
     void keepsTheRecordedPace();
     void playsAgainAfterTheEnd();
-    void damageIsSteppedOver();
-    void unreadableFilesAreNamed();
+    void damageIsSkipped();
+    void unreadableFilesAreReported();
 
 private:
     std::string record(int frames, std::chrono::milliseconds every, std::string_view damage = {});
@@ -120,7 +120,7 @@ void TlogLinkTest::playsAgainAfterTheEnd()
     QTRY_COMPARE(link->state(), LinkState::Closed);
 }
 
-void TlogLinkTest::damageIsSteppedOver()
+void TlogLinkTest::damageIsSkipped()
 {
     LinkOptions fast;
     fast.replayFactor = 0;
@@ -131,7 +131,7 @@ void TlogLinkTest::damageIsSteppedOver()
     QVERIFY(link->counters().rxErrors > 0);
 }
 
-void TlogLinkTest::unreadableFilesAreNamed()
+void TlogLinkTest::unreadableFilesAreReported()
 {
     Recorder recorder;
     const auto missing = openLink("tlog:/no/such/file.tlog", recorder);

@@ -1,4 +1,4 @@
-// The packet path of a UDP link allocates nothing: counted by replacing operator new in this program.
+// The packet path of a UDP link does not allocate: this program replaces operator new to count.
 #include "tests/link/recorder.h"
 #include "tests/support/test_runner.h"
 
@@ -72,7 +72,7 @@ void UdpAllocationTest::sendingAndReceivingAllocateNothingPerDatagram()
         round();
     const std::uint64_t allocated = s_allocations - before;
     QCOMPARE(counter.received, std::size_t(21 * 512));
-    // The event loop may take a little per wake-up; 20 × 1024 datagrams went in and out.
+    // The event loop may allocate a little per wake-up; 20 × 1024 datagrams were sent and received.
     QVERIFY2(allocated < 200, qPrintable(QStringLiteral("%1 allocations").arg(allocated)));
     qInfo("%llu allocations for %d datagrams", static_cast<unsigned long long>(allocated), 20 * 1024);
 }

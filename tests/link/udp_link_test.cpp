@@ -28,17 +28,17 @@ private Q_SLOTS:
     void carriesIpv6();
     void dualStackReportsIpv4AsIpv4();
     void portInUseFailsAndOpensWhenFree();
-    void foreignAddressIsNamed();
-    void unknownHostWaitsAndSaysSo();
+    void foreignAddressIsReported();
+    void unknownHostIsReportedAndRetried();
     void hostNameIsLookedUp();
-    void absentPeerDoesNotKillTheLink();
-    void tooLongDatagramsAreCountedAndLeftOut();
+    void absentPeerDoesNotCloseTheLink();
+    void oversizedDatagramsAreCountedAndDropped();
     void floodLeavesRoomForTimers();
-    void dearDatagramsLeaveTheOtherLinksTheirTurn();
+    void expensiveDatagramsDoNotDelayOtherLinks();
     void listenerMayCloseTheLink();
     void receivedBytesMayBeChangedInPlace();
     void sendWithoutPeerIsCounted();
-    void desktopsProxyIsNotAsked();
+    void desktopProxyIsIgnored();
 
 private:
     static LinkOptions options()
@@ -106,7 +106,7 @@ void UdpLinkTest::tenThousandDatagramsArriveCompleteAndInOrder()
         for (std::size_t byte = 0; byte < 4; ++byte)
             datagram[byte] = static_cast<std::uint8_t>(i >> (8 * byte));
         out->send({}, datagram);
-        // The receiver must get its turn: the system's buffer is bounded, and its bound is none of ours.
+        // Let the receiver run before the system's buffer is full; its size is not under the test's control.
         if (i % 512 == 511) {
             out->flush();
             QTRY_COMPARE(ground.blocks.size(), std::size_t(i + 1));
@@ -169,11 +169,11 @@ void UdpLinkTest::portInUseFailsAndOpensWhenFree()
         const auto second = openLink("udpin:" + host + ":" + portOf(*first), listener, options());
         QCOMPARE(second->state(), LinkState::Failed);
         QCOMPARE(second->error().code, LinkErrorCode::PortInUse);
-        // It is this very program that holds it, and the message says so.
+        // This program holds the port, and the message names it.
         QCOMPARE(second->error().sentence(),
                  "port " + host + ":" + portOf(*first) + " is in use by another program: link_tests (process "
                      + std::to_string(QCoreApplication::applicationPid()) + ")");
-        // What was asked for is still shown.
+        // The requested address is still shown.
         QCOMPARE(second->localAddress(), host + ":" + portOf(*first));
     }
     const auto second = openLink("udpin:" + address, listener, options());
@@ -185,17 +185,17 @@ void UdpLinkTest::portInUseFailsAndOpensWhenFree()
     QCOMPARE(second->localAddress(), address);
 }
 
-void UdpLinkTest::foreignAddressIsNamed()
+void UdpLinkTest::foreignAddressIsReported()
 {
     Recorder listener;
-    // TEST-NET-1 of RFC 5737 belongs to nobody.
+    // TEST-NET-1 (RFC 5737) is not assigned to any host.
     const auto link = openLink("udpin:192.0.2.1:0", listener, options());
     QCOMPARE(link->state(), LinkState::Failed);
     QCOMPARE(link->error().code, LinkErrorCode::AddressUnavailable);
     QCOMPARE(link->error().sentence(), std::string("192.0.2.1:0 is not an address of this machine"));
 }
 
-void UdpLinkTest::unknownHostWaitsAndSaysSo()
+void UdpLinkTest::unknownHostIsReportedAndRetried()
 {
     if (options().portableUdp)
         QSKIP("the lookup does not depend on the kind of socket, and may take the resolver long");
@@ -227,7 +227,7 @@ void UdpLinkTest::hostNameIsLookedUp()
     QTRY_COMPARE(ground.stream(), std::string("named"));
 }
 
-void UdpLinkTest::absentPeerDoesNotKillTheLink()
+void UdpLinkTest::absentPeerDoesNotCloseTheLink()
 {
     Recorder ground;
     Recorder air;
@@ -249,7 +249,7 @@ void UdpLinkTest::absentPeerDoesNotKillTheLink()
     QTRY_COMPARE(ground.stream(), std::string("found"));
 }
 
-void UdpLinkTest::tooLongDatagramsAreCountedAndLeftOut()
+void UdpLinkTest::oversizedDatagramsAreCountedAndDropped()
 {
     Recorder ground;
     const auto in = openLink("udpin:127.0.0.1:0", ground, options());
@@ -280,7 +280,7 @@ void UdpLinkTest::floodLeavesRoomForTimers()
     bounded.turn = {};
     const auto in = openLink("udpin:127.0.0.1:0", ground, bounded);
     const auto out = openLink("udpout:127.0.0.1:" + portOf(*in), air, options());
-    // Every datagram that arrives is sent again, so the socket never runs dry; the timer must come all the same.
+    // Each received datagram is sent again, so the socket is never drained; the timer must fire nevertheless.
     ground.onReceived = [&](Link &) {
         for (int i = 0; i < 64; ++i)
             out->send({}, text("flood"));
@@ -298,7 +298,7 @@ void UdpLinkTest::floodLeavesRoomForTimers()
     in->close();
 }
 
-void UdpLinkTest::dearDatagramsLeaveTheOtherLinksTheirTurn()
+void UdpLinkTest::expensiveDatagramsDoNotDelayOtherLinks()
 {
     Recorder ground;
     Recorder air;
@@ -312,7 +312,7 @@ void UdpLinkTest::dearDatagramsLeaveTheOtherLinksTheirTurn()
             out->send({}, text("x"));
         out->flush();
     };
-    // A datagram costs four turns: after the first burst has told so, the other link does not wait for a whole one.
+    // Each datagram takes four turns. After the first burst this is known, and the other link does not wait for a whole burst.
     ground.onReceived = [&](Link &) {
         for (const TimePoint stop = steadyNow() + 4 * options().turn; steadyNow() < stop;) {}
         if (ground.blocks.size() == 64) {
@@ -342,7 +342,7 @@ void UdpLinkTest::listenerMayCloseTheLink()
     out->flush();
     QTRY_COMPARE(in->state(), LinkState::Closed);
     QCOMPARE(ground.batches, std::size_t(1));
-    // The port is free at once.
+    // The port is released at once.
     Recorder other;
     QCOMPARE(openLink("udpin:" + address, other, options())->state(), LinkState::Listening);
 }
@@ -384,7 +384,7 @@ void UdpLinkTest::sendWithoutPeerIsCounted()
     QCOMPARE(in->counters().txDropped, std::uint64_t(2));
 }
 
-void UdpLinkTest::desktopsProxyIsNotAsked()
+void UdpLinkTest::desktopProxyIsIgnored()
 {
     QTcpServer proxy;
     QVERIFY(proxy.listen(QHostAddress::LocalHost));

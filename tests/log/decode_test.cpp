@@ -1,4 +1,4 @@
-// What `decode` prints, word for word.
+// The exact output of `decode`.
 #include "tests/log/recordings.h"
 #include "tests/support/test_runner.h"
 
@@ -51,12 +51,12 @@ class DecodeTest : public QObject
 
 private Q_SLOTS:
     void jsonOfAMessage();
-    void badSpotsStandBetweenGoodFrames();
+    void badSpotsAreListedBetweenGoodFrames();
     void timesOfARecording();
     void signaturesAreCheckedWithAKey();
     void specialValues();
-    void words();
-    void stopsWhenNobodyReads();
+    void plainText();
+    void stopsWhenTheSinkFails();
 };
 
 void DecodeTest::jsonOfAMessage()
@@ -69,7 +69,7 @@ void DecodeTest::jsonOfAMessage()
                          R"("system_status":0,"mavlink_version":3}})"));
 }
 
-void DecodeTest::badSpotsStandBetweenGoodFrames()
+void DecodeTest::badSpotsAreListedBetweenGoodFrames()
 {
     std::string wrong = heartbeat(2);
     wrong[10] ^= 0x40;
@@ -125,7 +125,7 @@ void DecodeTest::specialValues()
     QVERIFY(lines[2].find(R"("time_unix_usec":"18446744073709551615",)") != std::string::npos);
 }
 
-void DecodeTest::words()
+void DecodeTest::plainText()
 {
     mavlink::FrameWriter writer(9, 1);
     std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
@@ -145,7 +145,7 @@ void DecodeTest::words()
     QCOMPARE(linesOf("??")[0], std::string("bad: garbage at byte 0, 2 bytes"));
 }
 
-void DecodeTest::stopsWhenNobodyReads()
+void DecodeTest::stopsWhenTheSinkFails()
 {
     std::istringstream input(heartbeat(1) + heartbeat(2));
     const auto counts = decode(input, Dialect::builtin(), {}, [](std::string_view) { return false; });

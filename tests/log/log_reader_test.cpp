@@ -1,4 +1,4 @@
-// Recordings written, damaged and read again, in any portions.
+// Recordings are written, damaged and read again, in portions of any size.
 #include "tests/log/recordings.h"
 #include "tests/support/test_runner.h"
 
@@ -19,7 +19,7 @@ using skyseal::mavlink::FrameFault;
 
 namespace {
 
-/// Gives its bytes in portions of at most `portion`, as a pipe does.
+/// A stream that returns at most `portion` bytes at a time, as a pipe does.
 class Portions : public std::streambuf
 {
 public:
@@ -59,7 +59,7 @@ Reading readAll(const std::string &content, std::size_t portion = 1 << 20, LogFo
     LogReader reader(input, Dialect::builtin(), format);
     Reading out;
     while (const auto item = reader.next()) {
-        // Nothing is skipped silently and nothing is told twice, but for a damaged time in front of a good frame.
+        // Items are contiguous and do not overlap, except for a damaged timestamp in front of a valid frame.
         if (item->offset < out.covered || item->offset - out.covered >= kTimeLength)
             throw std::runtime_error("a hole or an overlap at " + std::to_string(item->offset));
         out.covered = item->offset + item->length;
@@ -89,18 +89,18 @@ class LogReaderTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void writtenIsRead();
-    void formatIsFound();
-    void everyPortionGivesTheSame();
-    void everyCutOffEndIsTold();
-    void damageCostsOnlyWhatItHits();
+    void readsWhatWasWritten();
+    void formatIsDetected();
+    void everyPortionSizeGivesTheSame();
+    void everyTruncatedEndIsReported();
+    void damageAffectsOnlyItsFrames();
     void longDamageIsOneSpot();
     void unknownMessagesAreKeptWhole();
     void anyBytesAreRead();
     void summaryCounts();
 };
 
-void LogReaderTest::writtenIsRead()
+void LogReaderTest::readsWhatWasWritten()
 {
     std::string file;
     TlogWriter writer([&file](ByteView bytes) {
@@ -121,7 +121,7 @@ void LogReaderTest::writtenIsRead()
     QVERIFY(reading.times[2] == kNoon + std::chrono::microseconds(2));
 }
 
-void LogReaderTest::formatIsFound()
+void LogReaderTest::formatIsDetected()
 {
     const std::string raw = heartbeat(1) + heartbeat(2) + heartbeat(3);
     QCOMPARE(readAll(raw).format, LogFormat::Raw);
@@ -134,7 +134,7 @@ void LogReaderTest::formatIsFound()
     QCOMPARE(readAll("no MAVLink here").bad.size(), std::size_t(1));
 }
 
-void LogReaderTest::everyPortionGivesTheSame()
+void LogReaderTest::everyPortionSizeGivesTheSame()
 {
     for (const std::string &content :
          {tlogOf(40), "noise" + heartbeat(1) + "\xfe\xff more \xfd" + heartbeat(2) + heartbeat(3)}) {
@@ -148,7 +148,7 @@ void LogReaderTest::everyPortionGivesTheSame()
     }
 }
 
-void LogReaderTest::everyCutOffEndIsTold()
+void LogReaderTest::everyTruncatedEndIsReported()
 {
     const std::string content = tlogOf(3);
     const std::size_t each = content.size() / 3;
@@ -161,7 +161,7 @@ void LogReaderTest::everyCutOffEndIsTold()
     }
 }
 
-void LogReaderTest::damageCostsOnlyWhatItHits()
+void LogReaderTest::damageAffectsOnlyItsFrames()
 {
     QVERIFY(rc::check("every entry that the damage does not touch is read", [] {
         const auto count = *rc::gen::inRange<std::uint32_t>(4, 30);

@@ -1,4 +1,4 @@
-// Frames and recordings to read in the tests.
+// Frames and recordings for the tests.
 #pragma once
 
 #include "core/log/tlog_entry.h"

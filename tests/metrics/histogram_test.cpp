@@ -19,7 +19,7 @@ private Q_SLOTS:
     void bucketsCoverEveryValueOnce();
     void percentilesMatchASortedList();
     void mergeEqualsRecordingTogether();
-    void sinceIsWhatCameAfter();
+    void sinceSubtractsAnEarlierCopy();
     void hugeValuesStayInTheLastBucket();
 };
 
@@ -85,7 +85,7 @@ void HistogramTest::mergeEqualsRecordingTogether()
     QCOMPARE(first.min(), both.min());
 }
 
-void HistogramTest::sinceIsWhatCameAfter()
+void HistogramTest::sinceSubtractsAnEarlierCopy()
 {
     Histogram all, after;
     for (const std::uint64_t value : {5u, 70u, 900u, 1u << 20})
@@ -100,7 +100,7 @@ void HistogramTest::sinceIsWhatCameAfter()
     const Histogram difference = all.since(earlier);
     QCOMPARE(difference.count(), after.count());
     QCOMPARE(difference.sum(), after.sum());
-    for (int share = 0; share <= 95; ++share) // the last bucket ends at the exact maximum where that is known
+    for (int share = 0; share <= 95; ++share) // the last bucket ends at the exact maximum if that is known
         QCOMPARE(difference.percentile(share / 100.0), after.percentile(share / 100.0));
     QVERIFY(difference.max() >= after.max() && difference.max() <= after.max() + after.max() / 32);
 }

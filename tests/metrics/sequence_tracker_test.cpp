@@ -1,5 +1,5 @@
-// Sequence loss against a brute-force account of what really happened to every frame, and the cases that mislead other
-// stations: a late frame, a duplicate, a sender that restarted.
+// Sequence loss compared with a brute-force account of every frame, and the cases that other stations miscount: a late frame, a
+// duplicate, a restart of the sender.
 #include "core/impair/impairment.h"
 #include "core/metrics/sequence_table.h"
 #include "tests/support/test_runner.h"
@@ -19,18 +19,18 @@ class SequenceTrackerTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void countsWhatHappened();
+    void countsMatchTheAccount();
     void agreesWithTheImpairedLink();
     void longLossAfterAPauseIsLoss();
     void lateFrameTakesItsLossBack();
     void lateFirstFramesAreNotLost();
-    void aBatchThatWasOvertakenIsLateNotARestart();
-    void restartIsNoticed();
+    void overtakenBatchIsLateAndNoRestart();
+    void restartIsDetected();
     void restartAheadCostsOneGap();
     void announcedRestartCostsNothing();
     void silenceIsNotCountedAcross();
     void tableKeepsSendersApart();
-    void madeUpSendersTakeNoPlaceOfRealOnes();
+    void forgedSendersDoNotReplaceEstablishedOnes();
     void tableIsBounded();
 
 private:
@@ -43,14 +43,14 @@ private:
     }
 };
 
-void SequenceTrackerTest::countsWhatHappened()
+void SequenceTrackerTest::countsMatchTheAccount()
 {
     QVERIFY(rc::check("lost, late and duplicate equal the brute-force account", [] {
         const int start = *rc::gen::inRange(0, 256);
         const int count = *rc::gen::inRange(1, 1500);
         const int lossPercent = *rc::gen::inRange(0, 60);
         const int reach = *rc::gen::inRange(1, 24);
-        // Each frame: lost, or sent once or twice, each copy held back behind up to `reach` later ones.
+        // Each frame is lost, or delivered once or twice, each copy after up to `reach` later frames.
         std::vector<std::pair<int, int>> arrivals;
         for (int i = 0; i < count; ++i) {
             if (*rc::gen::inRange(0, 100) < lossPercent)
@@ -121,7 +121,7 @@ void SequenceTrackerTest::agreesWithTheImpairedLink()
         }
         while (link.nextDeadline() != kNever)
             drain(link.nextDeadline());
-        // What was sent before the first arrival was never expected.
+        // Frames sent before the first arrival are not expected.
         for (std::uint64_t number = begin; number <= newest && !seen.empty(); ++number)
             expected.lost += !seen.contains(number);
         RC_ASSERT(tracker.counts() == expected);
@@ -161,11 +161,11 @@ void SequenceTrackerTest::lateFrameTakesItsLossBack()
 
 void SequenceTrackerTest::lateFirstFramesAreNotLost()
 {
-    // 9 and 8 were sent before 10, which came first: they were never counted as lost, so they take nothing back.
+    // 9 and 8 were sent before 10, which arrived first: they were not counted as lost, so they take no loss back.
     QCOMPARE(run({10, 9, 8, 8, 11}), (SequenceCounts{5, 0, 2, 1, 0}));
 }
 
-void SequenceTrackerTest::aBatchThatWasOvertakenIsLateNotARestart()
+void SequenceTrackerTest::overtakenBatchIsLateAndNoRestart()
 {
     SequenceTracker tracker;
     tracker.note(99, TimePoint());
@@ -176,14 +176,14 @@ void SequenceTrackerTest::aBatchThatWasOvertakenIsLateNotARestart()
     QCOMPARE(tracker.counts(), (SequenceCounts{42, 0, 40, 0, 0}));
 }
 
-void SequenceTrackerTest::restartIsNoticed()
+void SequenceTrackerTest::restartIsDetected()
 {
     SequenceTracker tracker;
     for (int i = 0; i <= 50; ++i)
         tracker.note(static_cast<std::uint8_t>(i), TimePoint());
     for (int i = 0; i < 400; ++i)
         tracker.note(static_cast<std::uint8_t>(i), TimePoint());
-    // The run that gave the restart away is not held against the link.
+    // The run that revealed the restart counts neither as duplicates nor as late frames.
     QCOMPARE(tracker.counts(), (SequenceCounts{451, 0, 0, 0, 1}));
 }
 
@@ -194,7 +194,7 @@ void SequenceTrackerTest::restartAheadCostsOneGap()
         tracker.note(static_cast<std::uint8_t>(i), TimePoint());
     for (int i = 0; i < 400; ++i)
         tracker.note(static_cast<std::uint8_t>(i), TimePoint());
-    // From 200 to 0 looks like 55 lost frames, and nothing tells it from them; but it counts once.
+    // The step from 200 to 0 cannot be distinguished from 55 lost frames, but it counts only once.
     QCOMPARE(tracker.counts(), (SequenceCounts{601, 55, 0, 0, 0}));
 }
 
@@ -214,7 +214,7 @@ void SequenceTrackerTest::silenceIsNotCountedAcross()
     tracker.note(5, TimePoint());
     tracker.note(30, TimePoint(SequenceTracker::kLongestSilence + milliseconds(1)));
     QCOMPARE(tracker.counts(), (SequenceCounts{2, 0, 0, 0, 1}));
-    // A slow sender that did not miss a number is no restart.
+    // A slow sender without a gap is no restart.
     tracker.note(31, TimePoint(3 * SequenceTracker::kLongestSilence));
     QCOMPARE(tracker.counts(), (SequenceCounts{3, 0, 0, 0, 1}));
 }
@@ -240,14 +240,14 @@ void SequenceTrackerTest::tableKeepsSendersApart()
     QCOMPARE(table.counts({LinkId{9}, 9, 9}), SequenceCounts());
 }
 
-void SequenceTrackerTest::madeUpSendersTakeNoPlaceOfRealOnes()
+void SequenceTrackerTest::forgedSendersDoNotReplaceEstablishedOnes()
 {
     SequenceTable table;
     const SequenceTable::Sender autopilot{LinkId{1}, 1, 1};
     const SequenceTable::Sender gimbal{LinkId{1}, 1, 154};
     std::uint64_t forged = 0;
     std::uint8_t gimbalNext = 0;
-    // A minute: the autopilot at 50 Hz, the gimbal once a second, and 2000 frames a second of ever other senders.
+    // One minute: the autopilot at 50 Hz, the gimbal at 1 Hz, and 2000 frames/s of forged senders, each new.
     for (int ms = 0; ms < 60'000; ++ms) {
         const TimePoint now{milliseconds(ms)};
         if (ms % 20 == 0)
@@ -263,7 +263,7 @@ void SequenceTrackerTest::madeUpSendersTakeNoPlaceOfRealOnes()
     QVERIFY(table.size() <= SequenceTable::kMostSenders);
     QCOMPARE(table.evicted(), forged - (SequenceTable::kMostSenders - 2));
     QCOMPARE(table.untracked(), std::uint64_t(0));
-    // Nothing that was counted is forgotten.
+    // The sums keep the counts of replaced senders.
     QCOMPARE(table.total().received, 3060 + forged);
 }
 
@@ -280,7 +280,7 @@ void SequenceTrackerTest::tableIsBounded()
     QCOMPARE(table.untracked(), std::uint64_t(10));
     QCOMPARE(table.evicted(), std::uint64_t(0));
     QCOMPARE(table.total().received, std::uint64_t(8 * SequenceTable::kMostSenders));
-    // Once the others have fallen silent there is room.
+    // After the others became silent there is room.
     note(1000, 10, TimePoint(SequenceTable::kEstablishedFor));
     QCOMPARE(table.untracked(), std::uint64_t(10));
     QCOMPARE(table.evicted(), std::uint64_t(1));

@@ -1,4 +1,4 @@
-// Rates over a sliding window on a simulated clock; CPU and memory readings of this very process.
+// Rates over a sliding window on a simulated clock; CPU and memory readings of this process.
 #include "core/metrics/cycle_clock.h"
 #include "core/metrics/process_usage.h"
 #include "core/metrics/rate_meter.h"
@@ -26,7 +26,7 @@ private Q_SLOTS:
     void cpuPercentOfOneCore();
     void readsThisProcess();
     void cycleClockAgreesWithCpuTime();
-    void timeThatWasTakenIsNotWork();
+    void preemptionIsNotCountedAsWork();
 };
 
 static TimePoint at(int ms)
@@ -51,7 +51,7 @@ void UsageTest::rateFallsToZeroInSilence()
     QCOMPARE(meter.perSecond(at(3000)), 100.0);
     QCOMPARE(meter.perSecond(at(3500)), 50.0);
     QCOMPARE(meter.perSecond(at(4100)), 0.0);
-    // What lies rounds back does not come again.
+    // Amounts of earlier rounds do not reappear.
     meter.add(at(60'000));
     QCOMPARE(meter.perSecond(at(60'100)), 1.0);
 }
@@ -99,7 +99,7 @@ void UsageTest::cycleClockAgreesWithCpuTime()
     const Duration cpu = threadCpuTime();
     const Duration process = processCpuTime();
     while (threadCpuTime() - cpu < milliseconds(20)) {}
-    // The process clock was read a little later than that of the thread.
+    // The process clock is read slightly later than the thread's clock.
     QVERIFY(processCpuTime() - process >= milliseconds(15));
     const auto measured = static_cast<double>(clock.between(begin, CycleClock::now()));
     const double passed = std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - wall).count();
@@ -107,14 +107,14 @@ void UsageTest::cycleClockAgreesWithCpuTime()
     QCOMPARE(clock.between(5, 4), std::uint64_t(0));
 }
 
-void UsageTest::timeThatWasTakenIsNotWork()
+void UsageTest::preemptionIsNotCountedAsWork()
 {
     const auto spin = [](Duration work) {
         const Duration until = threadCpuTime() + work;
         while (threadCpuTime() < until) {}
     };
     WorkClock clock;
-    // Before the first piece and between two, the thread works, and the core is given away as well.
+    // Before the first piece and between two pieces the thread works and is preempted as well.
     for (int piece = 0; piece < 2; ++piece) {
         spin(milliseconds(1));
         ::poll(nullptr, 0, 40);
@@ -126,7 +126,7 @@ void UsageTest::timeThatWasTakenIsNotWork()
         QVERIFY2(worked > 19'000'000 && worked < 26'000'000, qPrintable(QString::number(worked)));
     }
     const std::uint64_t next = clock.begin();
-    QVERIFY(clock.between(next, next + 1000) < 1000); // short pieces as they are
+    QVERIFY(clock.between(next, next + 1000) < 1000); // short pieces are taken from the cycle counter
 }
 
 SKYSEAL_TEST(UsageTest)

@@ -57,8 +57,8 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_protection = new QComboBox(this);
     m_protection->setObjectName(QStringLiteral("linkProtection"));
     m_protection->addItem(tr("Sealed, or plain MAVLink"));
-    m_protection->addItem(tr("INSECURE: MAVSec 2019, ChaCha20, only read"), int(MavsecCipher::Kind::ChaCha20));
-    m_protection->addItem(tr("INSECURE: MAVSec 2019, AES-256-CTR, only read"), int(MavsecCipher::Kind::Aes256Ctr));
+    m_protection->addItem(tr("INSECURE: MAVSec 2019, ChaCha20, receive only"), int(MavsecCipher::Kind::ChaCha20));
+    m_protection->addItem(tr("INSECURE: MAVSec 2019, AES-256-CTR, receive only"), int(MavsecCipher::Kind::Aes256Ctr));
     m_key = new QLineEdit(this);
     m_key->setObjectName(QStringLiteral("linkKeyFile"));
     m_key->setPlaceholderText(tr("the published key"));
@@ -72,7 +72,7 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_browseKey->setAccessibleName(tr("Browse for the key file"));
     m_result = new QLabel(this);
     m_result->setObjectName(QStringLiteral("linkResult"));
-    m_result->setAccessibleName(tr("The link that this makes"));
+    m_result->setAccessibleName(tr("URL of the link"));
     m_result->setWordWrap(true);
     m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());
     m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -194,7 +194,7 @@ void LinkDialog::showProtection()
     const bool asked = m_protection->currentData().isValid();
     for (QWidget *widget : std::initializer_list<QWidget *>{m_key, m_keyLabel, m_browseKey, m_nonce, m_nonceLabel})
         widget->setVisible(asked);
-    // AES-256-CTR counts on from its nonce.
+    // AES-256-CTR takes its counter from the nonce.
     const bool counts = asked && mavsec()->kind == MavsecCipher::Kind::ChaCha20;
     for (QWidget *widget : std::initializer_list<QWidget *>{m_counter, m_counterLabel})
         widget->setVisible(counts);
@@ -223,7 +223,7 @@ void LinkDialog::check()
     const QString wrong = problem();
     const bool insecure = mavsec().has_value();
     const QString good = insecure
-        ? tr("%1\nINSECURE: anybody can read, change and invent what comes. Nothing is sent.").arg(url())
+        ? tr("%1\nINSECURE: anyone can read, change and forge this stream. Nothing is sent.").arg(url())
         : url();
     m_result->setText(wrong.isEmpty() ? good : wrong);
     QPalette colors = palette();

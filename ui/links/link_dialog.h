@@ -24,12 +24,12 @@ class LinkDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// Starts with `url` filled in where it is a good one.
+    /// Starts with the fields of `url`, if it is well-formed.
     explicit LinkDialog(const QString &url, QWidget *parent = nullptr);
 
-    /// A well-formed URL once the dialog was accepted.
+    /// The URL of the current fields; well-formed after the dialog was accepted.
     QString url() const;
-    /// Set when the stream is one of MAVSec's published code, which is insecure and only read.
+    /// Set for a stream of MAVSec's published code, which is insecure; the link only receives then.
     std::optional<engine::MavsecSettings> mavsec() const;
 
 private:
@@ -48,7 +48,7 @@ private:
     QLineEdit *m_path;
     QPushButton *m_browse;
     QComboBox *m_baud;
-    QComboBox *m_protection; ///< the cipher of MAVSec's stream; none first
+    QComboBox *m_protection; ///< the first item has no data: no MAVSec stream
     QLineEdit *m_key, *m_nonce, *m_counter;
     QPushButton *m_browseKey;
     QLabel *m_hostLabel, *m_portLabel, *m_pathLabel, *m_baudLabel, *m_keyLabel, *m_nonceLabel, *m_counterLabel;

@@ -49,7 +49,8 @@ QVariant LinkModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         switch (index.column()) {
         case Url:
-            return link->listenOnly ? tr("%1 · MAVSec 2019, INSECURE, only read").arg(fromStd(link->url)) : fromStd(link->url);
+            return link->listenOnly ? tr("%1 · MAVSec 2019, INSECURE, receive only").arg(fromStd(link->url))
+                                    : fromStd(link->url);
         case State:
             return link->problem.empty() ? engine::linkPhaseText(link->phase)
                                          : tr("%1: %2").arg(engine::linkPhaseText(link->phase), fromStd(link->problem));
@@ -80,8 +81,8 @@ QVariant LinkModel::headerData(int section, Qt::Orientation orientation, int rol
     switch (section) {
     case Url: return tr("Link");
     case State: return tr("State");
-    case Local: return tr("Here");
-    case Remote: return tr("There");
+    case Local: return tr("Local");
+    case Remote: return tr("Remote");
     case Received: return tr("Received");
     case Sent: return tr("Sent");
     case BadFrames: return tr("Bad frames");

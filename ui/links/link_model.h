@@ -1,4 +1,4 @@
-// The links of the station with their state, always with the address they listen on.
+// Table model of the station's links: URL, state, local and remote address, traffic. Main thread.
 #pragma once
 
 #include "core/engine/station/snapshot.h"

@@ -1,4 +1,4 @@
-// The list of links, with buttons to add and remove one.
+// Panel with the table of links and buttons to add and remove one. Main thread.
 #pragma once
 
 #include "ui/links/link_model.h"

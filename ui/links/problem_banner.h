@@ -1,5 +1,5 @@
-// A line across the top of the window for a problem that needs an answer: a link that could not be opened, a demo program
-// that ended. One button does what can be done about it, another closes it.
+// Banner at the top of the window for a problem that needs a decision, such as a link that could not be opened. One button
+// applies the remedy, another closes the banner. Main thread.
 #pragma once
 
 #include <QtWidgets/QFrame>
@@ -18,7 +18,7 @@ class ProblemBanner : public QFrame
 public:
     explicit ProblemBanner(QWidget *parent = nullptr);
 
-    /// `remedy` is the button's text, empty for none. The newest problem replaces an older one.
+    /// Shows `problem` in place of an earlier one. `remedy` is the text of the button that calls `act`; empty for no button.
     void notify(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
     QString problem() const;
 

@@ -1,4 +1,5 @@
-// The names of the peers behind session ids. Later events of a session carry only its id; whoever reports them needs the name.
+// The names of the peers behind session ids. Later events of a session carry only its id, while
+// reports show the name.
 #pragma once
 
 #include "core/channel/events.h"

@@ -11,7 +11,7 @@ namespace skyseal::engine {
 
 struct EventText
 {
-    /// What the operator can do about it. Each program says how in its own terms: a menu, an option.
+    /// Action that helps. Each program adds how to take it there: by a menu or by an option.
     enum class Remedy : std::uint8_t { None, AllowPlaintext, PairAgent };
 
     QString sentence;          ///< starts with a capital letter, ends without a full stop

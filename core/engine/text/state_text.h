@@ -1,4 +1,4 @@
-// Names and reasons for people: what the engine reports as enums and numbers. Translated through QCoreApplication; without a
+// Texts for people for the enums and numbers that the engine reports. Translated through QCoreApplication; without a
 // translator (command lines) they are English. Scripts read the fixed keywords of headless/event_names.h instead.
 #pragma once
 
