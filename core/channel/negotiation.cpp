@@ -1,7 +1,5 @@
 #include "core/channel/negotiation.h"
 
-#include "core/channel/suite_list.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -20,24 +18,11 @@ bool isResearch(SuiteId suite)
     return crypto::suiteInfo(suite).research;
 }
 
-/// Half bytes that an offer of all suites of the table takes.
-constexpr std::size_t tableHalves()
-{
-    std::size_t halves = 0;
-    for (std::size_t number = 1; number < crypto::kSuiteCount; ++number)
-        halves += suiteNumberHalves(static_cast<std::uint8_t>(number));
-    return halves;
-}
-
-constexpr std::size_t kSpareHalves = 3; // one more suite, of any number
-static_assert(tableHalves() + kSpareHalves <= kSuiteListHalves, "widen the suite list of an offer before adding a suite");
-
 } // namespace
 
 std::vector<SuiteId> defaultSuites()
 {
-    using enum SuiteId;
-    return {ChaCha20Poly1305, Aes256Gcm, Aes256Ctr, Aes256Cbc, ChaCha20, Rc4};
+    return crypto::sealedSuites();
 }
 
 SuiteOffer offerOf(const Policy &policy)

@@ -7,6 +7,8 @@
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/record_keys.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 #include <concepts>
 #include <cstring>
@@ -77,8 +79,8 @@ template<BodyCipher Body> class EncryptThenMac final : public RecordCipher
 public:
     EncryptThenMac(SuiteId suite, const RecordKeys &keys) : m_suite(suite), m_body(keys), m_mac(keys.mac) {}
 
-    /// Null when the library refused the cipher.
-    static std::unique_ptr<RecordCipher> make(SuiteId suite, const RecordKeys &keys)
+    /// A factory for the descriptor of `suite`; null if the library refused the cipher.
+    template<SuiteId suite> static std::unique_ptr<RecordCipher> make(const RecordKeys &keys)
     {
         auto cipher = std::make_unique<EncryptThenMac>(suite, keys);
         return cipher->m_body.ready() ? std::move(cipher) : nullptr;

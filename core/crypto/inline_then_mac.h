@@ -5,6 +5,8 @@
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/inline_cipher.h"
 
+#include <sodium.h>
+
 namespace skyseal::crypto {
 
 template<typename Body> class InlineThenMac final : public InlineCipher
@@ -12,8 +14,8 @@ template<typename Body> class InlineThenMac final : public InlineCipher
 public:
     InlineThenMac(SuiteId suite, const RecordKeys &keys) : m_suite(suite), m_body(keys), m_mac(keys.mac) {}
 
-    /// Null when the library refused the cipher.
-    static std::unique_ptr<InlineCipher> make(SuiteId suite, const RecordKeys &keys)
+    /// A factory for the descriptor of `suite`; null if the library refused the cipher.
+    template<SuiteId suite> static std::unique_ptr<InlineCipher> make(const RecordKeys &keys)
     {
         auto cipher = std::make_unique<InlineThenMac>(suite, keys);
         return cipher->m_body.ready() ? std::move(cipher) : nullptr;

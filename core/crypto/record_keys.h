@@ -56,4 +56,8 @@ private:
     SecretBytes<12> m_iv;
 };
 
+/// A cipher under the given keys in place of derived ones; published vectors are checked through it. Null as for
+/// makeRecordCipher().
+std::unique_ptr<RecordCipher> makeRecordCipherFromKeys(SuiteId suite, RecordKeys &&keys);
+
 } // namespace skyseal::crypto

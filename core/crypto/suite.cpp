@@ -1,46 +1,64 @@
 #include "core/crypto/suite.h"
 
-#include "core/crypto/suite_factories.h"
+#include "core/crypto/inline_cipher.h"
+#include "core/crypto/record_keys.h"
 
 #include <algorithm>
 #include <array>
 
 namespace skyseal::crypto {
 
-static constexpr std::array<SuiteInfo, kSuiteCount> kSuites{
-    SuiteInfo{.id = SuiteId::None, .name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
-    SuiteInfo{.id = SuiteId::ChaCha20Poly1305, .name = "chacha20-poly1305", .displayName = "ChaCha20-Poly1305", .aead = true},
-    SuiteInfo{.id = SuiteId::Aes256Gcm, .name = "aes-256-gcm", .displayName = "AES-256-GCM", .aead = true},
-    SuiteInfo{.id = SuiteId::Aes256Ctr, .name = "aes-256-ctr", .displayName = "AES-256-CTR"},
-    SuiteInfo{.id = SuiteId::Aes256Cbc, .name = "aes-256-cbc", .displayName = "AES-256-CBC", .preservesLength = false},
-    SuiteInfo{.id = SuiteId::ChaCha20, .name = "chacha20", .displayName = "ChaCha20"},
-    SuiteInfo{.id = SuiteId::Rc4, .name = "rc4", .displayName = "RC4", .research = true},
-};
-
-static constexpr std::array<CipherFactory, kSuites.size()> kFactories{
-    nullptr, makeChaCha20Poly1305, makeAes256Gcm, makeAes256Ctr, makeAes256Cbc, makeChaCha20, makeRc4,
-};
+// The descriptors, each in the file of its suite in suites/.
+SuiteInfo chaCha20Poly1305Suite();
+SuiteInfo aes256GcmSuite();
+SuiteInfo aes256CtrSuite();
+SuiteInfo aes256CbcSuite();
+SuiteInfo chaCha20Suite();
+SuiteInfo rc4Suite();
 
 std::span<const SuiteInfo> suites()
 {
-    return kSuites;
+    /// In order of preference, research suites last.
+    static const std::array table{
+        SuiteInfo{.name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
+        chaCha20Poly1305Suite(),
+        aes256GcmSuite(),
+        aes256CtrSuite(),
+        aes256CbcSuite(),
+        chaCha20Suite(),
+        rc4Suite(),
+    };
+    return table;
 }
 
-std::optional<SuiteId> suiteFromNumber(std::uint8_t number)
+std::vector<SuiteId> sealedSuites()
 {
-    return number < kSuites.size() ? std::optional(kSuites[number].id) : std::nullopt;
+    std::vector<SuiteId> out;
+    for (const SuiteInfo &info : suites()) {
+        if (info.authenticated)
+            out.push_back(info.id);
+    }
+    return out;
 }
 
 const SuiteInfo &suiteInfo(SuiteId id)
 {
-    return kSuites[suiteFromNumber(static_cast<std::uint8_t>(id)) ? static_cast<std::size_t>(id) : 0];
+    const auto table = suites();
+    const auto found = std::find_if(table.begin(), table.end(), [id](const SuiteInfo &info) { return info.id == id; });
+    return found == table.end() ? table.front() : *found;
+}
+
+std::optional<SuiteId> suiteFromNumber(std::uint8_t number)
+{
+    const SuiteId id = suiteInfo(SuiteId{number}).id;
+    return static_cast<std::uint8_t>(id) == number ? std::optional(id) : std::nullopt;
 }
 
 std::optional<SuiteId> suiteFromName(std::string_view name)
 {
-    const auto found = std::find_if(kSuites.begin(), kSuites.end(),
-                                    [name](const SuiteInfo &info) { return info.name == name; });
-    return found == kSuites.end() ? std::nullopt : std::optional(found->id);
+    const auto table = suites();
+    const auto found = std::find_if(table.begin(), table.end(), [name](const SuiteInfo &info) { return info.name == name; });
+    return found == table.end() ? std::nullopt : std::optional(found->id);
 }
 
 bool suiteAvailable(SuiteId id)
@@ -57,8 +75,19 @@ std::unique_ptr<RecordCipher> makeRecordCipher(SuiteId suite, DirectionSecret &&
 std::unique_ptr<RecordCipher> makeRecordCipherFromKeys(SuiteId suite, RecordKeys &&keys)
 {
     const RecordKeys taken = std::move(keys);
-    const CipherFactory factory = kFactories[static_cast<std::size_t>(suiteInfo(suite).id)];
-    return factory ? factory(taken) : nullptr;
+    const RecordCipherFactory make = suiteInfo(suite).makeRecord;
+    return make ? make(taken) : nullptr;
+}
+
+bool mayBeInline(SuiteId suite)
+{
+    return suiteInfo(suite).makeInline != nullptr;
+}
+
+std::unique_ptr<InlineCipher> makeInlineCipher(SuiteId suite, const DirectionSecret &secret)
+{
+    const InlineCipherFactory make = suiteInfo(suite).makeInline;
+    return make ? make(RecordKeys::derive(secret, suite, "inline")) : nullptr;
 }
 
 } // namespace skyseal::crypto

@@ -1,22 +1,29 @@
-// SHA-256's states can be copied only through the functions that OpenSSL 3 calls deprecated.
+// OpenSSL 3 deprecates the only functions whose SHA-256 state can be copied without an allocation.
 #define OPENSSL_SUPPRESS_DEPRECATED
 #include "core/experiment/bare_calls.h"
 
 #include <openssl/evp.h>
 #include <openssl/provider.h>
 #include <openssl/sha.h>
-#include <sodium.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <variant>
+#include <vector>
 
 namespace skyseal::experiment {
 
 namespace {
 
+using crypto::HmacSha256Tag;
+using crypto::OpensslAead;
+using crypto::OpensslCipher;
+using crypto::SodiumAead;
+using crypto::SodiumStream;
 using crypto::SuiteId;
+using crypto::SuiteInfo;
 
 constexpr std::size_t kAssociated = 9; // first byte, connection id, counter, suite, direction, carrier
 constexpr std::size_t kTag = 16;
@@ -27,7 +34,7 @@ struct FreeContext
 };
 using Context = std::shared_ptr<EVP_CIPHER_CTX>;
 
-/// Bytes and keys that a call works on; their values do not matter for its time.
+/// The buffers and keys of a call. The values do not change its time.
 struct Material
 {
     std::array<std::uint8_t, 32> key{};
@@ -59,7 +66,7 @@ struct Material
 
 using SharedMaterial = std::shared_ptr<Material>;
 
-/// RC4 lives in a provider of its own, in a library context of its own, kept as long as the program runs.
+/// OpenSSL's legacy provider in a library context of its own, loaded until the program ends; null if it is missing.
 OSSL_LIB_CTX *legacyLibrary()
 {
     static OSSL_LIB_CTX *const library = [] {
@@ -69,17 +76,19 @@ OSSL_LIB_CTX *legacyLibrary()
     return library;
 }
 
-Context keyed(const char *name, const Material &material, Direction direction)
+/// A context for a cipher by its name, keyed; null if OpenSSL does not provide it.
+Context keyed(const OpensslCipher &primitive, const Material &material, Direction direction)
 {
-    const bool legacy = std::string_view(name) == "RC4";
-    EVP_CIPHER *cipher = EVP_CIPHER_fetch(legacy ? legacyLibrary() : nullptr, name, nullptr);
+    if (!primitive.name)
+        return nullptr;
+    EVP_CIPHER *cipher = EVP_CIPHER_fetch(primitive.legacy ? legacyLibrary() : nullptr, primitive.name, nullptr);
     if (!cipher)
         return nullptr;
     const Context context(EVP_CIPHER_CTX_new(), FreeContext());
     const int encrypt = direction == Direction::Seal ? 1 : 0;
     EVP_CipherInit_ex2(context.get(), cipher, nullptr, nullptr, encrypt, nullptr);
-    if (legacy)
-        EVP_CIPHER_CTX_set_key_length(context.get(), 32);
+    if (primitive.keyedPerRecord)
+        EVP_CIPHER_CTX_set_key_length(context.get(), static_cast<int>(material.key.size()));
     EVP_CipherInit_ex2(context.get(), nullptr, material.key.data(), material.nonce.data(), encrypt, nullptr);
     if (EVP_CIPHER_get_block_size(cipher) > 1)
         EVP_CIPHER_CTX_set_padding(context.get(), 0);
@@ -87,101 +96,106 @@ Context keyed(const char *name, const Material &material, Direction direction)
     return context;
 }
 
-std::size_t padded(SuiteId suite, std::size_t size)
-{
-    return suite == SuiteId::Aes256Cbc ? (size / 16 + 1) * 16 : size;
-}
+// The cipher alone, one function for each kind of primitive. `suite` gives the lengths.
 
-BareCall rc4(const SharedMaterial &m)
+BareCall cipherCall(const OpensslCipher &primitive, const SuiteInfo &suite, const SharedMaterial &m, Direction direction)
 {
-    const Context context = keyed("RC4", *m, Direction::Seal);
+    const Context context = keyed(primitive, *m, direction);
     if (!context)
         return {};
-    return [m, context](std::size_t size) {
+    if (primitive.keyedPerRecord) {
+        return [m, context, discarded = std::vector<std::uint8_t>(primitive.discardedBytes)](std::size_t size) mutable {
+            int written = 0;
+            EVP_EncryptInit_ex2(context.get(), nullptr, m->key.data(), nullptr, nullptr);
+            EVP_EncryptUpdate(context.get(), discarded.data(), &written, discarded.data(), static_cast<int>(discarded.size()));
+            EVP_EncryptUpdate(context.get(), m->text.data(), &written, m->text.data(), static_cast<int>(size));
+        };
+    }
+    return [m, context, &suite](std::size_t size) {
         int written = 0;
-        std::array<std::uint8_t, 768> dropped;
-        EVP_EncryptInit_ex2(context.get(), nullptr, m->key.data(), nullptr, nullptr);
-        EVP_EncryptUpdate(context.get(), dropped.data(), &written, dropped.data(), static_cast<int>(dropped.size()));
-        EVP_EncryptUpdate(context.get(), m->text.data(), &written, m->text.data(), static_cast<int>(size));
-    };
-}
-
-BareCall aes(const SharedMaterial &m, SuiteId suite, Direction direction)
-{
-    const Context context = keyed(suite == SuiteId::Aes256Cbc ? "AES-256-CBC" : "AES-256-CTR", *m, direction);
-    if (!context)
-        return {};
-    return [m, context, suite](std::size_t size) {
-        int written = 0;
+        const int length = static_cast<int>(suite.ciphertextSize(size));
         EVP_CipherInit_ex2(context.get(), nullptr, nullptr, m->nonce.data(), -1, nullptr);
-        EVP_CipherUpdate(context.get(), m->text.data(), &written, m->text.data(), static_cast<int>(padded(suite, size)));
+        EVP_CipherUpdate(context.get(), m->text.data(), &written, m->text.data(), length);
     };
 }
 
-BareCall cipherOn(const SharedMaterial &m, SuiteId suite, Direction direction)
+BareCall cipherCall(const SodiumStream &primitive, const SuiteInfo &, const SharedMaterial &m, Direction)
 {
-    switch (suite) {
-    case SuiteId::ChaCha20:
-    case SuiteId::ChaCha20Poly1305:
-        return [m](std::size_t size) {
-            crypto_stream_chacha20_ietf_xor(m->text.data(), m->text.data(), size, m->nonce.data(), m->key.data());
-        };
-    case SuiteId::Aes256Gcm: // counter mode inside
-    case SuiteId::Aes256Ctr:
-    case SuiteId::Aes256Cbc: return aes(m, suite, direction);
-    case SuiteId::Rc4: return rc4(m);
-    case SuiteId::None: break;
-    }
-    return {};
+    return [m, primitive](std::size_t size) {
+        primitive.apply(m->text.data(), m->text.data(), size, m->nonce.data(), m->key.data());
+    };
 }
 
-BareCall chachaPoly(const SharedMaterial &m, Direction direction)
+BareCall cipherOn(const SharedMaterial &m, const SuiteInfo &suite, Direction direction)
 {
+    return std::visit([&](const auto &primitive) { return cipherCall(primitive, suite, m, direction); },
+                      suite.primitives.cipher);
+}
+
+// Cipher and authentication, one function for each kind of primitive.
+
+BareCall recordCall(HmacSha256Tag, const SuiteInfo &suite, const SharedMaterial &m, Direction direction)
+{
+    const BareCall cipher = cipherOn(m, suite, direction);
+    if (!cipher)
+        return {};
     if (direction == Direction::Seal) {
-        return [m](std::size_t size) {
-            crypto_aead_chacha20poly1305_ietf_encrypt(m->text.data(), nullptr, m->text.data(), size, m->associated.data(),
-                                                      m->associated.size(), nullptr, m->nonce.data(), m->key.data());
+        return [cipher, m, &suite](std::size_t size) {
+            cipher(size);
+            m->hmac(suite.ciphertextSize(size));
         };
     }
-    return [m, sealedSize = std::size_t(0)](std::size_t size) mutable {
-        if (sealedSize != size) { // a tag that is right: a wrong one would end it early
-            crypto_aead_chacha20poly1305_ietf_encrypt(m->sealed.data(), nullptr, m->sealed.data(), size, m->associated.data(),
-                                                      m->associated.size(), nullptr, m->nonce.data(), m->key.data());
+    return [cipher, m, &suite](std::size_t size) {
+        std::copy_n(m->sealed.begin(), suite.ciphertextSize(size) + kTag, m->text.begin());
+        m->hmac(suite.ciphertextSize(size));
+        cipher(size);
+    };
+}
+
+BareCall recordCall(const SodiumAead &aead, const SuiteInfo &, const SharedMaterial &m, Direction direction)
+{
+    const auto sealInto = [aead, m](std::uint8_t *out, std::size_t size) {
+        aead.seal(out, nullptr, out, size, m->associated.data(), m->associated.size(), nullptr, m->nonce.data(), m->key.data());
+    };
+    if (direction == Direction::Seal)
+        return [m, sealInto](std::size_t size) { sealInto(m->text.data(), size); };
+    return [aead, m, sealInto, sealedSize = std::size_t(0)](std::size_t size) mutable {
+        if (sealedSize != size) { // a correct tag: with a wrong one the call would return early
+            sealInto(m->sealed.data(), size);
             sealedSize = size;
         }
         std::copy_n(m->sealed.begin(), size + kTag, m->text.begin());
-        const int refused = crypto_aead_chacha20poly1305_ietf_decrypt(m->text.data(), nullptr, nullptr, m->text.data(),
-                                                                      size + kTag, m->associated.data(), m->associated.size(),
-                                                                      m->nonce.data(), m->key.data());
+        const int refused = aead.open(m->text.data(), nullptr, nullptr, m->text.data(), size + kTag, m->associated.data(),
+                                      m->associated.size(), m->nonce.data(), m->key.data());
         m->tag[0] = static_cast<std::uint8_t>(refused);
     };
 }
 
-BareCall gcm(const SharedMaterial &m, Direction direction)
+BareCall recordCall(const OpensslAead &aead, const SuiteInfo &, const SharedMaterial &m, Direction direction)
 {
-    const Context context = keyed("AES-256-GCM", *m, direction);
-    if (!context)
+    const Context keyedContext = keyed({.name = aead.name}, *m, direction);
+    if (!keyedContext)
         return {};
     if (direction == Direction::Seal) {
-        return [m, context](std::size_t size) {
+        return [m, keyedContext](std::size_t size) {
             int written = 0;
-            EVP_CIPHER_CTX *const gcm = context.get();
-            EVP_EncryptInit_ex2(gcm, nullptr, nullptr, m->nonce.data(), nullptr);
-            EVP_EncryptUpdate(gcm, nullptr, &written, m->associated.data(), static_cast<int>(m->associated.size()));
-            EVP_EncryptUpdate(gcm, m->text.data(), &written, m->text.data(), static_cast<int>(size));
-            EVP_EncryptFinal_ex(gcm, m->tag.data(), &written);
-            EVP_CIPHER_CTX_ctrl(gcm, EVP_CTRL_AEAD_GET_TAG, static_cast<int>(kTag), m->tag.data());
+            EVP_CIPHER_CTX *const context = keyedContext.get();
+            EVP_EncryptInit_ex2(context, nullptr, nullptr, m->nonce.data(), nullptr);
+            EVP_EncryptUpdate(context, nullptr, &written, m->associated.data(), static_cast<int>(m->associated.size()));
+            EVP_EncryptUpdate(context, m->text.data(), &written, m->text.data(), static_cast<int>(size));
+            EVP_EncryptFinal_ex(context, m->tag.data(), &written);
+            EVP_CIPHER_CTX_ctrl(context, EVP_CTRL_AEAD_GET_TAG, static_cast<int>(kTag), m->tag.data());
         };
     }
-    return [m, context](std::size_t size) {
+    return [m, keyedContext](std::size_t size) {
         int written = 0;
-        EVP_CIPHER_CTX *const gcm = context.get();
+        EVP_CIPHER_CTX *const context = keyedContext.get();
         std::copy_n(m->sealed.begin(), size + kTag, m->text.begin());
-        EVP_DecryptInit_ex2(gcm, nullptr, nullptr, m->nonce.data(), nullptr);
-        EVP_CIPHER_CTX_ctrl(gcm, EVP_CTRL_AEAD_SET_TAG, static_cast<int>(kTag), m->text.data() + size);
-        EVP_DecryptUpdate(gcm, nullptr, &written, m->associated.data(), static_cast<int>(m->associated.size()));
-        EVP_DecryptUpdate(gcm, m->text.data(), &written, m->text.data(), static_cast<int>(size));
-        EVP_DecryptFinal_ex(gcm, m->tag.data(), &written); // refuses, which takes as long
+        EVP_DecryptInit_ex2(context, nullptr, nullptr, m->nonce.data(), nullptr);
+        EVP_CIPHER_CTX_ctrl(context, EVP_CTRL_AEAD_SET_TAG, static_cast<int>(kTag), m->text.data() + size);
+        EVP_DecryptUpdate(context, nullptr, &written, m->associated.data(), static_cast<int>(m->associated.size()));
+        EVP_DecryptUpdate(context, m->text.data(), &written, m->text.data(), static_cast<int>(size));
+        EVP_DecryptFinal_ex(context, m->tag.data(), &written); // the tag is wrong, which takes as long
     };
 }
 
@@ -189,30 +203,15 @@ BareCall gcm(const SharedMaterial &m, Direction direction)
 
 BareCall bareCipher(SuiteId suite, Direction direction)
 {
-    return cipherOn(std::make_shared<Material>(), suite, direction);
+    return cipherOn(std::make_shared<Material>(), crypto::suiteInfo(suite), direction);
 }
 
 BareCall bareRecord(SuiteId suite, Direction direction)
 {
+    const SuiteInfo &info = crypto::suiteInfo(suite);
     const auto m = std::make_shared<Material>();
-    if (suite == SuiteId::ChaCha20Poly1305)
-        return chachaPoly(m, direction);
-    if (suite == SuiteId::Aes256Gcm)
-        return gcm(m, direction);
-    const BareCall cipher = cipherOn(m, suite, direction);
-    if (!cipher)
-        return {};
-    if (direction == Direction::Seal) {
-        return [cipher, m, suite](std::size_t size) {
-            cipher(size);
-            m->hmac(padded(suite, size));
-        };
-    }
-    return [cipher, m, suite](std::size_t size) {
-        std::copy_n(m->sealed.begin(), padded(suite, size) + kTag, m->text.begin());
-        m->hmac(padded(suite, size));
-        cipher(size);
-    };
+    return std::visit([&](const auto &primitive) { return recordCall(primitive, info, m, direction); },
+                      info.primitives.authentication);
 }
 
 } // namespace skyseal::experiment

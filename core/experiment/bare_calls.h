@@ -1,9 +1,10 @@
-// The library calls that sealing or opening a record cannot do without, called as cheaply as the libraries' documentation
-// allows: what complete records are held against.
+// The library calls that sealing or opening a record cannot do without, made as cheaply as the libraries' documentation
+// allows: the reference that complete records are compared with. They are derived from the primitives of each suite's
+// descriptor (core/crypto/suite_primitives.h).
 //
-// AEAD: libsodium's one-shot call; for OpenSSL nonce, associated data, text and tag. The others: the cipher with its IV set
-// (RC4 with a new key and 768 bytes dropped), and HMAC-SHA-256 from copied hash states. The IV of AES-CBC is given to the
-// call: that a record has to make one is not counted in the record's favour.
+// AEADs: libsodium's one-shot call; with OpenSSL nonce, associated data, text and tag. The other suites: the cipher with its
+// IV set (RC4: with a new key, 768 bytes discarded), then HMAC-SHA-256 from copied hash states. AES-CBC is given an IV; the
+// suite has to compute one, which the comparison charges to the suite.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -13,16 +14,17 @@
 
 namespace skyseal::experiment {
 
-/// One call over so many bytes (at most kMostBareBytes).
+/// One call on `size` bytes, at most kMostBareBytes.
 using BareCall = std::function<void(std::size_t size)>;
 
 inline constexpr std::size_t kMostBareBytes = 1200;
 
 enum class Direction { Seal, Open };
 
-/// The cipher without authentication: of the AEADs the stream cipher inside. Empty when the suite is not available.
+/// The cipher without authentication; of an AEAD, the stream cipher inside. Empty if the suite is not available.
 BareCall bareCipher(crypto::SuiteId suite, Direction direction);
-/// Cipher and authentication. Opening works on a fresh copy of sealed bytes, as it does on what a socket gives.
+/// Cipher and authentication. Opening includes a fresh copy of the sealed bytes, as a socket delivers them. Empty if the
+/// suite is not available.
 BareCall bareRecord(crypto::SuiteId suite, Direction direction);
 
 } // namespace skyseal::experiment

@@ -3228,7 +3228,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Allow &amp;insecure research suites (RC4)</source>
+        <source>Allow &amp;insecure research suites (%1)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3240,7 +3240,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>RC4 is broken: who records the link may read it. It is here to be measured against the others, is never chosen by itself, and works only when the vehicle&apos;s agent allows it as well. I understand that while it is in use the link is not confidential.</source>
+        <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. I understand that while one is in use the link is not confidential.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3256,11 +3256,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, %2 or stronger</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 and %2 only</source>
+        <source>Only %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

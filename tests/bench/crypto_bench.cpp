@@ -79,7 +79,7 @@ int printRatios()
         if (info.id == SuiteId::None || !suiteAvailable(info.id))
             continue;
         for (const std::size_t size : kSizes) {
-            const BareCall cipherCall = info.aead ? BareCall() : bareCipher(info.id, Direction::Seal);
+            const BareCall cipherCall = info.isAead() ? BareCall() : bareCipher(info.id, Direction::Seal);
             const BareCall sealCall = bareRecord(info.id, Direction::Seal);
             const BareCall openCall = bareRecord(info.id, Direction::Open);
             const auto sealing = makeRecordCipher(info.id, benchSecret());

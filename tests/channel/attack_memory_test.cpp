@@ -83,7 +83,7 @@ void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
         for (const std::string_view framing : {"record", "inline"}) {
             if (framing == "inline" && !crypto::mayBeInline(suite))
                 continue;
-            const bool hasMac = !crypto::suiteInfo(suite).aead;
+            const bool hasMac = !crypto::suiteInfo(suite).isAead();
             const auto keys = crypto::RecordKeys::derive(*direction, suite, framing);
             const QByteArray name(framing.data(), static_cast<int>(framing.size()));
             write((name + "-mac-key").constData(), keys.mac.view(), false); // only what HMAC makes of it is kept

@@ -163,6 +163,8 @@ void NegotiationTest::seventhSuiteTakesPart()
 {
     // Two ends of a later build share a seventh suite: it passes through this list, wherever it stands.
     for (const std::uint8_t seventh : {std::uint8_t(7), std::uint8_t(14), std::uint8_t(15), std::uint8_t(255)}) {
+        if (crypto::suiteFromNumber(seventh))
+            continue;
         for (std::size_t at = 0; at <= kAll.size(); ++at) {
             std::vector<std::uint8_t> numbers;
             for (const SuiteId suite : kAll)
@@ -177,12 +179,12 @@ void NegotiationTest::seventhSuiteTakesPart()
 
 void NegotiationTest::everySuiteOfThePolicyIsOffered()
 {
-    std::vector<SuiteId> all;
-    for (const crypto::SuiteInfo &info : crypto::suites()) {
-        if (info.id != SuiteId::None)
-            all.push_back(info.id);
-    }
-    QCOMPARE(all.size() + 1, crypto::kSuiteCount);
+    const std::vector<SuiteId> all = crypto::sealedSuites();
+    std::size_t halves = 0;
+    for (const SuiteId suite : all)
+        halves += suiteNumberHalves(static_cast<std::uint8_t>(suite));
+    constexpr std::size_t kSpareHalves = 3; // one more suite, of any number
+    QVERIFY2(halves + kSpareHalves <= kSuiteListHalves, "widen the suite list of an offer before adding a suite");
     const SuiteOffer offer = offerOf(Policy{all, true, false});
     QCOMPARE(offer.suites, all);
     QCOMPARE(FirstPayload::read(FirstPayload{ConnectionId{1}, offer, 1}.write())->offer.suites, all);
@@ -223,7 +225,7 @@ void NegotiationTest::weakestAllowedHoldsWhateverTheOtherEndOffers()
     // No research suite and no plain is ever as strong as a sound one.
     for (const crypto::SuiteInfo &info : crypto::suites()) {
         if (info.id != None)
-            QCOMPARE(strengthOf(info.id) <= strengthOf(Rc4), info.research);
+            QCOMPARE(info.strength <= crypto::suiteInfo(Rc4).strength, info.research);
     }
     for (const SuiteId weakest : kAll) {
         for (unsigned bits = 0; bits < 64; ++bits) {
@@ -232,7 +234,7 @@ void NegotiationTest::weakestAllowedHoldsWhateverTheOtherEndOffers()
             for (const bool initiator : {true, false}) {
                 const auto both = initiator ? permittedSuites(here, there) : permittedSuites(there, here);
                 for (const SuiteId suite : both)
-                    QVERIFY(strengthOf(suite) >= strengthOf(weakest));
+                    QVERIFY(crypto::suiteInfo(suite).strength >= crypto::suiteInfo(weakest).strength);
             }
         }
     }

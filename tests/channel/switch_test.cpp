@@ -385,7 +385,7 @@ void SwitchTest::stricterPolicyMovesOrEndsTheSession()
     pair.ground().endpoint->setPolicy(pair.now, strict);
     QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 2; }));
     const SuiteId now = pair.ground().endpoint->sessionInfo(pair.ground().session())->suite;
-    QVERIFY(strengthOf(now) >= strengthOf(SuiteId::Aes256Gcm));
+    QVERIFY(crypto::suiteInfo(now).strength >= crypto::suiteInfo(SuiteId::Aes256Gcm).strength);
     // Nothing that both allow is left.
     pair.air().endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Cbc}, false, false});
     QVERIFY(pair.run(20s, [&] { return !pair.air().up() && !pair.ground().up(); }));

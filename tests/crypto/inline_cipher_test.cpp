@@ -224,7 +224,7 @@ void InlineCipherTest::onlyTheClassicSuites()
 {
     int possible = 0;
     for (const SuiteInfo &info : crypto::suites()) {
-        const bool classic = info.authenticated && !info.aead;
+        const bool classic = info.authenticated && !info.isAead();
         QCOMPARE(mayBeInline(info.id), classic);
         QCOMPARE(makeInlineCipher(info.id, DirectionSecret()) != nullptr, classic);
         possible += classic;

@@ -4,7 +4,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
 #include "core/crypto/rc4_stream.h"
-#include "core/crypto/suite_factories.h"
+#include "core/crypto/record_keys.h"
 #include "core/crypto/x25519.h"
 #include "tests/support/test_runner.h"
 

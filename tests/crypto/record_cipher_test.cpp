@@ -9,6 +9,7 @@
 #include <QtTest/QTest>
 
 #include <algorithm>
+#include <set>
 
 using namespace skyseal;
 using namespace skyseal::crypto;
@@ -82,9 +83,17 @@ void RecordCipherTest::eachSuite()
 
 void RecordCipherTest::tableIsConsistent()
 {
-    std::size_t number = 0;
+    QCOMPARE(suites().front().id, SuiteId::None);
+    std::set<SuiteId> numbers;
+    std::set<std::uint32_t> colors;
+    bool research = false;
     for (const SuiteInfo &info : suites()) {
-        QCOMPARE(static_cast<std::size_t>(info.id), number++);
+        QVERIFY2(numbers.insert(info.id).second && colors.insert(info.color).second, std::string(info.name).c_str());
+        QVERIFY(info.research || !research); // research suites stand last
+        research = info.research;
+        QCOMPARE(info.strength == SuiteStrength::None, !info.authenticated);
+        QVERIFY(!info.isAead() || !info.makeInline); // the tag of an AEAD is never truncated
+        QCOMPARE(info.knownRecord.empty(), !info.authenticated);
         QCOMPARE(suiteFromName(info.name), std::optional(info.id));
         QCOMPARE(suiteFromNumber(static_cast<std::uint8_t>(info.id)), std::optional(info.id));
         QCOMPARE(&suiteInfo(info.id), &info);
@@ -92,8 +101,12 @@ void RecordCipherTest::tableIsConsistent()
         QCOMPARE(makeRecordCipher(info.id, secretOf(1)) != nullptr, info.authenticated);
     }
     QVERIFY(!suiteFromName("AES-256-GCM") && !suiteFromName(""));
-    QVERIFY(!suiteFromNumber(7) && !suiteFromNumber(255));
-    QCOMPARE(suiteInfo(static_cast<SuiteId>(200)).id, SuiteId::None);
+    for (unsigned number = 0; number < 256; ++number) {
+        const auto id = static_cast<SuiteId>(number);
+        QCOMPARE(suiteFromNumber(static_cast<std::uint8_t>(number)).has_value(), numbers.contains(id));
+        QCOMPARE(suiteInfo(id).id, numbers.contains(id) ? id : SuiteId::None);
+    }
+    QCOMPARE(sealedSuites().size(), suites().size() - 1);
 
     DirectionSecret secret = secretOf(7);
     QVERIFY(makeRecordCipher(SuiteId::ChaCha20, std::move(secret)));
@@ -111,6 +124,8 @@ void RecordCipherTest::opensWhatItSealed()
         const std::uint64_t counter = random.number() >> (random.number() % 64);
         const Bytes record = sealed(*sender, counter, associated, plaintext);
         QCOMPARE(record.size(), sender->sealedSize(size));
+        QCOMPARE(record.size(), suiteInfo(suite()).ciphertextSize(size) + sender->tagLength());
+        QCOMPARE(sender->plaintextCapacity(record.size()), std::optional(suiteInfo(suite()).plaintextRoom(record.size() - 16)));
         QCOMPARE(sender->plaintextCapacity(record.size()).value() >= size, true);
         QVERIFY(sender->sealedSize(*sender->plaintextCapacity(record.size())) <= record.size());
         QVERIFY(opens(*receiver, counter, associated, record, plaintext));

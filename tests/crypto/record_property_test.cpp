@@ -14,7 +14,7 @@ namespace {
 
 rc::Gen<SuiteId> anySuite()
 {
-    return rc::gen::map(rc::gen::inRange(1, 7), [](int number) { return static_cast<SuiteId>(number); });
+    return rc::gen::elementOf(sealedSuites());
 }
 
 DirectionSecret anySecret()

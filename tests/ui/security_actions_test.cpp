@@ -273,7 +273,7 @@ private Q_SLOTS:
     {
         m_station->show(plainSnapshot(1));
         QVERIFY(strip()->text().contains(QStringLiteral("Not sealed")));
-        for (const SuiteId suite : kChoosableSuites) {
+        for (const SuiteId suite : crypto::sealedSuites()) {
             QVERIFY(!action(suite)->isEnabled());
             QVERIFY(!action(suite)->isChecked());
         }

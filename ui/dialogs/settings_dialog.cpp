@@ -1,6 +1,5 @@
 #include "ui/dialogs/settings_dialog.h"
 
-#include "core/channel/suite_strength.h"
 #include "core/link/link_url.h"
 #include "ui/dialogs/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -18,7 +17,24 @@
 #include <QtWidgets/QSpinBox>
 #include <QtWidgets/QVBoxLayout>
 
+#include <map>
+#include <vector>
+
 namespace skyseal::ui {
+
+namespace {
+
+QString researchSuites()
+{
+    QStringList names;
+    for (const crypto::SuiteInfo &suite : crypto::suites()) {
+        if (suite.research)
+            names << QString::fromUtf8(suite.displayName.data(), static_cast<qsizetype>(suite.displayName.size()));
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+} // namespace
 
 SettingsDialog::SettingsDialog(const Settings &settings, QWidget *parent) : QDialog(parent), m_start(settings)
 {
@@ -96,6 +112,28 @@ QWidget *SettingsDialog::makeStation()
     return box;
 }
 
+/// One entry for each level of strength, the weakest first; its first suite stands for the level.
+void SettingsDialog::offerWeakestSuites()
+{
+    std::map<crypto::SuiteStrength, std::vector<crypto::SuiteId>> levels;
+    for (const crypto::SuiteId suite : crypto::sealedSuites())
+        levels[crypto::suiteInfo(suite).strength].push_back(suite);
+    for (const auto &[strength, suites] : levels) {
+        QStringList names;
+        for (const crypto::SuiteId suite : suites)
+            names << suiteName(suite);
+        const QString list = names.join(QStringLiteral(", "));
+        const bool weakest = strength == levels.begin()->first;
+        const bool strongest = strength == levels.rbegin()->first;
+        m_weakest->addItem(weakest         ? tr("Any sealed suite")
+                               : strongest ? tr("Only %1").arg(list)
+                                           : tr("%1 or stronger").arg(list),
+                           static_cast<int>(suites.front()));
+        if (strength == crypto::suiteInfo(m_start.weakestSuite).strength)
+            m_weakest->setCurrentIndex(m_weakest->count() - 1);
+    }
+}
+
 QWidget *SettingsDialog::makeSecurity()
 {
     auto *box = new QGroupBox(tr("Security"), this);
@@ -103,28 +141,14 @@ QWidget *SettingsDialog::makeSecurity()
     m_required = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired",
                        tr("Show sealed vehicles only"));
     m_required->setChecked(m_start.requireSealed);
-    m_research = named(new QCheckBox(tr("Allow &insecure research suites (RC4)"), box), "settingResearch",
+    m_research = named(new QCheckBox(tr("Allow &insecure research suites (%1)").arg(researchSuites()), box), "settingResearch",
                        tr("Allow insecure research suites"));
     m_research->setChecked(m_start.allowResearch);
     column->addWidget(m_required);
     column->addWidget(
         smallPrint(tr("Plain MAVLink is then never shown and never answered. Takes effect at the next start."), box));
     m_weakest = named(new QComboBox(box), "settingWeakest", tr("Weakest suite"));
-    const auto level = [this](const QString &text, crypto::SuiteId suite) {
-        m_weakest->addItem(text, static_cast<int>(suite));
-    };
-    level(tr("Any sealed suite"), crypto::SuiteId::Rc4);
-    level(tr("%1 or stronger").arg(suiteName(crypto::SuiteId::Aes256Cbc)), crypto::SuiteId::Aes256Cbc);
-    level(tr("%1, %2 or stronger").arg(suiteName(crypto::SuiteId::Aes256Ctr), suiteName(crypto::SuiteId::ChaCha20)),
-          crypto::SuiteId::Aes256Ctr);
-    level(tr("%1 and %2 only").arg(suiteName(crypto::SuiteId::ChaCha20Poly1305), suiteName(crypto::SuiteId::Aes256Gcm)),
-          crypto::SuiteId::ChaCha20Poly1305);
-    // One name stands for all that are as strong.
-    for (int i = 0; i < m_weakest->count(); ++i) {
-        const auto suite = static_cast<crypto::SuiteId>(m_weakest->itemData(i).toInt());
-        if (channel::strengthOf(suite) == channel::strengthOf(m_start.weakestSuite))
-            m_weakest->setCurrentIndex(i);
-    }
+    offerWeakestSuites();
     auto *weakest = new QHBoxLayout;
     auto *label = new QLabel(tr("&Weakest suite"), box);
     label->setBuddy(m_weakest);
@@ -133,9 +157,10 @@ QWidget *SettingsDialog::makeSecurity()
     column->addLayout(weakest);
     column->addWidget(m_research);
     column->addWidget(smallPrint(
-        tr("RC4 is broken: who records the link may read it. It is here to be measured against the others, is never "
-           "chosen by itself, and works only when the vehicle's agent allows it as well. I understand that while it is "
-           "in use the link is not confidential."),
+        tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured "
+           "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. I "
+           "understand that while one is in use the link is not confidential.")
+            .arg(researchSuites()),
         box));
     return box;
 }

@@ -25,6 +25,7 @@ private:
     QWidget *makeView();
     QWidget *makeStation();
     QWidget *makeSecurity();
+    void offerWeakestSuites();
 
     Settings m_start;
     QComboBox *m_theme, *m_units;

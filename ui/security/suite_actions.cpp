@@ -1,6 +1,5 @@
 #include "ui/security/suite_actions.h"
 
-#include "core/channel/suite_strength.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
@@ -17,15 +16,15 @@ using crypto::SuiteId;
 SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
     : QObject(parent), m_station(station), m_group(new QActionGroup(this)), m_changeKeys(new QAction(this))
 {
-    for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
-        const SuiteId suite = kChoosableSuites[i];
+    for (const SuiteId suite : m_suites) {
         auto *action = new QAction(suiteDot(suite), suiteName(suite), this);
         action->setObjectName(QStringLiteral("suite_") + fromStd(crypto::suiteInfo(suite).name));
         action->setCheckable(true);
-        action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_1 + i)));
+        if (m_actions.size() < 9)
+            action->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | static_cast<Qt::Key>(Qt::Key_1 + m_actions.size())));
         m_group->addAction(action);
         connect(action, &QAction::triggered, this, [this, suite] { choose(suite); });
-        m_actions[i] = action;
+        m_actions.push_back(action);
     }
     m_group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     m_changeKeys->setObjectName(QStringLiteral("actionChangeKeys"));
@@ -37,8 +36,8 @@ SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
 
 QAction *SuiteActions::action(SuiteId suite) const
 {
-    const auto at = std::ranges::find(kChoosableSuites, suite);
-    return at == kChoosableSuites.end() ? nullptr : m_actions[static_cast<std::size_t>(at - kChoosableSuites.begin())];
+    const auto at = std::ranges::find(m_suites, suite);
+    return at == m_suites.end() ? nullptr : m_actions[static_cast<std::size_t>(at - m_suites.begin())];
 }
 
 std::optional<SuiteId> SuiteActions::pending() const
@@ -56,7 +55,7 @@ QString SuiteActions::whyNot(SuiteId suite) const
         return tr("in a sweep");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
-    if (channel::strengthOf(suite) < channel::strengthOf(m_weakest))
+    if (crypto::suiteInfo(suite).strength < crypto::suiteInfo(m_weakest).strength)
         return tr("weaker than allowed");
     if (crypto::suiteInfo(suite).research && !m_researchAllowed)
         return tr("research is off");
@@ -175,8 +174,8 @@ void SuiteActions::refresh()
 {
     bool any = false;
     const auto underWay = pending();
-    for (std::size_t i = 0; i < kChoosableSuites.size(); ++i) {
-        const SuiteId suite = kChoosableSuites[i];
+    for (std::size_t i = 0; i < m_suites.size(); ++i) {
+        const SuiteId suite = m_suites[i];
         QAction *action = m_actions[i];
         const bool inUse = m_info && m_info->suite == suite;
         const QString why = whyNot(suite);

@@ -9,8 +9,8 @@
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
-#include <array>
 #include <optional>
+#include <vector>
 
 class QAction;
 class QActionGroup;
@@ -25,14 +25,14 @@ public:
     explicit SuiteActions(StationInterface &station, QObject *parent = nullptr);
 
     QAction *action(crypto::SuiteId suite) const;
-    const std::array<QAction *, kChoosableSuites.size()> &actions() const { return m_actions; }
+    const std::vector<QAction *> &actions() const { return m_actions; }
 
     QAction *changeKeysAction() const { return m_changeKeys; }
 
     void showViewState(const ViewState &view);
     void take(const engine::Event &event);
     void setResearchAllowed(bool allowed);
-    /// Suites weaker than this one stay grey; see channel::strengthOf.
+    /// Suites weaker than this one stay grey; see crypto::SuiteStrength.
     void setWeakest(crypto::SuiteId suite);
 
     /// While a sweep runs, the suite is its business.
@@ -60,7 +60,8 @@ private:
 
     StationInterface &m_station;
     QActionGroup *m_group;
-    std::array<QAction *, kChoosableSuites.size()> m_actions{};
+    std::vector<crypto::SuiteId> m_suites = crypto::sealedSuites();
+    std::vector<QAction *> m_actions; ///< of each of `m_suites`
     QAction *m_changeKeys;
     std::optional<channel::SessionInfo> m_info;
     std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered

@@ -87,7 +87,7 @@ QWidget *SweepDialog::makeWhat()
     auto *box = new QGroupBox(tr("What"), this);
     auto *suites = new QVBoxLayout;
     suites->setSpacing(kHalfGrid);
-    for (const SuiteId suite : kChoosableSuites)
+    for (const SuiteId suite : crypto::sealedSuites())
         m_suites.push_back({suite, new QCheckBox(box)});
     m_suites.push_back({SuiteId::None, new QCheckBox(box)});
     for (const Choice &choice : m_suites) {

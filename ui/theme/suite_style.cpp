@@ -11,16 +11,7 @@ using crypto::SuiteId;
 
 QColor suiteColor(SuiteId suite)
 {
-    switch (suite) {
-    case SuiteId::ChaCha20Poly1305: return QColor(0x0072B2);
-    case SuiteId::Aes256Gcm: return QColor(0x009E73);
-    case SuiteId::Aes256Ctr: return QColor(0x56B4E9);
-    case SuiteId::Aes256Cbc: return QColor(0xCC79A7);
-    case SuiteId::ChaCha20: return QColor(0xE69F00);
-    case SuiteId::Rc4: return QColor(0xD55E00);
-    case SuiteId::None: break;
-    }
-    return QColor(0x999999);
+    return QColor(crypto::suiteInfo(suite).color);
 }
 
 QString suiteName(SuiteId suite)

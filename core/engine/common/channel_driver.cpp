@@ -14,9 +14,8 @@ namespace {
 /// Bytes of frames that are coalesced into one record. On a serial line, as many as one code byte of COBS covers: 45 ms of a
 /// 57,600-baud radio, so that an urgent frame never waits long behind them and a damaged byte does not cost more.
 constexpr std::size_t kSerialRoom = 254 - channel::kSingleHeaderLength - channel::kMacLength;
-/// In TUNNEL, as many as its payload holds; CBC pads its last block.
+/// In a TUNNEL, as many as its payload holds; a suite with padding holds fewer.
 constexpr std::size_t kTunnelRoom = channel::kTunnelPayload - channel::kRecordHeaderLength - channel::kMacLength;
-constexpr std::size_t kTunnelRoomOfCbc = kTunnelRoom / 16 * 16 - 1;
 
 } // namespace
 
@@ -76,7 +75,7 @@ std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
 {
     switch (path.carrier) {
     case Carrier::Datagram: break;
-    case Carrier::Tunnel: return m_sendSuites[session] == crypto::SuiteId::Aes256Cbc ? kTunnelRoomOfCbc : kTunnelRoom;
+    case Carrier::Tunnel: return crypto::suiteInfo(m_sendSuites[session]).plaintextRoom(kTunnelRoom);
     case Carrier::Serial: return kSerialRoom;
     }
     return channel::kMaxRecordPayload;

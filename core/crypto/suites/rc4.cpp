@@ -3,7 +3,6 @@
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/inline_then_mac.h"
 #include "core/crypto/rc4_stream.h"
-#include "core/crypto/suite_factories.h"
 
 namespace skyseal::crypto {
 
@@ -37,14 +36,26 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeRc4(const RecordKeys &keys)
+SuiteInfo rc4Suite()
 {
-    return EncryptThenMac<Rc4Body>::make(SuiteId::Rc4, keys);
-}
-
-std::unique_ptr<InlineCipher> makeInlineRc4(const RecordKeys &keys)
-{
-    return InlineThenMac<Rc4Body>::make(SuiteId::Rc4, keys);
+    return {
+        .id = SuiteId::Rc4,
+        .name = "rc4",
+        .displayName = "RC4",
+        .strength = SuiteStrength::Broken,
+        .research = true,
+        .color = 0xD55E00,
+        .makeRecord = EncryptThenMac<Rc4Body>::make<SuiteId::Rc4>,
+        .makeInline = InlineThenMac<Rc4Body>::make<SuiteId::Rc4>,
+        .primitives = {.cipher = OpensslCipher{.name = "RC4",
+                                               .legacy = true,
+                                               .keyedPerRecord = true,
+                                               .discardedBytes = Rc4Stream::kDropped},
+                       .authentication = HmacSha256Tag()},
+        .knownRecord =
+            "2d4c1aa5815b474f9df787f703cad8c67099147f2bf8ec94147cc49401e73a0a44bece883f2f73f1d2437140c2accc88a32ef784"
+            "4cd3f6b2efcb76e9cd",
+    };
 }
 
 } // namespace skyseal::crypto

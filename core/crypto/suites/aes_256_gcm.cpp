@@ -2,7 +2,8 @@
 #include "core/base/weakness.h"
 #include "core/crypto/evp.h"
 #include "core/crypto/record_keys.h"
-#include "core/crypto/suite_factories.h"
+
+#include <sodium.h>
 
 #include <cstring>
 
@@ -76,13 +77,29 @@ private:
     NonceBase m_nonces;
 };
 
-} // namespace
-
 std::unique_ptr<RecordCipher> makeAes256Gcm(const RecordKeys &keys)
 {
     static const EvpCipher cipher(EVP_CIPHER_fetch(nullptr, "AES-256-GCM", nullptr));
     auto made = std::make_unique<Aes256Gcm>(keys, cipher.get());
     return made->ready() ? std::move(made) : nullptr;
+}
+
+} // namespace
+
+SuiteInfo aes256GcmSuite()
+{
+    return {
+        .id = SuiteId::Aes256Gcm,
+        .name = "aes-256-gcm",
+        .displayName = "AES-256-GCM",
+        .strength = SuiteStrength::Aead,
+        .color = 0x009E73,
+        .makeRecord = makeAes256Gcm,
+        .primitives = {.cipher = OpensslCipher{.name = "AES-256-CTR"}, .authentication = OpensslAead{"AES-256-GCM"}},
+        .knownRecord =
+            "a5c5a0e25339018f1c9fdde8cc41f02097826f3b9ad4dc451e4a426bacdee91f5e85ce4a885679800ceb13e73202f3dcc8d0b94a"
+            "d851022093a6c0ecd5",
+    };
 }
 
 } // namespace skyseal::crypto

@@ -2,7 +2,8 @@
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/evp.h"
 #include "core/crypto/inline_then_mac.h"
-#include "core/crypto/suite_factories.h"
+
+#include <sodium.h>
 
 namespace skyseal::crypto {
 
@@ -64,14 +65,21 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeAes256Ctr(const RecordKeys &keys)
+SuiteInfo aes256CtrSuite()
 {
-    return EncryptThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, keys);
-}
-
-std::unique_ptr<InlineCipher> makeInlineAes256Ctr(const RecordKeys &keys)
-{
-    return InlineThenMac<Aes256CtrBody>::make(SuiteId::Aes256Ctr, keys);
+    return {
+        .id = SuiteId::Aes256Ctr,
+        .name = "aes-256-ctr",
+        .displayName = "AES-256-CTR",
+        .strength = SuiteStrength::CipherWithHmac,
+        .color = 0x56B4E9,
+        .makeRecord = EncryptThenMac<Aes256CtrBody>::make<SuiteId::Aes256Ctr>,
+        .makeInline = InlineThenMac<Aes256CtrBody>::make<SuiteId::Aes256Ctr>,
+        .primitives = {.cipher = OpensslCipher{.name = "AES-256-CTR"}, .authentication = HmacSha256Tag()},
+        .knownRecord =
+            "37429b31379a0198cfecd693b06ade651050d5691926ace2a8d967af6231d5220277f01f7a57092ecb74c99d240115bb24f51d42"
+            "f8d95f55d59785c126",
+    };
 }
 
 } // namespace skyseal::crypto

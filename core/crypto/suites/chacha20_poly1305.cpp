@@ -2,7 +2,6 @@
 #include "core/base/declassified.h"
 #include "core/base/weakness.h"
 #include "core/crypto/record_keys.h"
-#include "core/crypto/suite_factories.h"
 
 #include <sodium.h>
 
@@ -58,11 +57,29 @@ private:
     NonceBase m_nonces;
 };
 
-} // namespace
-
 std::unique_ptr<RecordCipher> makeChaCha20Poly1305(const RecordKeys &keys)
 {
     return std::make_unique<ChaCha20Poly1305>(keys);
+}
+
+} // namespace
+
+SuiteInfo chaCha20Poly1305Suite()
+{
+    return {
+        .id = SuiteId::ChaCha20Poly1305,
+        .name = "chacha20-poly1305",
+        .displayName = "ChaCha20-Poly1305",
+        .strength = SuiteStrength::Aead,
+        .color = 0x0072B2,
+        .makeRecord = makeChaCha20Poly1305,
+        .primitives = {.cipher = SodiumStream{crypto_stream_chacha20_ietf_xor},
+                       .authentication = SodiumAead{crypto_aead_chacha20poly1305_ietf_encrypt,
+                                                    crypto_aead_chacha20poly1305_ietf_decrypt}},
+        .knownRecord =
+            "7316368b9fcb84ee098dcc5df7011f4f9f75ff506e30781b09f88786b5868efce8f5abaa948e9d89490ac6ffd56cfcca7a40168c"
+            "3458ba0693bae85193",
+    };
 }
 
 } // namespace skyseal::crypto

@@ -1,7 +1,8 @@
 // ChaCha20 (RFC 8439 2.4) through libsodium, then HMAC.
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/inline_then_mac.h"
-#include "core/crypto/suite_factories.h"
+
+#include <sodium.h>
 
 namespace skyseal::crypto {
 
@@ -36,14 +37,21 @@ private:
 
 } // namespace
 
-std::unique_ptr<RecordCipher> makeChaCha20(const RecordKeys &keys)
+SuiteInfo chaCha20Suite()
 {
-    return EncryptThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, keys);
-}
-
-std::unique_ptr<InlineCipher> makeInlineChaCha20(const RecordKeys &keys)
-{
-    return InlineThenMac<ChaCha20Body>::make(SuiteId::ChaCha20, keys);
+    return {
+        .id = SuiteId::ChaCha20,
+        .name = "chacha20",
+        .displayName = "ChaCha20",
+        .strength = SuiteStrength::CipherWithHmac,
+        .color = 0xE69F00,
+        .makeRecord = EncryptThenMac<ChaCha20Body>::make<SuiteId::ChaCha20>,
+        .makeInline = InlineThenMac<ChaCha20Body>::make<SuiteId::ChaCha20>,
+        .primitives = {.cipher = SodiumStream{crypto_stream_chacha20_ietf_xor}, .authentication = HmacSha256Tag()},
+        .knownRecord =
+            "b2be041111a07541f14b6e7db908bb127463771363eae62e0e228943d85a5ae1d9df99ebf0d3e6d61b41aa805d129bcfe8096037"
+            "f74d7193f9790c128a",
+    };
 }
 
 } // namespace skyseal::crypto
