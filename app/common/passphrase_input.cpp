@@ -1,6 +1,7 @@
 #include "app/common/passphrase_input.h"
 
 #include "app/common/terminal_prompt.h"
+#include "core/base/secret_bytes.h"
 #include "core/keys/file_io.h"
 
 #include <cerrno>
@@ -23,7 +24,7 @@ Result<Passphrase, InputError> passphraseOf(MutableByteView bytes, const std::st
     while (size < bytes.size() && bytes[size] != '\n' && bytes[size] != '\r')
         ++size;
     auto passphrase = Passphrase::fromBytes(ByteView(bytes).first(size));
-    sodium_memzero(bytes.data(), bytes.size());
+    wipeSecret(bytes);
     if (passphrase)
         return std::move(*passphrase);
     return tl::unexpected(

@@ -1,6 +1,8 @@
 // The desktop's keyring through QtKeychain: the Secret Service of GNOME and others, or KWallet.
 #include "app/skyseal/passphrase_memory.h"
 
+#include "core/base/secret_bytes.h"
+
 #include <QtCore/QCoreApplication>
 #include <QtCore/QEventLoop>
 #include <QtDBus/QDBusConnection>
@@ -25,7 +27,7 @@ QString entryOf(const std::string &file)
 /// The bytes themselves, which the job shares: to write through data() would make a copy and wipe that.
 void wipe(const QByteArray &shared)
 {
-    sodium_memzero(const_cast<char *>(shared.constData()), static_cast<std::size_t>(shared.size()));
+    wipeSecret(const_cast<char *>(shared.constData()), static_cast<std::size_t>(shared.size()));
 }
 
 class DesktopKeyring : public PassphraseMemory

@@ -3,8 +3,6 @@
 // told here that what comes now may decide a branch; any other branch on a secret is an error there.
 #pragma once
 
-#include "core/base/weakness.h"
-
 #include <cstddef>
 
 namespace skyseal {

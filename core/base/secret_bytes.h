@@ -1,22 +1,36 @@
-// Key material of a fixed length: move-only, wiped when it dies or is moved from, and with no way to compare, print
-// or copy it by accident.
+// Key material of a fixed length: move-only, wiped on destruction and when moved from, and without operators that would
+// compare, print or copy it by accident.
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/weakness.h"
 
-#include <sodium.h>
-
+#include <algorithm>
 #include <array>
 
 namespace skyseal {
 
-/// `N` secret bytes. Compare with `equals` (constant time); read through `view()` only where a cipher needs them.
+/// Overwrites `size` bytes; the compiler cannot remove the call as dead code.
+void wipeSecret(void *bytes, std::size_t size) noexcept;
+inline void wipeSecret(MutableByteView bytes) noexcept
+{
+    wipeSecret(bytes.data(), bytes.size());
+}
+/// Compares in constant time.
+[[nodiscard]] bool equalSecrets(const void *a, const void *b, std::size_t size) noexcept;
+/// True if all bytes are zero; in constant time.
+[[nodiscard]] bool isZeroSecret(const void *bytes, std::size_t size) noexcept;
+
+#ifdef SKYSEAL_WEAKEN
+/// Weakness::NoWipe, without including the list of weaknesses here; see core/base/weakness.h.
+bool secretsStayInMemory();
+#endif
+
+/// `N` secret bytes. Compare with `equals` (constant time); read `view()` only where a cipher needs the bytes.
 template<std::size_t N> class SecretBytes
 {
 public:
     SecretBytes() = default;
-    /// Copies `source`, which must have exactly `N` bytes; the caller wipes its own copy.
+    /// Copies `source`; the caller wipes its own copy.
     explicit SecretBytes(std::span<const std::uint8_t, N> source) { std::copy(source.begin(), source.end(), m_bytes.begin()); }
     ~SecretBytes() { wipe(); }
 
@@ -38,12 +52,15 @@ public:
 
     /// An explicit second copy, for the few places where a protocol needs the same secret twice.
     SecretBytes clone() const { return SecretBytes(view()); }
-    bool equals(const SecretBytes &other) const { return sodium_memcmp(m_bytes.data(), other.m_bytes.data(), N) == 0; }
-    bool isZero() const { return sodium_is_zero(m_bytes.data(), N) != 0; }
-    void wipe()
+    bool equals(const SecretBytes &other) const { return equalSecrets(m_bytes.data(), other.m_bytes.data(), N); }
+    bool isZero() const { return isZeroSecret(m_bytes.data(), N); }
+    void wipe() noexcept
     {
-        if (!weakened(Weakness::NoWipe))
-            sodium_memzero(m_bytes.data(), N);
+#ifdef SKYSEAL_WEAKEN
+        if (secretsStayInMemory())
+            return;
+#endif
+        wipeSecret(m_bytes.data(), N);
     }
 
 private:

@@ -1,5 +1,6 @@
 #include "core/channel/pairing.h"
 
+#include "core/base/weakness.h"
 #include "core/channel/pairing_agent.h"
 #include "core/channel/pairing_station.h"
 

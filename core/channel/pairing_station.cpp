@@ -1,5 +1,7 @@
 #include "core/channel/pairing_station.h"
 
+#include "core/base/weakness.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {

@@ -1,5 +1,7 @@
 #include "core/crypto/hash.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 
 namespace skyseal::crypto {

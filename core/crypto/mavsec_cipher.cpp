@@ -2,6 +2,8 @@
 
 #include "core/crypto/evp.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 
 namespace skyseal::crypto {

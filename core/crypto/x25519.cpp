@@ -1,5 +1,7 @@
 #include "core/crypto/x25519.h"
 
+#include <sodium.h>
+
 namespace skyseal::crypto {
 
 namespace {

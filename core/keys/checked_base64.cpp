@@ -3,6 +3,8 @@
 #include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 
 namespace skyseal::keys {

@@ -1,12 +1,12 @@
 #include "core/keys/file_io.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <optional>
-#include <sodium.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -118,7 +118,7 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
         if (count < 0 && errno == EINTR)
             continue;
         if (count < 0) {
-            sodium_memzero(content.data(), content.size());
+            wipeSecret(content.data(), content.size());
             return tl::unexpected(systemError(path, "cannot be read"));
         }
         if (count == 0)

@@ -6,6 +6,8 @@
 #include "core/keys/public_key_text.h"
 #include "core/keys/text_lines.h"
 
+#include <sodium.h>
+
 #include <charconv>
 
 namespace skyseal::keys {

@@ -1,5 +1,6 @@
 #include "core/keys/secret_file.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 #include "core/keys/checked_base64.h"
 #include "core/keys/file_io.h"
@@ -58,7 +59,7 @@ template<typename Read> static auto withPrivateFile(const std::string &path, Rea
     if (!content)
         return tl::unexpected(content.error());
     auto out = read(asText(*content));
-    sodium_memzero(content->data(), content->size());
+    wipeSecret(*content);
     return out;
 }
 
@@ -120,7 +121,7 @@ static std::string plainText(SecretKind kind, const Key32 &secret)
         .append("\n# Keep this file to yourself: who has it can speak in your name.\n")
         .append(key)
         .append("\n");
-    sodium_memzero(key.data(), key.size());
+    wipeSecret(key.data(), key.size());
     return content;
 }
 
@@ -129,7 +130,7 @@ using WriteFile = Result<void, InputError> (*)(const std::string &path, ByteView
 static Result<void, InputError> writeText(WriteFile write, const std::string &path, std::string &&text)
 {
     const auto written = write(path, asBytes(text));
-    sodium_memzero(text.data(), text.size());
+    wipeSecret(text.data(), text.size());
     return written;
 }
 

@@ -4,6 +4,7 @@
 #include "core/mavlink/signing.h"
 
 #include <openssl/sha.h>
+#include <sodium.h>
 
 #include <algorithm>
 #include <cstring>

@@ -3,6 +3,8 @@
 #include "core/base/byte_writer.h"
 #include "core/base/weakness.h"
 
+#include <sodium.h>
+
 #include <array>
 #include <cstring>
 #include <limits>

@@ -1,5 +1,7 @@
 #include "ui/keys/passphrase_field.h"
 
+#include "core/base/secret_bytes.h"
+
 #include <QtWidgets/QCheckBox>
 
 namespace skyseal::ui {
@@ -30,7 +32,7 @@ std::optional<crypto::Passphrase> PassphraseField::passphrase() const
     QByteArray typed = text().toUtf8();
     auto out = crypto::Passphrase::fromBytes(
         {reinterpret_cast<const std::uint8_t *>(typed.constData()), static_cast<std::size_t>(typed.size())});
-    sodium_memzero(typed.data(), static_cast<std::size_t>(typed.size()));
+    wipeSecret(typed.data(), static_cast<std::size_t>(typed.size()));
     return out;
 }
 

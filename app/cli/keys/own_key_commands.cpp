@@ -5,6 +5,7 @@
 #include "app/cli/qr_text.h"
 #include "app/common/passphrase_input.h"
 #include "core/base/json_writer.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/system_random.h"
 #include "core/keys/file_io.h"
 #include "core/keys/public_key_text.h"
@@ -158,7 +159,7 @@ int importKey(const QStringList &arguments)
     if (!content)
         return command.cannotOpen(content.error());
     const auto pair = keys::parseIdentity(asText(*content), from, input.ask());
-    sodium_memzero(content->data(), content->size());
+    wipeSecret(*content);
     if (!pair)
         return command.cannotOpen(pair.error());
     if (const auto asked = passphrase.ask(file); !asked)

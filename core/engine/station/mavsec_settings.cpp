@@ -3,6 +3,8 @@
 #include "core/base/hex.h"
 #include "core/keys/file_io.h"
 
+#include <sodium.h>
+
 #include <algorithm>
 
 namespace skyseal::engine {
