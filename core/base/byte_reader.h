@@ -1,4 +1,4 @@
-// The one cursor through which untrusted bytes are read: every read is checked, a short buffer is sticky.
+// The cursor through which untrusted bytes are read. Every read is checked; a read past the end makes the error sticky.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -9,8 +9,8 @@
 
 namespace skyseal {
 
-/// Reads from the front of a view. After a read past the end, `ok()` is false, every further read gives zeros, and the
-/// position stays: check once, at the end of a structure.
+/// Reads from the front of a view. After a read past the end, `ok()` is false, every further read returns zeros, and the
+/// position stays: callers check once, at the end of a structure.
 class ByteReader
 {
 public:
@@ -28,7 +28,7 @@ public:
     std::uint32_t u32() { return littleEndian<std::uint32_t>(); }
     std::uint64_t u64() { return littleEndian<std::uint64_t>(); }
 
-    /// The next `count` bytes, or an empty view when there are fewer.
+    /// The next `count` bytes; an empty view if there are fewer.
     ByteView bytes(std::size_t count)
     {
         if (!m_ok || remaining() < count) {

@@ -1,4 +1,4 @@
-// Writes integers and bytes into a buffer of the caller's; like ByteReader, an overflow is sticky and checked once.
+// Writes integers and bytes into a caller's buffer; like in ByteReader, an overflow is sticky and checked once.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -18,7 +18,7 @@ public:
     bool ok() const { return m_ok; }
     std::size_t size() const { return m_size; }
     std::size_t room() const { return m_buffer.size() - m_size; }
-    /// What was written so far.
+    /// The bytes written so far.
     MutableByteView written() const { return m_buffer.first(m_size); }
 
     template<std::integral T> void littleEndian(T value) { fixed<T, std::endian::little>(value); }
@@ -34,7 +34,7 @@ public:
         std::copy_n(source.begin(), target.size(), target.begin());
     }
 
-    /// Makes room for `count` bytes that the caller fills; empty when they do not fit.
+    /// Reserves `count` bytes for the caller to fill; empty if they do not fit.
     MutableByteView reserve(std::size_t count)
     {
         if (!m_ok || room() < count) {

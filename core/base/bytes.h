@@ -1,4 +1,5 @@
-// The byte types that every layer passes around. Views never own; whoever hands one out says how long it lives.
+// The byte types that every layer passes around. Views do not own their bytes; the function that returns one
+// documents its lifetime.
 #pragma once
 
 #include <cstddef>

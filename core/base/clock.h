@@ -1,5 +1,5 @@
-// Time as the protocol classes see it: handed in by the caller, so that a simulated clock can run hours in
-// milliseconds. Nothing below core/link asks the operating system for the time.
+// Time as the protocol classes see it: passed in by the caller, so that a simulated clock can run hours in milliseconds. Nothing
+// below core/link asks the operating system for the time.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@ namespace skyseal {
 
 using Duration = std::chrono::nanoseconds;
 
-/// Tag of the monotonic time line. It has no now() on purpose; core/link/steady_now.h provides it to programs.
+/// Tag of the monotonic clock. It has no now() on purpose; core/link/steady_now.h provides one to the programs.
 struct MonotonicClock
 {
     using duration = Duration;
@@ -18,7 +18,7 @@ struct MonotonicClock
     static constexpr bool is_steady = true;
 };
 
-/// A moment on the monotonic time line; its zero has no meaning.
+/// A point in time of the monotonic clock; its zero has no meaning.
 using TimePoint = std::chrono::time_point<MonotonicClock, Duration>;
 
 /// Microseconds since 1970-01-01 UTC, for .tlog and MAVLink; never used for a decision of the secure channel.

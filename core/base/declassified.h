@@ -1,6 +1,6 @@
-// Marks the few places where something that was computed from secrets becomes known: whether a tag was right, how long a
-// plaintext is. To the compiler it is the value itself. A test build follows secrets through the machine with Valgrind and is
-// told here that what comes now may decide a branch; any other branch on a secret is an error there.
+// Marks the few values that are computed from secrets and then become public: whether a tag was correct, the length of a
+// plaintext. In shipped builds declassified() returns its argument. The constant-time test tracks secrets with Valgrind, and
+// every branch on a secret that was not declassified here is an error.
 #pragma once
 
 #include <cstddef>

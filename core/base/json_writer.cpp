@@ -17,7 +17,7 @@ template<typename T> void appendNumber(std::string &out, T number)
     out.append(digits, end);
     if constexpr (std::is_floating_point_v<T>) {
         if (number == 0 && std::signbit(number))
-            out += ".0"; // many readers take "-0" for the integer 0
+            out += ".0"; // many readers parse "-0" as the integer 0
     }
 }
 

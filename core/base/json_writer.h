@@ -1,5 +1,5 @@
-// Writes JSON text in the order it is given, numbers exactly. QJsonDocument would sort the keys, turn -0.0 into 0 and
-// pull Qt into core, and "event" stands first in every line that scripts read.
+// Writes JSON text in the order it is given, numbers exactly. QJsonDocument would sort the keys, although
+// scripts expect "event" first in every line, turn -0.0 into 0, and make core depend on Qt.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace skyseal {
 
-/// A builder of one JSON value. Calls nest as the value does; commas are its own business.
+/// Builds one JSON value. Calls nest as the value does; commas are inserted.
 ///
 ///     JsonWriter json;
 ///     json.beginObject().field("event", "link").field("frames", 12u).endObject();
@@ -21,8 +21,8 @@ public:
     JsonWriter &endArray();
     JsonWriter &key(std::string_view name);
 
-    /// A text in UTF-8. What is not becomes U+FFFD, one for each character that was begun or for each byte that begins none
-    /// (the practice that Unicode recommends), so that every reader takes the line, the strict ones as well.
+    /// Text in UTF-8. Invalid bytes are replaced by U+FFFD, one for each maximal part of a character (the practice that
+    /// Unicode recommends), so that strict readers accept the line as well.
     JsonWriter &value(std::string_view text);
     JsonWriter &value(const char *text) { return value(std::string_view(text)); }
     JsonWriter &value(bool flag);
@@ -42,7 +42,7 @@ public:
         return value(content);
     }
 
-    /// What was written so far; complete when every begin has its end.
+    /// The text written so far; complete once every begin has its end.
     const std::string &text() const { return m_text; }
     void clear();
 

@@ -1,5 +1,5 @@
-// Where a message came from or goes to: one of our links, the remote address on it, and in what it travels there. A plain
-// value, so that no table grows with the number of (possibly forged) sources.
+// The source or destination of a message: a link, the remote address on it, and the carrier. A plain value, so that no table
+// grows with the number of (possibly forged) sources.
 #pragma once
 
 #include <array>
@@ -20,18 +20,18 @@ struct Address
 /// Number of a link within one engine; never reused while the engine lives.
 enum class LinkId : std::uint32_t {};
 
-/// What a message of the sealed channel travels in. It is authenticated, so that a record taken from one carrier is refused
-/// on another.
+/// The carrier of a message of the sealed channel. It is authenticated: a record copied from one carrier to another is
+/// rejected.
 enum class Carrier : std::uint8_t {
-    Datagram = 1, ///< a datagram of its own
-    Tunnel = 2,   ///< the MAVLink message TUNNEL, or a few of them
-    Serial = 3    ///< a COBS frame within a stream of bytes
+    Datagram = 1, ///< one datagram
+    Tunnel = 2,   ///< one or several MAVLink TUNNEL messages
+    Serial = 3    ///< a COBS frame in a byte stream
 };
 
-/// Who is meant behind a MAVLink router, where many share one address.
+/// The MAVLink ids of an endpoint behind a MAVLink router, where several share one address.
 struct Node
 {
-    std::uint8_t system = 0; ///< 0: everybody, or there is no router
+    std::uint8_t system = 0; ///< 0: all systems, or no router
     std::uint8_t component = 0;
     auto operator<=>(const Node &) const = default;
 };
@@ -41,10 +41,10 @@ struct Path
     LinkId link{};
     Address remote;
     Carrier carrier = Carrier::Datagram;
-    Node node = {}; ///< in Carrier::Tunnel alone
+    Node node = {}; ///< only used with Carrier::Tunnel
     auto operator<=>(const Path &) const = default;
 
-    /// The same link and address, whatever travels there.
+    /// True for the same link and address; carrier and node are ignored.
     bool sharesPlace(const Path &other) const { return link == other.link && remote == other.remote; }
 };
 

@@ -1,11 +1,11 @@
-// Randomness is handed in, so that a protocol run can be repeated from a seed.
+// Randomness is passed in, so that a protocol run can be repeated from a seed.
 #pragma once
 
 #include "core/base/bytes.h"
 
 namespace skyseal {
 
-/// Fills buffers with random bytes. The system's is in core/crypto; tests use a seeded one.
+/// Fills buffers with random bytes. core/crypto/system_random.h uses the operating system's; tests use a seeded one.
 class RandomSource
 {
 public:

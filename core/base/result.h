@@ -1,4 +1,4 @@
-// Errors are values: every fallible call returns one of these, with an error enum of its own module.
+// Errors are values: a fallible call returns a Result with the error enum of its module.
 #pragma once
 
 #include <tl/expected.hpp>
@@ -9,7 +9,7 @@ namespace skyseal {
 
 template<typename T, typename E> using Result = tl::expected<T, E>;
 
-/// An error of input that a person wrote or a file held: what is wrong and where. `message` is one plain English
+/// An error in user input or in a file: the reason and the position. `message` is one plain English
 /// sentence without a full stop, naming the offending text; `line` and `column` are 1-based, 0 = unknown.
 struct InputError
 {

@@ -1,4 +1,4 @@
-// Which bytes are text in UTF-8 (RFC 3629), for what other programs send and claim to be one.
+// Validates UTF-8 (RFC 3629) in text from other programs.
 #pragma once
 
 #include <cstddef>
@@ -6,17 +6,17 @@
 
 namespace skyseal {
 
-/// U+FFFD, which stands for what is no text.
+/// U+FFFD, the replacement for invalid bytes.
 inline constexpr std::string_view kReplacementCharacter = "\xef\xbf\xbd";
 
-/// The start of a text: one whole character, or as many bytes as one could have begun with, 1 at least.
+/// The first character of a text, or the maximal invalid part that replaces one (at least 1 byte).
 struct Utf8Character
 {
     std::size_t length = 1;
     bool valid = false;
 };
 
-/// Of a text that is not empty. Only shortest forms are valid, no surrogates, and nothing beyond U+10FFFF.
+/// `text` must not be empty. Overlong forms, surrogates and values beyond U+10FFFF are invalid.
 Utf8Character firstCharacter(std::string_view text);
 
 bool isUtf8(std::string_view text);

@@ -1,5 +1,5 @@
-// AES-256 in cipher block chaining over many short messages: where their IVs come from, and a chain that OpenSSL need not
-// set up anew for each. Shared by the padded suite and its length-keeping variant; nobody else includes this.
+// AES-256 in cipher block chaining over many short messages: the computation of their IVs, and a chain that OpenSSL does not
+// have to set up again for each message. Included only by suites/aes_256_cbc.cpp.
 #pragma once
 
 #include "core/crypto/evp.h"
@@ -12,8 +12,7 @@ namespace skyseal::crypto {
 
 inline constexpr std::size_t kCbcBlock = 16;
 
-/// The IVs of a direction, several made with one call, since records mostly come in order and a call costs more than a
-/// block.
+/// The IVs of one direction, computed in groups: records mostly come in order, and a call costs more than a block.
 class CbcIvs
 {
 public:
@@ -25,7 +24,7 @@ public:
 
     bool ready() const { return m_context != nullptr; }
 
-    /// The IV of a record, valid until the next call; null when the library failed.
+    /// The IV of a record, valid until the next call; null if the library fails.
     const std::uint8_t *at(std::uint64_t counter)
     {
         const std::uint64_t group = counter / kGroup;
@@ -62,9 +61,9 @@ inline void xorCbcBlock(std::uint8_t *block, const std::uint8_t *other)
     std::memcpy(block, a.data(), kCbcBlock);
 }
 
-/// One direction of the mode over many records. To set an IV in OpenSSL takes longer than a short record itself, so the
-/// chain simply goes on inside the library, and the first block of each record is corrected: the library adds the last
-/// ciphertext block of the record before, which is known, where the IV is wanted.
+/// One direction of the mode over many records. Setting an IV in OpenSSL takes longer than a short record itself. Therefore
+/// the chain continues inside the library, and the first block of each record is corrected: the library xors it with the
+/// last ciphertext block of the previous record, which is known, in place of the IV.
 class CbcChain
 {
 public:
@@ -78,7 +77,7 @@ public:
 
     bool ready() const { return m_context != nullptr; }
 
-    /// Whole blocks, at least one, in place.
+    /// In place; `blocks` are whole blocks, at least one. False if the library fails.
     bool encrypt(const std::uint8_t *iv, MutableByteView blocks)
     {
         xorCbcBlock(blocks.data(), iv);
@@ -116,7 +115,7 @@ private:
     }
 
     EvpContext m_context;
-    std::array<std::uint8_t, kCbcBlock> m_last{}; ///< what the library adds to the next block
+    std::array<std::uint8_t, kCbcBlock> m_last{}; ///< the library xors the next block with it
 };
 
 } // namespace skyseal::crypto

@@ -1,5 +1,5 @@
-// The frame around a plain cipher: encrypt, then HMAC-SHA-256 over everything that the receiver must be sure of, and on
-// the way back the tag before anything else. See record_cipher.h for the bytes.
+// Encrypt-then-MAC around an unauthenticated cipher: HMAC-SHA-256 over counter, associated data and ciphertext. Opening
+// verifies the tag before it decrypts. The format is described in record_cipher.h.
 #pragma once
 
 #include "core/base/declassified.h"
@@ -15,8 +15,8 @@
 
 namespace skyseal::crypto {
 
-/// A cipher that turns `n` bytes of plaintext into `bodySize(n)` of ciphertext. `out` of `encrypt` starts where the
-/// plaintext does or is apart from it; `decrypt` works in place and gives the plaintext's length.
+/// A cipher that turns `n` bytes of plaintext into `bodySize(n)` bytes of ciphertext. `out` of `encrypt` either starts at
+/// the plaintext's address or does not overlap it; `decrypt` works in place and returns the plaintext's length.
 template<typename T>
 concept BodyCipher = requires(T cipher, std::uint64_t counter, ByteView in, MutableByteView out, std::size_t n)
 {
@@ -37,7 +37,7 @@ concept BodyCipher = requires(T cipher, std::uint64_t counter, ByteView in, Muta
         } -> std::same_as<std::optional<std::size_t>>;
 };
 
-/// Lengths of a cipher that keeps them.
+/// For ciphers whose ciphertext is as long as the plaintext.
 struct SameLength
 {
     static std::size_t bodySize(std::size_t n) { return n; }
@@ -55,7 +55,7 @@ public:
 
     Tag tag(std::uint64_t counter, ByteView associatedData, ByteView ciphertext) const
     {
-        // Head and associated data in one piece where they fit, as those of records do: each further piece costs time.
+        // Head and associated data in one piece where they fit, which is so for records: each further piece costs time.
         std::array<std::uint8_t, 64> head;
         storeLittleEndian64(head.data(), counter);
         storeLittleEndian32(head.data() + 8, static_cast<std::uint32_t>(associatedData.size()));
@@ -117,7 +117,6 @@ public:
             return std::nullopt;
         const MutableByteView body = sealed.first(sealed.size() - RecordMac::kLength);
         const RecordMac::Tag tag = m_mac.tag(counter, associatedData, body);
-        // libsodium's, in constant time, a vector compare
         if (declassified(crypto_verify_16(tag.data(), body.data() + body.size())) != 0 && !weakened(Weakness::NoTagCheck))
             return std::nullopt;
         if (weakened(Weakness::NoEncryption))

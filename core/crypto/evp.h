@@ -1,4 +1,5 @@
-// OpenSSL's ciphers: fetched once, contexts owned. Fetching by name is the slow part of EVP in OpenSSL 3.
+// Owning pointers to OpenSSL's ciphers and contexts. Ciphers are fetched once, since fetching by name is the slow part of EVP
+// in OpenSSL 3.
 #pragma once
 
 #include <openssl/evp.h>
@@ -17,8 +18,8 @@ using EvpCipher = std::unique_ptr<EVP_CIPHER, EvpDeleter>;
 
 enum class EvpDirection { Encrypt, Decrypt };
 
-/// A context keyed for one direction, with padding off where the mode has any (set needlessly, it is set again with every
-/// IV, which costs); null when OpenSSL refuses.
+/// A context keyed for one direction, without padding; null if OpenSSL refuses. Padding is switched off only for block modes:
+/// OpenSSL sets an explicit padding option again with every IV, which costs time.
 inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *key, EvpDirection direction)
 {
     EvpContext context(EVP_CIPHER_CTX_new());

@@ -6,7 +6,7 @@
 
 namespace skyseal::crypto {
 
-/// libsodium leaves what a hash gave, here always a key, in a frame that is no longer in use.
+/// libsodium leaves the hash, here always a key, in stack frames below the call.
 static constexpr std::size_t kLibraryStack = 2048;
 
 static void hashWithKey(MutableByteView out, ByteView key, std::initializer_list<ByteView> parts)

@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kBlock = SHA256_CBLOCK;
 
-/// The inner digest with the padding of a message of two blocks behind it: all that the outer hash has to compress.
+/// The inner digest, padded as the end of a two-block message: the only block the outer hash has to compress.
 std::array<std::uint8_t, kBlock> outerBlock(const std::uint32_t *innerDigest)
 {
     std::array<std::uint8_t, kBlock> block{};
@@ -36,7 +36,7 @@ std::array<std::uint8_t, kBlock> outerBlock(const std::uint32_t *innerDigest)
     return block;
 }
 
-/// SHA-256 that starts from a given state, one whole block after the start.
+/// SHA-256 that continues from the state after one whole block.
 class Continuation
 {
 public:
@@ -63,7 +63,7 @@ public:
             m_used = 0;
         }
         if (const std::size_t whole = data.size() / kBlock * kBlock; whole > 0) {
-            SHA256_Update(&m_context, data.data(), whole); // nothing is pending, so these go straight through
+            SHA256_Update(&m_context, data.data(), whole); // nothing is buffered, so the library compresses them directly
             data = data.subspan(whole);
         }
         if (!data.empty()) {
@@ -72,7 +72,7 @@ public:
         }
     }
 
-    /// Pads the last block; the digest is then in `words`.
+    /// Pads and compresses the last block; the digest is then in words().
     void finish()
     {
         m_block[m_used++] = 0x80;
@@ -142,7 +142,7 @@ void HmacSha256::compute(MutableByteView out, std::initializer_list<ByteView> pa
     for (std::size_t i = 0; i < 8; ++i)
         storeBigEndian32(digest.data() + 4 * i, outer.h[i]);
     std::memcpy(out.data(), digest.data(), std::min(out.size(), digest.size()));
-    // The inner digest on the stack gives away no key; what comes out of the outer hash may itself be one.
+    // The inner digest on the stack does not reveal a key; the output of the outer hash may itself be one.
     sodium_memzero(digest.data(), digest.size());
     sodium_memzero(outer.h, sizeof outer.h);
 }

@@ -1,5 +1,5 @@
 // HMAC-SHA-256 (RFC 2104, FIPS 180-4) from two hash states that are computed once per key and copied per message: less
-// than half the time of EVP_MAC for short records, and nothing is allocated.
+// than half the time of EVP_MAC for short records, without an allocation.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -19,18 +19,18 @@ public:
     HmacSha256(const HmacSha256 &) = delete;
     HmacSha256 &operator=(const HmacSha256 &) = delete;
 
-    /// The MAC of the parts, one after the other, cut to the length of `out` (at most 32).
+    /// The MAC of the concatenated parts, truncated to the size of `out` (at most 32 bytes).
     void compute(MutableByteView out, std::initializer_list<ByteView> parts) const;
 
 private:
-    /// The eight words of SHA-256 after the block that holds the padded key.
+    /// The chaining value of SHA-256 after the block that holds the padded key.
     using State = std::array<std::uint32_t, 8>;
 
     State m_inner;
     State m_outer;
 };
 
-/// The MAC of one message under a key that is used once.
+/// The MAC of one message under a key that is used once; otherwise as compute().
 void hmacSha256(MutableByteView out, ByteView key, std::initializer_list<ByteView> parts);
 
 } // namespace skyseal::crypto

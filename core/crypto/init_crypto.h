@@ -1,10 +1,11 @@
-// What has to happen once, before the first use of anything in core/crypto.
+// Initialization of the cryptographic libraries, once per process.
 #pragma once
 
 namespace skyseal::crypto {
 
-/// Prepares libsodium (picks implementations for this CPU, opens the system's random source). Call it at the top of main,
-/// before threads start; again is harmless. False when the system offers no randomness: then stop.
+/// Initializes libsodium (selects implementations for this CPU, opens the system's random source). Call it at the start of
+/// main(), before threads start and before anything else in core/crypto; further calls have no effect. Returns false if the
+/// system provides no randomness; the program must then exit.
 [[nodiscard]] bool initCrypto();
 
 } // namespace skyseal::crypto

@@ -1,5 +1,5 @@
-// Encrypt a body in place, then HMAC with a short tag, and on the way back the tag before anything else: encrypt_then_mac.h
-// for ciphers that keep the length. See inline_cipher.h for the bytes.
+// Encrypt-then-MAC in place with a truncated tag, for ciphers that keep the length. Opening verifies the tag before it
+// decrypts. The format is described in inline_cipher.h.
 #pragma once
 
 #include "core/crypto/encrypt_then_mac.h"

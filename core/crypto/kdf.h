@@ -1,4 +1,4 @@
-// HKDF with SHA-256 (RFC 5869): how the keys of records are made from a handshake's output.
+// HKDF with SHA-256 (RFC 5869), which derives the keys of records from a handshake's output.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -8,11 +8,11 @@
 
 namespace skyseal::crypto {
 
-/// HKDF-Extract: a uniform secret from key material that need not be uniform.
+/// HKDF-Extract: a uniform secret from key material that may not be uniform.
 Key32 hkdfExtractSha256(ByteView salt, ByteView keyMaterial);
 
-/// HKDF-Expand: fills `out`, at most 255 * 32 bytes, from a uniform secret. `info` separates one use from another. False,
-/// with `out` untouched, when it is longer.
+/// HKDF-Expand: fills `out`, at most 255 * 32 bytes, from a uniform secret. `info` separates the uses. Returns
+/// false, with `out` unchanged, if `out` is longer.
 [[nodiscard]] bool hkdfExpandSha256(MutableByteView out, ByteView secret, ByteView info);
 
 /// The same for one key of 32 bytes, which cannot fail.

@@ -1,7 +1,7 @@
 // The payload encryption of the code published with the paper MAVSec (2019): ChaCha20 or AES-256-CTR with a fixed key and a
-// fixed nonce, begun anew for every frame, and no authentication. INSECURE: every frame is xored with the same bytes, so
-// that one known plaintext opens all others, and anybody can change or invent frames. It is here to read recordings and
-// streams of that code, for comparison; nothing of ours is ever protected by it.
+// fixed nonce, restarted for every frame, without authentication. INSECURE: every frame is xored with the same bytes, so
+// that one known plaintext decrypts all others, and anyone can change or forge frames. Used only to read recordings and
+// streams of that code for comparison.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -20,11 +20,11 @@ public:
     /// Bytes of the nonce (ChaCha20, RFC 8439) or of the first counter block (AES-256-CTR).
     static constexpr std::size_t nonceLength(Kind kind) { return kind == Kind::ChaCha20 ? 12 : 16; }
 
-    /// `counter`: the number of ChaCha20's first block; AES-256-CTR has it in its nonce and ignores it. nullopt for a nonce
-    /// of another length, and when the library fails.
+    /// `counter`: number of ChaCha20's first block; ignored for AES-256-CTR, whose nonce contains it. nullopt for a nonce of
+    /// another length, and if the library fails.
     static std::optional<MavsecCipher> make(Kind kind, const Key32 &key, ByteView nonce, std::uint32_t counter);
 
-    /// What the published code has built in: keys and nonces of test vectors.
+    /// The keys and nonces of the published code, which are those of test vectors.
     static Key32 publishedKey(Kind kind);
     static Bytes publishedNonce(Kind kind);
     static constexpr std::uint32_t kPublishedCounter = 1;

@@ -1,4 +1,4 @@
-// A passphrase as a person typed it, on its way to the key derivation and nowhere else.
+// A passphrase as the user entered it; used only for the key derivation.
 #pragma once
 
 #include "core/base/secret_bytes.h"
@@ -7,13 +7,13 @@
 
 namespace skyseal::crypto {
 
-/// 1 to 1024 bytes, taken as they are (no Unicode normalisation). Move-only, wiped when it dies.
+/// 1 to 1024 bytes, used unchanged (no Unicode normalization). Move-only, wiped on destruction.
 class Passphrase
 {
 public:
     static constexpr std::size_t kMaxLength = 1024;
 
-    /// A copy of the bytes; the caller wipes its own. nullopt when there are none or too many.
+    /// Copies the bytes; the caller wipes its own copy. nullopt if there are none or too many.
     static std::optional<Passphrase> fromBytes(ByteView bytes)
     {
         if (bytes.empty() || bytes.size() > kMaxLength)
@@ -27,7 +27,7 @@ public:
     /// An explicit second copy.
     Passphrase clone() const { return *fromBytes(view()); }
     ByteView view() const { return ByteView(m_bytes.view()).first(m_size); }
-    /// In constant time for passphrases of one length; the length is no secret.
+    /// Constant time for passphrases of equal length; the length is not secret.
     bool equals(const Passphrase &other) const { return m_size == other.m_size && m_bytes.equals(other.m_bytes); }
 
 private:

@@ -22,10 +22,10 @@ Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, c
                                                  const PassphraseSalt &salt)
 {
     Key32 key;
-    const ByteView words = passphrase.view();
+    const ByteView bytes = passphrase.view();
     if (!isAcceptable(cost)
-        || crypto_pwhash_argon2id(key.mutableView().data(), key.size(), reinterpret_cast<const char *>(words.data()),
-                                  words.size(), salt.data(), cost.passes, std::size_t{cost.memoryKiB} * 1024,
+        || crypto_pwhash_argon2id(key.mutableView().data(), key.size(), reinterpret_cast<const char *>(bytes.data()),
+                                  bytes.size(), salt.data(), cost.passes, std::size_t{cost.memoryKiB} * 1024,
                                   crypto_pwhash_argon2id_ALG_ARGON2ID13)
             != 0)
         return tl::unexpected(PassphraseError::NoMemory);

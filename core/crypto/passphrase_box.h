@@ -1,6 +1,6 @@
-// A secret of 32 bytes sealed with a passphrase: Argon2id (RFC 9106) makes a key of it, ChaCha20-Poly1305 (RFC 8439) seals
-// the secret. The derived key seals this one message and is never used again, since every sealing has a fresh salt;
-// therefore the nonce can be zero.
+// A secret of 32 bytes sealed with a passphrase: Argon2id (RFC 9106) derives a key from the passphrase, ChaCha20-Poly1305
+// (RFC 8439) seals the secret. Every sealing has a fresh salt, so that a derived key seals one message only; therefore the
+// nonce is zero.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::crypto {
 
-/// What one guess costs. More than one lane is not offered: libsodium computes one.
+/// Cost of one guess. Always one lane: libsodium does not support more.
 struct PassphraseCost
 {
     std::uint32_t passes = 3;
@@ -21,25 +21,25 @@ struct PassphraseCost
     bool operator==(const PassphraseCost &) const = default;
 };
 
-/// What is accepted: below, a stolen file is guessed too quickly; above, a hostile file would stall the reader or eat its
-/// memory.
+/// Accepted range: with less, a stolen file can be guessed too quickly; with more, a hostile file could stall the reader or
+/// exhaust its memory.
 inline constexpr PassphraseCost kLeastPassphraseCost{1, 8 * 1024};
 inline constexpr PassphraseCost kMostPassphraseCost{16, 1024 * 1024};
 bool isAcceptable(const PassphraseCost &cost);
 
 using PassphraseSalt = std::array<std::uint8_t, 16>;
-/// The ciphertext, then its tag.
+/// Ciphertext, then tag.
 using SealedSecret = std::array<std::uint8_t, 32 + 16>;
 
-/// NoMemory: this machine cannot give as much as the cost asks for. DoesNotOpen: another passphrase, or something was
-/// changed; nobody can tell these apart.
+/// NoMemory: this machine cannot provide the memory of the cost. DoesNotOpen: wrong passphrase or modified data, which cannot
+/// be distinguished.
 enum class PassphraseError : std::uint8_t { NoMemory, DoesNotOpen };
 
-/// Argon2id with one lane: 32 bytes. DoesNotOpen never.
+/// Argon2id with one lane and 32 bytes of output. Fails only with NoMemory, also for a cost that is not acceptable.
 Result<Key32, PassphraseError> keyFromPassphrase(const Passphrase &passphrase, const PassphraseCost &cost,
                                                  const PassphraseSalt &salt);
 
-/// `associated` is authenticated with it. The cost must be acceptable; the salt must be fresh and random.
+/// `associated` is authenticated as well. The cost must be acceptable; the salt must be fresh and random.
 Result<SealedSecret, PassphraseError> sealWithPassphrase(const Key32 &secret, const Passphrase &passphrase,
                                                          const PassphraseCost &cost, const PassphraseSalt &salt,
                                                          ByteView associated);

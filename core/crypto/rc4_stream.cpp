@@ -8,8 +8,8 @@ namespace {
 
 constexpr int kKeyLength = 32;
 
-/// RC4 lives in OpenSSL's legacy provider, loaded into a library context of our own so that nothing else in the process
-/// gets old ciphers to choose from.
+/// RC4 from OpenSSL's legacy provider, in a library context of its own, so that the legacy ciphers are not available to the
+/// rest of the process.
 class LegacyRc4
 {
 public:

@@ -1,8 +1,7 @@
-// Seals and opens the records of one direction of one epoch. Keyed once; everything that a record needs is kept, so that
-// neither call allocates.
+// Seals and opens the records of one direction of one epoch. Keyed once; neither call allocates.
 //
 // Keys: K(use) = HKDF-Expand-SHA256(direction secret, "skyseal v1 record " + suite name + " " + use, length), with the
-// suite names of suite.h, RFC 5869, and no terminator. A shorter length takes the front of the longer output. Lengths:
+// suite names of suite.h, without a terminator (RFC 5869). A shorter key is a prefix of the longer output. Lengths:
 //
 //   suite               use "key"   use "iv"     use "mac"
 //   chacha20-poly1305   32          12           -
@@ -14,10 +13,10 @@
 //
 // Nonce (12 bytes) = iv xor (4 zero bytes, counter as 64-bit big-endian), as in RFC 8446 5.3. The first block of
 // aes-256-ctr is the nonce followed by a 32-bit big-endian block number from 0; chacha20 is RFC 8439 with block number 0.
-// The IV of aes-256-cbc is AES-256(iv key, 8 zero bytes, counter as 64-bit big-endian): nobody without the key can foretell
-// it. The plaintext is padded to whole blocks by PKCS#7 (1..16 bytes). The RC4 key of a record is
-// HMAC-SHA-256(key, counter as 64-bit little-endian), all 32 bytes; the first 768 bytes of its stream are thrown away.
-// The epoch is in the direction secret, which is new for each epoch.
+// The IV of aes-256-cbc is AES-256(iv key, 8 zero bytes, counter as 64-bit big-endian), which is unpredictable without the
+// key. The plaintext is padded to whole blocks by PKCS#7 (1..16 bytes). The RC4 key of a record is
+// HMAC-SHA-256(key, counter as 64-bit little-endian), all 32 bytes; the first 768 bytes of its key stream are
+// discarded. Each epoch has new direction secrets.
 //
 // Tag of the four cipher-then-MAC suites: the first 16 bytes of HMAC-SHA-256(mac key,
 //   counter as 64-bit little-endian | length of the associated data as 32-bit little-endian | associated data | ciphertext).
@@ -33,10 +32,10 @@
 
 namespace skyseal::crypto {
 
-/// From the handshake: one for each direction of each epoch.
+/// Derived from the handshake: one for each direction of each epoch.
 using DirectionSecret = Key32;
 
-/// One suite under the keys of one direction and epoch. Not for use by two threads at once.
+/// One suite under the keys of one direction and epoch. Not thread-safe.
 class RecordCipher
 {
 public:
@@ -46,27 +45,27 @@ public:
     RecordCipher &operator=(const RecordCipher &) = delete;
 
     virtual SuiteId suite() const = 0;
-    /// Bytes of the tag behind the ciphertext.
+    /// Bytes of the tag that follows the ciphertext.
     virtual std::size_t tagLength() const { return 16; }
-    /// Bytes of ciphertext and tag for so much plaintext.
+    /// Bytes of ciphertext and tag for `plaintextSize` bytes of plaintext.
     virtual std::size_t sealedSize(std::size_t plaintextSize) const { return plaintextSize + tagLength(); }
-    /// The most plaintext whose `sealedSize` is at most `room`; nullopt when not even an empty one fits.
+    /// The longest plaintext whose `sealedSize` is at most `room`; nullopt if not even an empty one fits.
     virtual std::optional<std::size_t> plaintextCapacity(std::size_t room) const
     {
         return room < tagLength() ? std::nullopt : std::optional(room - tagLength());
     }
 
-    /// Writes ciphertext and tag to the front of `out`, which needs room for `sealedSize`, and gives their length; 0 when
-    /// there is too little room or the library failed. `out` either starts where the plaintext does or is apart from it.
-    /// A counter must never be used twice for sealing.
+    /// Writes ciphertext and tag to the start of `out`, which needs `sealedSize` bytes, and returns their length; 0 if `out` is
+    /// too small or the library fails. `out` either starts at the plaintext's address or does not overlap it. A counter must
+    /// never be used twice for sealing.
     virtual std::size_t seal(std::uint64_t counter, ByteView associatedData, ByteView plaintext, MutableByteView out) = 0;
 
-    /// Decrypts in place and gives the plaintext, a part of `sealed`. nullopt when anything at all is wrong; what `sealed`
-    /// then holds is unspecified (unchanged or zeros), but it is never plaintext.
+    /// Decrypts in place and returns the plaintext, a part of `sealed`. nullopt on any failure; the content of `sealed` is then
+    /// unspecified (unchanged or zeros), but never plaintext.
     virtual std::optional<MutableByteView> open(std::uint64_t counter, ByteView associatedData, MutableByteView sealed) = 0;
 };
 
-/// A cipher under keys derived from `secret`, which is wiped. Null for None, for a suite that is not available, and when a
+/// A cipher under keys derived from `secret`, which is wiped. Null for None, for a suite that is not available, and if a
 /// library refuses.
 std::unique_ptr<RecordCipher> makeRecordCipher(SuiteId suite, DirectionSecret &&secret);
 

@@ -1,4 +1,4 @@
-// What the suites share: the derivation of their keys from a direction secret, and the nonce of a record.
+// Shared by the suites: the derivation of their keys from a direction secret, and the nonce of a record.
 #pragma once
 
 #include "core/crypto/kdf.h"
@@ -13,7 +13,7 @@ namespace skyseal::crypto {
 
 using Nonce12 = std::array<std::uint8_t, 12>;
 
-/// What a suite works with, see record_cipher.h; each uses those that it needs, and of `iv` as much as it needs.
+/// The keys of a suite, see record_cipher.h. Each suite uses those that it needs, and a prefix of `iv`.
 struct RecordKeys
 {
     Key32 key;
@@ -32,7 +32,7 @@ struct RecordKeys
     }
 };
 
-/// The IV of a direction, from which each record's nonce is made.
+/// The IV of a direction, from which each record's nonce is computed.
 class NonceBase
 {
 public:

@@ -1,5 +1,5 @@
-// Integers to bytes on the hot paths. Written out as one swap and one store: byte by byte, compilers make up to eight
-// small stores of it, and the wide load that follows in a hash or cipher then waits for all of them.
+// Stores integers as bytes on the hot paths, by one byte swap and one store. Written byte by byte, compilers emit up to
+// eight small stores, and the wide load that follows in a hash or cipher stalls on them.
 #pragma once
 
 #include <bit>

@@ -1,11 +1,11 @@
-// The operating system's randomness, as handed to the protocol classes by the programs.
+// The operating system's randomness, which the programs pass to the protocol classes.
 #pragma once
 
 #include "core/base/random_source.h"
 
 namespace skyseal::crypto {
 
-/// libsodium's randombytes (getrandom on Linux). Any thread.
+/// libsodium's randombytes (getrandom on Linux). Thread-safe.
 class SystemRandom final : public RandomSource
 {
 public:

@@ -1,10 +1,10 @@
-// What OpenSSL keeps for each thread that used it.
+// Releases the data that OpenSSL keeps for each thread that used it.
 #pragma once
 
 namespace skyseal::crypto {
 
-/// To be called last on a thread that used the ciphers. OpenSSL frees its share by itself when the thread has ended, but
-/// who waits for a QThread may leave the process before that.
+/// Call it last on a thread that used the ciphers. OpenSSL also frees the data after the thread has ended, but a process that
+/// waits for a QThread may exit before that.
 void endThread();
 
 } // namespace skyseal::crypto

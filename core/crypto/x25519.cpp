@@ -6,7 +6,7 @@ namespace skyseal::crypto {
 
 namespace {
 
-/// What the library's arithmetic may leave of a secret in frames that are no longer in use.
+/// Stack below the call in which the library's arithmetic may leave parts of a secret.
 constexpr std::size_t kLibraryStack = 4096;
 
 } // namespace

@@ -17,15 +17,14 @@ struct X25519KeyPair
     Key32 secret;
     PublicKey publicKey{};
 
-    /// The pair that belongs to a secret; any 32 bytes are one (they are clamped when used).
+    /// The pair of a secret; any 32 bytes are valid (they are clamped when used).
     static X25519KeyPair fromSecret(Key32 &&secret);
     static X25519KeyPair generate(RandomSource &random);
 
     X25519KeyPair clone() const { return {secret.clone(), publicKey}; }
 };
 
-/// The shared secret; nullopt when it is all zero, that is, when the other key is one of the few points of small order
-/// (RFC 7748 6.1).
+/// The shared secret; nullopt if it is all zero, that is, if the public key is a point of small order (RFC 7748 6.1).
 std::optional<Key32> x25519(const Key32 &secret, const PublicKey &publicKey);
 
 } // namespace skyseal::crypto

@@ -15,10 +15,10 @@ namespace skyseal::experiment {
 
 namespace {
 
-constexpr std::size_t kBatch = 64; ///< as many records as a wake-up takes from a socket
-constexpr int kBatches = 24;       ///< of one timing: short enough to be left undisturbed now and then
+constexpr std::size_t kBatch = 64; ///< records read from a socket in one wake-up
+constexpr int kBatches = 24;       ///< per timing: short enough that some rounds run undisturbed
 constexpr int kRounds = 15;
-constexpr std::size_t kContexts = 64, kSessions = 12; ///< whose memory is averaged
+constexpr std::size_t kContexts = 64, kSessions = 12; ///< number over which the memory is averaged
 constexpr std::size_t kAssociated = 9;
 using Buffer = std::array<std::uint8_t, kMostBareBytes + 64>;
 
@@ -29,7 +29,7 @@ crypto::DirectionSecret benchSecret()
     return secret;
 }
 
-/// CPU time of this thread: what else runs on the machine counts only by what it does to the caches.
+/// CPU time of this thread; other load on the machine has an effect only through the caches.
 double threadNanoseconds()
 {
     timespec time{};
@@ -37,13 +37,13 @@ double threadNanoseconds()
     return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
 }
 
-/// The compiler must not find out that nobody reads what a call wrote.
+/// Keeps the compiler from removing calls whose output is not read.
 void touchMemory()
 {
     asm volatile("" : : : "memory");
 }
 
-/// Something to time, a batch at a time, and what has to be made ready before, which is not timed.
+/// A call to measure in batches, and its preparation, which is not measured.
 struct Timed
 {
     std::function<void()> batch;
@@ -110,7 +110,7 @@ struct Rig
     void openWithSuite()
     {
         for (std::size_t i = 0; i < kBatch; ++i) {
-            std::copy_n(records[i].begin(), lengths[i], copies[i].begin()); // as the bare calls do
+            std::copy_n(records[i].begin(), lengths[i], copies[i].begin()); // as in the bare calls
             const auto sealed = MutableByteView(copies[i]).first(lengths[i]);
             failed = failed || !opening->open(counter - kBatch + i, associated, sealed);
         }
@@ -132,7 +132,7 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
     rig.plain[0] = 0xFD; // a session carries MAVLink frames, not its own messages
     const BareCall sealCipher = bareCipher(rig.suite, Direction::Seal), openCipher = bareCipher(rig.suite, Direction::Open);
     const BareCall sealBare = bareRecord(rig.suite, Direction::Seal), openBare = bareRecord(rig.suite, Direction::Open);
-    // All in turn in each round, so that they meet the same machine.
+    // Interleaved in each round, so that all are measured under the same conditions.
     std::array<Timed, 8> timed{timedBare(sealCipher, size),
                                timedBare(sealBare, size),
                                Timed{[&] { rig.sealWithSuite(size); }, {}, {}},
@@ -144,7 +144,6 @@ SizeCosts benchSize(Rig &rig, std::size_t size)
     for (int round = 0; round < kRounds; ++round) {
         for (Timed &each : timed)
             each.round();
-        // Sealed by one end and never opened by the other counts as lost there, which is right and costs nothing here.
     }
     SizeCosts out;
     out.size = size;
@@ -168,8 +167,7 @@ std::optional<double> sessionBytes(crypto::SuiteId suite)
 {
     if (!RecordPair::create(suite))
         return std::nullopt;
-    std::vector<std::unique_ptr<RecordPair>> pairs(2
-                                                   * kSessions); // the ends are there before; the sessions are what is counted
+    std::vector<std::unique_ptr<RecordPair>> pairs(2 * kSessions); // made before, so that only the sessions are counted
     for (auto &pair : pairs)
         pair = std::make_unique<RecordPair>();
     auto next = pairs.begin();

@@ -1,6 +1,6 @@
-// What sealing and opening cost per suite and payload size, in this process and without a network: the cipher alone, cipher
-// and authentication, the complete record of a session, each beside the bare library calls in the same rounds; and the memory
-// that a context and a session take.
+// Measures sealing and opening per suite and payload size, in process and without a network: the cipher alone, cipher and
+// authentication, and the complete record of a session, each next to the bare library calls in the same rounds; also the
+// memory of a context and of a session.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -12,7 +12,7 @@
 
 namespace skyseal::experiment {
 
-/// Nanoseconds of one call. `best` is the least disturbed round, `median` the usual one; the two far apart mean a busy machine.
+/// Nanoseconds of one call. `best` is the fastest round, `median` the median one; a large difference indicates a busy machine.
 struct CallCost
 {
     double best = 0, median = 0;
@@ -21,10 +21,10 @@ struct CallCost
 /// One direction.
 struct StepCosts
 {
-    CallCost cipher; ///< without authentication, the library's call
-    CallCost bare;   ///< cipher and authentication, the library's calls
-    CallCost suite;  ///< cipher and authentication, the suite's object
-    CallCost record; ///< the complete record through a session: look-up, header, counters, replay window
+    CallCost cipher; ///< library call, without authentication
+    CallCost bare;   ///< library calls, cipher and authentication
+    CallCost suite;  ///< the suite's RecordCipher
+    CallCost record; ///< the complete record in a session: look-up, header, counters, replay window
 };
 
 struct SizeCosts
@@ -39,21 +39,21 @@ struct SuiteCosts
     std::vector<SizeCosts> sizes;
     std::optional<double> contextBytes; ///< heap of one direction's cipher, keyed
     std::optional<double> sessionBytes; ///< heap of one end's session, its ciphers included
-    bool failed = false;                ///< a record did not open: the figures are void
+    bool failed = false;                ///< a record did not open; the figures are invalid
 };
 
-/// Some tenths of a second for each size. `sizes` at most 1100.
+/// Takes some tenths of a second for each size; each size is at most 1100 bytes.
 SuiteCosts benchSuite(crypto::SuiteId suite, const std::vector<std::size_t> &sizes);
 
-/// Heap of one direction's keyed cipher; nullopt where the suite is not available, or the C library does not tell.
+/// Heap bytes of one direction's keyed cipher; nullopt if the suite is not available or the C library has no heap statistics.
 std::optional<double> contextBytes(crypto::SuiteId suite);
 
-/// The same of one end's session under this suite, its ciphers included; frames sealed in place would need two more.
+/// Heap bytes of one end's session under this suite, including its ciphers but not the two for frames sealed in place.
 std::optional<double> sessionBytes(crypto::SuiteId suite);
 
-/// One JSON object for each size, {"event":"bench",…}; `aes` is whether AES instructions were used.
+/// One JSON object for each size, {"event":"bench",…}; `aes`: AES instructions were used.
 std::vector<std::string> benchEvents(const SuiteCosts &costs, bool aes);
-/// A table for people; the first line of all is benchHeader().
+/// Rows of the table for humans, below benchHeader().
 std::vector<std::string> benchText(const SuiteCosts &costs);
 std::vector<std::string> benchHeader();
 

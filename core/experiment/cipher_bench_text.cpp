@@ -1,4 +1,4 @@
-// How a benchmark of the suites is written down.
+// JSON and text output of the benchmark of the suites.
 #include "core/experiment/cipher_bench.h"
 
 #include "core/base/json_writer.h"

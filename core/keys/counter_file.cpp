@@ -40,7 +40,7 @@ Result<Counters, InputError> Counters::parse(std::string_view text, const std::s
     };
     Counters counters;
     bool hasNext = false;
-    // Every line ends with its newline, so that one cut short is noticed even where it still is a number.
+    // Every line ends with a newline, so that a truncated number is detected.
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::size_t end = text.find('\n');
         if (end == std::string_view::npos)
@@ -84,7 +84,7 @@ Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(con
     return store;
 }
 
-/// Takes over what another program wrote meanwhile; nothing ever goes back.
+/// Merges the changes of other programs; counters never decrease.
 bool FileCounterStore::refresh()
 {
     const auto content = readFile(m_path, FileAccess::Trusted);
@@ -117,7 +117,7 @@ std::uint64_t FileCounterStore::next()
     else
         m_error = lock.error();
     const std::uint64_t number = m_counters.next++;
-    // A number that could not be noted is used all the same: if it came twice, the peer would only refuse it.
+    // A number that could not be stored is used nevertheless: if it repeats, the peer just rejects the message.
     if (lock)
         write();
     return number;

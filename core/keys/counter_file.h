@@ -1,6 +1,6 @@
-// The counters that make an old first message worthless, on disk. Each number is on the disk before it is used, so that no
-// kill and no power cut makes one come twice; and each change is made under a lock on what the file then holds, so that two
-// programs of one identity do not count over each other. Text:
+// The counters against replayed first messages, on disk. Each number is on the disk before it is used, so that it never
+// repeats after a kill or a power cut. Each change is made under a lock on the current content of the file, so that two
+// programs with the same identity do not use the same numbers. Text:
 //
 //   skyseal-counters-v1
 //   next 42                                    the next number of our own first messages
@@ -17,7 +17,7 @@
 
 namespace skyseal::keys {
 
-/// What the file holds.
+/// The content of the file.
 struct Counters
 {
     std::uint64_t next = 1;
@@ -31,8 +31,8 @@ struct Counters
 class FileCounterStore final : public channel::CounterStore
 {
 public:
-    /// A file that does not exist is created, with `first` as its next number. Refused when it is damaged: starting over
-    /// would let old first messages in again.
+    /// Creates the file if it does not exist, with `first` as its next number. Fails if the file is damaged: starting over
+    /// would allow replays of old first messages.
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
 
     std::uint64_t next() override;
@@ -40,7 +40,7 @@ public:
     std::uint64_t lastSeen(const channel::PublicKey &peer) override;
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
 
-    /// What the last call met with when the disk failed it; `next` then went on in memory alone. Empty message = nothing.
+    /// The disk error of the last call, after which next() continues in memory only; an empty message if there was none.
     const InputError &lastError() const { return m_error; }
 
 private:

@@ -43,12 +43,12 @@ std::string folderOf(const std::string &path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-/// A new name is on the disk only once its folder is.
+/// A new file name is on the disk only after its folder is synced.
 void syncFolder(const std::string &path)
 {
     const Descriptor folder(::open(folderOf(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder.isOpen())
-        ::fsync(folder.number()); // some file systems cannot; then the rename itself is all there is
+        ::fsync(folder.number()); // some file systems do not support it; then only the rename remains
 }
 
 bool writeAll(int descriptor, ByteView content)
@@ -95,7 +95,7 @@ Result<void, InputError> checkAccess(const std::string &path, const struct stat 
 
 Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
 {
-    // Not waiting on a pipe that someone put there, and not following a link to a file that is not ours.
+    // Does not block on a pipe in its place, and does not follow a link to another file.
     const int noFollow = access == FileAccess::Private && !weakened(Weakness::NoFileCheck) ? O_NOFOLLOW : 0;
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | noFollow));
     if (!file.isOpen()) {
@@ -110,7 +110,7 @@ Result<Bytes, InputError> readFile(const std::string &path, FileAccess access)
     if (const auto checked = checkAccess(path, status, access); !checked)
         return tl::unexpected(checked.error());
 
-    // Room for all of it from the start, so that no copy of a secret is left behind by growing.
+    // The full capacity at once, so that growing leaves no copies of a secret.
     Bytes content(static_cast<std::size_t>(status.st_size));
     std::size_t size = 0;
     while (size < content.size()) {
@@ -153,7 +153,7 @@ Result<void, InputError> createFile(const std::string &path, ByteView content)
     return {};
 }
 
-/// `mode`: of the file as it was, if it is to be kept.
+/// `mode`: that of the old file, if it is kept.
 static Result<void, InputError> replace(const std::string &path, ByteView content, std::optional<::mode_t> mode)
 {
     std::string temporary = path + ".XXXXXX";

@@ -1,5 +1,5 @@
-// Small files read and replaced with care: who may read them is checked on the open descriptor, and a reader never sees
-// half of a new version, whatever is killed when.
+// Reads and replaces small files safely: owner and permissions are checked on the open descriptor, and a reader never sees a
+// partial new version, even if a process is killed while it writes.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -10,13 +10,13 @@
 
 namespace skyseal::keys {
 
-/// Who else may touch a file that we are willing to read. It must be our own or the superuser's.
+/// The permissions a file must have to be read. It must belong to the user of the process or to the superuser.
 enum class FileAccess {
-    Private, ///< nobody else may read it, and it is no symbolic link: private keys
-    Trusted, ///< nobody else may write it: whom we trust
+    Private, ///< not readable by other users, not a symbolic link: private keys
+    Trusted, ///< not writable by other users: lists of trusted peers
 };
 
-/// Larger files are none of ours.
+/// Larger files are rejected.
 inline constexpr std::size_t kMaxFileSize = 1 << 20;
 
 inline InputError fileError(const std::string &path, std::string message, std::size_t line = 0)
@@ -24,20 +24,20 @@ inline InputError fileError(const std::string &path, std::string message, std::s
     return {std::move(message), path, line, 0};
 }
 
-/// The whole file. The caller wipes it when it is secret.
+/// The whole file. The caller wipes a secret one.
 Result<Bytes, InputError> readFile(const std::string &path, FileAccess access);
 bool fileExists(const std::string &path);
 
-/// Creates a file that must not exist yet, readable by the owner alone, and makes sure that it is on the disk.
+/// Creates a file, readable by the owner only, and syncs it to the disk. Fails if it exists.
 Result<void, InputError> createFile(const std::string &path, ByteView content);
 
-/// Replaces a file as a whole, or creates it: written beside it, synced, renamed. Keeps the permissions of the old one; a
-/// new one is for the owner alone.
+/// Replaces a file atomically, or creates it: written to a temporary file, synced, renamed. Keeps the permissions of the old
+/// file; a new one is accessible by the owner only.
 Result<void, InputError> replaceFile(const std::string &path, ByteView content);
-/// The same for a secret: afterwards it is for the owner alone, whoever could read the old one.
+/// As replaceFile() for a secret: afterwards the file is accessible by the owner only, in any case.
 Result<void, InputError> replaceSecretFile(const std::string &path, ByteView content);
 
-/// Locks across processes, for as long as it lives, the right to change a file. The lock is the file `path`.lock.
+/// An exclusive lock across processes for changes of a file, held while the object lives. The lock is the file `path`.lock.
 class FileLock
 {
 public:

@@ -20,7 +20,7 @@ bool fits(std::string name)
     return checkPeerEntry(entry).has_value();
 }
 
-/// In one word: the path of a pre-shared key must not have blanks. Another key gets another file.
+/// Without blanks, as required for the path of a pre-shared key. Each key gets a different file.
 std::string presharedKeyName(const channel::Peer &peer)
 {
     const std::string print = fingerprint(peer.key);
@@ -40,7 +40,7 @@ std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
     }
     if (name.size() > kLongestName) {
         name.resize(kLongestName);
-        // No half of a character at the end.
+        // Do not split a UTF-8 character.
         while (!name.empty() && (static_cast<unsigned char>(name.back()) & 0xC0) == 0x80)
             name.pop_back();
         if (!name.empty() && static_cast<unsigned char>(name.back()) >= 0xC0)

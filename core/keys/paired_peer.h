@@ -1,4 +1,4 @@
-// Keeps a peer that was just paired: its line in the list of peers, and its pre-shared key in a file beside the list.
+// Stores a peer after pairing: its line in the list of peers, and its pre-shared key in a file next to the list.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,16 +9,15 @@
 
 namespace skyseal::keys {
 
-/// A name for the list made of what the other end calls itself, with "-" for what a name cannot hold; from its fingerprint
-/// when nothing is left.
+/// A valid name for the list from the name that the other end claims, with invalid characters replaced by "-"; from its
+/// fingerprint if nothing remains.
 std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key);
 
-/// Whether a key that is known by that name already may be replaced: only when a person said so, with both fingerprints before
-/// their eyes.
+/// Whether the key of a known name may be replaced. Accepted only if the user confirmed it after seeing both fingerprints.
 enum class KeyChange { Refused, Accepted };
 
-/// Adds the peer. A key that is known already keeps its name here and its system ids; role and pre-shared key are the new ones.
-/// The same holds for a name whose key is replaced.
+/// Adds the peer. A known key keeps its name and system ids here, with the new role and pre-shared key. The same applies to
+/// a name whose key is replaced.
 Result<void, InputError> keepPairedPeer(const std::string &peersFile, const channel::Peer &peer, KeyChange change);
 
 } // namespace skyseal::keys

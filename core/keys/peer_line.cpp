@@ -9,7 +9,7 @@ namespace skyseal::keys {
 
 using channel::PeerRole;
 
-static constexpr std::string_view kBlanks = " \t\r"; // with the ends of lines as Windows writes them
+static constexpr std::string_view kBlanks = " \t\r"; // including the \r of Windows line ends
 static constexpr std::string_view kPresharedKey = "psk=";
 static constexpr std::size_t kMaxNameLength = 32;
 
@@ -32,7 +32,7 @@ static std::vector<std::string_view> fieldsOf(std::string_view line)
     }
 }
 
-/// Text of a file in an error: without control characters, and not too much of it.
+/// Text of a file for an error message: shortened, without control characters.
 static std::string quoted(std::string_view text)
 {
     std::string out(text.substr(0, 60));

@@ -1,17 +1,17 @@
-// One line of the file of known peers, read and written.
+// Parses and formats one line of the file of known peers.
 #pragma once
 
 #include "core/keys/peers_file.h"
 
 namespace skyseal::keys {
 
-/// False for empty lines and remarks.
+/// False for empty lines and comments.
 bool isPeerLine(std::string_view line);
-/// The errors name no line; the reader of the file adds it.
+/// The errors have no line number; the reader of the file adds it.
 Result<PeerEntry, InputError> parsePeerLine(std::string_view line);
 std::string formatPeerLine(const PeerEntry &entry);
 
-/// What a line can hold: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a path
+/// Checks the values that a line allows: a name of 1..32 letters, digits, "-", "_", "." or bytes beyond ASCII, ids in 1..255, a path
 /// without blanks.
 Result<void, InputError> checkPeerEntry(const PeerEntry &entry);
 

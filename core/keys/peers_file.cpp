@@ -110,7 +110,7 @@ Acquaintance PeersFile::acquaintance(std::string_view name, const channel::Publi
     return findKey(key) ? Acquaintance::OtherName : Acquaintance::Stranger;
 }
 
-/// Names and keys occur once: with two lines for a key nobody could say which role it has.
+/// Names and keys are unique: with two lines for one key its role would be ambiguous.
 Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *except) const
 {
     if (auto fits = checkPeerEntry(entry); !fits)

@@ -1,10 +1,10 @@
-// The file of known peers: whom this device talks to. Text, one peer a line, fields apart by blanks:
+// The file of known peers, which this device talks to. Text, one peer per line, fields separated by blanks:
 //
 //   # name     role      system ids   public key                                                 pre-shared key (optional)
 //   scout-1    pilot     1,2          skyseal:…                                                  psk=/etc/skyseal/scout-1.psk
 //   tablet     observer  any          skyseal:…
 //
-// Lines that begin with # and empty lines are kept as they are.
+// Comments (lines that begin with #) and empty lines are kept.
 #pragma once
 
 #include "core/base/result.h"
@@ -17,19 +17,19 @@
 
 namespace skyseal::keys {
 
-/// One line: the peer as the channel knows it, and where its pre-shared key lies; empty when it has none.
+/// One line: the peer, and the file of its pre-shared key (empty if it has none).
 struct PeerEntry
 {
     channel::Peer peer;
     std::string presharedKeyFile;
 };
 
-/// What is known of a name and a key that somebody brings.
+/// How a name and a key relate to the list.
 enum class Acquaintance {
     Stranger,   ///< neither the name nor the key
     Known,      ///< this key, by this name
     OtherName,  ///< this key, by another name
-    KeyChanged, ///< the name, with another key: its owner made a new one, or somebody else pretends to be it
+    KeyChanged, ///< the name with another key: the owner made a new one, or it is an impersonation
 };
 
 class PeersFile
@@ -39,34 +39,34 @@ public:
 
     /// `source` names the text in errors, which carry line numbers. Safe for any bytes.
     static Result<PeersFile, InputError> parse(std::string_view text, const std::string &source);
-    /// Refused when others can change the file.
+    /// Fails if other users can change the file.
     static Result<PeersFile, InputError> load(const std::string &path);
-    /// An empty list where there is no such file yet.
+    /// An empty list if the file does not exist.
     static Result<PeersFile, InputError> loadOrEmpty(const std::string &path);
 
-    /// Replaces the file as a whole. A new one is readable by the owner alone.
+    /// Replaces the file atomically. A new one is readable by the owner only.
     Result<void, InputError> save(const std::string &path) const;
     std::string text() const;
 
     /// In the order of the file.
     std::vector<PeerEntry> entries() const;
     std::vector<channel::Peer> peers() const;
-    /// By name; null when there is none.
+    /// By name; null if there is none.
     const PeerEntry *find(std::string_view name) const;
     const PeerEntry *findKey(const channel::PublicKey &key) const;
     Acquaintance acquaintance(std::string_view name, const channel::PublicKey &key) const;
 
-    /// Appends a peer. Refused when the name is unfit, or name or key are there already.
+    /// Appends a peer. Fails if the name is invalid, or if the name or the key exists.
     Result<void, InputError> add(PeerEntry entry);
-    /// Replaces the peer of that name, knowingly: a new key, role or system ids.
+    /// Replaces the peer of that name: a new key, role or system ids.
     Result<void, InputError> replace(PeerEntry entry);
-    /// The new name must be fit and free.
+    /// Fails if the new name is invalid or in use.
     Result<void, InputError> rename(std::string_view name, const std::string &newName);
-    /// False when there is no peer of that name.
+    /// False if there is no peer of that name.
     bool remove(std::string_view name);
 
 private:
-    /// A peer, or a line that is kept as it is.
+    /// A peer, or a line that is kept unchanged.
     struct Line
     {
         std::string raw;
@@ -81,28 +81,28 @@ private:
     std::vector<Line> m_lines;
 };
 
-/// Changes a file of peers, or begins one, under a lock: two programs that change it at once do not undo each other. When
-/// `change` gives an error nothing is written and that is the result.
+/// Changes or creates a file of peers under a lock, so that two programs do not overwrite each other's changes. If `change`
+/// fails, nothing is written and its error is returned.
 Result<void, InputError> editPeers(const std::string &path, const std::function<Result<void, InputError>(PeersFile &)> &change);
 
-/// Where the pre-shared key of an entry lies: a relative path begins at the folder of the list. Empty when it has none.
+/// The path of an entry's pre-shared key; a relative one is resolved from the folder of the list. Empty if it has none.
 std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entry);
 
-/// The peers of a file, as the channel wants them, but without their pre-shared keys.
+/// The peers of a file in the channel's form, without their pre-shared keys.
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);
 
-/// What became of a list that changed while a program runs.
+/// The result of reloading a list that changed while the program runs.
 struct PeersInForce
 {
     std::size_t count = 0;
-    std::string leftOut; ///< in words: whose pre-shared key cannot be used, and why; empty when nobody is left out
+    std::string leftOut; ///< text: peers whose pre-shared key cannot be used, and why; empty if there are none
 };
 
 /// "pilot" or "observer"; nullopt for anything else.
 std::optional<channel::PeerRole> peerRoleFromText(std::string_view text);
 std::string_view peerRoleText(channel::PeerRole role);
 
-/// "1,2,40" (1..255 each) or "any", which gives none.
+/// "1,2,40" (1..255 each), or "any", which gives an empty list.
 Result<std::vector<std::uint8_t>, InputError> systemIdsFromText(std::string_view text);
 std::string systemIdsText(const std::vector<std::uint8_t> &ids);
 

@@ -28,7 +28,7 @@ std::string publicKeyText(const PublicKey &key)
 Result<PublicKey, InputError> publicKeyFromText(std::string_view text)
 {
     text = trimmed(text);
-    // The text is not quoted: a private key that was pasted by mistake must not show up on a screen or in a log.
+    // The text is not quoted: it may be a private key that was pasted by mistake.
     const auto refuse = [](const std::string &why) {
         return tl::unexpected(InputError{"this is not a public key: " + why, {}});
     };

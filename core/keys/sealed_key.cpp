@@ -27,7 +27,7 @@ static bool takeNumber(std::string_view &text, std::uint32_t &number)
     return true;
 }
 
-/// The line must be exactly as text() writes it: its bytes are authenticated as those.
+/// The line must be exactly as text() writes it, since its bytes are authenticated.
 static bool readDerivation(std::string_view line, SealedKey &key)
 {
     if (!line.starts_with(kDerivation))

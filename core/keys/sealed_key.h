@@ -1,14 +1,14 @@
 // A private key sealed with a passphrase, as text:
 //
 //   skyseal-sealed-key-v1
-//   # a remark
+//   # a comment
 //   argon2id 3 262144 32 hex digits        passes, memory in KiB, salt
-//   skyseal:…                              the public key, in clear: it is needed to show whose file this is
+//   skyseal:…                              the public key, not encrypted, so that it can be shown without the passphrase
 //   64 characters                          URL-safe base64 of the sealed secret, 48 bytes
 //
-// The lines stand in this order; remarks (#) and empty lines may stand between them. The header, the argon2id line and the
-// public key line, each with its newline, are authenticated, so that nothing that is shown before the passphrase is known can
-// be changed without notice once it is; and the opened secret must give this public key.
+// The order of the lines is fixed; comments (#) and empty lines may stand between them. The header, the argon2id line and the
+// public key line, each with its newline, are authenticated: a change of the unencrypted values is detected when the key is
+// opened. The opened secret must also match the public key.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -23,7 +23,7 @@ namespace skyseal::keys {
 
 inline constexpr std::string_view kSealedKeyHeader = "skyseal-sealed-key-v1";
 
-/// A well-formed file; whether a passphrase opens it is not known yet.
+/// A well-formed file, not opened yet.
 struct SealedKey
 {
     crypto::PassphraseCost cost;
@@ -31,7 +31,7 @@ struct SealedKey
     crypto::PublicKey publicKey{};
     crypto::SealedSecret sealed{};
 
-    /// `source` names the text in errors. Safe for any bytes; costs beyond the limits are refused before anything is computed.
+    /// `source` names the text in errors. Safe for any bytes. Costs beyond the limits are rejected without computing.
     static Result<SealedKey, InputError> parse(std::string_view text, const std::string &source);
     std::string text() const;
 
@@ -41,7 +41,7 @@ struct SealedKey
     Result<crypto::X25519KeyPair, crypto::PassphraseError> open(const crypto::Passphrase &passphrase) const;
 
 private:
-    /// What is authenticated.
+    /// The associated data.
     std::string clearLines() const;
 };
 

@@ -24,7 +24,7 @@ static bool isSealed(std::string_view text)
     return TextLines(text).next() == kSealedKeyHeader;
 }
 
-/// Errors never quote what the file holds below its first line: it may be a key.
+/// Errors never quote a file beyond its first line, which may contain a key.
 Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text, const std::string &source)
 {
     TextLines lines(text);
@@ -52,7 +52,7 @@ Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text
     return std::move(*secret);
 }
 
-/// The file's text for `read`, wiped afterwards.
+/// Calls `read` with the file's text, which is wiped afterwards.
 template<typename Read> static auto withPrivateFile(const std::string &path, Read read) -> decltype(read(std::string_view()))
 {
     auto content = readFile(path, FileAccess::Private);
@@ -116,7 +116,7 @@ static std::string plainText(SecretKind kind, const Key32 &secret)
     const std::string_view header = headerOf(kind);
     std::string key = toCheckedBase64(secret.view(), header);
     std::string content;
-    content.reserve(512); // no copy of the key is left behind by growing
+    content.reserve(512); // growing would leave copies of the key
     content.append(header)
         .append("\n# Keep this file to yourself: who has it can speak in your name.\n")
         .append(key)

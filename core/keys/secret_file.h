@@ -1,7 +1,7 @@
 // Files that hold one secret: a device's private key, or a key that two devices share. Text, three lines:
 //
 //   skyseal-private-key-v1                 or: skyseal-preshared-key-v1
-//   # a remark
+//   # a comment
 //   48 characters, see checked_base64.h
 //
 // A private key may be sealed with a passphrase instead: sealed_key.h.
@@ -17,22 +17,22 @@
 
 namespace skyseal::keys {
 
-/// Asked for the passphrase of a sealed file. `attempt` counts from 0; a later one means that the one before did not open it.
-/// An error ends the reading.
+/// Callback for the passphrase of a sealed file. `attempt` counts from 0 and increases after each wrong passphrase. An error
+/// cancels reading.
 using AskPassphrase = std::function<Result<crypto::Passphrase, InputError>(const std::string &file, int attempt)>;
 
-/// With what a private key is to be sealed; without a passphrase it is not.
+/// How to seal a private key; not sealed if there is no passphrase.
 struct Sealing
 {
     const crypto::Passphrase *passphrase = nullptr;
     crypto::PassphraseCost cost = {};
 };
 
-/// Reads a device's identity. Refused with a reason when others can read it, when it is a symbolic link, truncated,
-/// damaged, not such a file, or sealed and `ask` is empty.
+/// Reads a device's identity. Fails if other users can read it, if it is a symbolic link, truncated, damaged or another kind
+/// of file, or if it is sealed and `ask` is empty.
 Result<crypto::X25519KeyPair, InputError> loadIdentity(const std::string &path, const AskPassphrase &ask = {});
 
-/// What can be known of an identity without its passphrase.
+/// The properties of an identity that are readable without its passphrase.
 struct IdentityFacts
 {
     crypto::PublicKey publicKey{};
@@ -40,30 +40,30 @@ struct IdentityFacts
 };
 Result<IdentityFacts, InputError> readIdentityFacts(const std::string &path);
 
-/// Makes a new identity and writes it to a file that must not exist yet, for the owner alone (0600).
+/// Generates an identity and writes it to a new file for the owner only (0600). Fails if the file exists.
 Result<crypto::X25519KeyPair, InputError> writeNewIdentity(const std::string &path, RandomSource &random,
                                                            const Sealing &sealing = {});
-/// Writes an identity that there is already to a new file.
+/// Writes an existing identity to a new file.
 Result<void, InputError> writeIdentity(const std::string &path, const crypto::X25519KeyPair &pair, RandomSource &random,
                                        const Sealing &sealing);
-/// Replaces the file of an identity: another passphrase, or none.
+/// Replaces the file of an identity, to change or remove the passphrase.
 Result<void, InputError> rewriteIdentity(const std::string &path, const crypto::X25519KeyPair &pair, RandomSource &random,
                                          const Sealing &sealing);
 
-/// A private key file's text from elsewhere, plain or sealed. The same refusals as loadIdentity, but for those of the file.
+/// Parses the text of a private key file, plain or sealed. Fails as loadIdentity() does, apart from its checks of the file.
 Result<crypto::X25519KeyPair, InputError> parseIdentity(std::string_view text, const std::string &source,
                                                         const AskPassphrase &ask);
 
-/// The same for a pre-shared key, which is never sealed.
+/// The same functions for a pre-shared key, which is never sealed.
 Result<Key32, InputError> loadPresharedKey(const std::string &path);
 Result<Key32, InputError> writeNewPresharedKey(const std::string &path, RandomSource &random);
-/// One that there is already, replacing an older file of that name.
+/// Writes an existing pre-shared key, replacing an older file.
 Result<void, InputError> writePresharedKey(const std::string &path, const Key32 &secret);
 
-/// The two kinds as they stand in the first line.
+/// The two kinds of files, named in their first line.
 enum class SecretKind { PrivateKey, PresharedKey };
 
-/// The secret in a file's text; `source` names it in errors. Safe for any bytes.
+/// Parses the text of a secret file; `source` names it in errors. Safe for any bytes.
 Result<Key32, InputError> parseSecretFile(SecretKind kind, std::string_view text, const std::string &source);
 
 } // namespace skyseal::keys

@@ -1,4 +1,4 @@
-// The lines of a small text file, one after the other, with their numbers; ends of lines as Windows writes them are taken off.
+// Iterates over the lines of a text, with line numbers. Accepts Windows line ends.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ public:
     explicit TextLines(std::string_view text) : m_rest(text) {}
 
     bool atEnd() const { return m_rest.empty(); }
-    /// The number of the line that was given last, from 1.
+    /// The number of the line returned last, from 1.
     std::size_t number() const { return m_number; }
 
     /// The next line; empty at the end.
@@ -27,7 +27,7 @@ public:
         return line;
     }
 
-    /// The next line that is neither empty nor a remark (#).
+    /// The next line that is neither empty nor a comment (#).
     std::optional<std::string_view> nextContent()
     {
         while (!atEnd()) {

@@ -1,4 +1,4 @@
-// CipherState of the Noise specification (revision 34, 5.1) with ChaChaPoly: a key and the number of its next message.
+// CipherState of the Noise specification (revision 34, 5.1) with ChaChaPoly: a key and the nonce of its next message.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -8,7 +8,7 @@
 
 namespace skyseal::noise {
 
-/// Bytes that a ciphertext is longer than its plaintext.
+/// Bytes by which a ciphertext is longer than its plaintext.
 inline constexpr std::size_t kTagLength = 16;
 
 class CipherState
@@ -21,13 +21,14 @@ public:
     bool hasKey() const { return m_hasKey; }
     void setNonce(std::uint64_t nonce) { m_nonce = nonce; }
     std::uint64_t nonce() const { return m_nonce; }
-    /// Bytes that encryption adds: 16, or none without a key.
+    /// Bytes that encryption adds: 16, or 0 without a key.
     std::size_t overhead() const { return m_hasKey ? kTagLength : 0; }
 
-    /// Writes plaintext + `overhead()` bytes to `out` and gives their number. Without a key the text is copied.
+    /// Writes plaintext + `overhead()` bytes to `out` and returns their number. Without a key the plaintext is copied.
     Result<std::size_t, NoiseError> encryptWithAd(ByteView associatedData, ByteView plaintext, MutableByteView out);
 
-    /// Writes ciphertext - `overhead()` bytes to `out`. After a failure the nonce is as before and `out` has no plaintext.
+    /// Writes ciphertext - `overhead()` bytes to `out` and returns their number. On failure the nonce is unchanged and `out`
+    /// contains no plaintext.
     Result<std::size_t, NoiseError> decryptWithAd(ByteView associatedData, ByteView ciphertext, MutableByteView out);
 
 private:

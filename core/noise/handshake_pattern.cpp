@@ -59,7 +59,7 @@ constexpr std::array kRows{
     Row{"I1X1", "", "", "e,s|e,ee,s|se,es"},
 };
 
-/// The text up to the next separator, which is taken off `text` with it.
+/// Removes the text up to the next separator, and the separator, from `text`; returns the part before it.
 std::string_view takeUpTo(std::string_view &text, char separator)
 {
     const std::size_t at = text.find(separator);

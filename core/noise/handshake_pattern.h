@@ -11,7 +11,7 @@ namespace skyseal::noise {
 
 enum class Token : std::uint8_t { E, S, EE, ES, SE, SS, Psk };
 
-/// One side's public keys that the other knows beforehand, or the tokens of one message.
+/// The tokens of one message, or of a pre-message: the public keys of one side that the other side knows in advance.
 using MessagePattern = std::vector<Token>;
 
 struct HandshakePattern
@@ -19,7 +19,7 @@ struct HandshakePattern
     std::string name; ///< with its modifiers: "IKpsk2"
     MessagePattern initiatorPreMessage;
     MessagePattern responderPreMessage;
-    std::vector<MessagePattern> messages; ///< in turn, the initiator's first
+    std::vector<MessagePattern> messages; ///< alternating, the initiator's first
     std::size_t pskCount = 0;
 
     bool usesPsk() const { return pskCount > 0; }
@@ -27,12 +27,12 @@ struct HandshakePattern
     std::string protocolName() const;
 };
 
-/// Between peers that know each other's static key; a psk of zeros where they share none.
+/// Between peers that know each other's static key; the psk is zero if they share none.
 inline constexpr std::string_view kKnownPeers = "IKpsk2";
-/// For pairing: static keys are exchanged, and confirmed by people.
+/// For pairing: static keys are exchanged, then confirmed by the users.
 inline constexpr std::string_view kPairing = "XXpsk3";
 
-/// The pattern of that name, for instance "XX", "IKpsk2", "NNpsk0+psk2"; nullopt for one that is not in the specification.
+/// A pattern by its name, for instance "XX", "IKpsk2", "NNpsk0+psk2"; nullopt if the specification does not define it.
 std::optional<HandshakePattern> handshakePattern(std::string_view name);
 
 } // namespace skyseal::noise

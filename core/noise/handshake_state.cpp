@@ -10,7 +10,7 @@ namespace skyseal::noise {
 
 using Done = Result<void, NoiseError>;
 
-/// One message in the making: copies of what it changes, thrown away when it fails.
+/// A message being written or read: copies of the state that it changes, discarded if it fails.
 struct HandshakeState::Attempt
 {
     const HandshakeState &state;
@@ -28,7 +28,7 @@ struct HandshakeState::Attempt
     {
         symmetric.mixHash(key);
         if (state.m_pattern.usesPsk())
-            symmetric.mixKey(key); // 9.2: a psk must be randomised by an ephemeral key
+            symmetric.mixKey(key); // 9.2: an ephemeral key must randomize the psk
     }
     Done mixDh(const std::optional<X25519KeyPair> &local, const std::optional<PublicKey> &remote);
     Done mixToken(Token token);
@@ -49,7 +49,7 @@ Done HandshakeState::Attempt::mixDh(const std::optional<X25519KeyPair> &local, c
     return {};
 }
 
-/// The tokens that put nothing on the wire. In "es" and "se" the first letter is the initiator's key.
+/// Processes a token without bytes on the wire. In "es" and "se" the first letter is the initiator's key.
 Done HandshakeState::Attempt::mixToken(Token token)
 {
     const bool initiator = state.m_role == Role::Initiator;
@@ -131,8 +131,8 @@ Result<HandshakeState, NoiseError> HandshakeState::initialize(HandshakeConfig &&
     return state;
 }
 
-/// Hashes the static keys that both ends know beforehand. Pre-messages with ephemeral keys belong to fallback patterns,
-/// which are not in the table.
+/// Hashes the static keys that both ends know in advance. Pre-messages with ephemeral keys belong to fallback patterns, which
+/// are not in the table.
 Done HandshakeState::mixPreMessages()
 {
     for (const Role side : {Role::Initiator, Role::Responder}) {
@@ -239,7 +239,7 @@ Result<std::size_t, NoiseError> HandshakeState::readMessage(ByteView message, Mu
 Result<TransportSecrets, NoiseError> HandshakeState::finish() &&
 {
     const HandshakeState state = std::move(*this);
-    // A state that was moved from has no pattern left; its keys are wiped and must not become a session's.
+    // A moved-from state has no pattern and only wiped keys, which must not become those of a session.
     if (!state.isComplete() || state.m_pattern.messages.empty())
         return tl::unexpected(NoiseError::Unfinished);
     auto [sending, receiving] = state.m_symmetric.split(); // in the view of the initiator

@@ -1,5 +1,5 @@
-// HandshakeState of the Noise specification (revision 34, 5.3): turns a pattern into messages, one call each, and ends in
-// transport secrets by a typed step. No I/O, no clock; randomness is handed in.
+// HandshakeState of the Noise specification (revision 34, 5.3): runs the messages of a pattern, one call each, and ends
+// with the transport secrets. No I/O, no clock; randomness is passed in. Not thread-safe.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -19,26 +19,26 @@ enum class Role : std::uint8_t { Initiator, Responder };
 
 inline constexpr std::size_t kMaxMessageLength = 65535;
 
-/// What a handshake starts from. The prologue is only looked at by `initialize`.
+/// The inputs of a handshake. `prologue` is only read by initialize().
 struct HandshakeConfig
 {
     Role role = Role::Initiator;
     std::string_view pattern = kKnownPeers;
-    ByteView prologue; ///< what both ends must agree on; a difference makes the first encrypted message fail
+    ByteView prologue; ///< data both ends must agree on; if it differs, the first encrypted message fails
     std::optional<X25519KeyPair> localStatic;
     std::optional<PublicKey> remoteStatic;
     std::vector<Key32> psks; ///< in the order of the pattern's psk tokens; may be given later, see `setPsks`
 };
 
-/// What is left of a finished handshake, from our own point of view: our `send` is the peer's `receive`.
+/// The result of a finished handshake at this end: our `send` is the peer's `receive`.
 struct TransportSecrets
 {
     Key32 send;
     Key32 receive;
-    crypto::Hash64 handshakeHash{}; ///< names this session uniquely to both ends (11.2)
+    crypto::Hash64 handshakeHash{}; ///< identifies the session uniquely at both ends (11.2)
 };
 
-/// A call that fails leaves the handshake as it was: a forged message costs the time to refuse it, nothing else.
+/// A call that fails leaves the handshake unchanged, so that a forged message costs nothing but the time to reject it.
 class HandshakeState
 {
 public:
@@ -49,20 +49,20 @@ public:
 
     bool isComplete() const { return m_messageIndex >= m_pattern.messages.size(); }
     bool isMyTurnToWrite() const;
-    /// Bytes that the next message, ours or the peer's, has beyond its payload. 0 when complete.
+    /// Bytes of the next message, ours or the peer's, in addition to its payload. 0 when complete.
     std::size_t nextOverhead() const;
 
-    /// Replaces the pre-shared keys: a responder learns whose they are only from the first message.
+    /// Replaces the pre-shared keys: a responder learns only from the first message which peer's keys apply.
     void setPsks(std::vector<Key32> &&psks) { m_psks = std::move(psks); }
 
-    /// Writes the next message to `out`, which needs room for payload + `nextOverhead()`, and gives its length.
+    /// Writes the next message to `out`, which needs payload + `nextOverhead()` bytes, and returns its length.
     Result<std::size_t, NoiseError> writeMessage(ByteView payload, MutableByteView out, RandomSource &random);
 
-    /// Reads the peer's next message and writes its payload, message - `nextOverhead()` bytes, to `payloadOut`. They must
-    /// not overlap. Safe for any bytes.
+    /// Reads the peer's next message, writes its payload to `payloadOut`, which needs message - `nextOverhead()` bytes, and
+    /// returns its length. The buffers must not overlap. Safe for any bytes.
     Result<std::size_t, NoiseError> readMessage(ByteView message, MutableByteView payloadOut);
 
-    /// The peer's static key, as soon as it is known. Authentic only as far as the pattern has got by then (7.7).
+    /// The peer's static key once it is known. How far it is authenticated depends on the messages so far (7.7).
     const std::optional<PublicKey> &remoteStatic() const { return m_keys.remoteStatic; }
     const crypto::Hash64 &handshakeHash() const { return m_symmetric.handshakeHash(); }
 

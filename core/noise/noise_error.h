@@ -1,4 +1,4 @@
-// Why a handshake step was refused.
+// The reasons for which a handshake step fails.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,13 @@ namespace skyseal::noise {
 
 enum class NoiseError : std::uint8_t {
     UnknownPattern,   ///< no such handshake pattern or modifier
-    MissingKey,       ///< the pattern needs a static key, a remote static key or a psk that was not given
-    OutOfTurn,        ///< it is the other side's turn, or the handshake is over
+    MissingKey,       ///< the pattern needs a static key, a remote static key or a psk that is missing
+    OutOfTurn,        ///< it is the other side's turn, or the handshake is complete
     Unfinished,       ///< `finish` before the last message
     TooLong,          ///< the message would exceed 65535 bytes
     NoRoom,           ///< the caller's buffer is too small
     Truncated,        ///< the message is shorter than its fixed parts
-    DecryptionFailed, ///< forged, damaged, or made with other keys, psk or prologue
+    DecryptionFailed, ///< forged, damaged, or other keys, psk or prologue
     BadPublicKey,     ///< the Diffie-Hellman result is all zero: a point of small order
     NonceExhausted,   ///< 2^64 - 1 messages under one key
 };

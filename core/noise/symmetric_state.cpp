@@ -6,7 +6,7 @@ namespace skyseal::noise {
 
 using HashSecret = SecretBytes<crypto::kBlake2bLength>;
 
-/// HKDF of 4.3: up to three outputs of 64 bytes; the third only when asked for.
+/// HKDF of 4.3: two or three outputs of 64 bytes.
 static void hkdf(const HashSecret &chainingKey, ByteView inputKeyMaterial, HashSecret &first, HashSecret &second,
                  HashSecret *third = nullptr)
 {
@@ -19,7 +19,7 @@ static void hkdf(const HashSecret &chainingKey, ByteView inputKeyMaterial, HashS
         crypto::hmacBlake2b(third->mutableView(), tempKey.view(), {second.view(), ByteView(kNumbers + 2, 1)});
 }
 
-/// A hash output used as a cipher key is cut to 32 bytes.
+/// A hash output that is used as a cipher key is truncated to 32 bytes.
 static Key32 asKey(const HashSecret &secret)
 {
     return Key32(secret.view().first<32>());

@@ -1,5 +1,5 @@
-// SymmetricState of the Noise specification (revision 34, 5.2) with BLAKE2b: the chaining key, the hash of everything
-// said so far, and the cipher that follows from them.
+// SymmetricState of the Noise specification (revision 34, 5.2) with BLAKE2b: the chaining key, the hash of all
+// messages so far, and the cipher derived from them.
 #pragma once
 
 #include "core/crypto/hash.h"
@@ -28,7 +28,7 @@ public:
     bool hasKey() const { return m_cipher.hasKey(); }
     std::size_t overhead() const { return m_cipher.overhead(); }
 
-    /// The two transport keys: of the initiator's messages, and of the responder's.
+    /// The two transport keys: the initiator's sending key, then the responder's.
     std::pair<Key32, Key32> split() const;
 
 private:

@@ -1,4 +1,4 @@
-// The cursors that all untrusted bytes go through: limits, byte order, and what happens past the end.
+// ByteReader and ByteWriter: limits, byte order, and access past the end; hex text; wiping of secrets.
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
 #include "core/base/hex.h"
@@ -76,7 +76,7 @@ void BytesTest::movedSecretIsWiped()
     key.mutableView()[5] = 7;
     const Key32 moved = std::move(key);
     QCOMPARE(moved.view()[5], std::uint8_t(7));
-    QVERIFY(key.isZero()); // NOLINT(bugprone-use-after-move): that is the point
+    QVERIFY(key.isZero()); // NOLINT(bugprone-use-after-move): the moved-from object is tested
     QVERIFY(moved.equals(moved.clone()));
     QVERIFY(!moved.equals(key));
 }

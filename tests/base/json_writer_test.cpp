@@ -1,4 +1,4 @@
-// JSON as other programs must be able to read it: QJsonDocument judges the syntax, exact texts judge the numbers.
+// JsonWriter: QJsonDocument checks the syntax, expected texts check the numbers.
 #include "core/base/json_writer.h"
 #include "core/base/utf8.h"
 #include "tests/support/test_runner.h"
@@ -53,7 +53,7 @@ void JsonWriterTest::textIsEscaped()
 
 void JsonWriterTest::bytesThatAreNoTextAreReplaced()
 {
-    // Alone, overlong, a surrogate, cut off, beyond U+10FFFF; then valid sequences of 2, 3 and 4 bytes.
+    // A lone byte, overlong, a surrogate, truncated, beyond U+10FFFF; then valid sequences of 2, 3 and 4 bytes.
     JsonWriter json;
     json.value(std::string_view("\x80 \xc0\xaf \xed\xa0\x80 \xe2\x82 \xf4\x90\x80\x80 \xc3\xa9\xe2\x82\xac\xf0\x9f\x9a\x81"));
     const QString read = QJsonDocument::fromJson('[' + QByteArray::fromStdString(json.text()) + ']')[0].toString();
@@ -68,7 +68,7 @@ void JsonWriterTest::anyBytesGiveUtf8()
     QVERIFY(rc::check("strict UTF-8, no surrogate, and text that is text stays as it is", [](const std::string &bytes) {
         JsonWriter json;
         json.beginArray().value(bytes).endArray();
-        // Qt's decoder judges, in both directions.
+        // Compared with Qt's decoder, in both directions.
         QStringDecoder strict(QStringDecoder::Utf8, QStringConverter::Flag::Stateless);
         const QString line = strict(QByteArray::fromStdString(json.text()));
         RC_ASSERT(!strict.hasError());

@@ -1,4 +1,4 @@
-// Sealing and opening must not allocate: the packet path runs for hours at hundreds of records a second.
+// Sealing and opening must not allocate: the packet path runs for hours at hundreds of records per second.
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "tests/support/test_runner.h"
@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-// Every allocation of the process goes through these, OpenSSL's and libsodium's too. Sanitizers bring their own.
+// Every allocation of the process uses these functions, including OpenSSL's and libsodium's. Sanitizers replace them.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SKYSEAL_COUNTS_ALLOCATIONS 0
 #elif defined(__has_feature)

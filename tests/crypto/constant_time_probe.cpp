@@ -1,5 +1,5 @@
-// Runs under Valgrind, which is told that the keys are undefined: memcheck then reports every branch and every address that
-// depends on them. Links the test build of the cryptography, which declassifies what may be known (declassified.h).
+// Runs under Valgrind with the keys marked as undefined: memcheck then reports every branch and every address that depends on
+// them. Links the test build of the cryptography, which declassifies public results (declassified.h).
 //
 //   constant_time_probe open SUITE | inline SUITE | compare | self-test
 #include "core/crypto/init_crypto.h"
@@ -30,13 +30,13 @@ Key32 poisonedKey()
     return key;
 }
 
-/// What an attacker sees anyway.
+/// Marks data that an attacker can see as defined.
 void makePublic(ByteView bytes)
 {
     static_cast<void>(VALGRIND_MAKE_MEM_DEFINED(bytes.data(), bytes.size()));
 }
 
-/// Good records and records that are wrong in every way a stranger can make them.
+/// Opens valid records, and records with each kind of error that an attacker can produce.
 bool open(SuiteId suite)
 {
     const auto writer = makeRecordCipher(suite, poisonedKey()), reader = makeRecordCipher(suite, poisonedKey());
@@ -89,7 +89,7 @@ bool compare()
     return results[0] && !results[1];
 }
 
-/// What must never be written: a comparison that stops at the first difference.
+/// A faulty example: a comparison that stops at the first difference.
 bool selfTest()
 {
     const Key32 one = poisonedKey(), two = poisonedKey();

@@ -1,7 +1,7 @@
-// No branch and no address depends on a key where records are opened and secrets compared: Valgrind follows undefined keys
-// through the probe. That it would notice is shown by a comparison that stops early, and by RC4, whose tables are indexed by
-// its key: that is one reason why it is there for research alone. The same again as on processors that lack instructions:
-// OpenSSL then uses tables under some suites, which is caught, and under the others it must not.
+// No branch and no address depends on a key when records are opened and secrets compared: Valgrind tracks undefined keys
+// through the probe. Two cases prove that it detects violations: a comparison that stops early, and RC4, whose tables are
+// indexed by its key (one reason for which it is a research suite). Repeated with CPU instructions masked: OpenSSL then uses
+// tables in some suites, which must be detected, and must not in the others.
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QProcess>
@@ -16,7 +16,7 @@ constexpr bool kCanBeMasked = true;
 constexpr bool kCanBeMasked = false;
 #endif
 
-// What OpenSSL is told not to find in the processor: bits of CPUID leaf 1, ECX in the upper half.
+// CPU features that are hidden from OpenSSL: bits of CPUID leaf 1, ECX in the upper half.
 constexpr const char *kNoAes = "~0x200000000000000";
 constexpr const char *kNoAesNorShuffle = "~0x200020000000000";
 constexpr const char *kNoCarrylessMultiply = "~0x200000000";
@@ -92,7 +92,7 @@ void ConstantTimeTest::keysDecideNothing()
     QFETCH(QStringList, arguments);
     QFETCH(QString, mask);
     if (!mask.isEmpty() && !kCanBeMasked)
-        QSKIP("OpenSSL can be told to do without some of the processor's instructions on x86-64 alone");
+        QSKIP("masking CPU instructions for OpenSSL is supported on x86-64 only");
     const int status = probe(arguments, mask);
     QVERIFY2(status == 0 && m_words.contains("done"), m_words.constData());
 }
@@ -104,7 +104,7 @@ void ConstantTimeTest::secretBranchIsCaught_data()
     const auto open = [](const char *suite) { return QStringList{QStringLiteral("open"), QLatin1String(suite)}; };
     QTest::newRow("a comparison that stops early") << QStringList{QStringLiteral("self-test")} << QString();
     QTest::newRow("rc4") << open("rc4") << QString();
-    // These show as well that the masks work, and where the limits are that THREATS.md names.
+    // These also prove that the masks work, and show the limits that THREATS.md states.
     QTest::newRow("gcm without AES instructions") << open("aes-256-gcm") << QString::fromLatin1(kNoAes);
     QTest::newRow("cbc without AES instructions") << open("aes-256-cbc") << QString::fromLatin1(kNoAes);
     QTest::newRow("gcm without PCLMULQDQ") << open("aes-256-gcm") << QString::fromLatin1(kNoCarrylessMultiply);
@@ -116,7 +116,7 @@ void ConstantTimeTest::secretBranchIsCaught()
     QFETCH(QStringList, arguments);
     QFETCH(QString, mask);
     if (!mask.isEmpty() && !kCanBeMasked)
-        QSKIP("OpenSSL can be told to do without some of the processor's instructions on x86-64 alone");
+        QSKIP("masking CPU instructions for OpenSSL is supported on x86-64 only");
     QCOMPARE(probe(arguments, mask), kCaught);
     QVERIFY2(m_words.contains("ninitialised value"), m_words.constData());
 }

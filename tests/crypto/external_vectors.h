@@ -1,4 +1,4 @@
-// Finds the large vector files that others published and that are not part of the repository.
+// Finds published vector files that are too large for the repository.
 #pragma once
 
 #include <QtCore/QDir>
@@ -12,7 +12,7 @@
 
 namespace skyseal::test {
 
-/// Where SKYSEAL_VECTORS points to, or else shared/vectors beside the source tree; empty when there is neither.
+/// The folder named by SKYSEAL_VECTORS, or else shared/vectors beside the source tree; empty if neither exists.
 inline QString externalVectorsFolder()
 {
     const QString named = qEnvironmentVariable("SKYSEAL_VECTORS");
@@ -27,7 +27,7 @@ inline const char *externalVectorsMissing()
     return "the published vector files are not here; name their folder in SKYSEAL_VECTORS";
 }
 
-/// One of those files; nullopt when the folder is not there. A missing or unreadable file gives an empty object.
+/// One of those files; nullopt if the folder does not exist. A missing or unreadable file gives an empty object.
 inline std::optional<QJsonObject> externalVectors(const char *file)
 {
     const QString folder = externalVectorsFolder();

@@ -1,5 +1,5 @@
-// The construction that inline_cipher.h writes down, built a second time from OpenSSL's one-shot calls (which bring their
-// own CBC with ciphertext stealing, their own HKDF and HMAC): every suite, every length.
+// Compares every suite at every length with a second implementation of inline_cipher.h from OpenSSL's one-shot calls, which
+// include CBC with ciphertext stealing, HKDF and HMAC.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
@@ -234,7 +234,7 @@ void InlineCipherTest::onlyTheClassicSuites()
 
 void InlineCipherTest::sharesNothingWithRecords()
 {
-    // A stream cipher under the same key and counter would give the same bytes, whatever the tag.
+    // Under the same key and counter a stream cipher would give the same ciphertext in both framings.
     for (const SuiteId suite : {SuiteId::Aes256Ctr, SuiteId::ChaCha20, SuiteId::Rc4}) {
         const DirectionSecret secret;
         Bytes body(64);

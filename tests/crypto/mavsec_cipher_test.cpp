@@ -1,5 +1,5 @@
 // The encryption of the code published with the paper MAVSec, against the vectors that its keys come from: RFC 8439 2.4.2
-// and NIST SP 800-38A F.5.5. And what is wrong with it, as the document says.
+// and NIST SP 800-38A F.5.5; and its documented weakness.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/mavsec_cipher.h"
@@ -58,7 +58,7 @@ void MavsecCipherTest::publishedVectors()
 
 void MavsecCipherTest::everyFrameIsXoredAlike()
 {
-    // So one known payload gives the stream away, and with it every other one.
+    // One known payload reveals the key stream, and thereby every other payload.
     for (const Kind kind : {Kind::ChaCha20, Kind::Aes256Ctr}) {
         const MavsecCipher cipher = published(kind);
         Bytes known(255, 0x55), secret(255);
@@ -70,7 +70,7 @@ void MavsecCipherTest::everyFrameIsXoredAlike()
         for (std::size_t i = 0; i < second.size(); ++i)
             QCOMPARE(static_cast<std::uint8_t>(second[i] ^ first[i] ^ known[i]), secret[i]);
     }
-    // The number of the first block counts for ChaCha20 alone.
+    // The number of the first block applies to ChaCha20 only.
     const auto streamOf = [](Kind kind, std::uint32_t counter) {
         Bytes zeros(64);
         const Bytes nonce = MavsecCipher::publishedNonce(kind);

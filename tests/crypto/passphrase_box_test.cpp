@@ -1,5 +1,5 @@
-// A secret under a passphrase: what another implementation sealed opens, nothing but the same passphrase, cost, salt and
-// associated data opens it, and costs that nobody should pay are refused before anything is computed.
+// A secret sealed with a passphrase: secrets sealed by another implementation open; only the same passphrase, cost, salt and
+// associated data open them; excessive costs are rejected without computing.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/passphrase_box.h"

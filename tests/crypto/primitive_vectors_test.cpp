@@ -26,7 +26,7 @@ Key32 key32(const Bytes &bytes)
     return key;
 }
 
-/// What a suite seals under given keys with counter 0, whose nonce is the IV itself.
+/// Seals with a suite under the given keys and counter 0, whose nonce equals the IV.
 std::string sealWithKeys(SuiteId suite, const Vector &vector, const Bytes &plaintext)
 {
     RecordKeys keys{key32(vector.bytes("key")), key32(vector.bytes("nonce")), {}};
@@ -37,7 +37,7 @@ std::string sealWithKeys(SuiteId suite, const Vector &vector, const Bytes &plain
     return toHex(out);
 }
 
-/// Our block numbers start at 0, those of the vectors at 1: the block before theirs is made of zeros and cut off.
+/// Our block numbers start at 0, those of the vectors at 1: a block of zeros is put in front and removed again.
 std::string cipherFromBlockOne(SuiteId suite, const Vector &vector, std::size_t blockSize)
 {
     Bytes plaintext(blockSize);
@@ -99,7 +99,7 @@ void PrimitiveVectorsTest::sp800_38a()
             QVERIFY(context);
             Bytes out(in.size());
             int written = 0;
-            for (int again = 0; again < 2; ++again) { // the IV alone starts a context over
+            for (int again = 0; again < 2; ++again) { // setting the IV alone restarts a context
                 QCOMPARE(EVP_CipherInit_ex2(context.get(), nullptr, nullptr, iv.empty() ? nullptr : iv.data(), -1, nullptr), 1);
                 QCOMPARE(EVP_CipherUpdate(context.get(), out.data(), &written, in.data(), int(in.size())), 1);
                 QCOMPARE(toHex(out), vector.text(encrypt ? "ciphertext" : "plaintext"));
@@ -182,7 +182,7 @@ void PrimitiveVectorsTest::rfc4231()
     for (const Vector &vector : vectors) {
         const HmacSha256 hmac(vector.bytes("key"));
         const Bytes message = vector.bytes("message");
-        // However a message is cut into parts, and however often the same states are used.
+        // For every split into parts, and repeatedly from the same states.
         for (std::size_t cut = 0; cut <= message.size(); ++cut) {
             Bytes tag(vector.bytes("tag").size());
             hmac.compute(tag, {ByteView(message).first(cut), ByteView(), ByteView(message).subspan(cut)});

@@ -1,4 +1,4 @@
-// What every suite must hold: what was sealed opens, and nothing else does.
+// Requirements on every suite: sealed records open, and everything else is rejected. Consistency of the table of suites.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
@@ -36,7 +36,7 @@ bool opens(RecordCipher &cipher, std::uint64_t counter, ByteView associatedData,
     return opened && std::equal(opened->begin(), opened->end(), plaintext.begin(), plaintext.end());
 }
 
-/// Refused, and no run of four bytes of the plaintext left in the buffer.
+/// True if the record is rejected and the buffer does not contain the start of the plaintext.
 bool refuses(RecordCipher &cipher, std::uint64_t counter, ByteView associatedData, Bytes record, ByteView plaintext)
 {
     if (cipher.open(counter, associatedData, record))
@@ -110,7 +110,7 @@ void RecordCipherTest::tableIsConsistent()
 
     DirectionSecret secret = secretOf(7);
     QVERIFY(makeRecordCipher(SuiteId::ChaCha20, std::move(secret)));
-    QVERIFY(secret.isZero()); // NOLINT(bugprone-use-after-move): that is the point
+    QVERIFY(secret.isZero()); // NOLINT(bugprone-use-after-move): the moved-from object is tested
 }
 
 void RecordCipherTest::opensWhatItSealed()
@@ -181,7 +181,7 @@ void RecordCipherTest::refusesOtherLengthsAndContexts()
     }
     QVERIFY(refuses(*otherKey, 5, associated, record, plaintext));
 
-    // A byte moved between associated data and ciphertext must not go unnoticed.
+    // Moving a byte between associated data and ciphertext must be detected.
     Bytes shifted(record.begin() + 1, record.end());
     Bytes longerData = associated;
     longerData.push_back(record.front());
@@ -216,7 +216,7 @@ void RecordCipherTest::noTwoCountersShareAStream()
     for (std::uint64_t counter = 0; counter < 300; ++counter) {
         Bytes record = sealed(*cipher, counter, {}, zeros);
         record.resize(32);
-        // Apart by a whole block too: a counter must not reach into the next record's stream.
+        // Both blocks are compared: a counter must not reach into the next record's key stream.
         seen.push_back(Bytes(record.begin(), record.begin() + 16));
         seen.push_back(Bytes(record.begin() + 16, record.end()));
     }

@@ -30,7 +30,7 @@ private:
     std::map<std::string, std::string> m_values;
 };
 
-/// All vectors of a file; none when it cannot be read, so check that there are some.
+/// All vectors of a file; none if it cannot be read, so callers check that there are some.
 inline std::vector<Vector> readVectors(const std::string &file)
 {
     std::ifstream in(std::string(SKYSEAL_SOURCE_DIR "/tests/data/vectors/") + file);

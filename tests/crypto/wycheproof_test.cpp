@@ -1,4 +1,4 @@
-// Wycheproof's edge cases through our own classes: what it calls invalid is refused, what it calls valid is matched.
+// Wycheproof's edge cases: invalid ones are rejected, valid ones match.
 #include "core/crypto/hmac_sha256.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
@@ -36,7 +36,7 @@ private:
     int m_used = 0;
 };
 
-/// Runs `check` on every test of a file; false from it fails the test case and names the number.
+/// Runs `check` on every test of a file; if it returns false, the test fails and reports the number.
 void WycheproofTest::each(const char *file, const Check &check)
 {
     const auto vectors = test::externalVectors(file);
@@ -55,7 +55,7 @@ void WycheproofTest::each(const char *file, const Check &check)
     }
 }
 
-/// The tests with our sizes: 256-bit key, 96-bit nonce. Counter 0 makes the nonce the IV itself.
+/// The tests with our sizes: 256-bit key, 96-bit nonce. With counter 0 the nonce equals the IV.
 void WycheproofTest::aead(const char *file, SuiteId suite, int expected)
 {
     each(file, [&](const QJsonObject &group, const QJsonObject &test, bool valid) {
@@ -106,7 +106,7 @@ void WycheproofTest::hmac()
     });
 }
 
-/// "acceptable" are public keys in unusual form: the result must match all the same, except that we refuse zero.
+/// "acceptable" are public keys in unusual form: the result must match as well, except that zero is rejected.
 void WycheproofTest::diffieHellman()
 {
     each("wycheproof_x25519_test.json", [](const QJsonObject &, const QJsonObject &test, bool) {

@@ -1,4 +1,4 @@
-// Key files and lists of peers that somebody else can read or has changed, links, damage, and errors that would tell a key.
+// Key files and lists of peers that other users can read or have changed, symbolic links, damage, and keys in error messages.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr uid_t kSomebodyElse = 65534;
 
-/// The error of a result as text, or "" when it is none.
+/// The error of a result as text, "" if there is none.
 template<typename T> std::string errorOf(const Result<T, InputError> &result)
 {
     return result ? std::string() : result.error().text();
@@ -88,7 +88,7 @@ void AttackFilesTest::peersThatOthersCanChange()
         ::chmod(path.c_str(), mode);
         HOLDS(contains(errorOf(loadPeers(path)), "other users"), "no list is used that others can change");
     }
-    ::chmod(path.c_str(), 0644); // to be read by everybody is no harm
+    ::chmod(path.c_str(), 0644); // readable by everyone is allowed
     QCOMPARE(loadPeers(path)->size(), std::size_t(1));
     if (::geteuid() != 0)
         QSKIP("only the superuser can give files away");
@@ -128,7 +128,7 @@ void AttackFilesTest::everyDamagedCharacter()
 
 void AttackFilesTest::everyDamagedPeer()
 {
-    // A list of peers in which one character of a key was changed: not another key, but no list.
+    // A list of peers with one changed character in a key is rejected, not read as another key.
     PeersFile peers;
     PeerEntry entry;
     entry.peer.key = crypto::X25519KeyPair::generate(m_random).publicKey;
@@ -165,7 +165,7 @@ void AttackFilesTest::errorsShowNoKey()
 {
     const std::string text = readText(newKey("secret.key"));
     const std::string key = text.substr(text.size() - 49, 48);
-    // A key in a file of the wrong kind, without its header, twice, or with something behind it.
+    // A key in a file of the wrong kind, without its header, twice, or with trailing text.
     for (const std::string &content :
          {key + "\n", "skyseal-preshared-key-v1\n" + key + "\n", text + key + "\n", text + "x" + key})
         HOLDS(!contains(errorOf(loadIdentity(m_folder.write("other.key", content))), key.substr(0, 8)), "no error shows a key");

@@ -1,4 +1,4 @@
-// The counters on disk: never twice, whatever dies when, and whoever else counts.
+// Counters on disk never repeat, with killed processes and with several processes.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/counter_file.h"
 #include "tests/support/test_runner.h"
@@ -48,7 +48,7 @@ void CounterFileTest::countsOverRestarts()
     }
     QCOMPARE(last, std::uint64_t(15));
     QCOMPARE((*FileCounterStore::open(m_folder.path("later"), 1000))->next(), std::uint64_t(1000));
-    QCOMPARE((*FileCounterStore::open(path, 1000))->next(), std::uint64_t(1000)); // never less than asked for
+    QCOMPARE((*FileCounterStore::open(path, 1000))->next(), std::uint64_t(1000)); // at least the given start
 }
 
 void CounterFileTest::twoProgramsNeverShareANumber()
@@ -69,7 +69,7 @@ void CounterFileTest::twoProgramsNeverShareANumber()
     QCOMPARE((*FileCounterStore::open(path))->lastSeen(peer), std::uint64_t(5));
 }
 
-/// A child counts and reports each number through a pipe before it dies by SIGKILL; what follows must be greater.
+/// A child process counts and reports each number through a pipe until SIGKILL; later numbers must be greater.
 void CounterFileTest::killedInTheMiddleNeverRepeats()
 {
     const std::string path = m_folder.path("killed");
@@ -95,7 +95,7 @@ void CounterFileTest::killedInTheMiddleNeverRepeats()
             last = number;
         }
         ::kill(child, SIGKILL);
-        while (::read(ends[0], &number, sizeof number) == ssize_t(sizeof number)) { // what it still got out
+        while (::read(ends[0], &number, sizeof number) == ssize_t(sizeof number)) { // numbers reported before the kill
             QVERIFY(number > last);
             last = number;
         }
@@ -113,7 +113,7 @@ void CounterFileTest::skipsAhead()
     auto store = std::move(*FileCounterStore::open(path));
     QVERIFY(store->skipTo(1000));
     QCOMPARE(store->next(), std::uint64_t(1001));
-    QVERIFY(store->skipTo(5)); // Never back.
+    QVERIFY(store->skipTo(5)); // never decreases
     QCOMPARE(store->next(), std::uint64_t(1002));
     QCOMPARE((*FileCounterStore::open(path))->next(), std::uint64_t(1003));
 }
@@ -129,7 +129,7 @@ void CounterFileTest::remembersPeers()
         QCOMPARE((*store)->lastSeen(one), std::uint64_t(0));
         QVERIFY((*store)->remember(one, 17) && (*store)->remember(other, ~std::uint64_t(0)));
         QVERIFY((*store)->remember(one, 4));
-        QCOMPARE((*store)->lastSeen(one), std::uint64_t(17)); // never back
+        QCOMPARE((*store)->lastSeen(one), std::uint64_t(17)); // never decreases
     }
     const auto store = FileCounterStore::open(path);
     QCOMPARE((*store)->lastSeen(one), std::uint64_t(17));

@@ -1,4 +1,4 @@
-// What a pairing leaves on the disk, and the names that strangers give themselves.
+// The files written by a pairing, and hostile names of unknown devices.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/peer_line.h"
@@ -71,7 +71,7 @@ void PairedPeerTest::presharedKeyLiesBesideTheList()
     const std::string file = presharedKeyPath(m_file, entry);
     QCOMPARE(test::modeOf(file), mode_t(0600));
     QVERIFY(loadPresharedKey(file)->equals(*paired.presharedKey));
-    // Paired again there is another one.
+    // Pairing again creates another one.
     const channel::Peer again = peer("scout", 1, true);
     QVERIFY(keepPairedPeer(m_file, again, KeyChange::Refused));
     QVERIFY(loadPresharedKey(file)->equals(*again.presharedKey));

@@ -1,4 +1,4 @@
-// The file of known peers: lists read, changed and written without touching what a person wrote beside them.
+// The file of known peers: lists are read, changed and written, and comments are preserved.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
@@ -79,7 +79,7 @@ void PeersFileTest::keepsRemarks()
     QCOMPARE(file->text(),
              "# our vehicles\n\n   # the tablet is Ann's\n" + line("tablet observer any", 1) + "\n" + line("third pilot any", 2)
                  + "\n");
-    // What add wrote is what it reads.
+    // Added entries read back.
     QCOMPARE(PeersFile::parse(file->text(), "f")->entries()[1].peer.key, m_keys[2]);
 }
 
@@ -144,7 +144,7 @@ void PeersFileTest::replacesKnowingly()
     QVERIFY(file.replace(changed));
     QCOMPARE(file.find("a")->peer.key, m_keys[2]);
     QCOMPARE(file.text(), line("a observer 9", 2) + "\n" + line("b pilot any", 1) + "\n");
-    QVERIFY(!file.replace(entry("a", 1))); // the key of another
+    QVERIFY(!file.replace(entry("a", 1))); // the key of another peer
     QVERIFY(!file.replace(entry("c", 3)));
 }
 
@@ -184,7 +184,7 @@ void PeersFileTest::renames()
     QVERIFY(!file.rename("a", "b"));
     QVERIFY(!file.rename("a", "no blanks"));
     QVERIFY(file.rename("a", "c"));
-    QVERIFY(file.rename("c", "c")); // to itself
+    QVERIFY(file.rename("c", "c")); // its own name
     QCOMPARE(file.text(), line("c observer 3,4", 0) + " psk=/etc/a.psk\n" + line("b pilot any", 1) + "\n");
 }
 
@@ -203,7 +203,7 @@ void PeersFileTest::tellsAChangedKeyFromAStranger()
 void PeersFileTest::editsUnderALock()
 {
     const std::string path = m_folder.path("edited");
-    // Each of two writers adds its own peers, again and again: none is lost.
+    // Two writers add peers repeatedly; none is lost.
     const auto writer = [&](std::size_t first) {
         for (std::size_t i = first; i < 4; i += 2)
             QVERIFY(editPeers(path, [&](PeersFile &file) { return file.add(entry(("p" + std::to_string(i)).c_str(), i)); }));

@@ -1,5 +1,5 @@
-// Private keys sealed with a passphrase: only it opens them, every changed byte is noticed, hostile costs are refused before
-// anything is computed, and no error shows a byte of a key or of a passphrase.
+// Private keys sealed with a passphrase: only the passphrase opens them, every changed byte is detected, excessive costs are
+// rejected without computing, and no error message contains a byte of a key or of a passphrase.
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"
@@ -30,7 +30,7 @@ Passphrase words(std::string_view text)
     return Passphrase::fromBytes(asBytes(text)).value();
 }
 
-/// Answers with the given passphrases, one after the other, and then gives up.
+/// Returns the given passphrases in order, then an error.
 AskPassphrase answering(std::vector<std::string> answers, int *asked = nullptr)
 {
     return [answers = std::move(answers), asked](const std::string &file, int attempt) -> Result<Passphrase, InputError> {
@@ -102,7 +102,7 @@ void SealedKeyTest::opensWithItsPassphraseAlone()
         QVERIFY(key.open(words(passphrase))->secret.equals(pair.secret));
         for (const std::string &wrong : {passphrase + " ", passphrase.substr(1), std::string("x"), passphrase + '\0'})
             QVERIFY(key.open(words(wrong)).error() == PassphraseError::DoesNotOpen);
-        // Sealed again with the same words it is another text: the salt is fresh.
+        // Sealing again with the same passphrase gives another text, since the salt is fresh.
         QVERIFY(sealed(pair, passphrase).sealed != key.sealed);
     }
 }
@@ -129,7 +129,7 @@ void SealedKeyTest::everyChangedCharacterIsNoticed()
     int opened = 0;
     for (std::size_t at = 0; at < good.size(); ++at) {
         if (at >= remark && at <= remarkEnd)
-            continue; // remarks are nobody's business
+            continue; // comments are not authenticated
         std::string bad = good;
         bad[at] = bad[at] == '2' ? '3' : '2';
         const auto read = SealedKey::parse(bad, "test");
@@ -138,7 +138,7 @@ void SealedKeyTest::everyChangedCharacterIsNoticed()
         ++opened;
         QVERIFY2(!read->open(words("words")), std::to_string(at).c_str());
     }
-    QVERIFY(opened >= 64 + 32); // salt and ciphertext stay well-formed; only the passphrase's key tells
+    QVERIFY(opened >= 64 + 32); // salt and ciphertext stay well-formed; only decryption detects the change
 }
 
 void SealedKeyTest::everyTruncationIsRefused()
@@ -165,7 +165,7 @@ void SealedKeyTest::hostileCostsAreRefusedUnseen()
         SealedKey key = good;
         key.cost = cost;
         QVERIFY2(!SealedKey::parse(key.text(), "f"), key.text().c_str());
-        QVERIFY(!key.open(words("words"))); // nor computed when somebody hands it in
+        QVERIFY(!key.open(words("words"))); // nor computed when constructed directly
     }
     const std::string line = "argon2id 1 8192 ";
     for (const char *instead :
@@ -178,7 +178,7 @@ void SealedKeyTest::hostileCostsAreRefusedUnseen()
     QVERIFY2(clock.elapsed() < 1000, "a refused cost must cost nothing");
 }
 
-/// A file that was made by other code, after the description of the format alone: tests/data/keys/make_sealed_key.py.
+/// A file made by an independent implementation of the format: tests/data/keys/make_sealed_key.py.
 void SealedKeyTest::opensWhatOthersSealed()
 {
     const auto key = SealedKey::parse(readText(SKYSEAL_SOURCE_DIR "/tests/data/keys/sealed.key"), "sealed.key");

@@ -1,4 +1,4 @@
-// Private key files: what was written reads back, and each way in which one can be wrong is told apart and refused.
+// Private key files: written files read back, and every kind of invalid file is rejected with its own error.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"
@@ -15,7 +15,7 @@ using namespace skyseal;
 using namespace skyseal::keys;
 using test::readText;
 
-/// The error of a result as text, or "" when it is none.
+/// The error of a result as text, "" if there is none.
 template<typename T> static std::string errorOf(const Result<T, InputError> &result)
 {
     return result ? std::string() : result.error().text();
@@ -46,7 +46,7 @@ private:
 
 void SecretFileTest::writtenForTheOwnerAloneAndReadBack()
 {
-    const mode_t old = ::umask(0); // whatever the user's mask is
+    const mode_t old = ::umask(0); // independent of the user's umask
     const std::string path = m_folder.path("device.key");
     const auto written = writeNewIdentity(path, m_random);
     ::umask(old);
@@ -107,7 +107,7 @@ void SecretFileTest::publicKeysAsText()
     QVERIFY(contains(errorOf(publicKeyFromText("ssh-ed25519 AAAA")), "does not begin with \"skyseal:\""));
     QVERIFY(contains(errorOf(publicKeyFromText("skyseal:abc")), "here 3"));
     QVERIFY(!publicKeyFromText(""));
-    // The private file's word is no public key, even with the other prefix in front.
+    // The text of a private key is not a public key, even with the public prefix.
     const std::string path = m_folder.path("mixed-up.key");
     QVERIFY(writeNewIdentity(path, m_random));
     const std::string text = readText(path);

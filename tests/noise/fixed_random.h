@@ -1,4 +1,4 @@
-// Randomness that a test chose.
+// A random source with chosen bytes.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -8,7 +8,7 @@
 
 namespace skyseal::test {
 
-/// Hands out the given bytes in order, then zeros.
+/// Returns the given bytes in order, then zeros.
 class FixedRandom final : public RandomSource
 {
 public:

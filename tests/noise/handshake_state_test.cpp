@@ -1,5 +1,5 @@
-// What a handshake must hold beyond the published vectors: nothing but the very message is accepted, and a message that is
-// refused changes nothing.
+// Requirements on the handshake beyond the published vectors: every modified message is rejected, and a rejected message leaves
+// the state unchanged.
 #include "core/crypto/init_crypto.h"
 #include "core/noise/handshake_state.h"
 #include "tests/support/test_runner.h"
@@ -22,7 +22,7 @@ Key32 pskOf(std::uint8_t value)
     return key;
 }
 
-/// Both ends of an IKpsk2 or XXpsk3 handshake, and how they are set up wrongly on demand.
+/// Both ends of an IKpsk2 or XXpsk3 handshake, with options for wrong configurations.
 struct Ends
 {
     test::SeededRandom random{11};
@@ -144,7 +144,7 @@ void HandshakeStateTest::refusalsChangeNothing()
         const Bytes payload = ends.random.bytes(20);
         const Bytes message = ends.write(sender, payload);
         const crypto::Hash64 before = receiver.handshakeHash();
-        // The first message of XX is in clear, so that any bytes of its length are one.
+        // The first message of XX is not encrypted: any bytes of its length are valid.
         const bool authenticated = receiver.nextOverhead() > 32;
         for (std::size_t bit = 0; authenticated && bit < message.size() * 8; ++bit) {
             Bytes forged = message;
@@ -159,7 +159,7 @@ void HandshakeStateTest::refusalsChangeNothing()
         longer.push_back(0);
         QVERIFY(!authenticated || !read(receiver, longer));
         Bytes received;
-        QVERIFY(read(receiver, message, &received)); // after all that
+        QVERIFY(read(receiver, message, &received)); // after all rejected messages
         QCOMPARE(received, payload);
     }
 }
@@ -244,7 +244,7 @@ void HandshakeStateTest::finishesOnceAndOnlyAtTheEnd()
     HandshakeState responder = ends.make(Role::Responder);
     QVERIFY(read(responder, ends.write(initiator, {})) && read(initiator, ends.write(responder, {})));
     QVERIFY(std::move(initiator).finish().has_value());
-    // NOLINTNEXTLINE(bugprone-use-after-move): a second time there is nothing left, and no keys of zeros come out
+    // NOLINTNEXTLINE(bugprone-use-after-move): a second call must fail instead of returning zero keys
     QCOMPARE(std::move(initiator).finish().error(), NoiseError::Unfinished);
 }
 
@@ -269,7 +269,7 @@ void HandshakeStateTest::refusesMissingKeysAndUnknownPatterns()
     const auto first = keyless.writeMessage({}, out, random);
     QVERIFY(first);
 
-    // Without a static key it comes as far as the message that has to show one, and stays there.
+    // Without a static key it fails at the message that contains one, and stays there.
     Ends ends;
     HandshakeConfig answering{Role::Responder, "XX", {}, {}, {}, {}};
     answering.localStatic = ends.responderKeys.clone();
@@ -316,7 +316,7 @@ void HandshakeStateTest::cipherStateStopsBeforeTheLastNonce()
     QCOMPARE(cipher.decryptWithAd({}, Bytes(16), out).error(), NoiseError::DecryptionFailed);
     QCOMPARE(cipher.encryptWithAd({}, Bytes(1), out).error(), NoiseError::NoRoom);
     QCOMPARE(cipher.decryptWithAd({}, Bytes(33), out).error(), NoiseError::NoRoom);
-    QCOMPARE(cipher.nonce(), std::uint64_t(0)); // Nothing that failed has used one.
+    QCOMPARE(cipher.nonce(), std::uint64_t(0)); // failed calls use no nonce
 }
 
 SKYSEAL_TEST_APPLESS(HandshakeStateTest)

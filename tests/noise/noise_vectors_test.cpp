@@ -15,10 +15,10 @@ using test::hexField;
 
 namespace {
 
-/// One side of a vector: its handshake, and after it its transport ciphers.
+/// One side of a vector: the handshake, then the transport ciphers.
 struct Side
 {
-    std::optional<HandshakeState> handshake; ///< until it is over
+    std::optional<HandshakeState> handshake; ///< until it is complete
     test::FixedRandom random;
     CipherState send;
     CipherState receive;
@@ -52,7 +52,7 @@ Side makeSide(const QJsonObject &vector, Role role)
     return {std::move(*handshake), test::FixedRandom(field("ephemeral")), {}, {}};
 }
 
-/// Sends `payload` by the handshake or, once that is over, by the transport ciphers.
+/// Sends `payload` in the handshake or, once it is complete, with the transport ciphers.
 Bytes sendBytes(Side &side, const Bytes &payload)
 {
     Bytes out(payload.size() + 256);

@@ -9,8 +9,8 @@ namespace skyseal::crypto {
 
 namespace {
 
-/// The key stream is made by encrypting the counter blocks, which is what the mode is; OpenSSL's own counter mode has to be
-/// set up anew for each record, and that takes longer than a short record itself.
+/// Computes the key stream by encrypting the counter blocks, which is the definition of the mode. OpenSSL's counter mode must
+/// be set up again for each record, which takes longer than a short record itself.
 class Aes256CtrBody : public SameLength
 {
 public:

@@ -1,4 +1,4 @@
-// AES-256-GCM (NIST SP 800-38D) through OpenSSL, which has it on every CPU; per record only the nonce is set anew.
+// AES-256-GCM (NIST SP 800-38D) by OpenSSL, which supports it on every CPU; only the nonce is set for each record.
 #include "core/base/weakness.h"
 #include "core/crypto/evp.h"
 #include "core/crypto/record_keys.h"
@@ -52,7 +52,7 @@ public:
             && (EVP_DecryptFinal_ex(m_context.get(), body.data() + body.size(), &written) == 1
                 || weakened(Weakness::NoTagCheck)))
             return body;
-        // GCM as OpenSSL offers it decrypts before it knows the tag; nobody gets to see what came out.
+        // OpenSSL's GCM decrypts before it verifies the tag: the unverified plaintext is wiped.
         sodium_memzero(sealed.data(), sealed.size());
         return std::nullopt;
     }

@@ -1,4 +1,4 @@
-// ChaCha20 (RFC 8439 2.4) through libsodium, then HMAC.
+// ChaCha20 (RFC 8439 2.4) by libsodium, then HMAC.
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/inline_then_mac.h"
 
@@ -17,7 +17,7 @@ public:
 
     bool encrypt(std::uint64_t counter, ByteView plaintext, MutableByteView out)
     {
-        if (plaintext.empty()) // libsodium declares its pointers non-null
+        if (plaintext.empty()) // libsodium declares its pointers nonnull
             return true;
         const Nonce12 nonce = m_nonces.at(counter);
         return crypto_stream_chacha20_ietf_xor(out.data(), plaintext.data(), plaintext.size(), nonce.data(),

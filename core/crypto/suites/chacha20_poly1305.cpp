@@ -1,4 +1,4 @@
-// ChaCha20-Poly1305 (RFC 8439) through libsodium.
+// ChaCha20-Poly1305 (RFC 8439) by libsodium.
 #include "core/base/declassified.h"
 #include "core/base/weakness.h"
 #include "core/crypto/record_keys.h"

@@ -1,5 +1,5 @@
-// RC4 with a key of its own for each record, then HMAC. Broken as a cipher all the same (RFC 7465): it is here to be
-// measured.
+// RC4 with a separate key for each record, then HMAC. The cipher is broken nevertheless (RFC 7465); it is offered for
+// measurements only.
 #include "core/crypto/encrypt_then_mac.h"
 #include "core/crypto/inline_then_mac.h"
 #include "core/crypto/rc4_stream.h"
