@@ -47,7 +47,7 @@ public:
     /// Switches the sessions that are up to this suite. If none of them is heard, only the next session begins with it.
     void resumeSuite(crypto::SuiteId);
     void setAllowResearch(bool);
-    /// Stops offering suites weaker than this one; see channel::strengthOf. Sessions that use one are switched.
+    /// Stops offering suites weaker than this one; see crypto::SuiteStrength. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);
     /// Call after the peers file was changed; sessions of peers that are not in it end. Returns the peers in force; an error
     /// leaves the old list in force.
