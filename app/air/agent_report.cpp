@@ -30,7 +30,7 @@ void AgentReport::print(const std::string &json)
         return;
     }
     if (m_unread > 0 && hasRoom(stderr))
-        remark(format("%u lines of JSON were left out: nobody read them", std::exchange(m_unread, 0u)));
+        remark(format("%u lines of JSON were dropped because the reader did not keep up", std::exchange(m_unread, 0u)));
     printLine(json);
 }
 

@@ -47,15 +47,16 @@ void declare(Options &options)
     options.addValue("peers", "FILE", "Ground stations that may connect.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
     options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
-    options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
+    options.addFlag("allow-research", "Also accept insecure research suites, for comparison.");
     options.addFlag("allow-plain",
-                    "Carry clear MAVLink while no session is up: anybody can read and forge it. For baseline measurements.");
+                    "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
     options.addFlag("allow-inline",
-                    "Also seal frames in place where the station asks for it: headers stay clear, tags are short.");
-    options.addFlag("pair", "Open the window for pairing of the agent that runs here with this --identity, and confirm in it.");
+                    "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
+    options.addFlag("pair",
+                    "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
     options.addValue("role", "pilot|observer",
-                     "With --pair: what the other end may do here. Without it who is known keeps the role, and who is new gets "
-                     "what it asks for, pilot as a rule.");
+                     "With --pair: role of the station. Without it a known station keeps its role, and a new one gets the role "
+                     "that it asks for, usually pilot.");
     PairingPrompt::declare(options); // with --json
     PairingPassphraseInput::declare(options);
 }
@@ -72,9 +73,9 @@ Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground
     if (asked != "datagram" && asked != "serial")
         options.fail("--carrier '" + asked + "': datagram, serial or tunnel is expected");
     else if (asked == "datagram" && !datagrams)
-        options.fail("--carrier 'datagram': " + ground->toText() + " is a stream of bytes; serial or tunnel goes there");
+        options.fail("--carrier 'datagram': " + ground->toText() + " is a byte stream; use serial or tunnel");
     else if (asked == "serial" && datagrams)
-        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; datagram or tunnel goes there");
+        options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; use datagram or tunnel");
     return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
 }
 
@@ -91,7 +92,7 @@ void refusePairingOptions(Options &options)
     for (const char *option :
          {"role", "replace", "expect", "as", "pair-passphrase", "pair-passphrase-file", "pair-passphrase-fd"}) {
         if (options.has(option))
-            options.fail(std::string("--") + option + " goes with --pair");
+            options.fail(std::string("--") + option + " requires --pair");
     }
 }
 
@@ -105,12 +106,12 @@ int pair(Options &options)
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     for (const char *option : {"vehicle", "ground", "carrier", "peers"}) {
         if (options.has(option))
-            options.fail(std::string("--") + option + " belongs to the agent that runs; --pair needs only its --identity");
+            options.fail(std::string("--") + option + " is an option of the running agent; --pair needs only its --identity");
     }
     if (const auto status = options.finish())
         return *status;
     if (!crypto::initCrypto()) {
-        complain(kName, "the system offers no randomness");
+        complain(kName, "the system provides no randomness");
         return kCannotOpen;
     }
     const auto passphraseKey = passphrase.key();
@@ -127,7 +128,7 @@ int main(int argc, char **argv)
 {
     forbidCoreDumps();
     QCoreApplication application(argc, argv);
-    Options options(kName, QStringLiteral("Seals the link of the autopilot beside it."));
+    Options options(kName, QStringLiteral("Onboard agent that seals the MAVLink link of an autopilot."));
     declare(options);
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
@@ -147,11 +148,11 @@ int main(int argc, char **argv)
         return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
     };
     if (std::none_of(policy.suites.begin(), policy.suites.end(), isSecure))
-        options.fail("--suites: a session begins with a secure suite, so the list must hold one");
+        options.fail("--suites: a session begins with a secure suite, so the list must contain one");
     if (const auto status = options.finish())
         return *status;
     if (!crypto::initCrypto()) {
-        complain(kName, "the system offers no randomness");
+        complain(kName, "the system provides no randomness");
         return kCannotOpen;
     }
     auto secrets = engine::readSecretFiles(paths);

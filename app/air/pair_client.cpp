@@ -36,7 +36,7 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     const QString name = controlSocket(identityFile);
     socket.connectToServer(name);
     if (!socket.waitForConnected(kPatienceMs)) {
-        complain(program, name.toStdString() + ": no agent with this identity runs here, or it is another user's");
+        complain(program, name.toStdString() + ": no agent with this identity is running, or it belongs to another user");
         return kCannotOpen;
     }
     settings.decidesRole = true;

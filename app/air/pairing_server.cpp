@@ -68,7 +68,7 @@ void PairingServer::admit()
         if (m_visitor) {
             // Answered once it has asked: who is still writing when we hang up does not read why.
             connect(next, &QLocalSocket::readyRead, next, [next] {
-                write(*next, refusal("somebody else is pairing this agent"));
+                write(*next, refusal("another user is pairing this agent"));
                 next->disconnectFromServer();
             });
             connect(next, &QLocalSocket::disconnected, next, &QObject::deleteLater);
@@ -128,7 +128,8 @@ void PairingServer::open(std::shared_ptr<const Key32> passphraseKey)
 {
     const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphraseKey));
     if (!opened) {
-        notify(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed" : "it is open already"));
+        notify(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed"
+                                                                       : "the pairing window is already open"));
         return;
     }
     PairingStatus status;

@@ -63,7 +63,7 @@ BenchPlan readPlan(Options &options)
     if (options.text("suites") == "all")
         std::erase_if(out.suites, [](crypto::SuiteId suite) { return !crypto::suiteAvailable(suite); });
     if (std::find(out.suites.begin(), out.suites.end(), crypto::SuiteId::None) != out.suites.end())
-        options.fail("--suites none: plain MAVLink seals nothing");
+        options.fail("--suites none: plain MAVLink is not sealed");
     out.sizes = readSizes(options);
     const std::string aes = options.text("aes");
     out.with = aes != "without";
@@ -92,7 +92,7 @@ bool measure(const BenchPlan &plan, bool asked, const QString &command)
     for (const std::string &warning : experiment::warningsOf(setting))
         remark(warning);
 #if !defined(__OPTIMIZE__)
-    remark("this build is not optimised: its figures say little");
+    remark("this build is not optimized: its figures are not meaningful");
 #endif
     if (plan.json) {
         printLine(settingEvent(aes, setting));
@@ -133,7 +133,7 @@ int measureInChild(const QStringList &arguments, bool aes)
     own << QStringLiteral("--aes") << (aes ? QStringLiteral("with") : QStringLiteral("without"));
     child.start(QCoreApplication::applicationFilePath(), QStringList{QStringLiteral("bench")} + own);
     if (!child.waitForFinished(-1) || child.exitStatus() != QProcess::NormalExit) {
-        complain(kName, "the measurement in a process of its own failed: " + child.errorString().toStdString());
+        complain(kName, "the measurement process failed: " + child.errorString().toStdString());
         return kNotReached;
     }
     return child.exitCode();
@@ -145,12 +145,12 @@ int runBench(const QStringList &arguments)
 {
     Options options(kName, QStringLiteral("Measures sealing and opening for each suite and size."));
     options.addValue("suites", "LIST", "Suites, separated by commas.", "all");
-    options.addValue("sizes", "LIST", "Bytes of plaintext in a record, separated by commas.", "9,28,64,255,1000");
+    options.addValue("sizes", "LIST", "Plaintext sizes in bytes, separated by commas.", "9,28,64,255,1000");
     options.addValue("aes", "with|without|both",
-                     "Whether the processor's AES instructions are used; without, a companion "
-                     "computer that has none can be judged.",
+                     "Use the CPU's AES instructions. Without them, the figures apply to a companion "
+                     "computer that has none.",
                      "both");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
@@ -170,8 +170,9 @@ int runBench(const QStringList &arguments)
         ok = (here ? measure(plan, aes, command) : measureInChild(arguments, aes) == kDone) && ok;
     }
     if (!plan.json && ok && here)
-        printLine("\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: ours; record: "
-                  "a complete record\nof a session; x: record over bare. CPU time, the least disturbed of 15 rounds.");
+        printLine(
+            "\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: as implemented here; record: "
+            "a complete record\nof a session; x: record over bare. CPU time, the fastest of 15 rounds.");
     return ok ? kDone : kNotReached;
 }
 

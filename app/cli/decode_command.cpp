@@ -19,13 +19,12 @@ constexpr char kName[] = "skyseal-cli decode";
 void declare(Options &options)
 {
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("json", "One JSON object per line on stdout.");
     options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
     options.addValue("signing-key", "FILE",
-                     "Key of signed frames: 32 bytes, or 64 hex digits. Frames signed with another one are bad.");
+                     "Key of signed frames: 32 bytes, or 64 hex digits. Frames with another signature are reported as bad.");
     options.addValue("framing", "plain|mavsec2019",
-                     "How the frames are protected: not at all, or as the published code of the paper MAVSec does it.",
-                     "plain");
+                     "Protection of the frames: none, or that of the published code of the MAVSec paper.", "plain");
     MavsecOptions::declare(options);
 }
 

@@ -20,20 +20,20 @@ void declare(Options &options)
 {
     options.addLink("listen", "The link to one side, e.g. udpin:127.0.0.1:14560.");
     options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.");
-    options.addValue("loss", "P", "Share of datagrams that vanish, 0 to 1.", "0");
-    options.addValue("duplicate", "P", "Share that arrives twice.", "0");
-    options.addValue("reorder", "P", "Share that is overtaken by later ones.", "0");
+    options.addValue("loss", "P", "Share of datagrams that are lost, 0 to 1.", "0");
+    options.addValue("duplicate", "P", "Share that is duplicated.", "0");
+    options.addValue("reorder", "P", "Share that arrives after later ones.", "0");
     options.addValue("corrupt", "P", "Share with damaged bits.", "0");
-    options.addValue("delay", "MS", "Milliseconds on the way.", "0");
-    options.addValue("jitter", "MS", "Up to so many milliseconds more, at random.", "0");
-    options.addValue("rate", "BAUD", "Bits a second of a serial line (8N1) that all must pass; 0 = no limit.", "0");
-    options.addValue("seed", "N", "Repeats the same fate for the same traffic.", "1");
-    options.addValue("duration", "S", "End after so many seconds.");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addValue("delay", "MS", "Delay in milliseconds.", "0");
+    options.addValue("jitter", "MS", "Random additional delay, up to this many milliseconds.", "0");
+    options.addValue("rate", "BAUD", "Bit rate of a simulated serial line (8N1); 0 = no limit.", "0");
+    options.addValue("seed", "N", "Repeats the same impairments for the same traffic.", "1");
+    options.addValue("duration", "S", "Exit after this many seconds.");
+    options.addFlag("json", "One JSON object per line on stdout.");
     options.addFlag("drops", "With --json, a line for every datagram that is dropped.");
     options.addFlag("datagrams",
-                    "With --json, a line for every datagram that comes in, with its fate and what of its "
-                    "contents is in the clear, and one for every copy that goes out.");
+                    "With --json, a line for every datagram that comes in, with its fate and its "
+                    "unencrypted content, and one for every copy that goes out.");
 }
 
 impair::Settings readSettings(Options &options)
@@ -89,7 +89,7 @@ void logDatagrams(link::Impairer &impairer, bool all, const Elapsed &elapsed)
 int runImpair(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli impair");
-    Options options(name, QStringLiteral("Relays between two links as a bad radio would."));
+    Options options(name, QStringLiteral("Relays datagrams between two links like a bad radio link."));
     declare(options);
     if (const auto status = options.parse(arguments))
         return *status;

@@ -35,8 +35,9 @@ void printInWords(const tlog::LogSummary &summary)
 int summarizeFile(const QString &name, const QStringList &arguments, bool verify)
 {
     Options options(name,
-                    verify ? QStringLiteral("Checks that a recording is sound: every frame whole, time never running back.")
-                           : QStringLiteral("Says what a recording holds."));
+                    verify
+                        ? QStringLiteral("Checks that a recording is intact: complete frames, time stamps that never decrease.")
+                        : QStringLiteral("Shows the content of a recording."));
     options.addArgument("FILE", "A .tlog or raw MAVLink bytes; - reads standard input.");
     options.addFlag("json", "One JSON object on stdout.");
     if (const auto status = options.parse(arguments))
@@ -73,7 +74,7 @@ int exportFile(const QString &name, const QStringList &arguments)
 {
     Options options(name, QStringLiteral("Writes the telemetry of a .tlog as CSV."));
     options.addArgument("FILE", "A .tlog; - reads standard input.");
-    options.addValue("out", "FILE", "Where to write; standard output when left out.");
+    options.addValue("out", "FILE", "Output file; standard output by default.");
     options.addValue("every", "S", "Seconds between two rows of a vehicle; 0 = a row for every frame.", "0.1");
     if (const auto status = options.parse(arguments))
         return *status;
@@ -117,7 +118,7 @@ int runLog(const QStringList &arguments)
     if (action == QLatin1String("export"))
         return exportFile(name + QStringLiteral(" export"), arguments.mid(1));
     if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printLine("Usage: skyseal-cli log info|verify|export FILE\nEach explains itself with --help.");
+        printLine("Usage: skyseal-cli log info|verify|export FILE\nEach command has --help.");
         return kDone;
     }
     complain(name, "info, verify or export is expected");

@@ -23,12 +23,12 @@ struct Command
 constexpr Command kCommands[] = {
     {"monitor", "follows vehicles, switches ciphers, flies scripts", runMonitor},
     {"sweep", "measures what each cipher suite costs, and compares", runSweep},
-    {"bench", "what sealing and opening cost on this machine, with AES instructions and without", runBench},
-    {"decode", "MAVLink bytes or a .tlog, one message a line", runDecode},
+    {"bench", "measures sealing and opening on this machine, with and without AES instructions", runBench},
+    {"decode", "decodes MAVLink bytes or a .tlog, one message per line", runDecode},
     {"impair", "a relay that loses, delays, repeats, reorders and damages datagrams", runImpair},
-    {"keys", "private keys and the files of known peers", runKeys},
+    {"keys", "manages private keys and files of known peers", runKeys},
     {"log", "information about, verification and export of .tlog files", runLog},
-    {"selftest", "known-answer tests of all that the sealed link stands on", runSelfTest},
+    {"selftest", "known-answer tests of the sealed link", runSelfTest},
 };
 
 void printHelp(std::FILE *out)
@@ -36,7 +36,7 @@ void printHelp(std::FILE *out)
     std::fputs("Usage: skyseal-cli COMMAND [options]\nThe ground station without a display.\n\nCommands:\n", out);
     for (const Command &command : kCommands)
         std::fprintf(out, "  %-10s %s\n", command.name, command.summary);
-    std::fputs("\nskyseal-cli COMMAND --help explains a command. Exit status: 0 done, 1 not reached, 2 usage,\n"
+    std::fputs("\nskyseal-cli COMMAND --help describes a command. Exit status: 0 done, 1 not reached, 2 usage,\n"
                "3 a link or file could not be opened.\n",
                out);
 }
@@ -62,7 +62,7 @@ int main(int argc, char **argv)
         if (name != QLatin1String(command.name))
             continue;
         if (!skyseal::crypto::initCrypto()) {
-            complain(program, "the system offers no randomness");
+            complain(program, "the system provides no randomness");
             return kCannotOpen;
         }
         return command.run(arguments.mid(1));

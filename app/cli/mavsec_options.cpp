@@ -9,9 +9,9 @@ void MavsecOptions::declare(Options &options)
     options.addValue("cipher", "NAME", "With mavsec2019: chacha20 or aes-256-ctr.", "chacha20");
     options.addValue("key", "HEX",
                      "With mavsec2019: the key, if it is not the published one. Every user of this machine can read a "
-                     "command line; a key that is a secret belongs into --key-file.");
+                     "command line; use --key-file for a secret key.");
     options.addValue("key-file", "FILE",
-                     "With mavsec2019: a file that only its owner can read, with the key: 32 bytes, or 64 hex digits.");
+                     "With mavsec2019: file of the key, readable by its owner only: 32 bytes, or 64 hex digits.");
     options.addValue("nonce", "HEX",
                      "With mavsec2019: nonce of ChaCha20 (12 bytes) or first counter block of AES-256-CTR (16).");
     options.addValue("counter", "N", "With mavsec2019: number of ChaCha20's first block.", "1");
@@ -45,7 +45,7 @@ MavsecOptions MavsecOptions::read(Options &options)
         if (!out.m_key)
             options.fail("--key: 64 hex digits are expected");
         if (options.has("key-file"))
-            options.fail("--key and --key-file: one of them");
+            options.fail("--key and --key-file exclude each other");
     }
     return out;
 }

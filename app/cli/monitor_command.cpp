@@ -27,26 +27,26 @@ void declare(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
     options.addValue("secure", "required|off",
-                     "Whether only sealed vehicles are taken (the default with --identity), or none is sealed.");
+                     "required: accept only sealed vehicles (default with --identity); off: no sealed links.");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "Vehicles' agents whose keys are confirmed.");
-    options.addValue("suite", "NAME", "Suite that every session begins with.");
+    options.addValue("peers", "FILE", "File of known peers: the agents of the vehicles.");
+    options.addValue("suite", "NAME", "Suite at the start of every session.");
     options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
-    options.addFlag("allow-research", "Also accept suites that are not secure, for comparison.");
-    options.addValue("switch-to", "LIST", "Suites to walk through, again and again.");
+    options.addFlag("allow-research", "Also accept insecure research suites, for comparison.");
+    options.addValue("switch-to", "LIST", "Suites to switch through, repeatedly.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
     options.addValue("framing", "sealed|inline|mavsec2019",
-                     "How MAVLink is protected: whole frames in records; each frame in place with its header clear; or, "
-                     "INSECURE and only read, as the published code of the paper MAVSec does it.",
+                     "Protection of MAVLink. sealed: whole frames in records; inline: frames sealed in place, headers not "
+                     "encrypted; mavsec2019: INSECURE, read-only, as in the published code of the MAVSec paper.",
                      "sealed");
     MavsecOptions::declare(options);
-    options.addValue("stream-rate", "HZ", "Ask vehicles for every stream at this rate, instead of the usual profile.");
-    options.addValue("duration", "S", "End after so many seconds.");
+    options.addValue("stream-rate", "HZ", "Request every stream at this rate instead of the default profile.");
+    options.addValue("duration", "S", "Exit after this many seconds.");
     options.addValue("do", "SCRIPT", "A flight: 'mode GUIDED; arm; takeoff 10; wait alt_rel>=9.5 60; land; wait armed==0 90'.");
     options.addValue("record", "FOLDER", "Folder of the .tlog files.");
     options.addFlag("no-record", "Write no .tlog.");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("json", "One JSON object per line on stdout.");
 }
 
 std::string defaultLogFolder()
@@ -74,7 +74,7 @@ void readFraming(Options &options, engine::StationConfig &config)
 {
     const std::string framing = options.text("framing");
     if (framing == "mavsec2019" && config.secure == engine::SecureMode::Required)
-        options.fail("--framing 'mavsec2019': nothing is sealed there; it goes with --secure off and without --identity");
+        options.fail("--framing 'mavsec2019': it is not sealed; use it with --secure off and without --identity");
     if (framing != "sealed" && framing != "inline" && framing != "mavsec2019")
         options.fail("--framing '" + framing + "': sealed, inline or mavsec2019 is expected");
     if (framing != "inline")
@@ -123,7 +123,7 @@ engine::RunPlan readPlan(Options &options, const engine::StationConfig &config)
     if (options.text("framing") == "mavsec2019") {
         for (const char *sends : {"do", "stream-rate"}) {
             if (options.has(sends))
-                options.fail(std::string("--") + sends + ": with --framing mavsec2019 nothing is ever sent");
+                options.fail(std::string("--") + sends + ": not with --framing mavsec2019, which never sends");
         }
     }
     plan.inlineRequired = config.policy.preferInline;
@@ -163,7 +163,7 @@ int exitStatus(engine::RunOutcome outcome)
 int runMonitor(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli monitor");
-    Options options(name, QStringLiteral("Follows vehicles without a display."));
+    Options options(name, QStringLiteral("Monitors vehicles without a display."));
     declare(options);
     if (const auto status = options.parse(arguments))
         return *status;
@@ -183,7 +183,7 @@ int runMonitor(const QStringList &arguments)
             return kCannotOpen;
         }
         plan.mavsec = std::move(*cipher);
-        complain(name, "INSECURE: frames encrypted as MAVSec's code does it can be read, changed and invented by anybody");
+        complain(name, "INSECURE: anyone can read, change and forge frames that are encrypted as in MAVSec's code");
     }
     auto station = engine::Station::create(config);
     if (!station) {

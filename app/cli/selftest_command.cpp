@@ -11,9 +11,9 @@ namespace skyseal::app {
 int runSelfTest(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli selftest");
-    Options options(
-        name, QStringLiteral("Checks ciphers, handshake, MAVLink and a session inside this process against known answers."));
-    options.addFlag("json", "One JSON object a line on stdout.");
+    Options options(name,
+                    QStringLiteral("Checks ciphers, handshake, MAVLink and a session in this process against known answers."));
+    options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);

@@ -14,31 +14,32 @@ void declare(Options &options)
 {
     options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.");
     options.addValue("identity", "FILE", "With --link: private key of this station.");
-    options.addValue("peers", "FILE", "With --link: vehicles' agents whose keys are confirmed.");
-    options.addFlag("allow-research", "With --link: also suites that are not secure.");
+    options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
+    options.addFlag("allow-research", "With --link: also insecure research suites.");
     options.addFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
-    options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every one that is allowed.", "all");
+    options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every allowed suite.", "all");
     options.addValue("framing", "NAME",
-                     "How MAVLink is protected: sealed = whole frames in records, inline = payloads sealed in place (suites "
+                     "Protection of MAVLink: sealed = whole frames in records, inline = payloads sealed in place (suites "
                      "that are a cipher and an HMAC; an agent of --link must allow it), both.",
                      "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite.", "3");
-    options.addValue("warm-up", "S", "Seconds before each run that do not count.", "0.3");
+    options.addValue("warm-up", "S", "Seconds before each run that are not measured.", "0.3");
     options.addValue("seed", "N", "Repeats the same order of runs and the same impairment.", "1");
-    options.addValue("load", "LIST",
-                     "natural = what a station asks for, saturated = as fast as answers come; both without --link.");
+    options.addValue(
+        "load", "LIST",
+        "natural = the streams that a station requests, saturated = as fast as possible; default without --link: both.");
     options.addValue("impair", "SPEC",
                      "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
                      "commas. May be given several times.");
-    options.addFlag("no-noise", "Do not measure one suite twice to see the machine's noise (A/A).");
+    options.addFlag("no-noise", "Do not measure one suite twice to estimate the machine's noise (A/A).");
     options.addValue("out", "DIR",
-                     "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF where skyseal-figures is "
-                     "installed. Those of an older sweep there are replaced, and its figures and PDF removed first.");
+                     "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF if skyseal-figures is "
+                     "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");
     options.addValue("expect", "TEXT",
                      "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Without a suite or load it "
                      "must hold for each. May be given several times.");
-    options.addFlag("json", "One JSON object a line on stdout.");
+    options.addFlag("json", "One JSON object per line on stdout.");
 }
 
 Duration inSeconds(double value)
@@ -80,7 +81,7 @@ void readLoads(Options &options, bool ownAgent, experiment::Plan &plan)
     else
         options.fail("--load '" + text + "': natural, saturated or natural,saturated is expected");
     if (!ownAgent && plan.loads != std::vector{Load::Natural})
-        options.fail("--load saturated: the vehicle behind --link sends what it sends");
+        options.fail("--load saturated: not with --link, whose vehicle sets its own rates");
 }
 
 void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
@@ -88,7 +89,7 @@ void readConditions(Options &options, bool ownAgent, experiment::Plan &plan)
     if (!options.has("impair"))
         return;
     if (!ownAgent)
-        options.fail("--impair is for the sweep's own agent; put 'skyseal-cli impair' before that of --link");
+        options.fail("--impair applies to the sweep's own agent; with --link use 'skyseal-cli impair' in front of the agent");
     plan.conditions.clear();
     for (const std::string &text : options.texts("impair")) {
         if (auto condition = experiment::parseCondition(text))
@@ -119,7 +120,7 @@ void readPlan(Options &options, bool ownAgent, experiment::Plan &plan)
     plan.seed = options.wholeNumber("seed", 0, UINT64_MAX);
     plan.arms = experiment::armsOf(suites, readFramings(options), !options.has("no-noise") && plan.repeats > 1);
     if (std::none_of(plan.arms.begin(), plan.arms.end(), experiment::exists))
-        options.fail("--suites: none of them can be in the framing that is asked for");
+        options.fail("--suites: none of them supports this framing");
 }
 
 void readExpectations(Options &options, SweepOptions &out)
@@ -140,7 +141,7 @@ void readExpectations(Options &options, SweepOptions &out)
 
 std::optional<int> readSweepOptions(const QString &name, const QStringList &arguments, SweepOptions &out)
 {
-    Options options(name, QStringLiteral("Measures what each suite costs, and compares."));
+    Options options(name, QStringLiteral("Measures and compares the cost of each suite."));
     declare(options);
     if (const auto status = options.parse(arguments))
         return status;

@@ -68,8 +68,8 @@ Options::Options(QString name, const QString &description) : m_name(std::move(na
 {
     m_parser.setApplicationDescription(description);
     m_parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);
-    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Shows this help.")});
-    m_parser.addOption({QStringLiteral("version"), QStringLiteral("Shows the version.")});
+    m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
+    m_parser.addOption({QStringLiteral("version"), QStringLiteral("Show the version.")});
 }
 
 void Options::addFlag(const char *name, const char *help)
@@ -203,7 +203,7 @@ std::vector<crypto::SuiteId> Options::suites(const char *name, bool plainToo)
         if (!id)
             return out;
         if (std::find(out.begin(), out.end(), *id) != out.end())
-            fail(std::string("--") + name + ": " + quoted(item) + " stands there twice");
+            fail(std::string("--") + name + ": " + quoted(item) + " is listed twice");
         out.push_back(*id);
     }
     return out;

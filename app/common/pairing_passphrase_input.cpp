@@ -6,8 +6,8 @@ namespace skyseal::app {
 
 void PairingPassphraseInput::declare(Options &options)
 {
-    options.addFlag("pair-passphrase", "Ask for a passphrase for this one pairing, the same at both ends.");
-    PassphraseInput::declare(options, "pair-", "the passphrase for this one pairing");
+    options.addFlag("pair-passphrase", "Use a passphrase for this pairing, the same at both ends; prompts for it.");
+    PassphraseInput::declare(options, "pair-", "the passphrase of this pairing");
 }
 
 PairingPassphraseInput PairingPassphraseInput::read(Options &options)
@@ -27,7 +27,7 @@ Result<std::shared_ptr<const Key32>, InputError> PairingPassphraseInput::key() c
         return tl::unexpected(passphrase.error());
     auto key = channel::pairingPassphraseKey(*passphrase);
     if (!key)
-        return tl::unexpected(InputError{"this machine has not the memory to make a key of the passphrase", {}});
+        return tl::unexpected(InputError{"not enough memory to derive a key from the passphrase", {}});
     return key;
 }
 

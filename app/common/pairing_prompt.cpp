@@ -27,10 +27,10 @@ std::string withoutBlanks(std::string text)
 
 void PairingPrompt::declare(Options &options)
 {
-    options.addFlag("json", "One JSON object a line on stdout.");
-    options.addValue("expect", "FINGERPRINT", "Confirm the peer of this fingerprint without a question, and refuse any other.");
-    options.addFlag("replace", "With --expect: also when another key is known by that name, which it then replaces.");
-    options.addValue("as", "NAME", "How the other end is to be called here, instead of as it calls itself.");
+    options.addFlag("json", "One JSON object per line on stdout.");
+    options.addValue("expect", "FINGERPRINT", "Confirm the peer with this fingerprint without asking, and refuse any other.");
+    options.addFlag("replace", "With --expect: replace the key if the name is known with another one.");
+    options.addValue("as", "NAME", "Name of the peer here, in place of the one it claims.");
 }
 
 PairingPrompt::Settings PairingPrompt::read(Options &options)
@@ -41,11 +41,11 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
         out.expected = withoutBlanks(options.required("expect"));
         constexpr std::size_t kDigits = 64; // all of them: a part that agrees can be searched for
         if (out.expected.size() != kDigits || out.expected.find_first_not_of("0123456789abcdef") != std::string::npos)
-            options.fail("--expect: a whole fingerprint is expected, 64 hex digits");
+            options.fail("--expect: a complete fingerprint of 64 hex digits is expected");
     }
     out.replaces = options.has("replace");
     if (out.replaces && out.expected.empty())
-        options.fail("--replace: goes with --expect; without it you are asked");
+        options.fail("--replace: requires --expect; without it you are asked");
     if (options.has("as")) {
         keys::PeerEntry entry;
         entry.peer.name = out.callIt = options.required("as");
@@ -78,32 +78,32 @@ void PairingPrompt::take(PairingStatus status)
         say("Open for pairing for " + std::to_string(status.seconds) + " s. The fingerprint of this device:");
         say("    " + keys::fingerprint(status.key));
         if (m_settings.asks)
-            say("Open the window at the agent, while the vehicle is disarmed: skyseal-air --pair --identity FILE");
+            say("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
         say("Waiting for the other end …");
         return;
     case State::Seen:
         m_asked = std::move(status);
         ask();
         return;
-    case State::Confirmed: say("The other end said yes."); return;
+    case State::Confirmed: say("The other end has confirmed."); return;
     case State::Gone:
         m_asked.reset();
-        say("Not any more: " + status.reason + ". Waiting for the other end …");
+        say("The other end is gone: " + status.reason + ". Waiting for the other end …");
         return;
     case State::Other:
-        say("WARNING: somebody else tried to be paired meanwhile, fingerprint " + keys::fingerprint(status.key));
+        say("WARNING: another device tried to pair meanwhile, fingerprint " + keys::fingerprint(status.key));
         return;
     case State::Differs:
         if (!std::exchange(m_differs, true)) // it is told each second
-            say("The passphrases of the two ends differ, or only one end has one. Begin again with the same at both.");
+            say("The passphrases of the two ends differ, or only one end has one. Start again with the same passphrase at both.");
         return;
     case State::Paired:
         m_paired = true;
         say("Paired with " + status.name + ".");
         if (m_settings.asks)
             say("This station asked to be " + std::string(keys::peerRoleText(*m_settings.asks))
-                + " there. What it is, pilot (may command) or observer (may only look), is what was confirmed beside the agent; "
-                  "it stands in the agent's list alone.");
+                + ". Its role, pilot (may command) or observer (may only observe), is the one that was confirmed at the agent; "
+                  "it is stored only in the agent's list of peers.");
         return;
     case State::Refused:
         m_failed = true;
@@ -122,27 +122,27 @@ void PairingPrompt::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
     const std::string asked = m_settings.decidesRole ? ", as " + std::string(keys::peerRoleText(m_asked->role)) : "";
-    say("\"" + m_asked->name + "\" wants to be paired" + asked + ". Its fingerprint:");
+    say("\"" + m_asked->name + "\" asks to be paired" + asked + ". Its fingerprint:");
     say("    " + print);
     if (m_asked->knownKey) {
-        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. Known until now:");
+        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key:");
         say("    " + keys::fingerprint(*m_asked->knownKey));
-        say("Either it was made anew there, or somebody pretends to be it.");
+        say("Either the device has a new key, or this is an impersonation.");
     }
     if (m_settings.decidesRole && role() != m_asked->role)
-        say("Here it is to be " + std::string(keys::peerRoleText(role())) + ".");
+        say("Its role here: " + std::string(keys::peerRoleText(role())) + ".");
     if (!m_settings.expected.empty()) {
         if (withoutBlanks(print) != m_settings.expected)
-            refuse("It is not the expected one: refused.");
+            refuse("Not the expected fingerprint: refused.");
         else if (m_asked->knownKey && !m_settings.replaces)
-            refuse("It is the expected one, but a known key is replaced only with --replace: refused.");
+            refuse("The fingerprint is the expected one, but a known key is replaced only with --replace: refused.");
         else
             confirm(role());
         return;
     }
     const std::string yes = m_asked->knownKey ? "replace" : "yes";
-    say("Compare both fingerprints with those that the other end shows. Are both the same? Type " + yes
-        + (mayBeObserver() ? ", observer (it may only look)" : "") + " or no:");
+    say("Compare both fingerprints with those shown at the other end. Are both the same? Type " + yes
+        + (mayBeObserver() ? ", observer (may only observe)" : "") + " or no:");
 }
 
 void PairingPrompt::hear()
@@ -154,7 +154,7 @@ void PairingPrompt::hear()
     if (count <= 0) { // nobody can answer any more
         m_input->setEnabled(false);
         m_failed = true;
-        say("Not paired: standard input has ended, so that nobody can answer; --expect FINGERPRINT confirms without a question");
+        say("Not paired: standard input has ended; use --expect FINGERPRINT to confirm without a question");
         Q_EMIT cancelled();
         return;
     }
@@ -206,7 +206,7 @@ void PairingPrompt::confirm(channel::PeerRole role)
 {
     const Answer out{m_asked->key, m_asked->name, role, m_asked->knownKey.has_value()};
     m_asked.reset();
-    say("Confirmed here; the other end must say yes as well.");
+    say("Confirmed here; the other end must confirm as well.");
     Q_EMIT confirmed(out);
 }
 

@@ -30,9 +30,9 @@ constexpr std::array kWords{
 const char *words(channel::PairingGone reason)
 {
     switch (reason) {
-    case channel::PairingGone::Silent: return "it fell silent";
-    case channel::PairingGone::Refused: return "the other end said no";
-    case channel::PairingGone::Replaced: return "it began again";
+    case channel::PairingGone::Silent: return "it stopped responding";
+    case channel::PairingGone::Refused: return "the other end refused";
+    case channel::PairingGone::Replaced: return "it started again";
     }
     return "";
 }
@@ -41,7 +41,7 @@ const char *words(channel::PairingEnd reason)
 {
     switch (reason) {
     case channel::PairingEnd::Paired: return "";
-    case channel::PairingEnd::TimedOut: return "the time is over";
+    case channel::PairingEnd::TimedOut: return "timed out";
     case channel::PairingEnd::Cancelled: return "cancelled";
     case channel::PairingEnd::Armed: return "the vehicle was armed";
     }

@@ -57,7 +57,7 @@ void PassphraseInput::declare(Options &options, const char *which, const char *w
 {
     options.addValue((std::string(which) + "passphrase-file").c_str(), "FILE",
                      ("File whose first line is " + std::string(whose) + "; - for standard input.").c_str());
-    options.addValue((std::string(which) + "passphrase-fd").c_str(), "N", "The same from an open descriptor.");
+    options.addValue((std::string(which) + "passphrase-fd").c_str(), "N", "Open descriptor to read it from.");
 }
 
 PassphraseInput PassphraseInput::read(Options &options, const char *which)
@@ -92,12 +92,12 @@ Result<Passphrase, InputError> PassphraseInput::readGiven() const
 keys::AskPassphrase PassphraseInput::ask() const
 {
     return [input = *this](const std::string &file, int attempt) -> Result<Passphrase, InputError> {
-        const InputError wrong{"the passphrase does not open it, or the file was changed", file};
+        const InputError wrong{"wrong passphrase, or the file was changed", file};
         if (input.isGiven())
             return attempt == 0 ? input.readGiven() : tl::unexpected(wrong);
         if (attempt >= kAttempts)
             return tl::unexpected(wrong);
-        return askAtTerminal(attempt == 0 ? "Passphrase of " + file + ": " : "That does not open it. Once more: ", file,
+        return askAtTerminal(attempt == 0 ? "Passphrase of " + file + ": " : "Wrong passphrase. Try again: ", file,
                              input.m_which);
     };
 }
@@ -114,7 +114,7 @@ Result<Passphrase, InputError> PassphraseInput::choose(const std::string &file) 
     auto first = askAtTerminal("New passphrase of " + file + ": ", file, m_which);
     if (!first)
         return first;
-    const auto second = askAtTerminal("The same again: ", file, m_which);
+    const auto second = askAtTerminal("Repeat the passphrase: ", file, m_which);
     if (!second)
         return tl::unexpected(second.error());
     if (!first->equals(*second))

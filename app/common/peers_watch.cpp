@@ -99,7 +99,7 @@ std::string peersText(const keys::PeersInForce &peers)
 
 std::string peersText(const std::string &problem)
 {
-    return "the changed list of known peers is refused, the old one stays: " + problem;
+    return "the changed list of known peers is invalid, the previous one stays in force: " + problem;
 }
 
 void tellPeers(const PeersWatch &watch, bool json)

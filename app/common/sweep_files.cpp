@@ -36,7 +36,7 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
 {
     const QString program = programPath(QStringLiteral("skyseal-figures"));
     if (program.isEmpty())
-        return "no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files hold the same";
+        return "no PNG and PDF: skyseal-figures is not installed; report.html and the SVG files have the same content";
     const QString printable = folder.filePath(QStringLiteral("report-print.html"));
     if (std::string problem = write(printable, report); !problem.empty())
         return problem;
@@ -121,7 +121,7 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         drawings << folder.filePath(files.back().first);
     }
     if (!folder.mkpath(QStringLiteral("figures")))
-        return {false, path.toStdString() + ": no folder can be made there"};
+        return {false, path.toStdString() + ": the folder cannot be created"};
     removePictures(folder);
     for (const auto &[name, content] : files) {
         if (std::string problem = write(folder.filePath(name), content); !problem.empty())

@@ -91,7 +91,7 @@ Result<Passphrase, InputError> askAtTerminal(const std::string &question, const 
     auto passphrase = Passphrase::fromBytes(typed);
     if (!passphrase)
         return tl::unexpected(
-            InputError{typed.empty() ? "no passphrase was typed" : "the passphrase has more than 1024 bytes", source});
+            InputError{typed.empty() ? "no passphrase was entered" : "the passphrase has more than 1024 bytes", source});
     return std::move(*passphrase);
 }
 

@@ -130,14 +130,14 @@ int main(int argc, char **argv)
         qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));
     QGuiApplication application(argc, argv);
     Options options(kName, QStringLiteral("Draws figures (FILE.svg to FILE.png) and a report (--report, --pdf)."));
-    options.addValue("report", "FILE", "A report that skyseal-cli sweep wrote for printing; its figures lie beside it.");
-    options.addValue("pdf", "FILE", "The PDF that is made of it.");
+    options.addValue("report", "FILE", "Printable report of skyseal-cli sweep, in the folder of its figures.");
+    options.addValue("pdf", "FILE", "PDF file to write.");
     options.addArgument("FILE.svg", "Figures.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     const QStringList figures = options.arguments(0, 10000);
     if (options.has("report") != options.has("pdf"))
-        options.fail("--report and --pdf belong together");
+        options.fail("--report and --pdf require each other");
     if (const auto status = options.finish())
         return *status;
     bool ok = true;

@@ -39,12 +39,12 @@ int main(int argc, char **argv)
                          QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
     options.addLink("link", "Link to a ground station or agent; may be given several times.",
                     [](const link::LinkTraits &traits) { return !traits.isRecording; });
-    options.addValue("vehicles", "N", "How many vehicles share the links.", "1");
+    options.addValue("vehicles", "N", "Number of vehicles, which share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
-    options.addValue("seed", "N", "Makes wind and noise repeat.", "1");
+    options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");
     options.addValue("rate", "FACTOR", "Fly faster than real time; heartbeats and streams keep their rates.", "1");
-    options.addFlag("saturate", "The first vehicle sends telemetry as fast as a station answers, to load a link.");
-    options.addFlag("json", "Tell what happens as one JSON object a line.");
+    options.addFlag("saturate", "The first vehicle sends telemetry as fast as the station responds, to load the link.");
+    options.addFlag("json", "One JSON object per line on stdout.");
     if (const auto status = options.parse(application.arguments().mid(1)))
         return *status;
     const app::SimSettings settings = settingsFrom(options);

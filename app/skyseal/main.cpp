@@ -39,7 +39,7 @@ int main(int argc, char **argv)
     QApplication::setApplicationDisplayName(QStringLiteral("Skyseal"));
     QApplication::setDesktopFileName(QStringLiteral("skyseal"));
     if (!crypto::initCrypto()) {
-        complain(QStringLiteral("skyseal"), "the system offers no randomness");
+        complain(QStringLiteral("skyseal"), "the system provides no randomness");
         return kCannotOpen;
     }
     StopSignals signalled; // before the links open: who sees one may already want the end

@@ -9,14 +9,13 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
     constexpr double kDay = 86400;
     Options options(QStringLiteral("skyseal"), QStringLiteral("Ground control station with a sealed MAVLink link."));
     options.addLink(
-        "link",
-        "Open this link; may be given several times. Without it: the link of the settings, udpin:0.0.0.0:14550 at first.");
-    options.addFlag("demo", "Fly a simulated vehicle behind an agent of its own, with fresh keys.");
+        "link", "Link to open; may be given several times. Default: the link of the settings, initially udpin:0.0.0.0:14550.");
+    options.addFlag("demo", "Fly a simulated vehicle behind its own agent, with new keys.");
     options.addValue("identity", "FILE", "Private key of this station, instead of the user's own.");
-    options.addValue("peers", "FILE", "The known peers that go with it.");
+    options.addValue("peers", "FILE", "File of known peers of that key.");
     PassphraseInput::declare(options);
-    options.addValue("screenshot", "FILE", "Save a picture of the window and leave.");
-    options.addValue("after", "S", "Take the picture after so many seconds.", "3");
+    options.addValue("screenshot", "FILE", "Save a picture of the window and exit.");
+    options.addValue("after", "S", "Take the picture after this many seconds.", "3");
     if (const auto status = options.parse(arguments))
         return *status;
     options.arguments(0, 0);
@@ -29,9 +28,9 @@ std::variant<WindowOptions, int> readOptions(const QStringList &arguments)
     out.peersFile = options.text("peers");
     out.passphrase = PassphraseInput::read(options);
     if (out.identityFile.empty() != out.peersFile.empty())
-        options.fail("--identity and --peers go together");
+        options.fail("--identity and --peers require each other");
     if (out.demo && !out.identityFile.empty())
-        options.fail("--demo makes its own keys: leave --identity and --peers away");
+        options.fail("--demo creates its own keys; omit --identity and --peers");
     if (const auto status = options.finish())
         return *status;
     return out;

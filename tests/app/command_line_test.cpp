@@ -108,7 +108,7 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "sweep --load saturated,natural --framing rot13", "sealed, inline or both"); // in any order
     row("skyseal-cli", "sweep --impair loss=2", "loss=2");
     row("skyseal-cli", "sweep --framing rot13", "sealed, inline or both");
-    row("skyseal-cli", "sweep --framing inline --suites aes-256-gcm", "none of them can be");
+    row("skyseal-cli", "sweep --framing inline --suites aes-256-gcm", "none of them supports this framing");
     row("skyseal-cli", "sweep --expect loss(chacha20,inline)<1", "framing inline");
     row("skyseal-cli", "sweep --expect loss", "comparison");
     row("skyseal-cli", "sweep --suites none --expect cpu(rc4)<1", "does not measure rc4");
@@ -119,7 +119,7 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "bench --sizes 0", "--sizes");
     row("skyseal-cli", "bench --sizes 28,2000", "1100");
     row("skyseal-cli", "bench --aes maybe", "maybe");
-    row("skyseal-cli", "bench --suites none", "seals nothing");
+    row("skyseal-cli", "bench --suites none", "is not sealed");
     row("skyseal-cli", "decode", "argument");
     row("skyseal-cli", "decode a b", "b");
     row("skyseal-cli", "decode --framing rot13 a", "rot13");
@@ -128,7 +128,7 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-cli", "decode --framing mavsec2019 --key 00 a", "64 hex digits");
     row("skyseal-cli", "decode --framing mavsec2019 --nonce 00 a", "24 hex digits");
     row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing mavsec2019 --identity k --peers p", "--secure off");
-    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing mavsec2019 --do arm", "nothing is ever sent");
+    row("skyseal-cli", "monitor --link udpin:127.0.0.1:0 --framing mavsec2019 --do arm", "never sends");
     row("skyseal-cli", "keys", "new");
     row("skyseal-cli", "keys new", "--out");
     row("skyseal-cli", "keys peers add --peers p --name n nonsense", "public key");
@@ -137,7 +137,7 @@ void CommandLineTest::usageErrors_data()
     row("skyseal-air", "", "--vehicle");
     const QByteArray agent("--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --");
     for (const char *option : {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
-        row("skyseal-air", (agent + option).constData(), "goes with --pair");
+        row("skyseal-air", (agent + option).constData(), "requires --pair");
     row("skyseal-sim", "--link tlog:flight.tlog", "tcpin:HOST:PORT or serial:/dev/NAME:BAUD is expected");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p",
         "--ground 'udpin:127.0.0.1:0': udpout:HOST:PORT, ");

@@ -71,7 +71,7 @@ void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
                    QStringLiteral("--passphrase")});
     QVERIFY2(made.waitForText("New passphrase of "), made.errors().constData());
     made.type("swordfish\n");
-    QVERIFY(made.waitForText("The same again: "));
+    QVERIFY(made.waitForText("Repeat the passphrase: "));
     made.type("swordfish\n");
     QCOMPARE(made.waitForExit(), 0);
     QVERIFY2(!made.shown().contains("sword"), made.shown().constData());
@@ -82,9 +82,9 @@ void KeyPassphraseTest::typedAtTheTerminalWithoutEcho()
                     {QStringLiteral("keys"), QStringLiteral("import"), path("a.key"), QStringLiteral("--out"), path("b.key")});
     QVERIFY(opened.waitForText("Passphrase of "));
     opened.type("sworfish\n");
-    QVERIFY(opened.waitForText("Once more: "));
+    QVERIFY(opened.waitForText("Try again: "));
     opened.type("s\n");
-    QVERIFY(opened.waitForText("Once more: "));
+    QVERIFY(opened.waitForText("Try again: "));
     opened.type("swordfish\n");
     QCOMPARE(opened.waitForExit(), 0);
     QVERIFY(!opened.shown().contains("fish"));
@@ -107,7 +107,7 @@ void KeyPassphraseTest::interruptedAndMistyped()
         Terminal mistyped(QStringLiteral("skyseal-cli"), make);
         QVERIFY(mistyped.waitForText("New passphrase of "));
         mistyped.type("one\n");
-        QVERIFY(mistyped.waitForText("The same again: "));
+        QVERIFY(mistyped.waitForText("Repeat the passphrase: "));
         mistyped.type("two\n");
         QCOMPARE(mistyped.waitForExit(), 3);
         QVERIFY(mistyped.errors().contains("differ"));

@@ -254,7 +254,7 @@ void KeysCommandTest::pairingNeedsSomebodyToAnswer()
     QVERIFY2(!ended.err.contains("cancelled"), ended.err.constData());
     const RunResult nobody = runProgram("skyseal-air", {QStringLiteral("--pair"), QStringLiteral("--identity"), path("a.key")});
     QCOMPARE(nobody.status, 3);
-    QVERIFY2(nobody.err.contains("no agent with this identity runs here") && !nobody.err.contains("QLocalSocket"),
+    QVERIFY2(nobody.err.contains("no agent with this identity is running") && !nobody.err.contains("QLocalSocket"),
              nobody.err.constData());
 }
 

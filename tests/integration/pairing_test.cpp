@@ -200,7 +200,8 @@ void PairingTest::somebodyInBetweenGetsNothing()
     QCOMPARE(text(ground->waitFor(QStringLiteral("pairing"), 10000, stateIs("seen")), "fingerprint"), malloryAir);
     QVERIFY(!toAgent->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
     QVERIFY(!toStation->waitFor(QStringLiteral("pairing"), 10000, stateIs("gone")).isEmpty());
-    QVERIFY(desk->errors().contains("not the expected one") && ground->errors().contains("not the expected one"));
+    QVERIFY(desk->errors().contains("Not the expected fingerprint")
+            && ground->errors().contains("Not the expected fingerprint"));
     for (const char *peers : {"ground.peers", "air.peers", "mallory.peers"})
         QVERIFY2(read(peers).isEmpty(), peers);
 }

@@ -70,7 +70,7 @@ void printHelp()
     };
     list(kOwn);
     list(kPeers);
-    printLine(text + "\nEach explains itself with --help.");
+    printLine(text + "\nEach command has --help.");
 }
 
 } // namespace
@@ -87,8 +87,7 @@ int runKeys(const QStringList &arguments)
         return command ? command->run(arguments.mid(2)) : usage("peers is followed by one of " + namesOf(kPeers));
     }
     const Subcommand *command = named(kOwn, action);
-    return command ? command->run(arguments.mid(1))
-                   : usage("one of " + namesOf(kOwn) + " or peers is expected; --help explains them");
+    return command ? command->run(arguments.mid(1)) : usage("one of " + namesOf(kOwn) + " or peers is expected; see --help");
 }
 
 } // namespace skyseal::app

@@ -24,8 +24,8 @@ public:
         options.addArgument(name, help);
         ++m_arguments;
     }
-    void addPeersOption() { options.addValue("peers", "FILE", "File of known peers; made when it is missing."); }
-    void addJsonOption() { options.addFlag("json", "One JSON object a line on stdout."); }
+    void addPeersOption() { options.addValue("peers", "FILE", "File of known peers; created if missing."); }
+    void addJsonOption() { options.addFlag("json", "One JSON object per line on stdout."); }
 
     /// An exit status when there is nothing more to do. What is read of the options is checked by finish() of theirs.
     std::optional<int> parse(const QStringList &given)

@@ -40,7 +40,7 @@ class NewPassphrase
 public:
     static void declare(Options &options)
     {
-        options.addFlag("passphrase", "Seal the key with a passphrase, which is asked for.");
+        options.addFlag("passphrase", "Seal the key with a passphrase; prompts for it.");
         PassphraseInput::declare(options, "new-", "the new passphrase");
     }
     void read(Options &options)
@@ -70,7 +70,7 @@ private:
 
 int newKey(const QStringList &arguments)
 {
-    KeysSubcommand command("new", "Makes a private key. The file must not exist yet; only its owner may read it.");
+    KeysSubcommand command("new", "Creates a private key in a new file that only its owner can read.");
     command.options.addValue("out", "FILE", "File of the private key.");
     NewPassphrase::declare(command.options);
     command.addJsonOption();
@@ -96,7 +96,7 @@ int newKey(const QStringList &arguments)
 int showKey(const QStringList &arguments)
 {
     KeysSubcommand command("show",
-                           "Shows the public part of a private key: what other ends need to know. Needs no passphrase.");
+                           "Shows the public key of a private key file, which the peers need. Does not need the passphrase.");
     command.addArgument("FILE", "File of the private key.");
     command.addJsonOption();
     if (canShowQr())
@@ -117,7 +117,7 @@ int showKey(const QStringList &arguments)
 
 int exportKey(const QStringList &arguments)
 {
-    KeysSubcommand command("export", "Writes the public key alone, to be carried to the other end.");
+    KeysSubcommand command("export", "Writes the public key, to be copied to the other end.");
     command.addArgument("FILE", "File of the private key.");
     command.options.addValue("out", "PUBLIC-FILE", "File to write, which must not exist yet; without it, standard output.");
     if (const auto status = command.parse(arguments))
@@ -139,7 +139,7 @@ int exportKey(const QStringList &arguments)
 int importKey(const QStringList &arguments)
 {
     KeysSubcommand command("import",
-                           "Takes over a private key from another place, e.g. a USB stick, into a file that only its owner "
+                           "Copies a private key, e.g. from a USB stick, into a new file that only its owner "
                            "may read.");
     command.addArgument("FROM", "File of the private key, - for standard input. Delete it there afterwards.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
@@ -173,9 +173,9 @@ int importKey(const QStringList &arguments)
 
 int changePassphrase(const QStringList &arguments)
 {
-    KeysSubcommand command("passphrase", "Seals a private key with a passphrase, changes it, or takes it away.");
+    KeysSubcommand command("passphrase", "Sets, changes or removes the passphrase of a private key.");
     command.addArgument("FILE", "File of the private key.");
-    command.options.addFlag("remove", "Take the passphrase away: whoever has the file has the key.");
+    command.options.addFlag("remove", "Remove the passphrase: the key is then readable from the file.");
     PassphraseInput::declare(command.options);
     PassphraseInput::declare(command.options, "new-", "the new passphrase");
     if (const auto status = command.parse(arguments))
@@ -185,7 +185,7 @@ int changePassphrase(const QStringList &arguments)
     const PassphraseInput next = PassphraseInput::read(command.options, "new-");
     const bool remove = command.options.has("remove");
     if (remove && next.isGiven())
-        command.options.fail("--remove leaves no place for a new passphrase");
+        command.options.fail("--remove and a new passphrase exclude each other");
     if (const auto status = command.options.finish())
         return *status;
     const auto pair = keys::loadIdentity(file, input.ask());
@@ -207,7 +207,7 @@ int newPresharedKey(const QStringList &arguments)
 {
     KeysSubcommand command(
         "psk",
-        "Makes a pre-shared key: a second secret for one pair of devices. Both need the same file; peers add --psk "
+        "Creates a pre-shared key: a second secret for two devices. Both need the same file; peers add --psk "
         "names it.");
     command.options.addValue("out", "FILE", "File to write, which must not exist yet.");
     if (const auto status = command.parse(arguments))

@@ -47,15 +47,14 @@ PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decis
 int pairWithAgent(const QStringList &arguments)
 {
     const QString name = QStringLiteral("skyseal-cli keys pair");
-    Options options(
-        name,
-        QStringLiteral("Pairs this station with an agent whose window is open (skyseal-air --pair there). Both sides "
-                       "compare the fingerprints and confirm."));
+    Options options(name,
+                    QStringLiteral("Pairs this station with an agent whose pairing window is open (skyseal-air --pair). Both "
+                                   "users compare the fingerprints and confirm."));
     options.addLink("link", "Link to the agent.", nullptr, "udpin:0.0.0.0:14550");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "File of known peers that the agent is added to; made when it is missing.");
-    options.addValue("role", "pilot|observer", "What this station asks to be there: to command, or only to look.", "pilot");
+    options.addValue("peers", "FILE", "File of known peers that the agent is added to; created if missing.");
+    options.addValue("role", "pilot|observer", "Role that this station asks for: to command, or only to observe.", "pilot");
     PairingPrompt::declare(options);
     PairingPassphraseInput::declare(options);
     if (const auto status = options.parse(arguments))

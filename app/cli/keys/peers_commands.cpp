@@ -115,14 +115,14 @@ Result<keys::PublicKey, InputError> readPublicKey(Options &options)
 InputError changedKey(const PeerEntry &known, const keys::PublicKey &offered)
 {
     return {"THE KEY OF '" + known.peer.name
-                + "' HAS CHANGED, refused. Either it was made anew there, or somebody pretends to be it.\n"
-                  "  known until now "
+                + "' HAS CHANGED, refused. Either the device has a new key, or this is an impersonation.\n"
+                  "  known key       "
                 + keys::fingerprint(known.peer.key)
                 + "\n"
                   "  offered         "
                 + keys::fingerprint(offered)
                 + "\n"
-                  "Compare the second one at the device itself. If it is right, say --replace",
+                  "Compare the second one at the device itself. If it matches, use --replace",
             {}};
 }
 
@@ -132,16 +132,16 @@ int addPeer(const QStringList &arguments)
 {
     KeysSubcommand command("peers add", "Adds a peer whose fingerprint you have compared.");
     Options &options = command.options;
-    options.addArgument("PUBLIC", "Its public key, as keys show or keys export prints it there.");
-    options.addValue("from", "FILE", "File of its public key instead; - for standard input.");
+    options.addArgument("PUBLIC", "The peer's public key, as printed by keys show or keys export.");
+    options.addValue("from", "FILE", "File of the public key instead; - for standard input.");
     command.addPeersOption();
-    options.addValue("name", "NAME", "How it is to be called here.");
-    options.addValue("role", "pilot|observer", "What it may do: command, or only look.", "pilot");
-    options.addValue("sysids", "LIST", "MAVLink system ids that it may speak as, e.g. 1,2.", "any");
-    options.addValue("psk", "FILE", "Pre-shared key of this pair (keys psk), the same file on both ends.");
+    options.addValue("name", "NAME", "Name of the peer.");
+    options.addValue("role", "pilot|observer", "Role of the peer: may command, or only observe.", "pilot");
+    options.addValue("sysids", "LIST", "MAVLink system ids that it may use, e.g. 1,2.", "any");
+    options.addValue("psk", "FILE", "Pre-shared key (keys psk), the same file at both ends.");
     options.addFlag("replace",
-                    "Replaces the key of the peer of that name: it has changed, and you know why. What else was noted "
-                    "stays, unless it is given.");
+                    "Replace the key of a known peer that has changed. Its other settings are kept unless "
+                    "given.");
     if (const auto status = options.parse(arguments))
         return *status;
     const std::string file = options.required("peers");
@@ -212,7 +212,7 @@ int listPeers(const QStringList &arguments)
 
 int removePeer(const QStringList &arguments)
 {
-    KeysSubcommand command("peers revoke", "Removes a peer: its session ends at once, and it cannot connect any more.");
+    KeysSubcommand command("peers revoke", "Removes a peer: its session ends at once, and it can no longer connect.");
     command.addArgument("NAME", "The peer's name.");
     command.addPeersOption();
     if (const auto status = command.parse(arguments))
@@ -245,15 +245,15 @@ int renamePeer(const QStringList &arguments)
 
 int setPeerRole(const QStringList &arguments)
 {
-    const PeerChange change{"peers role", "Changes what a peer may do; a session that is up obeys at once.", "ROLE",
-                            "pilot: it may command; observer: it may only look."};
+    const PeerChange change{"peers role", "Changes the role of a peer; takes effect at once in a running session.", "ROLE",
+                            "pilot (may command) or observer (may only observe)."};
     return changePeer(arguments, change, &readRole, [](PeerEntry &entry, channel::PeerRole role) { entry.peer.role = role; });
 }
 
 int setPeerSystems(const QStringList &arguments)
 {
-    const PeerChange change{"peers sysids", "Changes the MAVLink system ids that a peer may speak as.", "LIST",
-                            "System ids from 1 to 255 with commas between them, or any."};
+    const PeerChange change{"peers sysids", "Changes the MAVLink system ids that a peer may use.", "LIST",
+                            "System ids from 1 to 255, separated by commas, or any."};
     return changePeer(arguments, change, &readSystems,
                       [](PeerEntry &entry, std::vector<std::uint8_t> systems) { entry.peer.systemIds = std::move(systems); });
 }
