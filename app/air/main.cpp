@@ -1,4 +1,4 @@
-// skyseal-air: the agent beside an autopilot.
+// skyseal-air: the onboard agent for an autopilot.
 #include "app/air/agent_report.h"
 #include "app/air/pair_client.h"
 #include "app/air/pairing_server.h"
@@ -61,7 +61,7 @@ void declare(Options &options)
     PairingPassphraseInput::declare(options);
 }
 
-/// As the option says, or as the link suggests.
+/// The carrier of the option, or the default of the link.
 Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground)
 {
     if (!ground)
@@ -86,7 +86,7 @@ bool isHopeless(const engine::AgentEvent &event)
     return changed && (changed->link.phase == engine::LinkPhase::Failed || changed->link.hostUnknown);
 }
 
-/// What only a pairing asks; left out without a word, somebody would believe that it was obeyed.
+/// Options that apply to a pairing only. Rejected elsewhere, since ignoring them silently would mislead the user.
 void refusePairingOptions(Options &options)
 {
     for (const char *option :
@@ -96,7 +96,7 @@ void refusePairingOptions(Options &options)
     }
 }
 
-/// The other program in this one: speaks with the agent that runs.
+/// skyseal-air --pair: a client of the running agent.
 int pair(Options &options)
 {
     const std::string identity = options.required("identity");
@@ -196,7 +196,7 @@ int main(int argc, char **argv)
     const auto elapsed = [&clock] { return static_cast<double>(clock.elapsed()) / 1000; };
     QTimer everySecond;
     QObject::connect(&everySecond, &QTimer::timeout, &application, [&] {
-        started = true; // what fails from now on may come back
+        started = true; // later failures of links are retried
         report.stats(agent.snapshot(), elapsed());
     });
     StopSignals signals;

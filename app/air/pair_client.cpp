@@ -59,7 +59,7 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
         order(socket, json);
     });
     QObject::connect(&talk, &PairingPrompt::refused, &socket, [&] { order(socket, "refuse"); });
-    // Going away closes the window.
+    // Disconnecting closes the window.
     const auto leave = [&](int status) {
         socket.disconnect(&talk);
         QCoreApplication::exit(status);
@@ -78,7 +78,7 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
             socket.flush();
         }
     };
-    // From inside the event loop: the agent may hang up at once, and an exit before the loop would be lost.
+    // Inside the event loop: if the agent disconnects at once, an exit before the loop starts would have no effect.
     QMetaObject::invokeMethod(&socket, openIt, Qt::QueuedConnection);
     return QCoreApplication::exec();
 }

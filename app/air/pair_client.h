@@ -1,4 +1,4 @@
-// skyseal-air --pair: opens the window for pairing of the agent that runs with the same identity, and holds the conversation.
+// skyseal-air --pair: opens the pairing window of the running agent with the same identity, and prompts the user.
 #pragma once
 
 #include "app/common/pairing_prompt.h"
@@ -7,7 +7,7 @@
 
 namespace skyseal::app {
 
-/// Runs the event loop until it is over; an exit status. `passphraseKey` is null without a passphrase.
+/// Runs the event loop until the pairing ends; returns an exit status. `passphraseKey` is null without a passphrase.
 int runPairClient(const QString &program, const std::string &identityFile, PairingPrompt::Settings settings,
                   const Key32 *passphraseKey);
 

@@ -43,7 +43,7 @@ PairingServer::PairingServer(engine::AgentCore &agent, engine::KeyPaths paths, S
     connect(&m_server, &QLocalServer::newConnection, this, &PairingServer::admit);
     if (m_server.listen(name))
         return;
-    // Left behind by an agent that was killed, or in use by one that runs.
+    // The socket is left over from a killed agent, or in use by a running one.
     QLocalSocket probe;
     probe.connectToServer(name);
     if (probe.waitForConnected(kPatienceMs)) {
@@ -66,7 +66,7 @@ void PairingServer::admit()
 {
     while (QLocalSocket *next = m_server.nextPendingConnection()) {
         if (m_visitor) {
-            // Answered once it has asked: who is still writing when we hang up does not read why.
+            // Respond only after its request: a client that is still writing when we disconnect does not read the reason.
             connect(next, &QLocalSocket::readyRead, next, [next] {
                 write(*next, refusal("another user is pairing this agent"));
                 next->disconnectFromServer();

@@ -1,11 +1,11 @@
-// Where the window for pairing of a running agent is opened: a local socket beside its private key, which only the same user
-// can reach. `skyseal-air --pair` speaks with it, one JSON object a line each way:
+// The control socket through which the pairing window of a running agent is opened: a local socket next to its private key,
+// accessible by the same user only. Its client is `skyseal-air --pair`; one JSON object per line in each direction:
 //
 //   to the agent     {"do":"open","as":…,"passphrase":true|false}, with true followed by the 32 bytes of its key
 //                    {"do":"confirm","public":…,"name":…,"role":…,"replace":…}  {"do":"refuse"}
 //   from the agent   {"event":"pairing",…}, see pairing_status.h
 //
-// The window closes when whoever opened it goes away.
+// The window closes when the client that opened it disconnects.
 #pragma once
 
 #include "app/common/pairing_status.h"
@@ -31,11 +31,11 @@ class PairingServer : public QObject
 public:
     using Say = std::function<void(const PairingStatus &)>;
 
-    /// Listens. `agent` must outlive it; `say` hears what is told at the desk, for the agent's own log.
+    /// Starts listening. `agent` must outlive it; `say` is called with each status sent to the client, for the agent's log.
     PairingServer(engine::AgentCore &agent, engine::KeyPaths paths, Say say);
     ~PairingServer() override;
 
-    /// Why nobody can open a window here; empty when it is listening.
+    /// Why the server does not listen; empty if it does.
     QString problem() const { return m_problem; }
     void take(const channel::PairingEvent &event);
 
@@ -57,9 +57,9 @@ private:
     QLocalServer m_server;
     QLocalSocket *m_visitor = nullptr; ///< a child of the server
     QString m_problem;
-    bool m_keyFollows = false; ///< the next 32 bytes of the visitor are the key of a passphrase
-    std::string m_callIt;      ///< the name that the visitor chose for whoever comes; empty = what it calls itself
-    std::string m_name;        ///< what was decided about the other end
+    bool m_keyFollows = false; ///< the client's next 32 bytes are the key of a passphrase
+    std::string m_callIt;      ///< name chosen by the client for the peer; empty = the name the peer claims
+    std::string m_name;        ///< the confirmed name of the peer
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;
 };

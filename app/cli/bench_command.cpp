@@ -1,4 +1,4 @@
-// skyseal-cli bench: what sealing and opening cost on this machine, with its AES instructions and without.
+// skyseal-cli bench: measures sealing and opening on this machine, with and without AES instructions.
 #include "app/cli/commands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
@@ -21,8 +21,8 @@ namespace {
 const QString kName = QStringLiteral("skyseal-cli bench");
 constexpr std::size_t kMostBytes = 1100;
 
-// OpenSSL's names for what it must not see (OPENSSL_ia32cap(3): AES-NI is bit 57, PCLMULQDQ bit 33; vector AES bits 9 and 10
-// of the second word). On ARM OPENSSL_armcap=0 is all off.
+// Masks of CPU features for OpenSSL (OPENSSL_ia32cap(3): AES-NI is bit 57, PCLMULQDQ bit 33; vector AES bits 9 and 10
+// of the second word). On ARM OPENSSL_armcap=0 masks all.
 #if defined(__x86_64__)
 constexpr const char *kMaskName = "OPENSSL_ia32cap", *kMask = "~0x200000200000000:~0x60000000000";
 #else
@@ -83,7 +83,7 @@ std::string settingEvent(bool aes, const experiment::Setting &setting)
     return json.endObject().text();
 }
 
-/// Measures in this very process. What is said of AES instructions is what OpenSSL does, not what was asked for.
+/// Measures in this process. The output states whether OpenSSL uses AES instructions, not whether they were requested.
 bool measure(const BenchPlan &plan, bool asked, const QString &command)
 {
     bool ok = true;
@@ -112,13 +112,13 @@ bool measure(const BenchPlan &plan, bool asked, const QString &command)
     return ok;
 }
 
-/// Whether this process was started in the environment that the measurement is to have.
+/// True if this process runs in the environment required for the measurement.
 bool isPrepared(bool aes)
 {
     return aes ? !qEnvironmentVariableIsSet(kMaskName) : qgetenv(kMaskName) == kMask;
 }
 
-/// The libraries decide at their start what to use, so a process of its own is needed. Its lines are ours.
+/// The libraries detect CPU features at their start, so a separate process is needed; its output is forwarded.
 int measureInChild(const QStringList &arguments, bool aes)
 {
     QProcess child;
@@ -165,7 +165,7 @@ int runBench(const QStringList &arguments)
         if (!first && !plan.json)
             printLine("");
         first = false;
-        // A mask that somebody else set would make either wrong.
+        // A mask set by the user would falsify either.
         here = isPrepared(aes);
         ok = (here ? measure(plan, aes, command) : measureInChild(arguments, aes) == kDone) && ok;
     }

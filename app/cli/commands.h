@@ -1,4 +1,4 @@
-// The commands of skyseal-cli. Each gets its own arguments and returns the exit status.
+// The commands of skyseal-cli. Each takes its arguments and returns the exit status.
 #pragma once
 
 #include <QtCore/QStringList>

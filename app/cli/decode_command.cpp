@@ -1,4 +1,4 @@
-// skyseal-cli decode: a recording or raw MAVLink as text, one message a line.
+// skyseal-cli decode: prints a recording or raw MAVLink, one message per line.
 #include "app/cli/commands.h"
 #include "app/cli/log_input.h"
 #include "app/cli/mavsec_options.h"
@@ -33,11 +33,11 @@ void checkFraming(Options &options)
     const std::string framing = options.text("framing");
     if (framing != "plain" && framing != "mavsec2019")
         options.fail("--framing '" + framing + "': plain or mavsec2019 is expected");
-    if (framing == "mavsec2019" && options.has("signing-key")) // there, signatures are over what was encrypted
+    if (framing == "mavsec2019" && options.has("signing-key")) // its signatures cover the encrypted payloads
         options.fail("--signing-key: not with --framing mavsec2019");
 }
 
-/// The built-in dialect, with the user's further messages where there are some.
+/// The built-in dialect, extended by the user's messages if there are any.
 Result<mavlink::Dialect, InputError> readDialect(const std::string &file)
 {
     return file.empty() ? mavlink::Dialect::builtin() : mavlink::loadUserDialect(file);
@@ -89,7 +89,7 @@ int runDecode(const QStringList &arguments)
         complain(name, *problem);
         return kCannotOpen;
     }
-    // Flushed when nothing more waits: a pipe is followed live, a file is not slowed down.
+    // Flushes only when no input is pending: live with a pipe, and efficient with a file.
     const auto counts = tlog::decode(input.stream(), *dialect, how, [&](std::string_view line) {
         std::fwrite(line.data(), 1, line.size(), stdout);
         std::fputc('\n', stdout);

@@ -1,4 +1,4 @@
-// skyseal-cli impair: a bad radio between two programs.
+// skyseal-cli impair: simulates a bad radio link between two programs.
 #include "app/cli/commands.h"
 #include "app/common/exit_status.h"
 #include "app/common/format.h"

@@ -1,4 +1,4 @@
-// skyseal-cli log: what a recording holds, whether it is sound, and its telemetry as a table.
+// skyseal-cli log: summary and verification of a recording, and export of its telemetry.
 #include "app/cli/commands.h"
 #include "app/cli/log_input.h"
 #include "app/common/exit_status.h"

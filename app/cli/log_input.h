@@ -1,4 +1,4 @@
-// The file, or standard input, that a command reads MAVLink from.
+// Opens the file or standard input that a command reads MAVLink from.
 #pragma once
 
 #include <QtCore/QString>
@@ -16,7 +16,7 @@ namespace skyseal::app {
 class LogInput
 {
 public:
-    /// "-" is standard input. What is wrong, when it cannot be read.
+    /// "-" is standard input. Returns an error if it cannot be read.
     std::optional<std::string> open(const QString &file)
     {
         if (file == QLatin1String("-")) {

@@ -1,4 +1,4 @@
-// skyseal-cli: the station without a display. Each command is a file of its own; this one picks it.
+// skyseal-cli: the station without a display. This file selects the command; each has its own file.
 #include "app/cli/commands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"

@@ -1,4 +1,4 @@
-// The options of --framing mavsec2019: how a stream of the paper's published code was encrypted.
+// The options of --framing mavsec2019: the encryption of a stream of the paper's published code.
 #pragma once
 
 #include "app/common/options.h"
@@ -6,12 +6,12 @@
 
 namespace skyseal::app {
 
-/// --cipher, --key or --key-file, --nonce and --counter; what is not given is as in the published code.
+/// --cipher, --key or --key-file, --nonce and --counter; defaults are the values of the published code.
 class MavsecOptions
 {
 public:
     static void declare(Options &options);
-    /// Problems with what was written; none when another framing was chosen and no such option given.
+    /// Checks the options. They are rejected with another framing.
     static MavsecOptions read(Options &options);
 
     /// True for --framing mavsec2019.

@@ -1,4 +1,4 @@
-// skyseal-cli monitor: a station's run without a window.
+// skyseal-cli monitor: runs a station without a window.
 #include "app/cli/commands.h"
 #include "app/cli/json_report.h"
 #include "app/cli/mavsec_options.h"
@@ -55,7 +55,7 @@ std::string defaultLogFolder()
         .toStdString();
 }
 
-/// What would be refused at once is better said before anything starts.
+/// Rejects a suite that would be refused at run time before anything starts.
 void checkSuite(Options &options, const engine::StationConfig &config, const char *option, crypto::SuiteId suite)
 {
     const crypto::SuiteInfo &info = crypto::suiteInfo(suite);
@@ -82,7 +82,7 @@ void readFraming(Options &options, engine::StationConfig &config)
     if (config.secure != engine::SecureMode::Required)
         return options.fail("--framing 'inline': there is no sealed link; --secure required");
     config.policy.allowInline = config.policy.preferInline = true;
-    // A session shall begin with a suite that can do it.
+    // The session must start with a suite that supports the framing.
     std::stable_partition(config.policy.suites.begin(), config.policy.suites.end(), crypto::mayBeInline);
 }
 

@@ -23,13 +23,13 @@ std::string qrText(const std::string &content)
     const std::unique_ptr<QRcode, Free> code(QRcode_encodeString8bit(content.c_str(), 0, QR_ECLEVEL_M));
     if (!code)
         return {};
-    constexpr int kQuiet = 4; // modules of light around it, as the standard wants
+    constexpr int kQuiet = 4; // light modules around it, as the standard requires
     const int width = code->width;
     const auto dark = [&](int x, int y) {
         const bool inside = x >= 0 && y >= 0 && x < width && y < width;
         return inside && (code->data[y * width + x] & 1) != 0;
     };
-    // Terminals are mostly dark: what is light in the code is drawn, what is dark is left out.
+    // Terminals are mostly dark: light modules are drawn, dark ones are not.
     std::string out;
     for (int y = -kQuiet; y < width + kQuiet; y += 2) {
         for (int x = -kQuiet; x < width + kQuiet; ++x) {

@@ -1,4 +1,4 @@
-// A QR code in a terminal, by libqrencode where the build has it.
+// A QR code for a terminal, by libqrencode if the build has it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace skyseal::app {
 
 /// False in builds without libqrencode.
 bool canShowQr();
-/// Lines of half blocks, two rows of modules each, with the quiet zone around; empty when it cannot be made.
+/// Lines of half blocks, two rows of modules each, with the quiet zone; empty on failure.
 std::string qrText(const std::string &content);
 
 } // namespace skyseal::app

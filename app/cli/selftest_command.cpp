@@ -1,4 +1,4 @@
-// skyseal-cli selftest: known answers on this machine, one line each.
+// skyseal-cli selftest: known-answer tests on this machine, one line each.
 #include "app/cli/commands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"

@@ -1,4 +1,4 @@
-// skyseal-cli sweep: what does each suite cost, measured unattended.
+// skyseal-cli sweep: measures the cost of each suite unattended.
 #include "app/cli/commands.h"
 #include "app/cli/sweep_options.h"
 #include "app/common/exit_status.h"
@@ -22,7 +22,7 @@ namespace {
 
 const QString kName = QStringLiteral("skyseal-cli sweep");
 
-/// What is done with a finished sweep; the exit status.
+/// Writes and reports a finished sweep; returns the exit status.
 int conclude(const experiment::Results &results, const SweepOptions &options, experiment::HeapFigures &heap)
 {
     std::vector<experiment::Verdict> verdicts;
@@ -67,7 +67,7 @@ int runSweep(const QStringList &arguments)
         complain(kName, options.folder.toStdString() + ": the folder cannot be made");
         return kCannotOpen;
     }
-    experiment::HeapFigures heap; // before the threads
+    experiment::HeapFigures heap; // before threads start
     crypto::SystemRandom random;
     std::unique_ptr<experiment::Lab> lab;
     engine::StationConfig station = options.station;

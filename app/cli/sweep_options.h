@@ -1,4 +1,4 @@
-// The command line of a sweep, read and checked.
+// Parses and checks the command line of a sweep.
 #pragma once
 
 #include "core/engine/station/station_config.h"
@@ -16,14 +16,14 @@ namespace skyseal::app {
 struct SweepOptions
 {
     experiment::Plan plan;
-    std::optional<link::LinkUrl> link; ///< empty: simulator and agent of our own
+    std::optional<link::LinkUrl> link; ///< empty: the sweep's own simulator and agent
     engine::StationConfig station;
     std::vector<experiment::Expectation> expectations;
     QString folder; ///< empty: no files
     bool json = false;
 };
 
-/// An exit status when there is nothing to do: help, or something is wrong.
+/// An exit status if there is nothing to do: help was printed, or the usage is wrong.
 std::optional<int> readSweepOptions(const QString &name, const QStringList &arguments, SweepOptions &out);
 
 } // namespace skyseal::app

@@ -1,13 +1,13 @@
-// What every program's exit status means; scripts rely on it.
+// The exit statuses of all programs; scripts rely on them.
 #pragma once
 
 namespace skyseal::app {
 
 enum ExitStatus : int {
     kDone = 0,
-    kNotReached = 1, ///< ran, but what was asked for did not happen
+    kNotReached = 1, ///< ran, but the requested result was not reached
     kUsage = 2,
-    kCannotOpen = 3 ///< a link or a file
+    kCannotOpen = 3 ///< a link or file could not be opened
 };
 
 } // namespace skyseal::app

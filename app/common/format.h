@@ -1,4 +1,4 @@
-// Short texts with numbers in them, for people.
+// Short formatted texts.
 #pragma once
 
 #include <cstdio>
@@ -6,7 +6,7 @@
 
 namespace skyseal::app {
 
-/// printf into a string; cut at 511 characters.
+/// printf into a string; truncated to 511 characters.
 template<typename... Args> std::string format(const char *pattern, Args... args)
 {
     char out[512];

@@ -95,7 +95,7 @@ void Options::addArgument(const char *name, const char *help)
 
 std::optional<int> Options::parse(const QStringList &arguments)
 {
-    // The parser takes the first one as the program's name and shows it in the help.
+    // The parser expects the program's name first and shows it in the help.
     if (!m_parser.parse(QStringList{m_name} + arguments)) {
         complain(m_name, m_parser.errorText().section(QLatin1Char('\n'), 0, 0).toStdString());
         return kUsage;

@@ -1,5 +1,5 @@
-// Command line options of all programs: declared, parsed and checked alike, with one clear line and exit status 2 for
-// anything that is wrong.
+// Command line options of all programs: declaration, parsing and checks, with a one-line message and exit status 2 for each
+// usage error.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -15,12 +15,12 @@
 
 namespace skyseal::app {
 
-/// Declare, parse(), read, and at the end ask finish(): the getters remember the first problem and go on, so that the
-/// reading code stays a list.
+/// Usage: declare, parse(), read the values, then finish(). The getters record the first problem and continue, so that
+/// callers need no error handling for each value.
 class Options
 {
 public:
-    /// `name` is what a person types: "skyseal-cli monitor".
+    /// `name`: the command as the user types it: "skyseal-cli monitor".
     Options(QString name, const QString &description);
 
     void addFlag(const char *name, const char *help);
@@ -31,15 +31,15 @@ public:
     void addLink(const char *name, const char *help, LinkFilter accepted = nullptr, const char *preset = "");
     void addArgument(const char *name, const char *help);
 
-    /// `arguments` without the program's name. An exit status when there is nothing more to do: help or version was printed,
-    /// or the usage is wrong.
+    /// `arguments`: without the program's name. Returns an exit status if the program is done: help or version was printed, or
+    /// the usage is wrong.
     std::optional<int> parse(const QStringList &arguments);
-    /// kUsage when a getter or fail() found something wrong, after saying so.
+    /// Prints the first problem and returns kUsage if a getter or fail() recorded one.
     std::optional<int> finish() const;
 
     bool has(const char *name) const;
     std::string text(const char *name) const;
-    /// A problem when it was not given.
+    /// Records a problem if the option is missing.
     std::string required(const char *name);
     std::vector<std::string> texts(const char *name) const;
     /// A decimal number within [least, most].
@@ -47,13 +47,13 @@ public:
     std::uint64_t wholeNumber(const char *name, std::uint64_t least, std::uint64_t most);
     /// A suite by its name.
     std::optional<crypto::SuiteId> suite(const char *name);
-    /// Names separated by commas; "all" = every authenticated suite. None may come twice. `plainToo`: an error that lists the
-    /// suites names plain MAVLink among them.
+    /// Names separated by commas; "all" = every authenticated suite. Repetitions are an error. `plainToo`: error messages
+    /// list plain MAVLink among the suites.
     std::vector<crypto::SuiteId> suites(const char *name, bool plainToo = false);
     /// A link that was declared with addLink(). A listening link whose host was left out listens on `unnamedHost`.
     std::optional<link::LinkUrl> url(const char *name, std::string_view unnamedHost = link::LinkUrl::kAnyHost);
     std::vector<link::LinkUrl> urls(const char *name);
-    /// The positional arguments; a problem when there are fewer or more.
+    /// The positional arguments; records a problem if there are fewer or more.
     QStringList arguments(int least, int most);
 
     void fail(const std::string &problem);
@@ -69,7 +69,7 @@ private:
     std::string m_problem;
 };
 
-/// "skyseal-air: words", one line on stderr.
+/// Prints "skyseal-air: message", one line on stderr.
 void complain(const QString &program, const std::string &words);
 
 } // namespace skyseal::app

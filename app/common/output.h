@@ -1,4 +1,4 @@
-// What a program says: lines for programs or people on stdout, remarks for people on stderr.
+// The output of the programs: results on stdout, remarks on stderr.
 #pragma once
 
 #include <QtCore/QString>
@@ -10,7 +10,7 @@
 
 namespace skyseal::app {
 
-/// One line on stdout, at once: a reader behind a pipe must not wait for a full buffer. False when nobody reads any more.
+/// Prints one line on stdout and flushes it, for readers behind a pipe. Returns false if the reader has closed the pipe.
 inline bool printLine(const std::string &line)
 {
     std::fwrite(line.data(), 1, line.size(), stdout);
@@ -18,16 +18,16 @@ inline bool printLine(const std::string &line)
     return std::fflush(stdout) == 0;
 }
 
-/// Whether a line of up to 4096 bytes (POSIX's PIPE_BUF) can be written without waiting for whoever reads. Programs that
-/// carry a link ask first: it must not stand still because a pipe is full or a terminal was stopped.
+/// True if a line of up to 4096 bytes (POSIX's PIPE_BUF) can be written without blocking. Programs that serve a link check it
+/// first: the link must not stall because a pipe is full or a terminal is stopped.
 inline bool hasRoom(std::FILE *stream, int patienceMilliseconds = 0)
 {
     pollfd out{::fileno(stream), POLLOUT, 0};
     return ::poll(&out, 1, patienceMilliseconds) != 0;
 }
 
-/// The line with every control character replaced by '?'. What vehicles say is in it, in plain links from anybody: it must
-/// neither steer the terminal nor pretend to be further lines.
+/// The line with every control character replaced by '?'. It may contain text from unauthenticated vehicles, which must not
+/// control the terminal or forge further lines.
 inline std::string printable(std::string line)
 {
     for (std::size_t i = 0; i < line.size(); ++i) {

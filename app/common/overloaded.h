@@ -1,4 +1,4 @@
-// Calls one of several lambdas by the alternative that a variant holds.
+// Selects one of several lambdas by the alternative of a variant.
 #pragma once
 
 namespace skyseal::app {

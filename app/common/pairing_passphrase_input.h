@@ -1,4 +1,4 @@
-// How the passphrase of a pairing comes into a program, and what the pairing gets of it.
+// Reads the passphrase of a pairing and derives its key.
 #pragma once
 
 #include "app/common/passphrase_input.h"
@@ -15,7 +15,7 @@ public:
     static PairingPassphraseInput read(Options &options);
 
     bool isWanted() const { return m_wanted; }
-    /// Null when none is wanted. An error in words when it cannot be read or was not typed. Call crypto::initCrypto() first.
+    /// Null if no passphrase was requested; an error if it cannot be read or was not entered. Call crypto::initCrypto() first.
     Result<std::shared_ptr<const Key32>, InputError> key() const;
 
 private:

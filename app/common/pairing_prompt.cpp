@@ -39,7 +39,7 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
     out.json = options.has("json");
     if (options.has("expect")) {
         out.expected = withoutBlanks(options.required("expect"));
-        constexpr std::size_t kDigits = 64; // all of them: a part that agrees can be searched for
+        constexpr std::size_t kDigits = 64; // complete: a key with a matching part can be found by search
         if (out.expected.size() != kDigits || out.expected.find_first_not_of("0123456789abcdef") != std::string::npos)
             options.fail("--expect: a complete fingerprint of 64 hex digits is expected");
     }
@@ -94,7 +94,7 @@ void PairingPrompt::take(PairingStatus status)
         say("WARNING: another device tried to pair meanwhile, fingerprint " + keys::fingerprint(status.key));
         return;
     case State::Differs:
-        if (!std::exchange(m_differs, true)) // it is told each second
+        if (!std::exchange(m_differs, true)) // the event repeats each second
             say("The passphrases of the two ends differ, or only one end has one. Start again with the same passphrase at both.");
         return;
     case State::Paired:
@@ -151,7 +151,7 @@ void PairingPrompt::hear()
     const ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
     if (count < 0 && (errno == EINTR || errno == EAGAIN))
         return;
-    if (count <= 0) { // nobody can answer any more
+    if (count <= 0) { // end of input: no more answers
         m_input->setEnabled(false);
         m_failed = true;
         say("Not paired: standard input has ended; use --expect FINGERPRINT to confirm without a question");
@@ -171,7 +171,7 @@ void PairingPrompt::hear()
 void PairingPrompt::answer(const std::string &line)
 {
     if (!m_asked)
-        return; // what is typed before the question is no answer to it
+        return; // input before the question is not an answer
     const std::string word = withoutBlanks(line);
     if (word == "no") {
         refuse("Refused. Waiting for the other end …");
@@ -184,7 +184,7 @@ void PairingPrompt::answer(const std::string &line)
     }
 }
 
-/// A role that is known here is not the other end's to change.
+/// A role that is known here cannot be changed by the other end.
 channel::PeerRole PairingPrompt::role() const
 {
     return m_settings.role ? *m_settings.role : m_asked->knownRole.value_or(m_asked->role);

@@ -1,5 +1,5 @@
-// The conversation of a pairing in a terminal: shows the fingerprints and asks whether they are the same ones at the other
-// end, as ssh asks for a new host. The agent's side and the station's side have the same one.
+// The terminal dialog of a pairing, used by the agent and the station: shows the fingerprints and asks whether they match those
+// at the other end, as ssh does for a new host.
 #pragma once
 
 #include "app/common/options.h"
@@ -12,30 +12,30 @@
 
 namespace skyseal::app {
 
-/// Reads answers from standard input, line by line, and speaks on standard error; with --json the status go to standard output.
+/// Reads answers from standard input, line by line, and writes to standard error; with --json, statuses to standard output.
 class PairingPrompt : public QObject
 {
     Q_OBJECT
 
 public:
-    /// What the person decides about the other end.
+    /// The user's decision about the peer.
     struct Answer
     {
         channel::PublicKey key{};
-        std::string name; ///< how it is to be called here
+        std::string name; ///< its name here
         channel::PeerRole role = channel::PeerRole::Pilot;
-        bool replace = false; ///< the key known by that name
+        bool replace = false; ///< replace the key known by that name
     };
     struct Settings
     {
         bool json = false;
-        std::string expected;     ///< fingerprint that is confirmed without a question, and no other; empty = ask
-        std::string callIt;       ///< name to be given to the other end (statusOf wants it); empty = what it calls itself
-        bool replaces = false;    ///< with `expected`: a key known by that name, too
-        bool decidesRole = false; ///< the agent's side: whether the other one may command
-        /// What is granted there; otherwise who is known keeps the role, and who is new gets what it asks for.
+        std::string expected;     ///< the only fingerprint to confirm, without asking; empty = ask
+        std::string callIt;       ///< name for the peer (see statusOf); empty = the name it claims
+        bool replaces = false;    ///< with `expected`: replace a key known by that name
+        bool decidesRole = false; ///< the agent's side: it decides the role of the peer
+        /// The granted role; if empty, a known peer keeps its role and a new one gets the role it asks for.
         std::optional<channel::PeerRole> role;
-        /// The station's side: what it asks to be at the agent.
+        /// The station's side: the role it asks for.
         std::optional<channel::PeerRole> asks;
     };
 
@@ -50,9 +50,9 @@ public:
 Q_SIGNALS:
     void confirmed(const skyseal::app::PairingPrompt::Answer &answer);
     void refused();
-    /// The person does not want to go on.
+    /// The user cancelled.
     void cancelled();
-    /// It is over; an exit status.
+    /// The pairing has ended; with the exit status.
     void finished(int status);
 
 private:
@@ -68,7 +68,7 @@ private:
     Settings m_settings;
     std::unique_ptr<QSocketNotifier> m_input;
     std::string m_typed;
-    std::optional<PairingStatus> m_asked; ///< the question that is open
+    std::optional<PairingStatus> m_asked; ///< the open question
     bool m_differs = false;
     bool m_paired = false;
     bool m_failed = false;

@@ -37,7 +37,7 @@ Result<Passphrase, InputError> fromDescriptor(int descriptor)
     SecretBytes<Passphrase::kMaxLength + 2> line;
     const MutableByteView room = line.mutableView();
     std::size_t size = 0;
-    // One byte at a time, since what follows the line is somebody else's.
+    // One byte at a time: the data after the line is left to other readers of the descriptor.
     while (size < room.size()) {
         const ssize_t count = ::read(descriptor, room.data() + size, 1);
         if (count < 0 && errno == EINTR)

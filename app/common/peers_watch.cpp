@@ -11,7 +11,7 @@ namespace skyseal::app {
 
 namespace {
 
-/// Editors write a file in several steps; a moment after the first of them it is whole.
+/// Editors write a file in several steps; the file is complete a moment after the first.
 constexpr std::chrono::milliseconds kSettle{50};
 
 std::int64_t nanoseconds(const timespec &time)
@@ -27,7 +27,7 @@ PeersWatch::PeersWatch(const std::string &file, Reload reload, QObject *parent)
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettle);
     connect(&m_settle, &QTimer::timeout, this, &PeersWatch::look);
-    // The folder as well: most programs replace a file instead of writing into it. Much else may change in there.
+    // Watch the folder as well, since most programs replace a file instead of writing into it.
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] {
         if (!m_settle.isActive() && !(stamp() == m_seen))
             m_settle.start();
@@ -44,7 +44,7 @@ void PeersWatch::keepWatching()
     const QString folder = QFileInfo(m_file).absolutePath();
     if (!m_watcher.directories().contains(folder))
         m_watcher.addPath(folder);
-    // After a replacement the old file's watch is gone, or watches a file without a name.
+    // After a replacement the watch on the old file is gone, or refers to the deleted file.
     m_watcher.removePath(m_file);
     if (QFileInfo::exists(m_file))
         m_watcher.addPath(m_file);

@@ -1,5 +1,5 @@
-// Watches the file of known peers while a program runs, so that whoever is removed from it loses the session at once. A bad
-// edit is refused and told, and the list that was read before stays in force.
+// Watches the file of known peers while a program runs, so that the session of a removed peer ends at once. An invalid edit is
+// reported, and the previous list stays in force.
 #pragma once
 
 #include "core/base/result.h"
@@ -21,18 +21,18 @@ class PeersWatch : public QObject
     Q_OBJECT
 
 public:
-    /// Reads the file and puts it into force; what of it, or why not.
+    /// Callback that reads the file and applies it; returns the result or the reason for refusing it.
     using Reload = std::function<Result<keys::PeersInForce, InputError>()>;
 
     PeersWatch(const std::string &file, Reload reload, QObject *parent = nullptr);
 
 Q_SIGNALS:
     void reloaded(const skyseal::keys::PeersInForce &peers);
-    /// `problem` is a sentence for people.
+    /// `problem`: a sentence for the user.
     void refused(const QString &problem);
 
 private:
-    /// What tells one state of the file from another without reading it.
+    /// Detects a change of the file without reading it.
     struct Stamp
     {
         std::uint64_t device = 0, inode = 0, size = 0;
@@ -51,14 +51,14 @@ private:
     Stamp m_seen;
 };
 
-/// {"event":"peers","count":…}, with a "problem" when somebody is left out, and {"event":"peers","problem":…}
+/// {"event":"peers","count":…}, with a "problem" if a peer is excluded, and {"event":"peers","problem":…}
 std::string peersEvent(const keys::PeersInForce &peers);
 std::string peersEvent(const std::string &problem);
-/// The same for people.
+/// The same as text.
 std::string peersText(const keys::PeersInForce &peers);
 std::string peersText(const std::string &problem);
 
-/// Says on stdout (with `json`) or stderr what the watch meets.
+/// Reports the results of the watch on stdout (with `json`) or stderr.
 void tellPeers(const PeersWatch &watch, bool json);
 
 } // namespace skyseal::app

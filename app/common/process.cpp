@@ -12,7 +12,7 @@
 #include <sys/prctl.h>
 #endif
 
-// The leak checker of a sanitizer build looks at its own process from outside.
+// The leak checker of a sanitizer build attaches to the process.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SKYSEAL_MAY_BE_TRACED 1
 #elif defined(__has_feature)
@@ -25,7 +25,7 @@ namespace skyseal::app {
 
 namespace {
 
-// A signal handler reaches nothing but this.
+// The only state accessible to a signal handler.
 std::atomic<int> g_stopPipe{-1};
 
 extern "C" void handleStop(int number)
@@ -33,7 +33,7 @@ extern "C" void handleStop(int number)
     const char byte = 0;
     if (write(g_stopPipe, &byte, 1) != 1)
         std::signal(number, SIG_DFL);
-    std::signal(number, SIG_DFL); // the second one ends the process
+    std::signal(number, SIG_DFL); // a second signal ends the process
 }
 
 } // namespace
@@ -64,7 +64,7 @@ StopSignals::StopSignals(QObject *parent) : QObject(parent)
     });
     std::signal(SIGINT, handleStop);
     std::signal(SIGTERM, handleStop);
-    std::signal(SIGPIPE, SIG_IGN); // a reader of our output that left is an error of write, not our end
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is an error of write(), not the end of the process
 }
 
 StopSignals::~StopSignals()

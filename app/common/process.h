@@ -1,14 +1,14 @@
-// What every program does for its own process: no core dumps (they would hold keys), and an orderly end when asked.
+// Process setup of every program: no core dumps (they would contain keys), and an orderly end on signals.
 #pragma once
 
 #include <QtCore/QObject>
 
 namespace skyseal::app {
 
-/// Keys live in this process's memory: neither a core file nor another process of the same user shall see them.
+/// Protects the keys in memory from core files and from other processes of the same user.
 void forbidCoreDumps();
 
-/// SIGINT and SIGTERM as a signal of Qt's. A second one ends the process at once.
+/// Converts SIGINT and SIGTERM into a Qt signal. A second one ends the process at once.
 class StopSignals : public QObject
 {
     Q_OBJECT

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kDrawingMs = 120000;
 
-/// Empty when it went well.
+/// Returns an error message, empty on success.
 std::string write(const QString &path, const std::string &content)
 {
     QSaveFile file(path);
@@ -31,7 +31,7 @@ std::string write(const QString &path, const std::string &content)
     return path.toStdString() + ": " + file.errorString().toStdString();
 }
 
-/// PNG and PDF by the program that knows how to draw; empty when it went well.
+/// Draws PNG and PDF by skyseal-figures. Returns an error message, empty on success.
 std::string draw(const QDir &folder, const QStringList &figures, const std::string &report)
 {
     const QString program = programPath(QStringLiteral("skyseal-figures"));
@@ -52,7 +52,7 @@ std::string draw(const QDir &folder, const QStringList &figures, const std::stri
     return drawn ? std::string() : "PNG and PDF could not be drawn by " + program.toStdString();
 }
 
-/// Whether an older sweep left its files there.
+/// True if the folder contains the files of an older sweep.
 bool holdsSweep(const QDir &folder)
 {
     QFile file(folder.filePath(QStringLiteral("sweep.json")));
@@ -60,7 +60,7 @@ bool holdsSweep(const QDir &folder)
         && QJsonDocument::fromJson(file.readAll()).object()[QLatin1String("schema")] == QLatin1String("skyseal-sweep");
 }
 
-/// "packets-natural", with "-2" behind it where there are several conditions; see experiment::figuresOf().
+/// "packets-natural", with the suffix "-2" and so on if there are several conditions; see experiment::figuresOf().
 bool isFigureName(const QString &name)
 {
     const QStringList parts = name.split(QLatin1Char('-'));
@@ -70,7 +70,7 @@ bool isFigureName(const QString &name)
         && (isLoad(experiment::Load::Natural) || isLoad(experiment::Load::Saturated));
 }
 
-/// Pictures of an older sweep would stand beside this one's as if they were its own. What is not a sweep's stays.
+/// Removes the pictures of an older sweep, which would be taken for those of this one. Other files stay.
 void removePictures(const QDir &folder)
 {
     if (!holdsSweep(folder))

@@ -1,4 +1,4 @@
-// The files of a sweep: sweep.json, sweep.csv, report.html, figures as SVG; PNG and PDF where skyseal-figures is installed.
+// The files of a sweep: sweep.json, sweep.csv, report.html, figures as SVG; PNG and PDF if skyseal-figures is installed.
 #pragma once
 
 #include "core/experiment/heap_figures.h"
@@ -16,19 +16,19 @@ namespace skyseal::app {
 struct SweepFiles
 {
     bool written = false;
-    std::string problem; ///< a sentence: why not, or what is missing; empty when all is there
+    std::string problem; ///< a sentence: the error or the missing files; empty if complete
 };
 
-/// The heap of one keyed cipher, in bytes, of those suites that it can be told of.
+/// Heap bytes of one keyed cipher, for each suite where they can be measured.
 using ContextSizes = std::map<crypto::SuiteId, double>;
 ContextSizes contextSizes(experiment::HeapFigures &heap);
 
-/// Takes seconds where there are pictures to draw; any thread. Where the folder holds an older sweep, its figures and its
-/// PDF are removed first; no other file is.
+/// Takes seconds if there are pictures to draw; thread-safe. Removes figures and PDF of an older sweep in the folder first, but
+/// no other file.
 SweepFiles writeSweepFiles(const QString &folder, const experiment::Results &results,
                            const std::vector<experiment::Verdict> &verdicts, const ContextSizes &contexts);
 
-/// One of our programs: beside this one, then on the PATH; empty where it is missing.
+/// The path of a program of Skyseal: in the folder of this program, then on the PATH; empty if missing.
 QString programPath(const QString &name);
 
 } // namespace skyseal::app

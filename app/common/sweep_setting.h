@@ -1,4 +1,4 @@
-// Where and with what a sweep was made: what experiment::machineSetting() knows, and what only the program knows.
+// The setting of a sweep: experiment::machineSetting() plus the properties of the program.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -7,7 +7,7 @@
 
 namespace skyseal::app {
 
-/// `command` is the command line that makes the same sweep.
+/// `command`: the command line that repeats the sweep.
 experiment::Setting describeSetting(const char *version, const QString &command);
 
 } // namespace skyseal::app

@@ -15,8 +15,8 @@ namespace {
 
 constexpr unsigned char kInterrupt = 3; // Ctrl+C
 
-/// The terminal without echo, for as long as this lives. Signals wait until it is as it was: who is stopped or ended in the
-/// middle would leave a shell behind that shows nothing.
+/// Switches the echo off while it lives. Signals are blocked until the terminal is restored: a process that is stopped or ended
+/// before would leave the shell without echo.
 class SilentTerminal
 {
 public:
@@ -30,7 +30,7 @@ public:
             sigaddset(&waiting, signal);
         ::pthread_sigmask(SIG_BLOCK, &waiting, &m_signals);
         termios silent = m_before;
-        // Ctrl+C ends the line instead of the program, so that it is noticed here.
+        // Ctrl+C ends the line instead of the program, so that it can be handled here.
         silent.c_lflag &= ~static_cast<tcflag_t>(ECHO | ECHOE | ECHOK | ECHONL | ISIG);
         silent.c_lflag |= ICANON;
         silent.c_cc[VEOL] = kInterrupt;
@@ -54,7 +54,7 @@ public:
     int descriptor() const { return m_descriptor; }
     void say(const std::string &words) const
     {
-        // A terminal that takes no words has nobody to read them.
+        // A terminal that cannot be written to shows no question.
         [[maybe_unused]] const ssize_t written = ::write(m_descriptor, words.data(), words.size());
     }
 
@@ -75,7 +75,7 @@ Result<Passphrase, InputError> askAtTerminal(const std::string &question, const 
                                              + "passphrase-file or --" + which + "passphrase-fd",
                                          source});
     terminal.say(question);
-    SecretBytes<4096> line; // as long as a terminal's line can be
+    SecretBytes<4096> line; // the longest line of a terminal
     ssize_t size = -1;
     do
         size = ::read(terminal.descriptor(), line.mutableView().data(), line.size());

@@ -1,4 +1,4 @@
-// Questions at the controlling terminal, which is there even when standard input and output are files.
+// Prompts at the controlling terminal, which exists even if standard input and output are redirected.
 #pragma once
 
 #include "core/base/result.h"
@@ -8,8 +8,8 @@
 
 namespace skyseal::app {
 
-/// A line typed without an echo. Ctrl+C and Ctrl+D cancel. An error names `source`, and without a terminal what does
-/// without one: the options of PassphraseInput, whose names begin with `which`.
+/// A line entered without echo. Ctrl+C and Ctrl+D cancel. Errors name `source`; without a terminal the error names the
+/// alternatives, the options of PassphraseInput with the prefix `which`.
 Result<crypto::Passphrase, InputError> askAtTerminal(const std::string &question, const std::string &source,
                                                      const std::string &which);
 

@@ -1,5 +1,5 @@
 // skyseal-figures: draws a sweep's figures as PNG and its report as PDF, without a display. Started by `skyseal-cli sweep`
-// where it is installed.
+// if it is installed.
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/figures/figure_painter.h"
@@ -46,14 +46,14 @@ bool drawPicture(const QString &file)
     return false;
 }
 
-/// Draws the report's figures as lines and letters, not as pixels.
+/// Draws the report's figures as vectors and text, not as pixels.
 class FigureDrawer : public QObject, public QTextObjectInterface
 {
     Q_OBJECT
     Q_INTERFACES(QTextObjectInterface)
 
 public:
-    /// `width` is what a figure may take of the page.
+    /// `width`: the space for a figure on the page.
     FigureDrawer(QString folder, double width) : m_folder(std::move(folder)), m_width(width) {}
 
     QSizeF intrinsicSize(QTextDocument *, int, const QTextFormat &format) override

@@ -1,4 +1,4 @@
-// skyseal-sim: simulated multicopters on MAVLink, so that a station runs and is tested with nothing else installed.
+// skyseal-sim: simulated multicopters on MAVLink, so that a station can be run and tested without further software.
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "app/common/process.h"

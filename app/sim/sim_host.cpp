@@ -8,7 +8,7 @@ namespace skyseal::app {
 
 namespace {
 
-// Every wake-up costs some 15 µs whatever it does, so telemetry that falls due meanwhile waits for the next one.
+// Every wake-up costs about 15 µs, so telemetry that falls due in between waits for the next one.
 constexpr Duration kShortestSleep = std::chrono::milliseconds(4);
 constexpr double kSpacing = 12; // m between vehicles on the ground
 
@@ -62,7 +62,7 @@ void SimHost::received(TimePoint time, const mavlink::Frame &frame)
         vehicle.handleFrame(time, frame);
     if (m_settings.saturate)
         m_saturator.handleFrame(time, frame);
-    if (m_timer.remainingTime() > 0) // answers do not wait for telemetry
+    if (m_timer.remainingTime() > 0) // responses do not wait for telemetry
         m_timer.start(0);
 }
 

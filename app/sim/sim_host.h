@@ -1,4 +1,4 @@
-// Gives simulated vehicles a clock and links: all vehicles share all links.
+// Connects simulated vehicles with a clock and links; all vehicles share all links.
 #pragma once
 
 #include "app/sim/sim_link.h"
@@ -17,7 +17,7 @@ struct SimSettings
     int systemId = 1; ///< of the first; the others follow
     std::uint64_t seed = 1;
     double rate = 1;
-    bool saturate = false; ///< telemetry as fast as a station answers
+    bool saturate = false; ///< telemetry as fast as the station responds
     bool json = false;
 };
 
@@ -28,7 +28,7 @@ class SimHost : public QObject
 public:
     explicit SimHost(const SimSettings &settings);
 
-    /// Opens the links. What cannot be opened ends the program: see failed().
+    /// Opens the links; emits failed() if one cannot be opened.
     void start();
 
 Q_SIGNALS:

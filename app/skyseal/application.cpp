@@ -25,7 +25,7 @@ Application::Application(WindowOptions options, RandomSource &random, std::share
 
 Application::~Application()
 {
-    // The window first: it uses the station until it is gone.
+    // Delete the window first, since it uses the station.
     m_window.reset();
     m_sweep.reset();
     m_demoFlight.reset();
@@ -59,7 +59,7 @@ engine::KeyPaths Application::chooseKeys()
     return {};
 }
 
-/// From now on the windows show these files, and what is changed in them is in force at once.
+/// Shows these files in the windows; changes of them apply at once.
 void Application::useKeys(const engine::KeyPaths &keys)
 {
     m_keys = keys;
@@ -150,8 +150,8 @@ bool Application::start()
     if (station)
         m_question.opened();
     if (!station && !m_options.demo && (m_options.identityFile.empty() || m_question.declined())) {
-        // A damaged key of one's own must not keep the window away, nor must a passphrase that the operator keeps to himself:
-        // it opens for plain links and says so.
+        // A damaged key or a missing passphrase must not prevent the window from opening: it opens for plain links and reports
+        // the problem.
         m_keyProblem = QString::fromStdString(station.error().text());
         station = engine::Station::create(configOf(settings, {}));
     }
@@ -232,7 +232,7 @@ void Application::beginDemo()
 
 void Application::followLink(const link::LinkUrl &url)
 {
-    // The operator listens elsewhere because the port was taken: the demo's agent follows.
+    // If the port was in use, the operator listens on another one: the demo's agent follows.
     if (m_demo && url.traits().isDatagramServer() && url.port() != 0)
         m_demo->start(url.port());
 }

@@ -1,4 +1,4 @@
-// Joins the engine, the window and the demo: the one place of this program where they know each other.
+// Connects the engine, the window and the demo.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -22,11 +22,11 @@ class Application : public QObject
     Q_OBJECT
 
 public:
-    /// `random` must outlive it. `heap` was made before there were threads; without it the memory of suites is not shown.
+    /// `random` must outlive it. `heap` is created before threads start; without it the memory of suites is not shown.
     Application(WindowOptions options, RandomSource &random, std::shared_ptr<experiment::HeapFigures> heap = {});
     ~Application() override;
 
-    /// Shows the window; false where there can be no station at all, with a word on stderr.
+    /// Shows the window. Returns false, with a message on stderr, if no station can be created.
     bool start();
 
 private:

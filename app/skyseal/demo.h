@@ -1,5 +1,5 @@
-// The demo: a simulated vehicle and an agent beside it as child processes on loopback, with keys made for this one run.
-// The children end with this object, and with the window even when that crashes.
+// The demo: a simulated vehicle and its agent as child processes on loopback, with keys created for this run. The children end
+// with this object, and with the window even if that crashes.
 #pragma once
 
 #include "core/base/result.h"
@@ -18,11 +18,11 @@ class Demo : public QObject
     Q_OBJECT
 
 public:
-    /// Makes keys and known peers for both ends in a temporary folder.
+    /// Creates keys and known peers for both ends in a temporary folder.
     static Result<std::unique_ptr<Demo>, InputError> create(RandomSource &random);
     ~Demo() override;
 
-    /// Where the programs are: beside our own, then on the PATH; empty where they are missing.
+    /// The paths of the programs: in the folder of this one, then on the PATH; empty if missing.
     static QString programPath(const QString &name);
     static bool isAvailable();
 
@@ -31,11 +31,11 @@ public:
     /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port
     /// changed.
     void start(quint16 groundPort);
-    /// Starts again what ended.
+    /// Restarts the programs that ended.
     void restart();
 
 Q_SIGNALS:
-    /// One of the programs ended by itself or could not be started: a sentence for the operator.
+    /// A program ended unexpectedly or could not be started; with a sentence for the operator.
     void ended(const QString &problem);
 
 private:

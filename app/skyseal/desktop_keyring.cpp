@@ -1,4 +1,4 @@
-// The desktop's keyring through QtKeychain: the Secret Service of GNOME and others, or KWallet.
+// The desktop's keyring by QtKeychain: the Secret Service of GNOME and others, or KWallet.
 #include "app/skyseal/passphrase_memory.h"
 
 #include "core/base/secret_bytes.h"
@@ -24,7 +24,7 @@ QString entryOf(const std::string &file)
     return QStringLiteral("passphrase of %1").arg(QString::fromStdString(file));
 }
 
-/// The bytes themselves, which the job shares: to write through data() would make a copy and wipe that.
+/// Wipes the bytes in place, which the job shares: writing through data() would detach and wipe a copy.
 void wipe(const QByteArray &shared)
 {
     wipeSecret(const_cast<char *>(shared.constData()), static_cast<std::size_t>(shared.size()));
@@ -85,7 +85,7 @@ public:
     }
 
 private:
-    /// Asked before anything is kept: QtKeychain finds out only by opening the keyring, which may ask the operator.
+    /// Checked before anything is stored: QtKeychain can detect it only by opening the keyring, which may prompt the operator.
     static QString look()
     {
         const QDBusConnection bus = QDBusConnection::sessionBus();
@@ -126,7 +126,7 @@ private:
     }
 
     QSettings &m_store;
-    mutable std::optional<QString> m_problem; ///< looked for once
+    mutable std::optional<QString> m_problem; ///< determined once
 };
 
 } // namespace

@@ -23,7 +23,7 @@ QString seenKey(const channel::PublicKey &key)
     return QStringLiteral("seen/") + QString::fromStdString(toHex(key));
 }
 
-/// What a person decides; the rest of the entry stays.
+/// The properties set by the user; the rest of the entry is kept.
 void decide(PeerEntry &entry, const ui::KnownPeer &peer)
 {
     entry.peer.name = peer.name.toStdString();
@@ -32,7 +32,7 @@ void decide(PeerEntry &entry, const ui::KnownPeer &peer)
     entry.peer.key = peer.key;
 }
 
-/// On any thread.
+/// Thread-safe.
 Result<void, InputError> reseal(const std::string &file, const std::optional<crypto::Passphrase> &present,
                                 const std::optional<crypto::Passphrase> &next)
 {
@@ -181,7 +181,7 @@ Result<QString, InputError> Keyring::readKeyText(const QString &name) const
         return tl::unexpected(InputError{"cannot be read: " + file.errorString().toStdString(), name.toStdString()});
     const QByteArray content = file.read(kLongest);
     const auto key = keys::publicKeyFromText(content.toStdString());
-    if (!key) // not its words: whoever picks a private key by mistake must not see it on the screen
+    if (!key) // without its text: the file may be a private key picked by mistake
         return tl::unexpected(InputError{"holds no public key of Skyseal", name.toStdString()});
     return QString::fromStdString(keys::publicKeyText(*key));
 }

@@ -1,4 +1,4 @@
-// The key files of this station behind the windows' seam, and since when each peer was seen.
+// The key files of this station for the windows, and the times when each peer was seen.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
@@ -18,16 +18,16 @@ class Keyring : public ui::KeyringInterface
     Q_OBJECT
 
 public:
-    /// `store` remembers when peers were seen; it and `memory` must outlive this.
+    /// `store` stores when peers were seen; it and `memory` must outlive this.
     Keyring(QSettings &store, PassphraseMemory &memory, QObject *parent = nullptr);
 
-    /// Other files: at the start, and when the demo brings its own.
+    /// Sets the files: at the start, and when the demo creates its own.
     void use(const engine::KeyPaths &paths);
-    /// Why the key is not in use; empty when it is.
+    /// Why the key is not in use; empty if it is.
     void setProblem(const QString &problem);
-    /// Sessions that begin and end.
+    /// Tracks sessions that begin and end.
     void take(const engine::Event &event);
-    /// Somebody else changed the files.
+    /// The files were changed by another program.
     void touched() { Q_EMIT changed(); }
 
     ui::OwnKey ownKey() const override;
@@ -52,7 +52,7 @@ private:
     engine::KeyPaths m_paths;
     QString m_problem;
     std::map<channel::SessionId, channel::PublicKey> m_sessions;
-    QThreadPool m_worker; ///< hashes passphrases; its end waits for what runs, so it is the last member
+    QThreadPool m_worker; ///< hashes passphrases; its destructor waits for running tasks, so it is the last member
 };
 
 } // namespace skyseal::app

@@ -15,7 +15,7 @@ using namespace skyseal::app;
 
 namespace {
 
-/// Without a window system: --help and a wrong usage need none.
+/// Runs without a window system, which --help and usage errors do not need.
 std::variant<WindowOptions, int> readCommandLine(int argc, char **argv)
 {
     const QCoreApplication bare(argc, argv);
@@ -34,7 +34,7 @@ int main(int argc, char **argv)
     if (const int *status = std::get_if<int>(&options))
         return *status;
 
-    const auto heap = std::make_shared<experiment::HeapFigures>(); // the window system brings threads
+    const auto heap = std::make_shared<experiment::HeapFigures>(); // the window system starts threads
     QApplication application(argc, argv);
     QApplication::setApplicationDisplayName(QStringLiteral("Skyseal"));
     QApplication::setDesktopFileName(QStringLiteral("skyseal"));
@@ -42,7 +42,7 @@ int main(int argc, char **argv)
         complain(QStringLiteral("skyseal"), "the system provides no randomness");
         return kCannotOpen;
     }
-    StopSignals signalled; // before the links open: who sees one may already want the end
+    StopSignals signalled; // before links open: scripts may stop the program as soon as a link is open
     QObject::connect(&signalled, &StopSignals::stopRequested, &application, [] { QApplication::closeAllWindows(); });
     crypto::SystemRandom random;
     Application window(std::get<WindowOptions>(std::move(options)), random, heap);

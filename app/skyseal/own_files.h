@@ -1,4 +1,4 @@
-// Where this program keeps its identity, its known peers and its recordings, and the first run that makes them.
+// The default files of this program (identity, known peers, recordings), and their creation at the first run.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -9,12 +9,12 @@
 
 namespace skyseal::app {
 
-/// The folder of the application's own data.
+/// The folder of the application's data.
 QString dataFolder();
 QString defaultRecordFolder();
 
-/// The key files of this user. Makes an identity and an empty list of peers where there is none yet. A key file that exists
-/// but is damaged or open to others is left alone; the engine says so.
+/// The key files of this user. Creates an identity and an empty list of peers if they do not exist. A key file that is damaged
+/// or accessible by others is not changed; the engine reports it.
 Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random);
 
 } // namespace skyseal::app

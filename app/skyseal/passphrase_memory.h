@@ -1,5 +1,5 @@
-// Where the desktop may keep the passphrase of a sealed key, so that the station does not ask for it at each start. Behind it
-// the desktop's keyring, or nothing.
+// Storage for the passphrase of a sealed key, so that the station does not ask for it at each start: the desktop's keyring, or
+// none.
 #pragma once
 
 #include "core/crypto/passphrase.h"
@@ -13,7 +13,7 @@
 
 namespace skyseal::app {
 
-/// Lives on the GUI thread. Passphrases are kept by the path of the key file.
+/// Lives on the GUI thread. Passphrases are stored under the path of the key file.
 class PassphraseMemory : public QObject
 {
     Q_OBJECT
@@ -21,24 +21,24 @@ class PassphraseMemory : public QObject
 public:
     using QObject::QObject;
 
-    /// Why nothing can be kept here, in words; empty when it can. Quick, and asks nobody.
+    /// Why storing is not possible; empty if it is. Fast, without a prompt.
     virtual QString problem() const = 0;
-    /// Whether the passphrase of this file was kept and not forgotten since, as far as we know.
+    /// True if the passphrase of this file was stored, and not deleted since by this program.
     virtual bool remembers(const std::string &file) const = 0;
-    /// Waits for the answer; the desktop may ask the operator to unlock its keyring. Nothing when it has none, or says no.
+    /// Blocks; the desktop may prompt the operator to unlock the keyring. Nothing if there is none or access is denied.
     virtual std::optional<crypto::Passphrase> recall(const std::string &file) = 0;
     /// Returns at once.
     virtual void remember(const std::string &file, const crypto::Passphrase &passphrase) = 0;
     virtual void forget(const std::string &file) = 0;
 
 Q_SIGNALS:
-    /// It is kept or forgotten now.
+    /// The passphrase is stored or deleted.
     void done();
-    /// The keyring did not do as it was told; in words.
+    /// The keyring failed; with the reason.
     void failed(const QString &problem);
 };
 
-/// `store` notes which files are remembered, and must outlive it. Never null.
+/// `store` stores which files are remembered, and must outlive it. Never null.
 std::unique_ptr<PassphraseMemory> desktopMemory(QSettings &store);
 
 } // namespace skyseal::app

@@ -1,5 +1,5 @@
-// Asks for the passphrase of a sealed key as the reader of key files wants it: the desktop's keyring first, if it was to remember
-// it, then the operator.
+// Provides the passphrase of a sealed key to the reader of key files: from the desktop's keyring if it is stored there, otherwise
+// from the operator.
 #pragma once
 
 #include "app/skyseal/passphrase_memory.h"
@@ -20,7 +20,7 @@ public:
     }
     /// The operator was asked and did not answer.
     bool declined() const { return m_declined; }
-    /// The last answer opened the file: what the operator wanted remembered is remembered.
+    /// The last answer opened the file: stores the passphrase if the operator chose so.
     void opened();
 
 private:

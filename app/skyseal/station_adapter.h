@@ -1,4 +1,4 @@
-// The engine behind the windows' seam. The station can be exchanged while the window lives (the demo brings its own keys).
+// The engine behind the windows' interface. The station can be replaced while the window lives (the demo creates its own keys).
 #pragma once
 
 #include "core/engine/station/station.h"
@@ -16,7 +16,7 @@ public:
     explicit StationAdapter(std::unique_ptr<engine::Station> station);
     ~StationAdapter() override;
 
-    /// Ends the old station first, so that its ports are free.
+    /// Deletes the old station first, so that its ports are free.
     void exchange(const engine::StationConfig &config);
     engine::Station &station() { return *m_station; }
     bool isRunning() const { return m_station != nullptr; }
@@ -36,7 +36,7 @@ public:
     std::optional<channel::PublicKey> publicKey() const override;
 
 Q_SIGNALS:
-    /// A new station could not be made; the old one is gone.
+    /// A new station could not be created; the old one is deleted.
     void failed(const QString &problem);
     void pairing(const skyseal::channel::PairingEvent &event);
     void linkAdded(const skyseal::link::LinkUrl &url);

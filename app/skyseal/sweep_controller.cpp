@@ -12,7 +12,7 @@ SweepController::SweepController(StationAdapter &station, std::shared_ptr<experi
 SweepController::~SweepController()
 {
     if (m_thread) {
-        m_thread->quit(); // and the bench goes with it
+        m_thread->quit(); // which deletes the worker
         m_thread->wait();
     } else {
         delete m_bench;
@@ -57,7 +57,7 @@ void SweepController::follow()
         m_bench, &SweepWorker::finished, this,
         [this](const std::shared_ptr<const experiment::Results> &results, const QString &problem) {
             if (m_thread) {
-                m_thread->quit(); // it has nothing more to do
+                m_thread->quit(); // the worker is done
                 m_thread->wait();
                 m_thread.reset();
             } else {
@@ -79,7 +79,7 @@ void SweepController::save(const experiment::Results &results, const QString &fo
 {
     if (m_writer)
         return;
-    // Drawing the pictures takes seconds.
+    // On a thread, since drawing the pictures takes seconds.
     m_writer.reset(QThread::create([this, results, folder, contexts = m_heap ? contextSizes(*m_heap) : ContextSizes()] {
         const SweepFiles files = writeSweepFiles(folder, results, {}, contexts);
         QMetaObject::invokeMethod(this, [this, folder, files] {

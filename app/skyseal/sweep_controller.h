@@ -1,4 +1,4 @@
-// The window's sweeps: has one made at a time, on the connected link or on a vehicle of its own, and writes its files.
+// The window's sweeps, one at a time, on the connected link or on its own simulated vehicle. Writes their files.
 #pragma once
 
 #include "app/skyseal/sweep_worker.h"
@@ -17,9 +17,9 @@ class SweepController : public ui::SweepInterface
     Q_OBJECT
 
 public:
-    /// `station` must outlive it. Without `heap` reports do not say what suites take of it.
+    /// `station` must outlive it. Without `heap` reports do not contain the memory of suites.
     SweepController(StationAdapter &station, std::shared_ptr<experiment::HeapFigures> heap);
-    /// A sweep that runs still is ended; its link is on its way back to the suite that it had.
+    /// Ends a running sweep; its link is switched back to the previous suite.
     ~SweepController() override;
 
     QString whyNoOwnVehicle() const override;
@@ -32,7 +32,7 @@ private:
 
     StationAdapter &m_station;
     const std::shared_ptr<experiment::HeapFigures> m_heap;
-    std::unique_ptr<QThread> m_thread; ///< of a sweep with a vehicle of its own
+    std::unique_ptr<QThread> m_thread; ///< for a sweep with its own vehicle
     SweepWorker *m_bench = nullptr;    ///< lives on that thread, or on ours
     std::unique_ptr<QThread> m_writer;
 };

@@ -11,7 +11,7 @@ namespace skyseal::app {
 
 namespace {
 
-/// The command line that makes the same sweep on a vehicle of its own; on a connected link, what stands for it.
+/// The command line that repeats a sweep with its own vehicle; for a connected link, a description.
 QString commandOf(const experiment::Plan &plan, bool connected)
 {
     QStringList suites, framings, loads;
@@ -51,7 +51,7 @@ SweepWorker::SweepWorker(experiment::Plan plan, engine::Station *station, experi
 
 SweepWorker::~SweepWorker()
 {
-    m_runner.reset(); // before the programs that it measures
+    m_runner.reset(); // before the programs it measures
 }
 
 ui::SweepProgress SweepWorker::progress() const
@@ -88,7 +88,7 @@ void SweepWorker::begin()
             [this](const experiment::Run &run) { Q_EMIT runBegan(run, progress()); });
     connect(m_runner.get(), &experiment::SweepRunner::sampleTaken, this,
             [this](const experiment::Sample &sample) { Q_EMIT sampleTaken(sample, progress()); });
-    // Not from inside the runner, which goes then.
+    // Queued, since the runner is deleted.
     connect(
         m_runner.get(), &experiment::SweepRunner::finished, this,
         [this](bool, const std::string &problem) { end(QString::fromStdString(problem)); }, Qt::QueuedConnection);

@@ -1,6 +1,6 @@
-// One sweep of the window: the runner, and where it has a vehicle of its own the programs for it. Lives on the thread that
-// it is moved to before begin(): the window's for the connected link, whose station lives there, and one of its own
-// otherwise, since starting and ending programs waits for them.
+// One sweep of the window: the runner and, for a sweep with its own vehicle, the programs of the vehicle. Lives on the thread
+// that it is moved to before begin(): the window's thread for the connected link, whose station lives there, otherwise a
+// thread of its own, since starting and ending programs blocks.
 #pragma once
 
 #include "core/experiment/lab.h"
@@ -18,7 +18,7 @@ class SweepWorker : public QObject
     Q_OBJECT
 
 public:
-    /// Without a station a simulator and an agent are started for it. `heap` may be null and must outlive it, as the station.
+    /// Without a station it starts a simulator and an agent. `heap` (may be null) and the station must outlive it.
     SweepWorker(experiment::Plan plan, engine::Station *station, experiment::HeapFigures *heap);
     ~SweepWorker() override;
 

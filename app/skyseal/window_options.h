@@ -23,8 +23,8 @@ struct WindowOptions
     PassphraseInput passphrase;          ///< none given = a dialog asks
 };
 
-/// `arguments` without the program's name. An exit status when there is nothing more to do: help or version was printed, or
-/// the usage is wrong and that was said.
+/// `arguments`: without the program's name. An exit status if the program is done: help or version was printed, or the usage is
+/// wrong.
 std::variant<WindowOptions, int> readOptions(const QStringList &arguments);
 
 } // namespace skyseal::app

@@ -56,7 +56,7 @@ void WindowPairing::openWith(channel::PeerRole roleAsked, std::shared_ptr<const 
         m_station->station().openPairing(QSysInfo::machineHostName().toStdString(), roleAsked, std::move(key));
         return;
     }
-    m_station->station().cancelPairing(); // what it still has to tell is of a window that is not wanted
+    m_station->station().cancelPairing(); // its pending events belong to a window that is not wanted
     Q_EMIT failed(tr("this machine has not the memory to make a key of the passphrase"));
 }
 
@@ -101,7 +101,7 @@ void WindowPairing::take(const channel::PairingEvent &event)
         keep(paired->peer);
         return;
     }
-    if (m_deaf) // it is of the window before this one, which had another passphrase or none
+    if (m_deaf) // an event of the previous window, which had another passphrase or none
         return;
     const auto known = keys::PeersFile::loadOrEmpty(m_peersFile);
     const auto status = statusOf(event, known ? *known : keys::PeersFile());
@@ -115,7 +115,7 @@ void WindowPairing::take(const channel::PairingEvent &event)
     case PairingStatus::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(status->key))); return;
     case PairingStatus::State::Differs: Q_EMIT passphraseDiffers(); return;
     case PairingStatus::State::Over:
-        if (!reason.isEmpty()) // empty: both said yes
+        if (!reason.isEmpty()) // empty: both confirmed
             Q_EMIT failed(reason);
         return;
     default: return;
@@ -125,7 +125,7 @@ void WindowPairing::take(const channel::PairingEvent &event)
 void WindowPairing::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
-    peer.role = channel::PeerRole::Pilot; // the agent is no observer of ours
+    peer.role = channel::PeerRole::Pilot; // an agent has no role at the station
     const auto kept = keys::keepPairedPeer(m_peersFile, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
     if (kept)
         Q_EMIT paired(QString::fromStdString(peer.name));

@@ -1,4 +1,4 @@
-// The engine's pairing behind the windows' seam: what both persons confirmed goes into the list of peers.
+// The engine's pairing behind the windows' interface. A peer that both users confirmed is added to the list of peers.
 #pragma once
 
 #include "app/skyseal/station_adapter.h"
@@ -23,21 +23,21 @@ public:
     explicit WindowPairing(DeriveKey derive = channel::pairingPassphraseKey, QObject *parent = nullptr)
         : PairingInterface(parent), m_derive(std::move(derive))
     {}
-    /// Waits for a key that is being derived.
+    /// Waits for a running key derivation.
     ~WindowPairing() override;
 
-    /// The station, which must outlive it, and the list that belongs to it.
+    /// Sets the station, which must outlive it, and its list of peers.
     void use(StationAdapter &station, const std::string &peersFile);
 
-    /// The key of a passphrase takes a tenth of a second, on a thread of its own; the window opens when it is there. Without
-    /// a key no window stays open: one that opened before had another passphrase or none.
+    /// Deriving the key of a passphrase takes a tenth of a second on another thread; the window opens afterwards. Until then no
+    /// window is open: an earlier one had another passphrase or none.
     void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override;
     void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) override;
     void refuse() override;
     void cancel() override;
 
 private:
-    /// The station is there. Says what failed where it is not.
+    /// True if the station exists; otherwise reports the failure.
     bool isThere();
     /// Null: no memory for the key.
     void openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key);
@@ -51,8 +51,8 @@ private:
     std::string m_name;
     bool m_replace = false;
     std::unique_ptr<QThread> m_deriving;
-    quint64 m_derivation = 0; ///< number of the newest one; an older one comes to nothing
-    bool m_deaf = false;      ///< no window under the key of the present passphrase is open
+    quint64 m_derivation = 0; ///< number of the newest one; results of older ones are ignored
+    bool m_deaf = false;      ///< no window with the key of the current passphrase is open
 };
 
 } // namespace skyseal::app

@@ -1,4 +1,4 @@
-// skyseal-cli keys: makes and shows private keys, and keeps the files of known peers. This file picks the subcommand.
+// skyseal-cli keys: manages private keys and files of known peers. This file selects the subcommand.
 #include "app/cli/commands.h"
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/common/exit_status.h"

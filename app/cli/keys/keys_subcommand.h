@@ -1,4 +1,4 @@
-// What every subcommand of skyseal-cli keys begins and ends with.
+// The common parts of the subcommands of skyseal-cli keys.
 #pragma once
 
 #include "app/common/exit_status.h"
@@ -9,16 +9,16 @@
 
 namespace skyseal::app {
 
-/// Declare, read(), and at the end say what came of it.
+/// Usage: declare options, parse(), then report the result.
 class KeysSubcommand
 {
 public:
-    /// `words` is what stands behind "skyseal-cli keys".
+    /// `words`: the subcommand, as after "skyseal-cli keys".
     KeysSubcommand(const char *words, const char *help)
         : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QString::fromUtf8(help))
     {}
 
-    /// Declares one positional argument more, all of which must be given.
+    /// Declares another positional argument; all are mandatory.
     void addArgument(const char *name, const char *help)
     {
         options.addArgument(name, help);
@@ -27,7 +27,7 @@ public:
     void addPeersOption() { options.addValue("peers", "FILE", "File of known peers; created if missing."); }
     void addJsonOption() { options.addFlag("json", "One JSON object per line on stdout."); }
 
-    /// An exit status when there is nothing more to do. What is read of the options is checked by finish() of theirs.
+    /// An exit status if the command is done already. Values of options are checked by options.finish().
     std::optional<int> parse(const QStringList &given)
     {
         if (const auto status = options.parse(given))
@@ -43,7 +43,7 @@ public:
         complain(m_name, error.text());
         return kCannotOpen;
     }
-    /// The files are good, and what was asked for is refused. The words may have several lines.
+    /// The files are valid, but the request is refused. The message may have several lines.
     int refuse(const std::string &words) const
     {
         const std::size_t end = words.find('\n');

@@ -1,4 +1,4 @@
-// The subcommands of skyseal-cli keys. Each gets its own arguments and returns the exit status.
+// The subcommands of skyseal-cli keys. Each takes its arguments and returns the exit status.
 #pragma once
 
 #include <QtCore/QStringList>

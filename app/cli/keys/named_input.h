@@ -1,4 +1,4 @@
-// A small input that a person names on the command line: a file, or - for standard input.
+// Reads a small input given on the command line: a file, or - for standard input.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -11,7 +11,7 @@
 
 namespace skyseal::app {
 
-/// At most as much as a file of keys can hold. The caller wipes it when it is secret.
+/// Reads at most the maximum size of a key file. The caller wipes secret content.
 inline Result<Bytes, InputError> readNamed(const std::string &name)
 {
     QFile file(QString::fromStdString(name));

@@ -1,4 +1,4 @@
-// The subcommands about a device's own key: made, shown, exported, imported, sealed with a passphrase.
+// The subcommands for a device's own key: create, show, export, import, set the passphrase.
 #include "app/cli/keys/keys_subcommand.h"
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/cli/keys/named_input.h"
@@ -15,7 +15,7 @@ namespace skyseal::app {
 
 namespace {
 
-/// `sealed`: whether its file is, where that is to be told.
+/// `sealed`: whether the file is sealed, if that is to be printed.
 void printKey(const keys::PublicKey &key, bool json, std::optional<bool> sealed = {})
 {
     if (!json) {
@@ -34,7 +34,7 @@ void printKey(const keys::PublicKey &key, bool json, std::optional<bool> sealed 
     printLine(line.text());
 }
 
-/// The passphrase that a new file gets, where one is wanted.
+/// The passphrase of a new file, if requested.
 class NewPassphrase
 {
 public:
@@ -81,7 +81,7 @@ int newKey(const QStringList &arguments)
     passphrase.read(command.options);
     if (const auto status = command.options.finish())
         return *status;
-    if (keys::fileExists(file)) // before anybody types a passphrase for nothing
+    if (keys::fileExists(file)) // before asking for a passphrase
         return command.cannotOpen({"exists already and is not overwritten", file});
     if (const auto asked = passphrase.ask(file); !asked)
         return command.cannotOpen(asked.error());

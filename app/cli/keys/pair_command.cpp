@@ -1,4 +1,4 @@
-// skyseal-cli keys pair: the station's side of a pairing, without a window.
+// skyseal-cli keys pair: the station's side of a pairing, at a terminal.
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
@@ -17,10 +17,10 @@ namespace skyseal::app {
 
 namespace {
 
-/// As long as a pairing repeats its last word for an end that may have missed it.
+/// The time for which a pairing repeats its last message, which the peer may have missed.
 constexpr std::chrono::milliseconds kLastText{3000};
 
-/// What the person decided, until the other end said yes as well.
+/// The user's decision, kept until the other end has confirmed as well.
 struct Decision
 {
     std::string name;
@@ -29,7 +29,7 @@ struct Decision
 
 PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decision &decision)
 {
-    // For this end it is an agent: what may command is the station.
+    // The peer is an agent; the role matters only for stations.
     peer.name = keys::fitPeerName(decision.name.empty() ? peer.name : decision.name, peer.key);
     peer.role = channel::PeerRole::Pilot;
     const auto kept = keys::keepPairedPeer(peersFile, peer,
@@ -118,7 +118,7 @@ int pairWithAgent(const QStringList &arguments)
     });
     QObject::connect(&talk, &PairingPrompt::refused, &engine, [&] { engine.refusePairing(); });
     QObject::connect(&talk, &PairingPrompt::cancelled, &engine, [&] { engine.cancelPairing(); });
-    // The last words go out to the agent before this ends.
+    // The last messages must reach the agent before the program exits.
     QObject::connect(&talk, &PairingPrompt::finished, &engine, [&](int status) {
         QObject::connect(&engine, &engine::Station::stopped, &engine, [status] { QCoreApplication::exit(status); });
         QTimer::singleShot(status == kDone ? kLastText : std::chrono::milliseconds(0), &engine, [&] { engine.stop(); });

@@ -1,4 +1,4 @@
-// The subcommands about known peers. A program that runs with the same file takes each change over at once.
+// The subcommands for known peers. Programs that run with the same file apply each change at once.
 #include "app/cli/keys/keys_subcommand.h"
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/cli/keys/named_input.h"
@@ -21,7 +21,7 @@ InputError noSuchPeer(const std::string &name)
     return {"there is no peer named \"" + name + "\"", {}};
 }
 
-/// Changes the peers file. A file that is damaged or cannot be written is another status than a change that is refused.
+/// Changes the peers file. A damaged or unwritable file and a refused change give different exit statuses.
 int edit(const KeysSubcommand &command, const std::string &file,
          const std::function<Result<void, InputError>(PeersFile &)> &change)
 {
@@ -36,7 +36,7 @@ int edit(const KeysSubcommand &command, const std::string &file,
     return refused ? command.refuse(edited.error().text()) : command.cannotOpen(edited.error());
 }
 
-/// Changes the entry of one peer, but for its name.
+/// Changes the entry of one peer, except its name.
 int editEntry(const KeysSubcommand &command, const std::string &file, const std::string &name,
               const std::function<void(PeerEntry &)> &change)
 {
@@ -67,14 +67,14 @@ std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std
     return std::nullopt;
 }
 
-/// What a subcommand that changes one thing of one peer says of itself.
+/// Texts of a subcommand that changes one property of a peer.
 struct PeerChange
 {
-    const char *words, *help;        ///< of the subcommand
-    const char *argument, *whatItIs; ///< behind the peer's name
+    const char *words, *help;        ///< the subcommand
+    const char *argument, *whatItIs; ///< the argument after the peer's name
 };
 
-/// `read` takes the argument apart, or notes a problem and gives nothing; `put` writes it into the entry.
+/// `read` parses the argument, or records a problem and returns nothing; `put` writes the value into the entry.
 template<typename Read, typename Put> int changePeer(const QStringList &arguments, const PeerChange &change, Read read, Put put)
 {
     KeysSubcommand command(change.words, change.help);
@@ -90,7 +90,7 @@ template<typename Read, typename Put> int changePeer(const QStringList &argument
     return editEntry(command, file, command.argument(0), [&](PeerEntry &entry) { put(entry, *value); });
 }
 
-/// Or why a file that was named cannot be read.
+/// The key from the argument or the file, or why the file cannot be read.
 Result<keys::PublicKey, InputError> readPublicKey(Options &options)
 {
     const QStringList given = options.arguments(0, 1);
@@ -111,7 +111,7 @@ Result<keys::PublicKey, InputError> readPublicKey(Options &options)
     return key.value_or(keys::PublicKey{});
 }
 
-/// As ssh says it: the owner may have made a new key, or somebody stands between.
+/// As in ssh: the owner may have a new key, or this is an attack.
 InputError changedKey(const PeerEntry &known, const keys::PublicKey &offered)
 {
     return {"THE KEY OF '" + known.peer.name
@@ -149,7 +149,7 @@ int addPeer(const QStringList &arguments)
     entry.peer.name = options.required("name");
     entry.peer.role = readRole(options, options.text("role")).value_or(channel::PeerRole::Observer);
     entry.peer.systemIds = readSystems(options, options.text("sysids")).value_or(std::vector<std::uint8_t>{});
-    if (options.has("psk")) // whoever reads the file may stand in another folder
+    if (options.has("psk")) // other programs may run in another folder
         entry.presharedKeyFile = QFileInfo(QString::fromStdString(options.text("psk"))).absoluteFilePath().toStdString();
     const auto given = readPublicKey(options);
     if (const auto status = options.finish())
