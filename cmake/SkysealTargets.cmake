@@ -67,6 +67,7 @@ function(skyseal_program name)
   target_compile_definitions(${name} PRIVATE SKYSEAL_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening ${arg_LINK})
   target_link_options(${name} PRIVATE -pie)
+  skyseal_precompile(${name} engine)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
 endfunction()
 
