@@ -117,7 +117,10 @@ function(skyseal_test name)
   if(arg_NEEDS)
     add_dependencies(${program} ${arg_NEEDS})
   endif()
-  skyseal_test_entry(${name} ${program} ARGUMENTS $<$<NOT:$<BOOL:${arg_ALONE}>>:${class}> LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT})
+  if(arg_ALONE)
+    set(class) # the program holds no other
+  endif()
+  skyseal_test_entry(${name} ${program} ARGUMENTS ${class} LABELS ${arg_LABELS} TIMEOUT ${arg_TIMEOUT})
 endfunction()
 
 # skyseal_test_entry(NAME PROGRAM ARGUMENTS … LABELS … [TIMEOUT S] [ENVIRONMENT …]): one more ctest entry of a test program.
