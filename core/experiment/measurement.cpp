@@ -10,9 +10,9 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr double kHeaders = 28;        // IPv4 and UDP
-constexpr double kLeastReported = 0.9; ///< seconds between two reports; in a session's first ones they come quicker
+constexpr double kLeastReported = 0.9; ///< seconds between two reports; the first ones of a session come at shorter intervals
 
-/// Growth of a counter, as a number to compute with. Losses can be taken back by late arrivals, but not below none.
+/// Growth of a counter. Late arrivals reduce a count of losses, but never below zero.
 double growth(std::uint64_t begin, std::uint64_t end)
 {
     return end > begin ? static_cast<double>(end - begin) : 0;
@@ -26,15 +26,15 @@ double share(double lost, double received)
 struct FrameCount
 {
     double distinct = 0;
-    double lost = 0; ///< NaN where the numbers cannot tell
+    double lost = 0; ///< NaN where sequence numbers do not count it
 };
 
-FrameCount framesBetween(const engine::MavlinkTotals &begin, const engine::MavlinkTotals &end, bool sealed, bool numbersTell)
+FrameCount framesBetween(const engine::MavlinkTotals &begin, const engine::MavlinkTotals &end, bool sealed, bool countsLoss)
 {
     const double frames = growth(begin.frames, end.frames), lost = growth(begin.lost, end.lost);
-    // A second copy of a clear frame is none more; sealed ones are refused before they are counted.
-    const double copies = sealed || !numbersTell ? 0 : growth(begin.duplicate, end.duplicate);
-    return {frames - copies, numbersTell ? lost : std::numeric_limits<double>::quiet_NaN()};
+    // Duplicates of clear frames are counted as frames; duplicates of records are dropped before that.
+    const double copies = sealed || !countsLoss ? 0 : growth(begin.duplicate, end.duplicate);
+    return {frames - copies, countsLoss ? lost : std::numeric_limits<double>::quiet_NaN()};
 }
 
 struct Traffic
@@ -96,7 +96,7 @@ void addLatency(Values &out, const engine::Snapshot &begin, const engine::Snapsh
         out[Metric::Latency] = 1000 * time / trips;
 }
 
-/// What the reports say, each with the agent's own time, so that it does not matter when they came.
+/// Costs between two reports. Each report holds the agent's time, so its delay on the link does not matter.
 bool addReported(Values &out, const Reading &begin, const Reading &end)
 {
     if (!begin.agent || !end.agent)
@@ -139,22 +139,22 @@ std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session)
     return AgentReport{session.stats.peerStamp, *session.stats.peerCosts};
 }
 
-bool numbersTell(const impair::Settings &link, Load load)
+bool sequenceNumbersCountLoss(const impair::Settings &link, Load load)
 {
     constexpr double kShortestFrame = 12, kBitsOfByte = 10;
     if (link.jitter <= Duration::zero() || load == Load::Natural)
         return true;
-    // A load goes out as quickly as the line takes it: how many frames fit into the jitter?
+    // A saturated load fills the line: how many frames fit into the jitter?
     const double most = static_cast<double>(link.baud) / kBitsOfByte / kShortestFrame * seconds(link.jitter);
     return link.baud > 0 && most <= metrics::SequenceTracker::kShortWindow;
 }
 
-Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool numbersTell)
+Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss)
 {
     Values out;
     const engine::Snapshot &before = *begin.station, &after = *end.station;
     const double time = after.time - before.time;
-    const FrameCount counted = framesBetween(before.mavlink, after.mavlink, sealed, numbersTell);
+    const FrameCount counted = framesBetween(before.mavlink, after.mavlink, sealed, countsLoss);
     const double frames = counted.distinct;
     const Traffic traffic = trafficOf(before), later = trafficOf(after);
     const double received = growth(traffic.rxBytes, later.rxBytes);

@@ -1,4 +1,4 @@
-// One run's values: what happened between two snapshots of the station, and between two looks at the agent's process.
+// The values of one run: differences between two snapshots of the station and two readings of the agent's costs.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -11,32 +11,35 @@
 
 namespace skyseal::experiment {
 
-/// The agent's costs, as its newest report brought them over the sealed link.
+/// The agent's costs in its newest report over the sealed link.
 struct AgentReport
 {
     std::uint32_t stamp = 0; ///< microseconds of the agent's clock, modulo 2^32
     channel::EndCosts costs;
 };
+/// nullopt before the first report.
 std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session);
 
+/// State of all counters at one edge of a run.
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
     std::optional<AgentReport> agent;                ///< made during the run
-    /// For runs without two reports: from the kernel, where the agent runs on this machine and its process is known.
+    /// From the kernel, for runs without two reports; empty unless the agent is a known process of this machine.
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;
-    std::optional<std::uint64_t> microjoules; ///< of the whole processor, growing
+    std::optional<std::uint64_t> microjoules; ///< of the whole processor, rising
 };
 
-/// Whether MAVLink's sequence numbers, of 8 bits, tell on such a link what was lost and what came late or twice. Frames that
-/// may overtake too many others look like lost ones and second copies.
-bool numbersTell(const impair::Settings &link, Load load);
+/// Returns true if MAVLink's 8-bit sequence numbers distinguish loss from reordering and duplicates on such a link. They do not
+/// where jitter lets a frame overtake more than metrics::SequenceTracker::kShortWindow others.
+bool sequenceNumbersCountLoss(const impair::Settings &link, Load load);
 
-/// Everything but Metric::Switch. `sealed`: whether records are what the link carries. `numbersTell`: see above.
-Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool numbersTell);
+/// All values but Metric::Switch and Metric::SessionMemory; NaN where one could not be measured. `sealed`: the link carries
+/// records. `countsLoss`: see sequenceNumbersCountLoss().
+Values valuesBetween(const Reading &begin, const Reading &end, bool sealed, bool countsLoss);
 
-/// The counters that the above takes the differences of.
+/// The counters of valuesBetween() as they stand in a snapshot.
 Counted countedBy(const engine::Snapshot &snapshot);
 
 } // namespace skyseal::experiment

@@ -1,6 +1,5 @@
 #include "core/experiment/sweep_runner.h"
 
-#include "core/experiment/cipher_bench.h"
 #include "core/experiment/statistics.h"
 #include "core/metrics/process_usage.h"
 
@@ -14,27 +13,43 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr Duration kSettle = milliseconds(500); ///< a station that just connected asks for much that it never asks again
+constexpr Duration kConnectPatience = std::chrono::seconds(20);
+constexpr Duration kSwitchPatience = std::chrono::seconds(15);
+constexpr Duration kRestorePatience = std::chrono::seconds(6); ///< a switch is confirmed or rolled back within five
+constexpr Duration kSettle = milliseconds(500);                ///< a new station requests much that it requests only once
 constexpr Duration kSettleAgain = milliseconds(200);
-constexpr Duration kSettleMost = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
-constexpr double kPaceTrips = 6;
+constexpr Duration kMostSettle = std::chrono::seconds(2); ///< for a vehicle that does not answer TIMESYNC
+constexpr double kPaceTrips = 6;                          ///< in which the window of a saturated load finds its size
 constexpr Duration kMostWarmUp = std::chrono::seconds(12);
-constexpr unsigned kMostFailures = 3; ///< runs in a row; the link is gone then
-constexpr Duration kLatencyEvery = milliseconds(200);
-constexpr int kSnapshotsPerSecond = 20;
-const std::string kNothingClear = "no vehicle was heard in clear; do both ends consent to it?";
+constexpr unsigned kMostFailedRuns = 3; ///< in a row; after that the link counts as lost
+
+std::function<AgentUsage()> usageOfAgent(const Lab *lab)
+{
+    return [lab] {
+        return lab ? AgentUsage{metrics::processCpuTime(lab->agentProcess()), metrics::residentBytes(lab->agentProcess())}
+                   : AgentUsage{};
+    };
+}
 
 } // namespace
 
 SweepRunner::SweepRunner(SweepConfig config)
-    : m_config(std::move(config)), m_schedule(schedule(m_config.plan)),
-      m_timeLeft(seconds(m_config.plan.measure + m_config.plan.warmUp) + 0.2)
+    : m_config(std::move(config)), m_queue(m_config.plan), m_station(m_config.station, m_config.link, m_config.borrowed),
+      m_measurement(usageOfAgent(m_config.lab))
 {
     m_results.plan = m_config.plan;
-    connect(&m_tick, &QTimer::timeout, this, [this] { tick(); });
+    connect(&m_station, &SweepStation::snapshotReady, this, &SweepRunner::handleSnapshot);
+    connect(&m_station, &SweepStation::eventOccurred, this, &SweepRunner::handleEvent);
+    connect(&m_station, &SweepStation::closed, this, [this] { isEnding() ? end() : beginNextRun(); });
+    connect(&m_station, &SweepStation::lost, this, [this] {
+        if (m_problem.empty())
+            m_problem = "the station ended";
+        end();
+    });
+    connect(&m_tick, &QTimer::timeout, this, &SweepRunner::handleTimeout);
     if (m_config.lab) {
         connect(m_config.lab, &Lab::ended, this, [this](const QString &problem) {
-            m_opened = true; // it is a program that failed, not a link
+            m_opened = true; // a program failed, not a link
             giveUp(problem.toStdString());
         });
     }
@@ -42,80 +57,21 @@ SweepRunner::SweepRunner(SweepConfig config)
 
 SweepRunner::~SweepRunner()
 {
-    if (m_station && !m_own)
-        giveBack();
-}
-
-/// Answers to TIMESYNC, of all vehicles.
-double SweepRunner::tripsOf(const engine::Snapshot &snapshot)
-{
-    double out = 0;
-    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles)
-        out += static_cast<double>(vehicle.state.trips);
-    return out;
-}
-
-/// The session that is alive, other than one that is about to end.
-const engine::SessionSnapshot *SweepRunner::session(const engine::Snapshot &snapshot) const
-{
-    const auto found = std::find_if(
-        snapshot.sessions.begin(), snapshot.sessions.end(),
-        [this](const engine::SessionSnapshot &session) { return !session.info.silent && session.info.session != m_ended; });
-    return found == snapshot.sessions.end() ? nullptr : &*found;
-}
-
-/// In the way that is wanted.
-bool SweepRunner::speaks(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle) const
-{
-    const engine::SessionSnapshot *up = session(snapshot);
-    const auto way = isPlain() || !up ? std::nullopt : std::optional(up->info.session);
-    return (isPlain() || way) && !vehicle.state.lost && vehicle.session == way;
-}
-
-bool SweepRunner::vehicleSpeaks(const engine::Snapshot &snapshot) const
-{
-    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(),
-                       [&](const engine::VehicleSnapshot &vehicle) { return speaks(snapshot, vehicle); });
-}
-
-/// One that speaks; one of our own also knows where it is: while it starts it says more, and is asked for more, than later.
-bool SweepRunner::vehicleReady(const engine::Snapshot &snapshot) const
-{
-    return std::any_of(snapshot.vehicles.begin(), snapshot.vehicles.end(), [&](const engine::VehicleSnapshot &vehicle) {
-        const bool settled = vehicle.state.ekfOk.value_or(false) && vehicle.state.home.known();
-        return speaks(snapshot, vehicle) && (settled || !m_config.lab);
-    });
+    if (m_station.isOpen() && m_station.isBorrowed())
+        m_station.giveBack(suiteToResume());
 }
 
 void SweepRunner::start()
 {
     m_clock.start();
     m_tick.start(milliseconds(100));
-    next();
+    beginNextRun();
 }
 
 void SweepRunner::cancel()
 {
-    if (m_cancelled || m_stage == Stage::Restoring)
-        return;
-    m_cancelled = true;
-    m_problem = "cancelled";
-    if (m_stage != Stage::Closing)
-        restore();
-}
-
-bool SweepRunner::beginsBlock(std::size_t run) const
-{
-    const auto blockOf = [](const Run &one) { return std::pair(one.condition, one.load); };
-    return run == 0 || blockOf(m_schedule[run]) != blockOf(m_schedule[run - 1]);
-}
-
-double SweepRunner::remaining() const
-{
-    std::size_t blocks = 0;
-    for (std::size_t i = m_next; i < m_schedule.size(); ++i)
-        blocks += beginsBlock(i);
-    return m_timeLeft.of(m_schedule.size() - m_next, blocks);
+    if (m_stage != Stage::Restoring)
+        giveUp("cancelled");
 }
 
 void SweepRunner::enter(Stage stage, Duration patience)
@@ -126,96 +82,39 @@ void SweepRunner::enter(Stage stage, Duration patience)
     m_stageStart = m_snapshot ? m_snapshot->time : 0;
 }
 
-void SweepRunner::next()
+void SweepRunner::beginNextRun()
 {
-    if (m_cancelled || m_next == m_schedule.size())
-        return restore();
-    const std::pair block{run().condition, run().load};
-    const bool newBlock = m_block != block;
-    if (m_own && newBlock)
-        return closeStation();
-    if (newBlock) {
-        m_block = block;
-        enterBlock(run());
+    if (isEnding())
+        return restoreLink();
+    const Run &run = m_queue.current();
+    if (m_queue.atBlockStart()) {
+        if (m_station.isOpen())
+            return closeStation();
+        if (m_config.lab)
+            m_config.lab->start(m_config.plan.loads[run.load], m_config.plan.conditions[run.condition], m_config.plan.seed);
     }
-    m_runStart = static_cast<double>(m_clock.elapsed()) / 1000;
-    m_switchTook = std::numeric_limits<double>::quiet_NaN();
-    m_switchOrdered.reset();
-    m_orders = 0;
-    m_switchesFailed = 0;
-    m_fresh = !m_station;
-    Q_EMIT runBegan(run());
-    if (!m_station)
-        return openStation();
-    connectUp(*m_snapshot);
-}
-
-void SweepRunner::enterBlock(const Run &run)
-{
-    if (m_config.lab)
-        m_config.lab->start(m_config.plan.loads[run.load], m_config.plan.conditions[run.condition], m_config.plan.seed);
+    m_runStart = now();
+    m_switch.begin(arm().suite);
+    m_fresh = !m_station.isOpen();
+    Q_EMIT runBegan(run);
+    if (m_fresh)
+        openStation();
+    else
+        prepareLink();
 }
 
 void SweepRunner::openStation()
 {
     m_snapshot.reset();
-    m_session.reset();
-    m_protection.reset();
-    m_ended.reset();
-    m_tripsBefore = 0;
-    if (m_config.borrowed) {
-        m_station = m_config.borrowed;
-        listen();
-        connect(m_station, &QObject::destroyed, this, [this] {
-            m_station = nullptr;
-            m_cancelled = true;
-            if (m_problem.empty())
-                m_problem = "the station ended";
-            end();
-        });
-        return enter(Stage::Connecting, kConnectPatience);
-    }
-    engine::StationConfig config = m_config.station;
-    config.secure = engine::SecureMode::Required;
-    config.record = false;
-    config.timeSyncEvery = kLatencyEvery;
-    config.snapshotsPerSecond = kSnapshotsPerSecond;
-    auto station = engine::Station::create(config);
-    if (!station)
-        return giveUp(station.error().text());
-    m_own = std::move(*station);
-    m_station = m_own.get();
-    listen();
-    connect(m_station, &engine::Station::stopped, this, [this] {
-        // It is the sender of this signal.
-        m_own.release()->deleteLater();
-        m_station = nullptr;
-        QTimer::singleShot(0, this,
-                           [this] { m_cancelled || !m_problem.empty() || m_next == m_schedule.size() ? end() : next(); });
-    });
-    protect(wantedProtection());
-    m_station->addLink(*m_config.link);
+    m_link.stationOpened();
+    if (!m_station.isBorrowed())
+        m_link.setProtection(protectionOf(arm()), nullptr);
+    if (const auto opened = m_station.open(protectionOf(arm())); !opened)
+        return giveUp(opened.error().text());
     enter(Stage::Connecting, kConnectPatience);
 }
 
-void SweepRunner::listen()
-{
-    connect(m_station, &engine::Station::snapshotReady, this,
-            [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { take(snapshot); });
-    connect(m_station, &engine::Station::eventOccurred, this, [this](const engine::Event &event) { hear(event); });
-    m_station->setMeasuring(true);
-}
-
-void SweepRunner::closeStation()
-{
-    m_stage = Stage::Closing;
-    if (m_own)
-        return m_station->stop();
-    giveBack();
-    QTimer::singleShot(0, this, [this] { end(); });
-}
-
-void SweepRunner::hear(const engine::Event &event)
+void SweepRunner::handleEvent(const engine::Event &event)
 {
     if (const auto *changed = std::get_if<engine::LinkChanged>(&event)) {
         const engine::LinkSnapshot &link = changed->link;
@@ -223,183 +122,193 @@ void SweepRunner::hear(const engine::Event &event)
         if (!m_opened && (link.phase == engine::LinkPhase::Failed || link.hostUnknown))
             giveUp(link.url + ": " + link.problem);
     } else if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
-        m_framing = up->framing;
+        m_link.sessionUp(*up);
     } else if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
-        hearSwitch(*done);
+        handleSwitch(*done);
     }
 }
 
-void SweepRunner::take(const std::shared_ptr<const engine::Snapshot> &snapshot)
+void SweepRunner::handleSnapshot(const RunMeasurement::Snapshot &snapshot)
 {
     if (!snapshot->probe)
         return;
     m_snapshot = snapshot;
-    const engine::SessionSnapshot *up = session(*snapshot);
-    if (up && !m_firstSuite)
-        m_firstSuite = up->info.suite;
-    m_opened = m_opened || up;
-    advance(*snapshot);
-}
-
-void SweepRunner::advance(const engine::Snapshot &snapshot)
-{
-    const double since = snapshot.time - m_stageStart;
+    m_link.update(*snapshot);
+    m_opened = m_opened || session();
+    const double inStage = snapshot->time - m_stageStart;
     switch (m_stage) {
     case Stage::Connecting:
-        if (vehicleReady(snapshot))
+        // The position matters only for the vehicle of a lab, which has just started.
+        if (m_config.lab ? m_link.hasSettledVehicle(*snapshot) : m_link.hasVehicle(*snapshot))
             enter(Stage::Settling, kConnectPatience);
         break;
     case Stage::Settling:
-        // An answer to TIMESYNC shows that the way there is known, too; in clear the next heartbeat tells it.
-        if (since >= seconds(kSettleMost)
-            || (since >= seconds(m_fresh ? kSettle : kSettleAgain) && tripsOf(snapshot) > m_tripsBefore))
-            connectUp(snapshot);
+        if (isSettled(inStage))
+            prepareLink();
         break;
-    case Stage::Switching: switchSuite(snapshot); break;
+    case Stage::Switching: continueSwitch(); break;
     case Stage::WarmingUp:
-        if (!isUnderWantedSuite(snapshot))
-            beginSwitching(snapshot); // the link was lost, and nothing was measured yet
-        else if (since >= warmUpOf(snapshot))
-            beginRun();
+        if (!m_link.isUnder(arm().suite, *snapshot))
+            beginSwitch(); // the link was lost before the measurement began
+        else if (inStage >= warmUpTime())
+            beginMeasuring();
         break;
     case Stage::Measuring:
-        noteReport(snapshot);
-        if (isAnotherSession(snapshot) || since >= seconds(m_config.plan.measure))
+        m_measurement.noteReport(m_link, *snapshot);
+        if (m_measurement.sessionChanged(m_link, *snapshot) || inStage >= seconds(m_config.plan.measure))
             endRun();
         break;
-    case Stage::Restoring: putBack(snapshot); break;
+    case Stage::Restoring: continueRestoring(); break;
     case Stage::Idle:
     case Stage::Closing: break;
     }
 }
 
-/// Seconds. A load that follows the answers of the other end takes several trips to find its pace.
-double SweepRunner::warmUpOf(const engine::Snapshot &snapshot) const
+/// An answer to TIMESYNC shows that the vehicle is reached as well; in plain MAVLink that takes its next heartbeat.
+bool SweepRunner::isSettled(double inStage) const
+{
+    const Duration least = m_fresh ? kSettle : kSettleAgain;
+    return inStage >= seconds(kMostSettle) || (inStage >= seconds(least) && m_link.isAnswering(*m_snapshot));
+}
+
+/// Seconds. A load that follows the answers of the other end takes several round trips to find its pace.
+double SweepRunner::warmUpTime() const
 {
     double out = seconds(m_config.plan.warmUp);
-    if (m_config.plan.loads[run().load] != Load::Saturated)
+    if (m_config.plan.loads[m_queue.current().load] != Load::Saturated)
         return out;
-    for (const engine::VehicleSnapshot &vehicle : snapshot.vehicles) {
+    for (const engine::VehicleSnapshot &vehicle : m_snapshot->vehicles) {
         if (!vehicle.state.lost && !std::isnan(vehicle.state.latency))
             out = std::max(out, std::min(kPaceTrips * vehicle.state.latency, seconds(kMostWarmUp)));
     }
     return out;
 }
 
-Reading SweepRunner::readingOf(const std::shared_ptr<const engine::Snapshot> &snapshot)
+/// On a link that works: changes how it carries MAVLink if the run needs another mode, and its suite otherwise.
+void SweepRunner::prepareLink()
 {
-    Reading out;
-    out.station = snapshot;
-    if (const engine::SessionSnapshot *up = session(*snapshot))
-        out.agent = agentReport(*up);
-    out.microjoules = m_energy.microjoules();
-    if (m_config.lab) {
-        out.agentCpu = metrics::processCpuTime(m_config.lab->agentProcess());
-        out.agentMemory = metrics::residentBytes(m_config.lab->agentProcess());
-    }
-    return out;
+    m_link.learnConsent(*m_snapshot);
+    const engine::Protection wanted = protectionOf(arm());
+    if (const std::string refusal = m_link.refusal(wanted); !refusal.empty())
+        return refuseRun(refusal);
+    if (m_link.isCarriedAs(wanted))
+        return beginSwitch();
+    setProtection(wanted);
+    enter(Stage::Connecting, kConnectPatience);
 }
 
-void SweepRunner::beginRun()
+void SweepRunner::setProtection(std::optional<engine::Protection> protection)
 {
-    const engine::SessionSnapshot *up = session(*m_snapshot);
-    m_session = up ? std::optional(up->info.session) : std::nullopt;
-    m_begin = readingOf(m_snapshot);
-    m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
-    m_begin.agent.reset();
+    m_link.setProtection(protection, m_snapshot.get());
+    m_station.setProtection(protection);
+}
+
+void SweepRunner::beginSwitch()
+{
+    if (!m_link.isPlain())
+        m_station.holdSuite(arm().suite);
+    enter(Stage::Switching, kSwitchPatience);
+    continueSwitch();
+}
+
+void SweepRunner::continueSwitch()
+{
+    if (m_link.isUnder(arm().suite, *m_snapshot))
+        enter(Stage::WarmingUp, m_config.plan.warmUp + kConnectPatience);
+    else
+        orderSwitch();
+}
+
+void SweepRunner::orderSwitch()
+{
+    const engine::SessionSnapshot *up = session();
+    if (up && !up->info.pending && m_switch.order(up->info.session, now()))
+        m_station.switchSuite(up->info.session, m_switch.wanted());
+}
+
+void SweepRunner::handleSwitch(const channel::SwitchDone &done)
+{
+    if (m_stage == Stage::Measuring && !done.rekey && done.failure == channel::SwitchFailure::None)
+        return endRun("another suite came into use during the run");
+    if (m_stage != Stage::Switching)
+        return;
+    using Outcome = SuiteSwitch::Outcome;
+    const Outcome outcome = m_switch.finish(done, session() != nullptr, now());
+    if (outcome == Outcome::Retry)
+        enter(Stage::Switching, kSwitchPatience); // the link works, only slowly
+    else if (outcome == Outcome::Failed)
+        endRun(m_switch.problem());
+}
+
+void SweepRunner::beginMeasuring()
+{
+    m_measurement.begin(m_link, m_snapshot);
     enter(Stage::Measuring, m_config.plan.measure + kConnectPatience);
-}
-
-/// The agent's costs are counted from its first report of the run on: the one before it may be of another suite's time.
-void SweepRunner::noteReport(const engine::Snapshot &snapshot)
-{
-    const engine::SessionSnapshot *up = session(snapshot);
-    const auto report = up ? agentReport(*up) : std::nullopt;
-    if (!m_begin.agent && report && report->stamp != m_reportBefore)
-        m_begin.agent = report;
 }
 
 void SweepRunner::endRun(std::string problem)
 {
-    Sample sample;
-    sample.run = run();
-    sample.order = static_cast<unsigned>(m_next);
-    sample.start = m_runStart;
-    if (problem.empty()) {
-        const engine::SessionSnapshot *up = session(*m_snapshot);
-        if (!isPlain() && (!up || up->info.session != m_session || up->info.suite != wantedSuite()))
-            problem = "the session did not last through the run";
-    }
-    if (problem.empty()) {
-        sample.values = valuesBetween(
-            m_begin, readingOf(m_snapshot), !isPlain(),
-            numbersTell(m_config.plan.conditions[run().condition].settings, m_config.plan.loads[run().load]));
-        if (!vehicleSpeaks(*m_snapshot) || sample.values[Metric::Packets] == 0)
-            problem = "the vehicle fell silent during the run";
-    }
-    if (problem.empty()) {
-        sample.seconds = m_snapshot->time - m_begin.station->time;
-        sample.values[Metric::Switch] = m_switchTook;
-        // Measured once, so it is one sample and no more, however often the suite is run.
-        const Cell cell{run().condition, run().load, run().arm};
-        const bool again = m_config.plan.arms[run().arm].again;
-        if (m_config.heap && !again && m_protection == engine::Protection::Sealed
-            && summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count == 0) {
-            double &memory = sample.values[Metric::SessionMemory];
-            memory = m_config.heap->session(wantedSuite()).value_or(memory);
-        }
-        sample.begin = countedBy(*m_begin.station);
-        sample.end = countedBy(*m_snapshot);
-        m_plainWorked = m_plainWorked || isPlain();
-        m_failuresInARow = 0;
+    Sample sample = sampleOfRun();
+    sample.problem = std::move(problem);
+    if (sample.problem.empty())
+        m_measurement.end(m_link, m_snapshot, m_config.plan, sample);
+    if (sample.problem.empty()) {
+        sample.values[Metric::Switch] = m_switch.milliseconds();
+        addSessionMemory(sample);
+        if (m_link.isPlain())
+            m_link.plainSucceeded();
+        m_failedRuns = 0;
     } else {
-        sample.values = {};
-        sample.problem = std::move(problem);
-        ++m_failuresInARow;
+        ++m_failedRuns;
     }
     record(sample);
-    if (m_failuresInARow >= kMostFailures)
-        return giveUp("given up after " + std::to_string(kMostFailures)
+    if (m_failedRuns >= kMostFailedRuns)
+        return giveUp("given up after " + std::to_string(kMostFailedRuns)
                       + " runs in a row that failed; the last one: " + sample.problem);
-    next();
+    beginNextRun();
 }
 
-/// What the other end does not consent to is no sign of a link that is gone.
+/// Measured once for each suite, so one sample of each cell has it, however often the suite is run.
+void SweepRunner::addSessionMemory(Sample &sample)
+{
+    const Cell cell{sample.run.condition, sample.run.load, sample.run.arm};
+    if (!m_config.heap || arm().again || !m_link.isCarriedAs(engine::Protection::Sealed)
+        || summarise(valuesOf(m_results, cell, Metric::SessionMemory)).count > 0)
+        return;
+    if (const auto bytes = m_config.heap->session(arm().suite))
+        sample.values[Metric::SessionMemory] = *bytes;
+}
+
+/// A run that the far end does not consent to is no sign of a lost link.
 void SweepRunner::refuseRun(const std::string &problem)
 {
-    Sample sample;
-    sample.run = run();
-    sample.order = static_cast<unsigned>(m_next);
-    sample.start = m_runStart;
+    Sample sample = sampleOfRun();
     sample.problem = problem;
     record(sample);
-    QTimer::singleShot(0, this, [this] { // not one within the other for hundreds of runs
+    QTimer::singleShot(0, this, [this] { // hundreds of refused runs must not nest
         if (m_stage == Stage::Idle)
-            next();
+            beginNextRun();
     });
 }
 
-void SweepRunner::record(Sample sample)
+Sample SweepRunner::sampleOfRun() const
+{
+    Sample out;
+    out.run = m_queue.current();
+    out.order = static_cast<unsigned>(m_queue.position());
+    out.start = m_runStart;
+    return out;
+}
+
+void SweepRunner::record(const Sample &sample)
 {
     m_stage = Stage::Idle;
-    const double now = static_cast<double>(m_clock.elapsed()) / 1000;
-    m_timeLeft.runEnded(now - std::exchange(m_lastEnd, now), beginsBlock(m_next));
-    ++m_next;
+    m_queue.finishRun(now());
     m_results.samples.push_back(sample);
     Q_EMIT sampleTaken(sample);
 }
 
-void SweepRunner::giveUp(const std::string &problem)
-{
-    if (!m_problem.empty())
-        return;
-    m_problem = problem;
-    m_cancelled = true;
-    if (m_stage != Stage::Closing)
-        restore();
-}
-
-void SweepRunner::tick()
+void SweepRunner::handleTimeout()
 {
     if (m_stage == Stage::Idle || m_stage == Stage::Closing || Duration(milliseconds(m_stageClock.elapsed())) < m_patience)
         return;
@@ -407,26 +316,69 @@ void SweepRunner::tick()
     case Stage::Connecting:
     case Stage::Settling:
         // Without a link each further run would only wait as long.
-        if (!isPlain())
+        if (!m_link.isPlain())
             return giveUp("no sealed session with a vehicle came up");
-        m_plainRefused = !m_plainWorked;
-        endRun(kNothingClear);
+        m_link.plainSilent();
+        endRun("no vehicle was heard in clear; do both ends consent to it?");
         break;
     case Stage::Restoring: closeStation(); break;
     default: endRun("the link fell silent");
     }
 }
 
+void SweepRunner::giveUp(const std::string &problem)
+{
+    if (!m_problem.empty())
+        return;
+    m_problem = problem;
+    if (m_stage != Stage::Closing)
+        restoreLink();
+}
+
+/// Puts the link back on the suite that it had first. A station of the sweep's own is closed at once where that cannot be done.
+void SweepRunner::restoreLink()
+{
+    if (!m_station.isOpen())
+        return end();
+    if (!m_link.firstSuite() || (!m_station.isBorrowed() && (m_link.isPlain() || !session())))
+        return closeStation();
+    m_switch.begin(*m_link.firstSuite());
+    if (m_station.isBorrowed())
+        setProtection(std::nullopt);
+    m_station.holdSuite(*m_link.firstSuite());
+    enter(Stage::Restoring, kRestorePatience);
+    continueRestoring();
+}
+
+void SweepRunner::continueRestoring()
+{
+    if (m_link.isRestored(*m_snapshot) || (!session() && !m_station.isBorrowed()))
+        return closeStation();
+    orderSwitch();
+}
+
+void SweepRunner::closeStation()
+{
+    m_stage = Stage::Closing;
+    m_station.close(suiteToResume());
+}
+
+/// A link that is not back on its first suite goes over to it with the next session.
+std::optional<crypto::SuiteId> SweepRunner::suiteToResume() const
+{
+    return m_snapshot && m_link.isRestored(*m_snapshot) ? std::nullopt : m_link.firstSuite();
+}
+
 void SweepRunner::end()
 {
     if (!m_tick.isActive())
-        return; // it was said
+        return; // it has ended already
     m_tick.stop();
     if (m_config.lab)
         m_config.lab->stop();
     m_stage = Stage::Idle;
-    m_results.complete = m_problem.empty() && m_next == m_schedule.size();
-    m_results.seconds = static_cast<double>(m_clock.elapsed()) / 1000;
+    m_results.complete = m_problem.empty() && m_queue.atEnd();
+    m_results.seconds = now();
     Q_EMIT finished(m_opened, m_problem);
 }
 

@@ -1,4 +1,4 @@
-// From two snapshots to the values of a run: what belongs to plain MAVLink and what does not, and what its numbers can tell.
+// The values of a run from two snapshots: overhead of plain MAVLink, and loss by sequence numbers.
 #include "core/experiment/measurement.h"
 #include "tests/support/test_runner.h"
 
@@ -40,48 +40,48 @@ class MeasurementTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void plainIsNotChargedWithAnnouncements();
-    void numbersThatCannotTellAreNotAsked();
-    void whereNumbersTell();
+    void announcementsDoNotCountAsOverheadOfPlain();
+    void lossIsEmptyWhereSequenceNumbersDoNotCountIt();
+    void sequenceNumbersCountLossWithLittleJitter();
 };
 
-void MeasurementTest::plainIsNotChargedWithAnnouncements()
+void MeasurementTest::announcementsDoNotCountAsOverheadOfPlain()
 {
     const Values values = valuesBetween(reading(1, 1000, 5), reading(3, 2000, 9), false, true);
     QCOMPARE(values[Metric::ByteRate], 20000.0);
     QCOMPARE(values[Metric::WireRate], 20000.0);
     QCOMPARE(values[Metric::WireBytes], 40000.0);
     QCOMPARE(values[Metric::Overhead], 0.0);
-    QCOMPARE(values[Metric::WirePerFrame], (40000.0 + 28 * 250) / 900); // a tenth were second copies
+    QCOMPARE(values[Metric::WirePerFrame], (40000.0 + 28 * 250) / 900); // a tenth are duplicates
 }
 
-void MeasurementTest::numbersThatCannotTellAreNotAsked()
+void MeasurementTest::lossIsEmptyWhereSequenceNumbersDoNotCountIt()
 {
     const Reading begin = reading(0, 0, 0), end = reading(1, 1000, 0);
-    const Values told = valuesBetween(begin, end, false, true);
-    QCOMPARE(told[Metric::Packets], 900.0);
-    QCOMPARE(told[Metric::Loss], 200.0 / 1100);
-    const Values pending = valuesBetween(begin, end, false, false);
-    QCOMPARE(pending[Metric::Packets], 1000.0);
-    QVERIFY(std::isnan(pending[Metric::Loss]));
+    const Values counted = valuesBetween(begin, end, false, true);
+    QCOMPARE(counted[Metric::Packets], 900.0);
+    QCOMPARE(counted[Metric::Loss], 200.0 / 1100);
+    const Values uncounted = valuesBetween(begin, end, false, false);
+    QCOMPARE(uncounted[Metric::Packets], 1000.0);
+    QVERIFY(std::isnan(uncounted[Metric::Loss]));
 }
 
-void MeasurementTest::whereNumbersTell()
+void MeasurementTest::sequenceNumbersCountLossWithLittleJitter()
 {
     impair::Settings link;
-    QVERIFY(numbersTell(link, Load::Saturated));
+    QVERIFY(sequenceNumbersCountLoss(link, Load::Saturated));
     link.delay = 50ms;
     link.loss = 0.05;
     link.reorder = 0.1;
     link.duplicate = 0.1;
-    QVERIFY(numbersTell(link, Load::Saturated));
+    QVERIFY(sequenceNumbersCountLoss(link, Load::Saturated));
     link.jitter = 20ms;
-    QVERIFY(numbersTell(link, Load::Natural));
-    QVERIFY(!numbersTell(link, Load::Saturated));
+    QVERIFY(sequenceNumbersCountLoss(link, Load::Natural));
+    QVERIFY(!sequenceNumbersCountLoss(link, Load::Saturated));
     link.baud = 57'600;
-    QVERIFY(numbersTell(link, Load::Saturated)); // ten frames at the most
+    QVERIFY(sequenceNumbersCountLoss(link, Load::Saturated)); // a frame overtakes ten others at most
     link.baud = 921'600;
-    QVERIFY(!numbersTell(link, Load::Saturated));
+    QVERIFY(!sequenceNumbersCountLoss(link, Load::Saturated));
 }
 
 SKYSEAL_TEST(MeasurementTest)

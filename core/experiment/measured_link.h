@@ -1,0 +1,67 @@
+// The link that a sweep measures, as the station's snapshots show it: how it carries MAVLink, which session and which vehicles
+// count in that mode, and what the far end allows. Holds no station and sends nothing. Plain object without a thread.
+#pragma once
+
+#include "core/engine/station/protection.h"
+#include "core/engine/station/snapshot.h"
+#include "core/experiment/plan.h"
+
+#include <optional>
+#include <string>
+
+namespace skyseal::experiment {
+
+/// How the link carries MAVLink in a run of this arm.
+engine::Protection protectionOf(const SweepArm &arm);
+
+class MeasuredLink
+{
+public:
+    /// A station was opened. What is known of the far end stays.
+    void stationOpened();
+    /// The station is told to carry MAVLink like this from now on; nullopt: as its settings say. A session that ends because of
+    /// it does not count from now on. `snapshot`: the newest one, null before the first.
+    void setProtection(std::optional<engine::Protection> protection, const engine::Snapshot *snapshot);
+    void sessionUp(const channel::SessionUp &up) { m_framing = up.framing; }
+    /// Remembers the suite of the first session.
+    void update(const engine::Snapshot &snapshot);
+    /// Reads from the live session what the far end allows. To be called once the link works in the mode that was set.
+    void learnConsent(const engine::Snapshot &snapshot);
+    /// A run in plain MAVLink succeeded: later silence in plain is a matter of the link, not of consent.
+    void plainSucceeded() { m_plainSucceeded = true; }
+    /// No vehicle was heard in plain MAVLink.
+    void plainSilent() { m_plainRefused = !m_plainSucceeded; }
+
+    bool isPlain() const { return m_protection == engine::Protection::Plain; }
+    bool isCarriedAs(engine::Protection protection) const { return m_protection == protection; }
+    /// Suite of the first session that was seen; nullopt before.
+    std::optional<crypto::SuiteId> firstSuite() const { return m_firstSuite; }
+    /// Why the far end cannot be measured like this, a sentence; empty if nothing is known against it.
+    std::string refusal(engine::Protection wanted) const;
+
+    /// The live session; null without one. Points into the snapshot.
+    const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;
+    /// True in plain MAVLink, or if the live session uses this suite and no switch to another one is pending.
+    bool isUnder(crypto::SuiteId suite, const engine::Snapshot &snapshot) const;
+    /// True if a vehicle is heard the way that the link carries MAVLink.
+    bool hasVehicle(const engine::Snapshot &snapshot) const;
+    /// The same for a vehicle that knows its position. Before that it sends more, and is asked for more, than later.
+    bool hasSettledVehicle(const engine::Snapshot &snapshot) const;
+    /// True if a vehicle has answered TIMESYNC since setProtection(), so that both directions work.
+    bool isAnswering(const engine::Snapshot &snapshot) const;
+    /// True if the live session uses the suite that the link had first, and nothing is pending.
+    bool isRestored(const engine::Snapshot &snapshot) const;
+
+private:
+    bool isHeard(const engine::Snapshot &snapshot, const engine::VehicleSnapshot &vehicle) const;
+
+    std::optional<engine::Protection> m_protection;
+    std::optional<channel::SessionId> m_ending; ///< the session that the last change of protection ends
+    double m_answersBefore = 0;                 ///< TIMESYNC answers before that change
+    channel::Framing m_framing{};               ///< of the newest session
+    bool m_plainRefused = false, m_inlineRefused = false;
+    bool m_plainSucceeded = false;
+    std::optional<crypto::SuiteId> m_firstSuite;
+};
+
+} // namespace skyseal::experiment

@@ -1,0 +1,64 @@
+#include "core/experiment/run_measurement.h"
+
+namespace skyseal::experiment {
+
+namespace {
+
+std::optional<AgentReport> reportIn(const MeasuredLink &link, const engine::Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = link.session(snapshot);
+    return up ? agentReport(*up) : std::nullopt;
+}
+
+} // namespace
+
+Reading RunMeasurement::readingOf(const MeasuredLink &link, const Snapshot &snapshot)
+{
+    const AgentUsage usage = m_agentUsage();
+    return {snapshot, reportIn(link, *snapshot), usage.cpu, usage.memory, m_energy.microjoules()};
+}
+
+void RunMeasurement::begin(const MeasuredLink &link, const Snapshot &snapshot)
+{
+    const engine::SessionSnapshot *up = link.session(*snapshot);
+    m_session = up ? std::optional(up->info.session) : std::nullopt;
+    m_begin = readingOf(link, snapshot);
+    m_reportBefore = m_begin.agent ? std::optional(m_begin.agent->stamp) : std::nullopt;
+    m_begin.agent.reset();
+}
+
+void RunMeasurement::noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot)
+{
+    const auto report = reportIn(link, snapshot);
+    if (!m_begin.agent && report && report->stamp != m_reportBefore)
+        m_begin.agent = report;
+}
+
+bool RunMeasurement::sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const
+{
+    const engine::SessionSnapshot *up = link.session(snapshot);
+    return !link.isPlain() && up && up->info.session != m_session;
+}
+
+void RunMeasurement::end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample)
+{
+    const engine::SessionSnapshot *up = link.session(*snapshot);
+    const crypto::SuiteId suite = plan.arms[sample.run.arm].suite;
+    if (!link.isPlain() && (!up || up->info.session != m_session || up->info.suite != suite)) {
+        sample.problem = "the session did not last through the run";
+        return;
+    }
+    const bool countsLoss = sequenceNumbersCountLoss(plan.conditions[sample.run.condition].settings,
+                                                     plan.loads[sample.run.load]);
+    const Values values = valuesBetween(m_begin, readingOf(link, snapshot), !link.isPlain(), countsLoss);
+    if (!link.hasVehicle(*snapshot) || values[Metric::Packets] == 0) {
+        sample.problem = "the vehicle fell silent during the run";
+        return;
+    }
+    sample.values = values;
+    sample.seconds = snapshot->time - m_begin.station->time;
+    sample.begin = countedBy(*m_begin.station);
+    sample.end = countedBy(*snapshot);
+}
+
+} // namespace skyseal::experiment

@@ -1,0 +1,47 @@
+// The measurement of one run: reads the counters at its two edges and turns them into a sample. See measurement.h for the
+// values. Plain object on the station's thread.
+#pragma once
+
+#include "core/experiment/measured_link.h"
+#include "core/experiment/measurement.h"
+#include "core/metrics/energy_meter.h"
+
+#include <functional>
+
+namespace skyseal::experiment {
+
+/// CPU time and memory of the agent's process, read from the kernel; empty where the process is not known.
+struct AgentUsage
+{
+    std::optional<Duration> cpu;
+    std::optional<std::uint64_t> memory;
+};
+
+class RunMeasurement
+{
+public:
+    using Snapshot = std::shared_ptr<const engine::Snapshot>;
+
+    explicit RunMeasurement(std::function<AgentUsage()> agentUsage) : m_agentUsage(std::move(agentUsage)) {}
+
+    void begin(const MeasuredLink &link, const Snapshot &snapshot);
+    /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
+    /// another suite. To be called with each snapshot of the run.
+    void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
+    /// True if another session than at the beginning is alive. A session that is silent for a moment is the same.
+    bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
+    /// Fills seconds, values and counters of the sample, or its problem: the session or the vehicle did not last through the
+    /// run. Metric::Switch and Metric::SessionMemory stay as they are.
+    void end(const MeasuredLink &link, const Snapshot &snapshot, const Plan &plan, Sample &sample);
+
+private:
+    Reading readingOf(const MeasuredLink &link, const Snapshot &snapshot);
+
+    std::function<AgentUsage()> m_agentUsage;
+    metrics::EnergyMeter m_energy;
+    Reading m_begin;
+    std::optional<channel::SessionId> m_session;
+    std::optional<std::uint32_t> m_reportBefore; ///< stamp of the agent's newest report when the run began
+};
+
+} // namespace skyseal::experiment

@@ -1,0 +1,53 @@
+// The station that a sweep measures on: one of its own, made anew for each block of runs, or one that is borrowed from a
+// window. A borrowed station keeps its links and vehicles and carries MAVLink as before when it is given back. Lives on the
+// station's thread.
+#pragma once
+
+#include "core/engine/station/station.h"
+
+#include <memory>
+#include <optional>
+
+namespace skyseal::experiment {
+
+class SweepStation : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// With `borrowed`, `config` and `link` are not used; without it, `link` must have a value.
+    SweepStation(engine::StationConfig config, std::optional<link::LinkUrl> link, engine::Station *borrowed);
+
+    bool isOpen() const { return m_station != nullptr; }
+    bool isBorrowed() const { return m_borrowed != nullptr; }
+    /// Takes the borrowed station, or makes one whose link carries MAVLink like this from the start.
+    Result<void, InputError> open(engine::Protection first);
+    /// Ends in closed(), later. `resume`: the suite that the next session of a borrowed station goes over to.
+    void close(std::optional<crypto::SuiteId> resume);
+    /// Gives a borrowed station back at once, without closed().
+    void giveBack(std::optional<crypto::SuiteId> resume);
+
+    /// These three need an open station. Ends holdSuite(): the switch to the suite of a run is measured as well.
+    void setProtection(std::optional<engine::Protection> protection);
+    /// Sessions that come up begin with this suite.
+    void holdSuite(crypto::SuiteId suite) { m_station->holdSuite(suite); }
+    void switchSuite(channel::SessionId session, crypto::SuiteId suite) { m_station->switchSuite(session, suite); }
+
+Q_SIGNALS:
+    void snapshotReady(std::shared_ptr<const skyseal::engine::Snapshot> snapshot);
+    void eventOccurred(skyseal::engine::Event event);
+    void closed();
+    /// The borrowed station was destroyed while it was in use.
+    void lost();
+
+private:
+    void listen();
+
+    const engine::StationConfig m_config;
+    const std::optional<link::LinkUrl> m_link;
+    engine::Station *m_borrowed;
+    std::unique_ptr<engine::Station> m_own;
+    engine::Station *m_station = nullptr; ///< one of the two while it is in use
+};
+
+} // namespace skyseal::experiment

@@ -1,0 +1,176 @@
+// The link of a sweep by made-up snapshots: which session and vehicles count in each mode, consent, and the return to the
+// first suite.
+#include "core/experiment/measured_link.h"
+#include "tests/support/test_runner.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using crypto::SuiteId;
+using engine::Protection;
+using experiment::MeasuredLink;
+
+namespace {
+
+constexpr channel::SessionId kSession{7}, kNextSession{8};
+
+engine::Snapshot withSession(channel::SessionId session, SuiteId suite = SuiteId::ChaCha20Poly1305)
+{
+    engine::SessionSnapshot up;
+    up.info.session = session;
+    up.info.suite = suite;
+    engine::Snapshot out;
+    out.sessions.push_back(std::move(up));
+    return out;
+}
+
+/// `over`: the session by which the vehicle was heard; nullopt: in clear.
+void addVehicle(engine::Snapshot &snapshot, std::optional<channel::SessionId> over, std::uint64_t trips = 0)
+{
+    engine::VehicleSnapshot vehicle;
+    vehicle.session = over;
+    vehicle.state.trips = trips;
+    snapshot.vehicles.push_back(std::move(vehicle));
+}
+
+} // namespace
+
+class MeasuredLinkTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void protectionFollowsSuiteAndFraming()
+    {
+        using channel::Framing;
+        QVERIFY(experiment::protectionOf({SuiteId::None, false, Framing::Inline}) == Protection::Plain);
+        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Sealed}) == Protection::Sealed);
+        QVERIFY(experiment::protectionOf({SuiteId::Aes256Ctr, false, Framing::Inline}) == Protection::Inline);
+    }
+
+    void sessionThatIsAboutToEndDoesNotCount()
+    {
+        MeasuredLink link;
+        engine::Snapshot snapshot = withSession(kSession);
+        QVERIFY(link.session(snapshot));
+        link.setProtection(Protection::Sealed, &snapshot); // sessions are sealed already
+        QVERIFY(link.session(snapshot));
+        link.setProtection(Protection::Inline, &snapshot);
+        QVERIFY(!link.session(snapshot));
+        QVERIFY(link.session(withSession(kNextSession)));
+    }
+
+    void silentSessionDoesNotCount()
+    {
+        engine::Snapshot snapshot = withSession(kSession);
+        snapshot.sessions.front().info.silent = true;
+        QVERIFY(!MeasuredLink().session(snapshot));
+    }
+
+    void vehicleCountsInTheModeOfTheLink()
+    {
+        MeasuredLink link;
+        engine::Snapshot sealed = withSession(kSession), clear = withSession(kSession), older = withSession(kNextSession);
+        addVehicle(sealed, kSession);
+        addVehicle(clear, std::nullopt);
+        addVehicle(older, kSession);
+        QVERIFY(link.hasVehicle(sealed));
+        QVERIFY(!link.hasVehicle(clear));
+        QVERIFY(!link.hasVehicle(older));
+        link.setProtection(Protection::Plain, nullptr);
+        QVERIFY(!link.hasVehicle(sealed));
+        QVERIFY(link.hasVehicle(clear));
+        clear.vehicles.front().state.lost = true;
+        QVERIFY(!link.hasVehicle(clear));
+    }
+
+    void vehicleIsSettledWhenItKnowsItsPosition()
+    {
+        const MeasuredLink link;
+        engine::Snapshot snapshot = withSession(kSession);
+        addVehicle(snapshot, kSession);
+        QVERIFY(!link.hasSettledVehicle(snapshot));
+        snapshot.vehicles.front().state.ekfOk = true;
+        snapshot.vehicles.front().state.home.latitude = 47.4;
+        snapshot.vehicles.front().state.home.longitude = 8.5;
+        QVERIFY(link.hasSettledVehicle(snapshot));
+    }
+
+    void answersCountSinceTheChangeOfMode()
+    {
+        MeasuredLink link;
+        engine::Snapshot before = withSession(kSession), after = withSession(kNextSession);
+        addVehicle(before, kSession, 5);
+        addVehicle(after, kNextSession, 6);
+        link.setProtection(Protection::Inline, &before);
+        QVERIFY(!link.isAnswering(before));
+        QVERIFY(link.isAnswering(after));
+    }
+
+    void plainNeedsTheOffersConsent()
+    {
+        MeasuredLink link;
+        QVERIFY(link.refusal(Protection::Plain).empty());
+        engine::Snapshot snapshot = withSession(kSession);
+        link.learnConsent(snapshot);
+        QCOMPARE(link.refusal(Protection::Plain), std::string("the other end does not allow plain MAVLink"));
+        snapshot.sessions.front().info.peerOffered = {SuiteId::None};
+        link.learnConsent(snapshot);
+        QVERIFY(link.refusal(Protection::Plain).empty());
+    }
+
+    void silenceInPlainIsRefusalUntilARunSucceeded()
+    {
+        MeasuredLink link;
+        link.plainSilent();
+        QVERIFY(!link.refusal(Protection::Plain).empty());
+        link.plainSucceeded();
+        link.plainSilent();
+        QVERIFY(link.refusal(Protection::Plain).empty());
+    }
+
+    void inlineNeedsASessionThatAgreesToIt()
+    {
+        MeasuredLink link;
+        link.setProtection(Protection::Inline, nullptr);
+        channel::SessionUp up;
+        up.framing = channel::Framing::Inline;
+        link.sessionUp(up);
+        link.learnConsent(withSession(kSession));
+        QVERIFY(link.refusal(Protection::Inline).empty());
+        up.framing = channel::Framing::Sealed;
+        link.sessionUp(up);
+        link.learnConsent(withSession(kNextSession));
+        QCOMPARE(link.refusal(Protection::Inline), std::string("the other end does not allow inline framing"));
+        QVERIFY(link.refusal(Protection::Sealed).empty());
+    }
+
+    void pendingSwitchLeavesTheSuite()
+    {
+        const MeasuredLink link;
+        engine::Snapshot snapshot = withSession(kSession, SuiteId::Aes256Gcm);
+        QVERIFY(link.isUnder(SuiteId::Aes256Gcm, snapshot));
+        QVERIFY(!link.isUnder(SuiteId::Aes256Ctr, snapshot));
+        snapshot.sessions.front().info.pending = SuiteId::Aes256Ctr;
+        QVERIFY(!link.isUnder(SuiteId::Aes256Gcm, snapshot));
+    }
+
+    void linkIsRestoredUnderItsFirstSuite()
+    {
+        MeasuredLink link;
+        const engine::Snapshot first = withSession(kSession, SuiteId::Aes256Ctr);
+        link.update(first);
+        link.update(withSession(kNextSession, SuiteId::Aes256Gcm));
+        QVERIFY(link.firstSuite() == SuiteId::Aes256Ctr);
+        QVERIFY(!link.isRestored(withSession(kNextSession, SuiteId::Aes256Gcm)));
+        QVERIFY(link.isRestored(first));
+        engine::Snapshot pending = first;
+        pending.sessions.front().info.pending = SuiteId::Aes256Gcm;
+        QVERIFY(!link.isRestored(pending));
+        link.setProtection(Protection::Plain, nullptr);
+        QVERIFY(!link.isRestored(first));
+    }
+};
+
+SKYSEAL_TEST(MeasuredLinkTest)
+#include "measured_link_test.moc"
