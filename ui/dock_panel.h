@@ -1,11 +1,15 @@
-// A panel in a dock that knows whether anybody can see it: a dock behind another tab is still "visible" to Qt, and what
-// costs time must not run there.
+// Base of all panels in docks: the updates that a panel can follow, and whether it is visible to the operator. A dock behind
+// another tab counts as visible for Qt, but a panel must not spend CPU time there.
 #pragma once
 
 #include <QtWidgets/QWidget>
 
 namespace skyseal::ui {
 
+struct Settings;
+struct ViewState;
+
+/// A panel overrides the updates that it needs. All are called on the GUI thread.
 class DockPanel : public QWidget
 {
     Q_OBJECT
@@ -13,40 +17,49 @@ class DockPanel : public QWidget
 public:
     using QWidget::QWidget;
 
-    bool isSeen() const { return m_seen; }
-    /// Whether the dock's tab is in front; true for a panel that stands alone.
+    /// For each snapshot, up to 30 times a second.
+    virtual void onSnapshot(const ViewState & /*view*/) {}
+    /// Numbers and lists: up to 5 times a second, and at once when an alarm changes.
+    virtual void showViewState(const ViewState & /*view*/) {}
+    virtual void applySettings(const Settings & /*settings*/) {}
+    /// The dock's height in pixels, for panels at the sides: a panel can hide what matters least before it has to scroll.
+    virtual void fitHeight(int /*height*/) {}
+
+    /// True if the panel is visible and in front of its tabs.
+    bool isExposed() const { return m_exposed; }
+    /// Whether the dock's tab is in front; true for a panel without a dock.
     void setInFront(bool inFront)
     {
         m_inFront = inFront;
-        judge();
+        updateExposed();
     }
 
 protected:
-    /// Called once for each change.
-    virtual void seenChanged(bool seen) = 0;
+    /// Called once for each change of isExposed().
+    virtual void exposedChanged(bool /*exposed*/) {}
 
     void showEvent(QShowEvent *event) override
     {
         QWidget::showEvent(event);
-        judge();
+        updateExposed();
     }
     void hideEvent(QHideEvent *event) override
     {
         QWidget::hideEvent(event);
-        judge();
+        updateExposed();
     }
 
 private:
-    void judge()
+    void updateExposed()
     {
-        const bool seen = m_inFront && isVisible();
-        if (seen != m_seen) {
-            m_seen = seen;
-            seenChanged(seen);
+        const bool exposed = m_inFront && isVisible();
+        if (exposed != m_exposed) {
+            m_exposed = exposed;
+            exposedChanged(exposed);
         }
     }
 
-    bool m_inFront = true, m_seen = false;
+    bool m_inFront = true, m_exposed = false;
 };
 
 } // namespace skyseal::ui

@@ -1,7 +1,5 @@
 #include "ui/settings.h"
 
-#include "ui/flight/vehicle_commands.h"
-
 #include <QtCore/QSettings>
 
 namespace skyseal::ui {

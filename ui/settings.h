@@ -12,6 +12,9 @@ class QSettings;
 
 namespace skyseal::ui {
 
+/// Heights in metres above home that a take-off can be commanded to.
+inline constexpr double kLowestTakeOff = 1, kHighestTakeOff = 500;
+
 struct Settings
 {
     Theme theme = Theme::Desktop;

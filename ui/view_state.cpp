@@ -38,7 +38,7 @@ ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
     return view;
 }
 
-AlarmState stateOf(const ViewState &view)
+AlarmState alarmStateOf(const ViewState &view)
 {
     AlarmState state;
     state.plainRun = view.plainRun;

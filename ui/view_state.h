@@ -35,7 +35,7 @@ struct AlarmState
     bool operator==(const AlarmState &) const = default;
 };
 
-AlarmState stateOf(const ViewState &view);
+AlarmState alarmStateOf(const ViewState &view);
 
 /// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet,
 /// the first session stands in, so that an agent without an autopilot is seen.

@@ -76,7 +76,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
     });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
-        m_window->tellProblem(tr("The changed list of peers is refused, the old one stays: %1").arg(problem));
+        m_window->reportProblem(tr("The changed list of peers is refused, the old one stays: %1").arg(problem));
     });
 }
 
@@ -85,13 +85,13 @@ void Application::reloadPeers()
     if (const auto peers = m_station->reloadPeers())
         tellLeftOut(*peers);
     else
-        m_window->tellProblem(QString::fromStdString(peers.error().text()));
+        m_window->reportProblem(QString::fromStdString(peers.error().text()));
 }
 
 void Application::tellLeftOut(const keys::PeersInForce &peers)
 {
     if (!peers.leftOut.empty())
-        m_window->tellProblem(tr("Left out of the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
+        m_window->reportProblem(tr("Left out of the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
 }
 
 void Application::tellKeyProblem()
@@ -99,9 +99,9 @@ void Application::tellKeyProblem()
     const auto facts = keys::readIdentityFacts(m_keys.identity);
     const QString words = tr("No sealed links: %1").arg(m_keyProblem);
     if (facts && facts->sealed)
-        m_window->tellProblem(words, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
+        m_window->reportProblem(words, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
     else
-        m_window->tellProblem(words);
+        m_window->reportProblem(words);
 }
 
 void Application::tryKeysAgain()
@@ -182,21 +182,21 @@ void Application::makeWindow()
     facts.sessionBytes = [heap = m_heap](crypto::SuiteId suite) { return heap ? heap->session(suite) : std::nullopt; };
     m_window = std::make_unique<ui::MainWindow>(*m_station, m_store, std::move(facts));
     connect(m_station.get(), &StationAdapter::failed, m_window.get(),
-            [this](const QString &problem) { m_window->tellProblem(problem); });
+            [this](const QString &problem) { m_window->reportProblem(problem); });
     connect(m_memory.get(), &PassphraseMemory::failed, m_window.get(),
-            [this](const QString &problem) { m_window->tellProblem(problem); });
+            [this](const QString &problem) { m_window->reportProblem(problem); });
     connect(m_station.get(), &StationAdapter::linkAdded, this, &Application::followLink);
     m_window->setKeyring(m_keyring, &m_pairing);
     m_sweep = std::make_unique<SweepController>(*m_station, m_heap);
     m_window->setSweep(*m_sweep);
-    connect(m_station.get(), &StationAdapter::eventOccurred, &m_keyring, &Keyring::take);
+    connect(m_station.get(), &StationAdapter::eventOccurred, &m_keyring, &Keyring::handleEvent);
     connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);
-    connect(m_window.get(), &ui::MainWindow::demoWanted, this, [this] {
+    connect(m_window.get(), &ui::MainWindow::demoRequested, this, [this] {
         if (m_demo)
             return;
         auto demo = Demo::create(m_random);
         if (!demo) {
-            m_window->tellProblem(QString::fromStdString(demo.error().text()));
+            m_window->reportProblem(QString::fromStdString(demo.error().text()));
             return;
         }
         m_demo = std::move(*demo);
@@ -219,7 +219,7 @@ void Application::openLinks()
 void Application::beginDemo()
 {
     connect(m_demo.get(), &Demo::ended, m_window.get(), [this](const QString &problem) {
-        m_window->tellProblem(problem, tr("Start it again"), [this] { m_demo->restart(); });
+        m_window->reportProblem(problem, tr("Start it again"), [this] { m_demo->restart(); });
     });
     quint16 port = kUsualPort;
     const auto url = m_options.links.empty() ? link::LinkUrl::parse(m_window->settings().defaultLink.toStdString())

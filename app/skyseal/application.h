@@ -10,7 +10,7 @@
 #include "app/skyseal/station_adapter.h"
 #include "app/skyseal/sweep_controller.h"
 #include "app/skyseal/window_pairing.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "app/skyseal/window_options.h"
 
 #include <QtCore/QSettings>

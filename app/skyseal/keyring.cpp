@@ -70,7 +70,7 @@ void Keyring::setProblem(const QString &problem)
     Q_EMIT changed();
 }
 
-void Keyring::take(const engine::Event &event)
+void Keyring::handleEvent(const engine::Event &event)
 {
     if (const auto *up = std::get_if<channel::SessionUp>(&event)) {
         m_sessions[up->session] = up->peer;

@@ -26,7 +26,7 @@ public:
     /// Why the key is not in use; empty if it is.
     void setProblem(const QString &problem);
     /// Tracks sessions that begin and end.
-    void take(const engine::Event &event);
+    void handleEvent(const engine::Event &event);
     /// The files were changed by another program.
     void touched() { Q_EMIT changed(); }
 

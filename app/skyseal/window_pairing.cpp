@@ -14,7 +14,7 @@ void WindowPairing::use(StationAdapter &station, const std::string &peersFile)
     if (m_station == &station)
         return;
     m_station = &station;
-    connect(&station, &StationAdapter::pairing, this, &WindowPairing::take);
+    connect(&station, &StationAdapter::pairing, this, &WindowPairing::handleEvent);
 }
 
 WindowPairing::~WindowPairing()
@@ -95,7 +95,7 @@ void WindowPairing::cancel()
         m_station->station().cancelPairing();
 }
 
-void WindowPairing::take(const channel::PairingEvent &event)
+void WindowPairing::handleEvent(const channel::PairingEvent &event)
 {
     if (const auto *paired = std::get_if<channel::Paired>(&event)) {
         keep(paired->peer);

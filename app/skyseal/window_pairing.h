@@ -42,7 +42,7 @@ private:
     /// Null: no memory for the key.
     void openWith(channel::PeerRole roleAsked, std::shared_ptr<const Key32> key);
     void forgetDerivation();
-    void take(const channel::PairingEvent &event);
+    void handleEvent(const channel::PairingEvent &event);
     void keep(channel::Peer peer);
 
     DeriveKey m_derive;

@@ -7,7 +7,7 @@
 #include "core/crypto/system_random.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/status/strip_item.h"

@@ -67,7 +67,7 @@ private:
         const auto end = m_all.begin() + static_cast<std::ptrdiff_t>(count);
         snapshot->samples.assign(last ? end - static_cast<std::ptrdiff_t>(last) : m_all.begin(), end);
         if (given)
-            m_panel.showViewState(ViewState{snapshot});
+            m_panel.onSnapshot(ViewState{snapshot});
     }
 
     DiagnosticsPanel &m_panel;

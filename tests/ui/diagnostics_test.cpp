@@ -81,8 +81,8 @@ private Q_SLOTS:
     void plotsWhatWasMeasured()
     {
         const auto all = twoSuites();
-        m_panel->showViewState(viewWith({all.begin(), all.begin() + 80}));
-        m_panel->showViewState(viewWith(all)); // repeated samples count once
+        m_panel->onSnapshot(viewWith({all.begin(), all.begin() + 80}));
+        m_panel->onSnapshot(viewWith(all)); // repeated samples count once
         m_panel->refresh();
 
         const ChartContent rate = m_panel->chart(0)->plotted();
@@ -117,7 +117,7 @@ private Q_SLOTS:
     void everyQuantityPlotsItsSample()
     {
         const auto all = samplesOf(0, 0, 10, SuiteId::Aes256Gcm, 0);
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         choose("chartGroup", QStringLiteral("All"));
         const std::vector<Quantity> quantities = allQuantities();
         QCOMPARE(m_panel->chartCount(), static_cast<int>(quantities.size()));
@@ -151,7 +151,7 @@ private Q_SLOTS:
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
         QSKIP("a sanitizer's heap tells nothing");
 #endif
-        m_panel->showViewState(viewWith(twoSuites()));
+        m_panel->onSnapshot(viewWith(twoSuites()));
         choose("chartGroup", QStringLiteral("Cost"));
         const ChartContent memory = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_sessionMemory"))->plotted();
         QCOMPARE(memory.bars.size(), std::size_t(2));
@@ -184,7 +184,7 @@ private Q_SLOTS:
     void barsAreTheMeansOfTheSuites()
     {
         const auto all = twoSuites();
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         m_panel->refresh();
         const ChartContent rate = m_panel->chart(0)->plotted();
         QCOMPARE(rate.bars.size(), std::size_t(2));
@@ -205,7 +205,7 @@ private Q_SLOTS:
         auto all = twoSuites();
         const auto again = samplesOf(all.size(), 40, 50, SuiteId::ChaCha20Poly1305, 2);
         all.insert(all.end(), again.begin(), again.end());
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         choose("chartView", QStringLiteral("Suite over suite"));
         const ChartContent rate = m_panel->chart(0)->plotted();
         QVERIFY(rate.time == ChartTime::InUse);
@@ -223,7 +223,7 @@ private Q_SLOTS:
     void tableSaysTheSameInNumbers()
     {
         const auto all = twoSuites();
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         choose("chartView", QStringLiteral("Table"));
         const auto *table = m_panel->findChild<QTableView *>(QStringLiteral("suiteTable"));
         QVERIFY(table->isVisible());
@@ -246,7 +246,7 @@ private Q_SLOTS:
             all[i].linkUp = false;
         for (std::size_t i = 60; i < all.size(); ++i)
             all[i].epoch = 1;
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         m_panel->refresh();
         const auto marks = m_panel->chart(0)->plotted().marks;
         QCOMPARE(marks.size(), std::size_t(4));
@@ -263,7 +263,7 @@ private Q_SLOTS:
     void hoverTellsTheValues()
     {
         const auto all = twoSuites();
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         m_panel->refresh();
         Q_EMIT m_panel->chart(0)->hovered(-10);
         const MetricsSample &there = all[all.size() - 41];
@@ -282,7 +282,7 @@ private Q_SLOTS:
 
     void hoverCoversNoPointAskedFor()
     {
-        m_panel->showViewState(viewWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
+        m_panel->onSnapshot(viewWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
         m_panel->refresh();
         for (int i = 0; i < 3; ++i) {
             TimeSeriesChart *chart = m_panel->chart(i);
@@ -334,12 +334,12 @@ private Q_SLOTS:
     void freezeStopsThePictureOnly()
     {
         auto all = samplesOf(0, 0, 20, SuiteId::Aes256Gcm, 0);
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         m_panel->refresh();
         const ChartContent before = m_panel->chart(0)->plotted();
         m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->click();
         const auto more = samplesOf(all.size(), 20, 30, SuiteId::Rc4, 1);
-        m_panel->showViewState(viewWith(more));
+        m_panel->onSnapshot(viewWith(more));
         m_panel->refresh();
         const ChartContent frozen = m_panel->chart(0)->plotted();
         QCOMPARE(frozen.runs, before.runs);
@@ -351,14 +351,14 @@ private Q_SLOTS:
 
     void zoomByWheelKeysAndDrag()
     {
-        m_panel->showViewState(viewWith(samplesOf(0, 0, 100, SuiteId::Aes256Gcm, 0)));
+        m_panel->onSnapshot(viewWith(samplesOf(0, 0, 100, SuiteId::Aes256Gcm, 0)));
         m_panel->refresh();
-        Q_EMIT m_panel->chart(0)->zoomWanted(1);
+        Q_EMIT m_panel->chart(0)->zoomRequested(1);
         QCOMPARE(m_panel->chart(2)->plotted().from, -60.0); // all charts show the same time
         QVERIFY(!m_panel->range().frozen());
         QTest::keyClick(m_panel.get(), Qt::Key_Minus);
         QCOMPARE(m_panel->chart(0)->plotted().from, -120.0);
-        Q_EMIT m_panel->chart(1)->rangeWanted(-50, -20);
+        Q_EMIT m_panel->chart(1)->rangeRequested(-50, -20);
         QVERIFY(m_panel->findChild<QCheckBox *>(QStringLiteral("chartFreeze"))->isChecked());
         QCOMPARE(m_panel->chart(0)->plotted().from, -50.0);
         QCOMPARE(m_panel->chart(0)->plotted().to, -20.0);
@@ -380,7 +380,7 @@ private Q_SLOTS:
         QTemporaryDir folder;
         auto all = twoSuites();
         all[3].latency = vehicle::kUnknown;
-        m_panel->showViewState(viewWith(all));
+        m_panel->onSnapshot(viewWith(all));
         m_panel->refresh();
         const QString file = folder.filePath(QStringLiteral("samples.csv"));
         QCOMPARE(m_panel->saveCsv(file), QString());
@@ -403,7 +403,7 @@ private Q_SLOTS:
         QCOMPARE(cell(100, "suite"), QByteArray("rc4"));
         QCOMPARE(cell(100, "insecure"), QByteArray("1"));
         QCOMPARE(cell(3, "latency_s"), QByteArray());
-        Q_EMIT m_panel->chart(0)->rangeWanted(-10, -5);
+        Q_EMIT m_panel->chart(0)->rangeRequested(-10, -5);
         QCOMPARE(m_panel->saveCsv(file), QString());
         in.seek(0);
         QFile part(file);
@@ -415,7 +415,7 @@ private Q_SLOTS:
     void picturesAreWritten()
     {
         QTemporaryDir folder;
-        m_panel->showViewState(viewWith(twoSuites()));
+        m_panel->onSnapshot(viewWith(twoSuites()));
         m_panel->refresh();
         const QString png = folder.filePath(QStringLiteral("p.png")), svg = folder.filePath(QStringLiteral("p.svg"));
         QCOMPARE(m_panel->savePicture(png), QString());
@@ -509,7 +509,7 @@ private Q_SLOTS:
     void hiddenChartsAreNotDrawn()
     {
         m_panel->hide();
-        m_panel->showViewState(viewWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
+        m_panel->onSnapshot(viewWith(samplesOf(0, 0, 20, SuiteId::ChaCha20, 0)));
         QVERIFY(!m_panel->findChild<QTimer *>()->isActive());
         QVERIFY(m_panel->chart(0)->plotted().runs.empty());
         m_panel->show();

@@ -4,7 +4,7 @@
 #include "gallery_dialogs.h"
 #include "scripted_snapshots.h"
 #include "ui/charts/diagnostics_panel.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 
 #include <QtCore/QDir>

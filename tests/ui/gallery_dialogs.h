@@ -3,7 +3,7 @@
 
 #include "fake_keyring.h"
 #include "fake_pairing.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace skyseal::ui {
 

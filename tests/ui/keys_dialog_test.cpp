@@ -175,7 +175,7 @@ void KeysDialogTest::emptyListSaysWhatToDo()
     QVERIFY(find("peerAdd")->isEnabled() && !find("peerEdit")->isEnabled() && !find("peerRevoke")->isEnabled());
     QVERIFY(!find("peerPair")->isVisible());
     m_dialog->offerPairing();
-    QSignalSpy wanted(m_dialog.get(), &KeysDialog::pairWanted);
+    QSignalSpy wanted(m_dialog.get(), &KeysDialog::pairRequested);
     QTest::mouseClick(find("peerPair"), Qt::LeftButton);
     QCOMPARE(wanted.size(), 1);
 }

@@ -7,7 +7,7 @@
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
 #include "ui/flight/tape.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "ui/security/counters_table.h"
 #include "ui/status/status_strip.h"
 #include "ui/status/strip_item.h"

@@ -93,7 +93,7 @@ private Q_SLOTS:
         QCOMPARE(filter.rowCount(), 1);
         QCOMPARE(cell(filter, 0, MessageModel::Severity), QStringLiteral("error"));
         filter.setLeastGrave(7);
-        filter.setWanted(QStringLiteral("ekf"));
+        filter.setWantedText(QStringLiteral("ekf"));
         QCOMPARE(filter.rowCount(), 1);
         QCOMPARE(cell(filter, 0, MessageModel::Text), QStringLiteral("EKF3 ready"));
     }
@@ -165,7 +165,7 @@ private Q_SLOTS:
     {
         ParameterModel model;
         QAbstractItemModelTester tester(&model, kFatal);
-        QSignalSpy wanted(&model, &ParameterModel::writeWanted);
+        QSignalSpy wanted(&model, &ParameterModel::writeRequested);
         model.setParameters(plainSnapshot(0).vehicles.front().parameters);
         QCOMPARE(model.rowCount(), 12);
         const QModelIndex value = model.index(2, ParameterModel::Value);

@@ -8,7 +8,7 @@
 #include "core/experiment/metric.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "ui/security/suite_actions.h"
 #include "ui/settings.h"
 #include "ui/status/strip_item.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "fake_station.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QtCore/QSettings>
 #include <QtCore/QTemporaryDir>

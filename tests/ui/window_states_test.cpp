@@ -68,7 +68,7 @@ private Q_SLOTS:
         m_station->show(elsewhere);
         QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("14661")));
         QVERIFY(find<QPushButton>("demoButton")->isVisible());
-        QSignalSpy wanted(m_window.get(), &MainWindow::demoWanted);
+        QSignalSpy wanted(m_window.get(), &MainWindow::demoRequested);
         QTest::mouseClick(find<QPushButton>("demoButton"), Qt::LeftButton);
         QCOMPARE(wanted.size(), 1);
         QVERIFY(!find<HoldButton>("armButton")->isEnabled());

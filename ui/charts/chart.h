@@ -83,10 +83,10 @@ Q_SIGNALS:
     void hovered(double x);
     void hoverEnded();
     /// The wheel was turned: positive is closer.
-    void zoomWanted(int steps);
+    void zoomRequested(int steps);
     /// The operator drew a range with the mouse.
-    void rangeWanted(double from, double to);
-    void liveWanted();
+    void rangeRequested(double from, double to);
+    void liveRequested();
 };
 
 /// What stands above and around a chart.

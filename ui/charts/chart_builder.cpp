@@ -16,7 +16,7 @@ namespace {
 constexpr double kGapSeconds = 2;
 
 /// The translations' context of the free functions below.
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartBuilder)
 };
@@ -85,7 +85,7 @@ void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const
                 runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None),
                                 line.stroke,
                                 line.name,
-                                sample.linkUp ? suiteName(sample.suite) : Words::tr("no link"),
+                                sample.linkUp ? suiteName(sample.suite) : Text::tr("no link"),
                                 {}});
             }
             runs.back().points.push_back(point);

@@ -14,7 +14,7 @@ namespace skyseal::ui {
 namespace {
 
 /// The translations' context of the free functions below.
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartExport)
 };
@@ -38,7 +38,7 @@ QString writeSvg(const QString &file, const std::vector<QWidget *> &parts, const
     generator.setOutputDevice(&out);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(Words::tr("Skyseal diagnostics"));
+    generator.setTitle(Text::tr("Skyseal diagnostics"));
     QPainter painter(&generator);
     paintAll(painter, parts, size);
     painter.end();

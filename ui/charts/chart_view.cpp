@@ -141,12 +141,12 @@ void ChartView::mouseReleaseEvent(QMouseEvent *event)
     viewport()->update();
     if (event->button() == Qt::LeftButton && from >= 0 && std::abs(to - from) >= kDragAtLeast
         && m_frame.time != ChartTime::InUse)
-        Q_EMIT rangeWanted(timeAt(std::min(from, to)), timeAt(std::max(from, to)));
+        Q_EMIT rangeRequested(timeAt(std::min(from, to)), timeAt(std::max(from, to)));
 }
 
 void ChartView::mouseDoubleClickEvent(QMouseEvent *)
 {
-    Q_EMIT liveWanted();
+    Q_EMIT liveRequested();
 }
 
 void ChartView::leaveEvent(QEvent *event)
@@ -168,7 +168,7 @@ void ChartView::wheelEvent(QWheelEvent *event)
     // Half a turn of a fine wheel is nothing yet; a click of a usual one is one step.
     const int steps = event->angleDelta().y() / 120;
     if (steps != 0)
-        Q_EMIT zoomWanted(steps);
+        Q_EMIT zoomRequested(steps);
     event->accept();
 }
 

@@ -34,9 +34,9 @@ public:
 Q_SIGNALS:
     void hovered(double x);
     void hoverEnded();
-    void zoomWanted(int steps);
-    void rangeWanted(double from, double to);
-    void liveWanted();
+    void zoomRequested(int steps);
+    void rangeRequested(double from, double to);
+    void liveRequested();
 
 protected:
     void drawBackground(QPainter *painter, const QRectF &rect) override;

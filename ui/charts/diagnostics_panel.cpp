@@ -80,11 +80,11 @@ void DiagnosticsPanel::connectTools()
     connect(m_tools, &DiagnosticsTools::freezeChosen, this, [this](bool frozen) {
         changeRange([&](ChartRange &range) { frozen ? range.freeze(m_history.newest()) : range.goLive(); });
     });
-    connect(m_tools, &DiagnosticsTools::csvWanted, this, [this] {
+    connect(m_tools, &DiagnosticsTools::csvRequested, this, [this] {
         askAndSave(tr("Save the samples shown"), QStringLiteral("skyseal-samples.csv"), tr("Comma-separated values (*.csv)"),
                    [this](const QString &file) { return saveCsv(file); });
     });
-    connect(m_tools, &DiagnosticsTools::pictureWanted, this, [this] {
+    connect(m_tools, &DiagnosticsTools::pictureRequested, this, [this] {
         askAndSave(tr("Save the picture"), QStringLiteral("skyseal-diagnostics.png"), tr("Pictures (*.png *.svg)"),
                    [this](const QString &file) { return savePicture(file); });
     });
@@ -114,12 +114,12 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
     plot.widget->setObjectName(QStringLiteral("chart_") + QLatin1String(quantity.key));
     connect(plot.widget, &TimeSeriesChart::hovered, this, [this](double x) { showCursor(x); });
     connect(plot.widget, &TimeSeriesChart::hoverEnded, this, [this] { showCursor({}); });
-    connect(plot.widget, &TimeSeriesChart::zoomWanted, this,
+    connect(plot.widget, &TimeSeriesChart::zoomRequested, this,
             [this](int steps) { changeRange([steps](ChartRange &range) { range.zoom(steps); }); });
-    connect(plot.widget, &TimeSeriesChart::rangeWanted, this, [this](double from, double to) {
+    connect(plot.widget, &TimeSeriesChart::rangeRequested, this, [this](double from, double to) {
         changeRange([&](ChartRange &range) { range.select(from, to, m_history.newest()); });
     });
-    connect(plot.widget, &TimeSeriesChart::liveWanted, this,
+    connect(plot.widget, &TimeSeriesChart::liveRequested, this,
             [this] { changeRange([](ChartRange &range) { range.goLive(); }); });
     return plot.widget;
 }
@@ -160,7 +160,7 @@ TimeSeriesChart *DiagnosticsPanel::chart(int index) const
     return m_plots[m_shown[static_cast<std::size_t>(index)]].widget;
 }
 
-void DiagnosticsPanel::showViewState(const ViewState &view)
+void DiagnosticsPanel::onSnapshot(const ViewState &view)
 {
     if (!view.snapshot || view.snapshot->samples.empty())
         return;
@@ -269,7 +269,7 @@ void DiagnosticsPanel::askAndSave(const QString &title, const QString &name, con
         QMessageBox::warning(this, title, tr("%1 could not be written: %2").arg(file, problem));
 }
 
-void DiagnosticsPanel::seenChanged(bool seen)
+void DiagnosticsPanel::exposedChanged(bool seen)
 {
     if (!seen) {
         m_timer->stop();

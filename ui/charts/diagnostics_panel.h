@@ -38,7 +38,7 @@ public:
     void setSessionMeasure(const SessionMemory::Measure &measure) { m_sessionMemory = SessionMemory(measure); }
     ~DiagnosticsPanel() override;
 
-    void showViewState(const ViewState &view);
+    void onSnapshot(const ViewState &view) override;
     /// Draws what is known now, also where the next refresh is not due.
     void refresh();
     SweepPage *sweep() const { return m_sweep; }
@@ -55,7 +55,7 @@ public:
     QString savePicture(const QString &file);
 
 protected:
-    void seenChanged(bool seen) override;
+    void exposedChanged(bool seen) override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:

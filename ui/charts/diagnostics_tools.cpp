@@ -49,9 +49,9 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
     m_save->setPopupMode(QToolButton::InstantPopup);
     m_save->setFocusPolicy(Qt::StrongFocus);
     auto *menu = new QMenu(m_save);
-    menu->addAction(tr("Samples shown, as &CSV …"), this, &DiagnosticsTools::csvWanted)
+    menu->addAction(tr("Samples shown, as &CSV …"), this, &DiagnosticsTools::csvRequested)
         ->setObjectName(QStringLiteral("chartCsv"));
-    menu->addAction(tr("&Picture as PNG or SVG …"), this, &DiagnosticsTools::pictureWanted)
+    menu->addAction(tr("&Picture as PNG or SVG …"), this, &DiagnosticsTools::pictureRequested)
         ->setObjectName(QStringLiteral("chartPicture"));
     m_save->setMenu(menu);
 

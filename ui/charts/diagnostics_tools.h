@@ -34,8 +34,8 @@ Q_SIGNALS:
     void groupChanged();
     void spanChosen(double seconds);
     void freezeChosen(bool frozen);
-    void csvWanted();
-    void pictureWanted();
+    void csvRequested();
+    void pictureRequested();
 
 private:
     QComboBox *addChoice(const char *objectName, const QString &accessible);

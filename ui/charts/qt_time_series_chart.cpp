@@ -75,9 +75,9 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     column->addWidget(m_view, 1);
     connect(m_view, &ChartView::hovered, this, &TimeSeriesChart::hovered);
     connect(m_view, &ChartView::hoverEnded, this, &TimeSeriesChart::hoverEnded);
-    connect(m_view, &ChartView::zoomWanted, this, &TimeSeriesChart::zoomWanted);
-    connect(m_view, &ChartView::rangeWanted, this, &TimeSeriesChart::rangeWanted);
-    connect(m_view, &ChartView::liveWanted, this, &TimeSeriesChart::liveWanted);
+    connect(m_view, &ChartView::zoomRequested, this, &TimeSeriesChart::zoomRequested);
+    connect(m_view, &ChartView::rangeRequested, this, &TimeSeriesChart::rangeRequested);
+    connect(m_view, &ChartView::liveRequested, this, &TimeSeriesChart::liveRequested);
     applyColors();
     showContent({});
 }

@@ -1,7 +1,7 @@
 #include "ui/dialogs/settings_dialog.h"
 
 #include "core/link/link_url.h"
-#include "ui/dialogs/form_pieces.h"
+#include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/suite_style.h"
 

@@ -1,6 +1,7 @@
 // Asks for a height in the operator's unit and gives it in metres.
 #pragma once
 
+#include "ui/settings.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QDoubleSpinBox>

@@ -2,6 +2,7 @@
 
 #include "ui/flight/horizon.h"
 #include "ui/flight/values_panel.h"
+#include "ui/settings.h"
 
 #include <QtWidgets/QVBoxLayout>
 
@@ -22,7 +23,7 @@ double degrees(double radians)
 } // namespace
 
 FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
-    : QWidget(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)),
+    : DockPanel(parent), m_horizon(new Horizon(this)), m_values(new ValuesPanel(this)),
       m_actions(new VehicleActions(commands, this))
 {
     auto *column = new QVBoxLayout(this);
@@ -35,7 +36,7 @@ FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
     column->addStretch(0);
 }
 
-void FlightPanel::showAttitude(const ViewState &view)
+void FlightPanel::onSnapshot(const ViewState &view)
 {
     Attitude attitude;
     if (view.vehicle) {
@@ -58,12 +59,12 @@ void FlightPanel::showViewState(const ViewState &view)
     m_actions->showViewState(view);
 }
 
-void FlightPanel::setUnits(UnitSystem units)
+void FlightPanel::applySettings(const Settings &settings)
 {
-    m_units = units;
-    m_horizon->setUnits(units);
-    m_values->setUnits(units);
-    m_actions->setUnits(units);
+    m_units = settings.units;
+    m_horizon->setUnits(m_units);
+    m_values->setUnits(m_units);
+    m_actions->setUnits(m_units);
 }
 
 } // namespace skyseal::ui

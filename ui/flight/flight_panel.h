@@ -2,28 +2,26 @@
 #pragma once
 
 #include "ui/flight/vehicle_actions.h"
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
 #include "ui/text/units.h"
-
-#include <QtWidgets/QWidget>
 
 namespace skyseal::ui {
 
 class Horizon;
 class ValuesPanel;
 
-class FlightPanel : public QWidget
+class FlightPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit FlightPanel(VehicleCommands &commands, QWidget *parent = nullptr);
 
-    /// The horizon: as often as there is something new.
-    void showAttitude(const ViewState &view);
-    /// Numbers and buttons.
-    void showViewState(const ViewState &view);
-    void setUnits(UnitSystem units);
+    /// The horizon follows every snapshot, numbers and buttons are renewed less often.
+    void onSnapshot(const ViewState &view) override;
+    void showViewState(const ViewState &view) override;
+    void applySettings(const Settings &settings) override;
 
 private:
     Horizon *m_horizon;

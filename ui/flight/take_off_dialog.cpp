@@ -1,7 +1,7 @@
 #include "ui/flight/take_off_dialog.h"
 
 #include "ui/flight/altitude_box.h"
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/theme/grid.h"

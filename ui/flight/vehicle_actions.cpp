@@ -1,7 +1,7 @@
 #include "ui/flight/vehicle_actions.h"
 
 #include "ui/flight/altitude_box.h"
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
@@ -69,7 +69,7 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
             [this, send] { send(vehicle::SetMode{m_modes->currentText().toStdString()}); });
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return, m_setMode})
         connect(button, &HoldButton::aborted, this, [this] { say(tr("Not sent: hold the button to confirm"), true); });
-    connect(&commands, &VehicleCommands::said, this, &VehicleActions::say);
+    connect(&commands, &VehicleCommands::resultReported, this, &VehicleActions::say);
     showViewState({});
 }
 

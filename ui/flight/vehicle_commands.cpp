@@ -1,6 +1,6 @@
 #include "ui/flight/vehicle_commands.h"
 
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace skyseal::ui {
 
 VehicleCommands::VehicleCommands(StationInterface &station, QObject *parent) : QObject(parent), m_station(station)
 {
-    connect(&station, &StationInterface::eventOccurred, this, &VehicleCommands::take);
+    connect(&station, &StationInterface::eventOccurred, this, &VehicleCommands::handleEvent);
 }
 
 void VehicleCommands::showViewState(const ViewState &view)
@@ -29,16 +29,16 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
         return;
     const QString words = commandText(command);
     if (m_systemId != 0 && systemId != m_systemId) {
-        Q_EMIT said(tr("%1: not sent: vehicle %2 is not the one that is shown now").arg(words).arg(systemId), false);
+        Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is not the one that is shown now").arg(words).arg(systemId), false);
         return;
     }
     if (!m_whyNot.isEmpty()) {
-        Q_EMIT said(tr("%1: not sent: %2").arg(words, m_whyNot), false);
+        Q_EMIT resultReported(tr("%1: not sent: %2").arg(words, m_whyNot), false);
         return;
     }
     const vehicle::RequestId id = m_station.perform(systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
-    Q_EMIT said(tr("%1: asked …").arg(words), true);
+    Q_EMIT resultReported(tr("%1: asked …").arg(words), true);
 }
 
 void VehicleCommands::setTakeOffAltitude(double metres)
@@ -50,7 +50,7 @@ void VehicleCommands::setTakeOffAltitude(double metres)
     Q_EMIT takeOffAltitudeChanged(metres);
 }
 
-void VehicleCommands::take(const engine::Event &event)
+void VehicleCommands::handleEvent(const engine::Event &event)
 {
     const auto *result = std::get_if<vehicle::CommandResult>(&event);
     if (!result)
@@ -60,7 +60,7 @@ void VehicleCommands::take(const engine::Event &event)
         return;
     const QString line = tr("%1: %2").arg(asked.value(), commandOutcomeText(*result));
     m_asked.erase(asked);
-    Q_EMIT said(line, result->outcome == vehicle::CommandOutcome::Accepted);
+    Q_EMIT resultReported(line, result->outcome == vehicle::CommandOutcome::Accepted);
 }
 
 } // namespace skyseal::ui

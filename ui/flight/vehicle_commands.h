@@ -2,6 +2,7 @@
 // questions, so that each answer can be told in words: "Arm: refused: …". Shared by the buttons and the Vehicle menu.
 #pragma once
 
+#include "ui/settings.h"
 #include "ui/view_state.h"
 
 #include <QtCore/QHash>
@@ -9,9 +10,6 @@
 #include <QtCore/QString>
 
 namespace skyseal::ui {
-
-/// What a take-off may be asked for, in metres above home.
-inline constexpr double kLowestTakeOff = 1, kHighestTakeOff = 500;
 
 class VehicleCommands : public QObject
 {
@@ -30,7 +28,7 @@ public:
     /// Says no where there is a reason: one that was asked for before it was there, too. And where another vehicle than
     /// `systemId` is shown now: nobody sees any more what would become of it.
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
-    void take(const engine::Event &event);
+    void handleEvent(const engine::Event &event);
 
     /// How high the next take-off goes, in metres: one number for the panel and the menu.
     double takeOffAltitude() const { return m_takeOffAltitude; }
@@ -40,7 +38,7 @@ Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
     void whyNotChanged(const QString &reason);
     /// One line for the operator; `ok` is false when the vehicle refused or did not answer.
-    void said(const QString &line, bool ok);
+    void resultReported(const QString &line, bool ok);
 
 private:
     StationInterface &m_station;

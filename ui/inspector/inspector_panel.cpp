@@ -74,7 +74,7 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
 
 void InspectorPanel::showViewState(const ViewState &view)
 {
-    if (!isSeen() || !view.snapshot || view.snapshot->inspector.empty())
+    if (!isExposed() || !view.snapshot || view.snapshot->inspector.empty())
         return;
     if (std::abs(view.snapshot->time - m_shownAt) < kRefreshSeconds)
         return;
@@ -88,7 +88,7 @@ void InspectorPanel::showFields()
     m_fields.setMessage(m_messages.rowAt(m_filter->mapToSource(m_list->currentIndex()).row()));
 }
 
-void InspectorPanel::seenChanged(bool seen)
+void InspectorPanel::exposedChanged(bool seen)
 {
     m_station.setInspecting(seen);
 }

@@ -19,10 +19,10 @@ class InspectorPanel : public DockPanel
 public:
     explicit InspectorPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
+    void showViewState(const ViewState &view) override;
 
 protected:
-    void seenChanged(bool seen) override;
+    void exposedChanged(bool seen) override;
 
 private:
     void showFields();

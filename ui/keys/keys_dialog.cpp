@@ -102,7 +102,7 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
     column->addWidget(buttons);
 
     connect(m_add, &QPushButton::clicked, this, &KeysDialog::addPeer);
-    connect(m_pair, &QPushButton::clicked, this, &KeysDialog::pairWanted);
+    connect(m_pair, &QPushButton::clicked, this, &KeysDialog::pairRequested);
     connect(m_change, &QPushButton::clicked, this, &KeysDialog::changePeer);
     connect(m_revoke, &QPushButton::clicked, this, &KeysDialog::revokePeer);
     connect(m_view, &QTreeView::activated, this, &KeysDialog::changePeer);

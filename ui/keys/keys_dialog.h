@@ -26,7 +26,7 @@ public:
     void offerPairing();
 
 Q_SIGNALS:
-    void pairWanted();
+    void pairRequested();
 
 private:
     void refresh();

@@ -11,7 +11,7 @@
 
 namespace skyseal::ui {
 
-LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
+LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
     auto *add = new QPushButton(tr("Add …"), this);
     add->setObjectName(QStringLiteral("linkAdd"));
@@ -44,7 +44,7 @@ LinksPanel::LinksPanel(StationInterface &station, QWidget *parent) : QWidget(par
     column->addLayout(tools);
     column->addWidget(m_view, 1);
 
-    connect(add, &QPushButton::clicked, this, &LinksPanel::addWanted);
+    connect(add, &QPushButton::clicked, this, &LinksPanel::addRequested);
     connect(m_remove, &QPushButton::clicked, this, [this] {
         if (const auto *link = m_model.linkAt(m_view->currentIndex().row()))
             m_station.removeLink(link->id);

@@ -2,26 +2,25 @@
 #pragma once
 
 #include "ui/links/link_model.h"
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QPushButton;
 class QTreeView;
 
 namespace skyseal::ui {
 
-class LinksPanel : public QWidget
+class LinksPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit LinksPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
+    void showViewState(const ViewState &view) override;
 
 Q_SIGNALS:
-    void addWanted();
+    void addRequested();
 
 private:
     StationInterface &m_station;

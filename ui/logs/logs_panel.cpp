@@ -9,7 +9,6 @@
 #include <QtCore/QUrl>
 #include <QtGui/QDesktopServices>
 #include <QtWidgets/QCheckBox>
-#include <QtWidgets/QFileDialog>
 #include <QtWidgets/QGridLayout>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
@@ -17,7 +16,7 @@
 namespace skyseal::ui {
 
 LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *parent)
-    : QWidget(parent), m_station(station), m_folder(folder)
+    : DockPanel(parent), m_station(station), m_folder(folder)
 {
     m_record = new QCheckBox(tr("Record what is received and sent"), this);
     m_record->setObjectName(QStringLiteral("logRecord"));
@@ -71,12 +70,7 @@ LogsPanel::LogsPanel(StationInterface &station, const QString &folder, QWidget *
 
     connect(m_record, &QCheckBox::clicked, this, [this](bool on) { m_station.setRecording(on); });
     connect(open, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_folder)); });
-    connect(replay, &QPushButton::clicked, this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Replay a log"), m_folder,
-                                                          tr("Telemetry logs (*.tlog);;All files (*)"));
-        if (!file.isEmpty())
-            Q_EMIT replayWanted(file);
-    });
+    connect(replay, &QPushButton::clicked, this, &LogsPanel::replayRequested);
     showViewState({});
 }
 

@@ -1,9 +1,8 @@
 // What is being recorded and where, and the way to replay what was.
 #pragma once
 
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QCheckBox;
 class QLabel;
@@ -13,7 +12,7 @@ namespace skyseal::ui {
 
 class FigureLabel;
 
-class LogsPanel : public QWidget
+class LogsPanel : public DockPanel
 {
     Q_OBJECT
 
@@ -21,10 +20,10 @@ public:
     /// `folder` is where recordings go.
     LogsPanel(StationInterface &station, const QString &folder, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
+    void showViewState(const ViewState &view) override;
 
 Q_SIGNALS:
-    void replayWanted(const QString &file);
+    void replayRequested();
 
 private:
     StationInterface &m_station;

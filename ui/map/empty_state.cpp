@@ -2,7 +2,7 @@
 
 #include "core/engine/text/state_text.h"
 #include "ui/security/allow_plain.h"
-#include "ui/status/link_ended.h"
+#include "ui/text/link_ended.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
@@ -68,10 +68,10 @@ EmptyState::EmptyState(QWidget *parent) : QFrame(parent)
     column->addWidget(m_plain, 0, Qt::AlignLeft);
     column->addWidget(m_keys, 0, Qt::AlignLeft);
     column->addLayout(buttons);
-    connect(m_plain, &QPushButton::clicked, this, [this] { Q_EMIT plainWanted(m_held); });
-    connect(m_keys, &QPushButton::clicked, this, &EmptyState::keysWanted);
-    connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoWanted);
-    connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectWanted);
+    connect(m_plain, &QPushButton::clicked, this, [this] { Q_EMIT plainRequested(m_held); });
+    connect(m_keys, &QPushButton::clicked, this, &EmptyState::keysRequested);
+    connect(m_demo, &QPushButton::clicked, this, &EmptyState::demoRequested);
+    connect(m_connect, &QPushButton::clicked, this, &EmptyState::connectRequested);
     showViewState({});
 }
 

@@ -25,11 +25,11 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 Q_SIGNALS:
-    void demoWanted();
-    void connectWanted();
-    void keysWanted();
+    void demoRequested();
+    void connectRequested();
+    void keysRequested();
     /// The operator wants to take this vehicle in clear.
-    void plainWanted(const skyseal::engine::PendingVehicle &held);
+    void plainRequested(const skyseal::engine::PendingVehicle &held);
 
 private:
     QLabel *m_title, *m_text, *m_command, *m_otherwise;

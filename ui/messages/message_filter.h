@@ -20,7 +20,7 @@ public:
         m_leastGrave = severity;
         invalidateFilter();
     }
-    void setWanted(const QString &text)
+    void setWantedText(const QString &text)
     {
         m_wanted = text;
         invalidateFilter();

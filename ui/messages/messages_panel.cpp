@@ -17,7 +17,7 @@
 
 namespace skyseal::ui {
 
-MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
+MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
 {
     m_filter.setSourceModel(&m_model);
     m_view = new QTreeView(this);
@@ -48,7 +48,7 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
     wanted->setPlaceholderText(tr("Filter"));
     wanted->setAccessibleName(tr("Filter of the messages"));
     wanted->setClearButtonEnabled(true);
-    connect(wanted, &QLineEdit::textChanged, this, [this](const QString &text) { m_filter.setWanted(text); });
+    connect(wanted, &QLineEdit::textChanged, this, [this](const QString &text) { m_filter.setWantedText(text); });
     auto *grave = new QComboBox(this);
     grave->setObjectName(QStringLiteral("messageSeverity"));
     grave->setAccessibleName(tr("Least severity shown"));
@@ -78,7 +78,7 @@ MessagesPanel::MessagesPanel(QWidget *parent) : QWidget(parent)
     column->addWidget(m_view, 1);
 }
 
-void MessagesPanel::take(const engine::Event &event)
+void MessagesPanel::handleEvent(const engine::Event &event)
 {
     m_peers.note(event);
     const engine::EventText text = engine::eventText(event, m_peers);
@@ -98,9 +98,10 @@ QString MessagesPanel::withRemedy(const engine::EventText &text)
     return text.sentence;
 }
 
-void MessagesPanel::say(const QString &text, std::uint8_t severity)
+void MessagesPanel::showCommandResult(const QString &line, bool ok)
 {
-    append({QDateTime::currentDateTime(), 0, severity, text});
+    constexpr std::uint8_t kWarning = 4, kInfo = 6; // MAV_SEVERITY
+    append({QDateTime::currentDateTime(), 0, ok ? kInfo : kWarning, line});
 }
 
 void MessagesPanel::append(const Message &message)

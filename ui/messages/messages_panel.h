@@ -4,9 +4,8 @@
 #include "core/engine/common/peer_names.h"
 #include "ui/messages/message_filter.h"
 #include "ui/messages/message_model.h"
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QTreeView;
 
@@ -16,17 +15,17 @@ struct EventText;
 
 namespace skyseal::ui {
 
-class MessagesPanel : public QWidget
+class MessagesPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit MessagesPanel(QWidget *parent = nullptr);
 
-    /// Appends the sentence for an event, unless the event is routine. Call for every event, in order.
-    void take(const engine::Event &event);
-    /// Appends a line of the station itself; `severity` is MAV_SEVERITY.
-    void say(const QString &text, std::uint8_t severity);
+    /// Appends the text of an event, unless the event is routine. Call for every event, in order.
+    void handleEvent(const engine::Event &event);
+    /// Adds a line with the result of a command; `ok` is false if the vehicle refused it or did not answer.
+    void showCommandResult(const QString &line, bool ok);
     MessageModel &model() { return m_model; }
 
 private:

@@ -1,6 +1,6 @@
 #include "ui/mission/mission_panel.h"
 
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 #include "ui/mission/mission_file.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
@@ -16,7 +16,7 @@
 
 namespace skyseal::ui {
 
-MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
+MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
     const auto button = [this](const QString &text, const char *name) {
         auto *made = new QPushButton(text, this);
@@ -58,7 +58,7 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : QWidget
     });
     connect(m_send, &QPushButton::clicked, this, &MissionPanel::askAndSend);
     connect(m_save, &QPushButton::clicked, this, &MissionPanel::askAndSave);
-    connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::take);
+    connect(&station, &StationInterface::eventOccurred, this, &MissionPanel::handleEvent);
     showViewState({});
 }
 
@@ -133,7 +133,7 @@ void MissionPanel::showViewState(const ViewState &view)
     m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);
 }
 
-void MissionPanel::take(const engine::Event &event)
+void MissionPanel::handleEvent(const engine::Event &event)
 {
     const auto *done = std::get_if<vehicle::MissionResult>(&event);
     if (!done || done->systemId != m_systemId)

@@ -2,24 +2,23 @@
 #pragma once
 
 #include "ui/mission/mission_model.h"
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QLabel;
 class QPushButton;
 
 namespace skyseal::ui {
 
-class MissionPanel : public QWidget
+class MissionPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit MissionPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
-    void take(const engine::Event &event);
+    void showViewState(const ViewState &view) override;
+    void handleEvent(const engine::Event &event);
     /// Sends the mission of a file to the vehicle that it was chosen for; says so when it is none, or when that vehicle is
     /// not shown any more or cannot be sent anything.
     void sendFile(const QString &file, std::uint8_t systemId);

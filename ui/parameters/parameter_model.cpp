@@ -86,7 +86,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
         return false;
     m_states.insert(name, tr("writing %1 …").arg(wanted));
     touch(name);
-    Q_EMIT writeWanted(name, wanted);
+    Q_EMIT writeRequested(name, wanted);
     return true;
 }
 

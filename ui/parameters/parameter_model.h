@@ -33,7 +33,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 Q_SIGNALS:
-    void writeWanted(const QString &name, double value);
+    void writeRequested(const QString &name, double value);
 
 private:
     void touch(const QString &name);

@@ -1,6 +1,6 @@
 #include "ui/parameters/parameters_panel.h"
 
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 
@@ -15,7 +15,7 @@
 
 namespace skyseal::ui {
 
-ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : QWidget(parent), m_station(station)
+ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : DockPanel(parent), m_station(station)
 {
     auto *filter = new QSortFilterProxyModel(this);
     filter->setSourceModel(&m_model);
@@ -64,13 +64,13 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : Q
     column->addWidget(view, 1);
 
     connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.perform(m_systemId, vehicle::ReadParameters{}); });
-    connect(&m_model, &ParameterModel::writeWanted, this, [this](const QString &name, double value) {
+    connect(&m_model, &ParameterModel::writeRequested, this, [this](const QString &name, double value) {
         if (m_whyNot.isEmpty())
             m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
         else
             m_model.written({name.toStdString(), value}, false, m_whyNot);
     });
-    connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::take);
+    connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::handleEvent);
     showViewState({});
 }
 
@@ -91,7 +91,7 @@ void ParametersPanel::showViewState(const ViewState &view)
     m_progress->setValue(have);
 }
 
-void ParametersPanel::take(const engine::Event &event)
+void ParametersPanel::handleEvent(const engine::Event &event)
 {
     const auto *written = std::get_if<vehicle::ParameterResult>(&event);
     if (written && written->systemId == m_systemId)

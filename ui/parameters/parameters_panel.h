@@ -2,9 +2,8 @@
 #pragma once
 
 #include "ui/parameters/parameter_model.h"
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QLabel;
 class QProgressBar;
@@ -13,15 +12,15 @@ class QTreeView;
 
 namespace skyseal::ui {
 
-class ParametersPanel : public QWidget
+class ParametersPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit ParametersPanel(StationInterface &station, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
-    void take(const engine::Event &event);
+    void showViewState(const ViewState &view) override;
+    void handleEvent(const engine::Event &event);
 
 private:
     StationInterface &m_station;

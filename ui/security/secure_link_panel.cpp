@@ -4,9 +4,9 @@
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
-#include "ui/status/link_ended.h"
+#include "ui/text/link_ended.h"
 #include "ui/status/lock_face.h"
-#include "ui/status/one_way.h"
+#include "ui/text/one_way.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
@@ -36,7 +36,7 @@ constexpr int kLeastFit = 4;
 
 } // namespace
 
-SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidget(parent), m_suites(suites)
+SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : DockPanel(parent), m_suites(suites)
 {
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
@@ -82,13 +82,13 @@ SecureLinkPanel::SecureLinkPanel(SuiteActions &suites, QWidget *parent) : QWidge
     m_help = new QPushButton(tr("How to seal this link"), this);
     m_help->setObjectName(QStringLiteral("secureHelp"));
     m_help->setAccessibleName(m_help->text());
-    connect(m_help, &QPushButton::clicked, this, [this] { Q_EMIT helpWanted(QStringLiteral("sealing")); });
+    connect(m_help, &QPushButton::clicked, this, [this] { Q_EMIT helpRequested(QStringLiteral("sealing")); });
     column->addWidget(m_help, 0, Qt::AlignLeft);
     m_keys = new QPushButton(tr("Keys and peers …"), this);
     m_keys->setObjectName(QStringLiteral("secureKeys"));
     m_keys->setAccessibleName(tr("Open keys and peers"));
     m_keys->hide();
-    connect(m_keys, &QPushButton::clicked, this, &SecureLinkPanel::keysWanted);
+    connect(m_keys, &QPushButton::clicked, this, &SecureLinkPanel::keysRequested);
     column->addWidget(m_keys, 0, Qt::AlignLeft);
 
     column->addSpacing(kHalfGrid);

@@ -2,9 +2,8 @@
 // vehicle it says that nothing is sealed and what to do about it.
 #pragma once
 
+#include "ui/dock_panel.h"
 #include "ui/view_state.h"
-
-#include <QtWidgets/QWidget>
 
 class QComboBox;
 class QFrame;
@@ -16,23 +15,23 @@ namespace skyseal::ui {
 class CountersTable;
 class SuiteActions;
 
-class SecureLinkPanel : public QWidget
+class SecureLinkPanel : public DockPanel
 {
     Q_OBJECT
 
 public:
     explicit SecureLinkPanel(SuiteActions &suites, QWidget *parent = nullptr);
 
-    void showViewState(const ViewState &view);
+    void showViewState(const ViewState &view) override;
     /// So much height is there: what matters least gives way, first the fingerprint (it stays in the tool tip), then the
     /// kinds of what was refused, then the second line of the note and since when it is sealed.
-    void fitHeight(int height);
+    void fitHeight(int height) override;
 
 Q_SIGNALS:
     /// The operator picked another session of several: show its vehicle.
     void sessionChosen(quint32 session);
-    void helpWanted(const QString &page);
-    void keysWanted();
+    void helpRequested(const QString &page);
+    void keysRequested();
 
 private:
     void showHead(const ViewState &view);

@@ -30,7 +30,7 @@ SuiteActions::SuiteActions(StationInterface &station, QObject *parent)
     m_changeKeys->setObjectName(QStringLiteral("actionChangeKeys"));
     m_changeKeys->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_K);
     connect(m_changeKeys, &QAction::triggered, this, &SuiteActions::changeKeys);
-    connect(&station, &StationInterface::eventOccurred, this, &SuiteActions::take);
+    connect(&station, &StationInterface::eventOccurred, this, &SuiteActions::handleEvent);
     refresh();
 }
 
@@ -108,7 +108,7 @@ void SuiteActions::showViewState(const ViewState &view)
     refresh();
 }
 
-void SuiteActions::take(const engine::Event &event)
+void SuiteActions::handleEvent(const engine::Event &event)
 {
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         if (!m_info || done->session != m_info->session)

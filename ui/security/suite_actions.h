@@ -30,7 +30,7 @@ public:
     QAction *changeKeysAction() const { return m_changeKeys; }
 
     void showViewState(const ViewState &view);
-    void take(const engine::Event &event);
+    void handleEvent(const engine::Event &event);
     void setResearchAllowed(bool allowed);
     /// Suites weaker than this one stay grey; see crypto::SuiteStrength.
     void setWeakest(crypto::SuiteId suite);

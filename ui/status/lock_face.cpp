@@ -1,8 +1,8 @@
 #include "ui/status/lock_face.h"
 
 #include "core/engine/text/state_text.h"
-#include "ui/status/link_ended.h"
-#include "ui/status/one_way.h"
+#include "ui/text/link_ended.h"
+#include "ui/text/one_way.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/suite_style.h"
@@ -16,19 +16,19 @@ using engine::Security;
 namespace {
 
 /// The translations' context of the free functions below.
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LockFace)
 };
 
 QString peerName(const engine::SessionSnapshot &session)
 {
-    return session.info.peerName.empty() ? Words::tr("peer") : fromStd(session.info.peerName);
+    return session.info.peerName.empty() ? Text::tr("peer") : fromStd(session.info.peerName);
 }
 
 QString sealedToolTip(const engine::SessionSnapshot &session)
 {
-    return Words::tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
+    return Text::tr("Sealed with %1 for %2\nPeer %3 at %4\nFingerprint %5")
         .arg(suiteName(session.info.suite), durationText(session.age), peerName(session), fromStd(session.remoteAddress),
              fromStd(session.fingerprint));
 }
@@ -46,10 +46,10 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
 
 LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
-    return unsealedFace({Words::tr("Not sealed · vehicle %1 held back").arg(held.systemId), Words::tr("Not sealed · held back"),
-                         Words::tr("Not sealed")},
-                        Words::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
-                                  "and nothing is sent to it until you allow plain MAVLink for it.")
+    return unsealedFace({Text::tr("Not sealed · vehicle %1 held back").arg(held.systemId), Text::tr("Not sealed · held back"),
+                         Text::tr("Not sealed")},
+                        Text::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
+                                 "and nothing is sent to it until you allow plain MAVLink for it.")
                             .arg(held.systemId)
                             .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
 }
@@ -57,7 +57,7 @@ LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 LockFace plainFace(const ViewState &view)
 {
     if (const auto oneWay = oneWayOf(view)) {
-        LockFace face = unsealedFace({oneWay->title, oneWay->recorded ? Words::tr("Recording") : Words::tr("Not sealed")},
+        LockFace face = unsealedFace({oneWay->title, oneWay->recorded ? Text::tr("Recording") : Text::tr("Not sealed")},
                                      oneWay->advice);
         if (oneWay->recorded) {
             face.security = Security::Nothing;
@@ -66,12 +66,12 @@ LockFace plainFace(const ViewState &view)
         return face;
     }
     if (view.plainRun)
-        return unsealedFace({Words::tr("Not sealed · in a sweep"), Words::tr("Not sealed")},
-                            Words::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can "
-                                      "read and change what is sent. It seals the link again by itself."));
-    return unsealedFace({Words::tr("Not sealed · plain MAVLink"), Words::tr("Not sealed")},
-                        Words::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle "
-                                  "to seal the link."));
+        return unsealedFace({Text::tr("Not sealed · in a sweep"), Text::tr("Not sealed")},
+                            Text::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can "
+                                     "read and change what is sent. It seals the link again by itself."));
+    return unsealedFace({Text::tr("Not sealed · plain MAVLink"), Text::tr("Not sealed")},
+                        Text::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle "
+                                 "to seal the link."));
 }
 
 } // namespace
@@ -97,23 +97,23 @@ LockFace lockFaceOf(const ViewState &view)
         if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
-            face.variants = {Words::tr("%1 does not answer").arg(fromStd(agent->peerName)), Words::tr("No answer")};
-            face.toolTip = Words::tr("The agent %1 at %2 is there but does not answer. Does it know this station's key?\n"
-                                     "Fingerprint %3")
+            face.variants = {Text::tr("%1 does not answer").arg(fromStd(agent->peerName)), Text::tr("No answer")};
+            face.toolTip = Text::tr("The agent %1 at %2 is there but does not answer. Does it know this station's key?\n"
+                                    "Fingerprint %3")
                                .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
             return face;
         }
         if (const auto ended = linkEndedOf(view)) {
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
-            face.variants = {ended->title, ended->revoked ? Words::tr("Revoked") : Words::tr("No session")};
+            face.variants = {ended->title, ended->revoked ? Text::tr("Revoked") : Text::tr("No session")};
             face.toolTip = ended->advice;
             return face;
         }
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
-            face.variants = {Words::tr("Nothing sealed"), Words::tr("Nothing sealed")};
-            face.toolTip = Words::tr("No vehicle and no session yet");
+            face.variants = {Text::tr("Nothing sealed"), Text::tr("Nothing sealed")};
+            face.toolTip = Text::tr("No vehicle and no session yet");
             return face;
         }
         return plainFace(view);
@@ -128,27 +128,27 @@ LockFace lockFaceOf(const ViewState &view)
     case Security::Switching: {
         face.icon = QStringLiteral("lock-switching");
         if (session.info.pending.value_or(session.info.suite) == session.info.suite) {
-            face.variants = {suite + dot + Words::tr("changing keys…")};
-            face.toolTip += QLatin1Char('\n') + Words::tr("Fresh keys are being agreed");
+            face.variants = {suite + dot + Text::tr("changing keys…")};
+            face.toolTip += QLatin1Char('\n') + Text::tr("Fresh keys are being agreed");
             break;
         }
         const QString to = suiteName(*session.info.pending);
-        face.variants = {suite + QStringLiteral(" → ") + to + dot + Words::tr("switching…"),
-                         suite + dot + Words::tr("switching…")};
-        face.toolTip += QLatin1Char('\n') + Words::tr("Switching to %1").arg(to);
+        face.variants = {suite + QStringLiteral(" → ") + to + dot + Text::tr("switching…"),
+                         suite + dot + Text::tr("switching…")};
+        face.toolTip += QLatin1Char('\n') + Text::tr("Switching to %1").arg(to);
         break;
     }
     case Security::UnderAttack: {
-        const QString count = Words::tr("%1 forged or replayed in the last minute")
+        const QString count = Text::tr("%1 forged or replayed in the last minute")
                                   .arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
-        const QString brief = Words::tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
+        const QString brief = Text::tr("%1 refused").arg(grouped(session.forgedLastMinute + session.replayedLastMinute));
         face.icon = QStringLiteral("lock-alert");
-        face.variants = {suite + dot + peer + dot + Words::tr("under attack, %1").arg(brief), suite + dot + brief};
-        face.toolTip += QLatin1Char('\n') + Words::tr("Under attack: %1. All of them were refused.").arg(count);
+        face.variants = {suite + dot + peer + dot + Text::tr("under attack, %1").arg(brief), suite + dot + brief};
+        face.toolTip += QLatin1Char('\n') + Text::tr("Under attack: %1. All of them were refused.").arg(count);
         break;
     }
     default: {
-        const QString epoch = Words::tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
+        const QString epoch = Text::tr("epoch %1").arg(static_cast<std::uint32_t>(session.info.epoch));
         face.icon = QStringLiteral("lock-closed");
         face.variants = {suite + dot + peer + dot + epoch, suite + dot + peer, suite};
         break;

@@ -1,6 +1,6 @@
 #include "ui/sweep/link_conditions.h"
 
-#include "ui/dialogs/form_pieces.h"
+#include "ui/theme/form_pieces.h"
 #include "ui/sweep/sweep_labels.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"

@@ -14,7 +14,7 @@ using experiment::SweepArm;
 
 namespace {
 
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(Sweep)
 };
@@ -24,45 +24,45 @@ struct Words
 QString framingText(const SweepArm &arm)
 {
     if (arm.suite == crypto::SuiteId::None)
-        return Words::tr("none");
-    return arm.framing == channel::Framing::Inline ? Words::tr("inline") : Words::tr("sealed");
+        return Text::tr("none");
+    return arm.framing == channel::Framing::Inline ? Text::tr("inline") : Text::tr("sealed");
 }
 
 QString armText(const SweepArm &arm)
 {
     const QString name = arm.suite == crypto::SuiteId::None ? suiteName(arm.suite)
-                                                            : Words::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
-    return arm.again ? Words::tr("%1 (A/A)").arg(name) : name;
+                                                            : Text::tr("%1, %2").arg(suiteName(arm.suite), framingText(arm));
+    return arm.again ? Text::tr("%1 (A/A)").arg(name) : name;
 }
 
 QString loadText(experiment::Load load)
 {
-    return load == experiment::Load::Natural ? Words::tr("natural load") : Words::tr("saturated load");
+    return load == experiment::Load::Natural ? Text::tr("natural load") : Text::tr("saturated load");
 }
 
 QString linkText(const experiment::Condition &link)
 {
     if (link.clean())
-        return Words::tr("clean link");
+        return Text::tr("clean link");
     const auto text = [](double value) { return fromStd(experiment::readable(value)); };
     const auto ms = [&](Duration time) { return text(1000 * seconds(time)); };
     const impair::Settings &is = link.settings;
     QStringList parts;
     if (is.baud > 0)
-        parts << Words::tr("%1 baud").arg(text(static_cast<double>(is.baud)));
+        parts << Text::tr("%1 baud").arg(text(static_cast<double>(is.baud)));
     if (is.loss > 0)
-        parts << Words::tr("%1 % loss").arg(text(100 * is.loss));
+        parts << Text::tr("%1 % loss").arg(text(100 * is.loss));
     if (is.duplicate > 0)
-        parts << Words::tr("%1 % duplicates").arg(text(100 * is.duplicate));
+        parts << Text::tr("%1 % duplicates").arg(text(100 * is.duplicate));
     if (is.reorder > 0)
-        parts << Words::tr("%1 % reordered").arg(text(100 * is.reorder));
+        parts << Text::tr("%1 % reordered").arg(text(100 * is.reorder));
     if (is.corrupt > 0)
-        parts << Words::tr("%1 % corrupted").arg(text(100 * is.corrupt));
+        parts << Text::tr("%1 % corrupted").arg(text(100 * is.corrupt));
     if (is.delay > Duration::zero())
-        parts << Words::tr("%1 ms delay").arg(ms(is.delay));
+        parts << Text::tr("%1 ms delay").arg(ms(is.delay));
     if (is.jitter > Duration::zero())
-        parts << Words::tr("up to %1 ms jitter").arg(ms(is.jitter));
-    return parts.isEmpty() ? Words::tr("nothing impaired") : parts.join(QStringLiteral(", "));
+        parts << Text::tr("up to %1 ms jitter").arg(ms(is.jitter));
+    return parts.isEmpty() ? Text::tr("nothing impaired") : parts.join(QStringLiteral(", "));
 }
 
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load)
@@ -76,7 +76,7 @@ QString placeText(const experiment::Plan &plan, std::size_t condition, std::size
 QString aboutTime(double seconds)
 {
     const long whole = std::max(1L, std::lround(seconds));
-    return whole < 60 ? Words::tr("about %1 s").arg(whole) : Words::tr("about %1 min %2 s").arg(whole / 60).arg(whole % 60);
+    return whole < 60 ? Text::tr("about %1 s").arg(whole) : Text::tr("about %1 min %2 s").arg(whole / 60).arg(whole % 60);
 }
 
 QString metricText(experiment::Metric metric)

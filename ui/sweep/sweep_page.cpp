@@ -1,7 +1,7 @@
 #include "ui/sweep/sweep_page.h"
 
 #include "core/experiment/analysis.h"
-#include "ui/dialogs/form_pieces.h"
+#include "ui/theme/form_pieces.h"
 #include "ui/sweep/sweep_bars.h"
 #include "ui/sweep/sweep_table_model.h"
 #include "ui/sweep/sweep_labels.h"
@@ -77,9 +77,9 @@ SweepPage::SweepPage(QWidget *parent)
         m_progress.remaining = std::max(1.0, m_progress.remaining - 1);
         showStatus();
     });
-    connect(m_start, &QPushButton::clicked, this, &SweepPage::runWanted);
-    connect(m_cancel, &QPushButton::clicked, this, &SweepPage::cancelWanted);
-    connect(m_save, &QPushButton::clicked, this, &SweepPage::saveWanted);
+    connect(m_start, &QPushButton::clicked, this, &SweepPage::runRequested);
+    connect(m_cancel, &QPushButton::clicked, this, &SweepPage::cancelRequested);
+    connect(m_save, &QPushButton::clicked, this, &SweepPage::saveRequested);
     connect(m_place, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
     connect(m_place, &QComboBox::activated, this, [this] { m_follows = false; });
     connect(m_metric, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);

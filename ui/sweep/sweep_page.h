@@ -45,9 +45,9 @@ public:
     std::shared_ptr<const experiment::Results> results() const { return m_results; }
 
 Q_SIGNALS:
-    void runWanted();
-    void cancelWanted();
-    void saveWanted();
+    void runRequested();
+    void cancelRequested();
+    void saveRequested();
 
 private:
     void fillChoices();

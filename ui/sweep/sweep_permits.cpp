@@ -12,7 +12,7 @@ using crypto::SuiteId;
 
 namespace {
 
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(Sweep)
 };
@@ -28,34 +28,34 @@ QString whyNoConnectedLink(const SweepSurroundings &around)
 {
     const ViewState &view = around.view;
     if (!view.snapshot || (!view.vehicle && !view.session))
-        return Words::tr("nothing is connected");
+        return Text::tr("nothing is connected");
     if (!view.session)
-        return Words::tr("the link is not sealed");
+        return Text::tr("the link is not sealed");
     if (view.session->info.silent)
-        return Words::tr("the link is silent");
+        return Text::tr("the link is silent");
     const auto clear = [](const engine::VehicleSnapshot &vehicle) { return !vehicle.session && !vehicle.state.lost; };
     if (view.snapshot->sessions.size() > 1 || std::ranges::any_of(view.snapshot->vehicles, clear))
-        return Words::tr("other links would be measured with it: leave one sealed link open");
+        return Text::tr("other links would be measured with it: leave one sealed link open");
     return {};
 }
 
 QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId suite)
 {
     if (!crypto::suiteAvailable(suite) && suite != SuiteId::None)
-        return Words::tr("missing on this machine");
+        return Text::tr("missing on this machine");
     if (ownVehicle)
         return {};
     if (suite != SuiteId::None)
         return around.suites.whyNot(suite);
     if (around.requireSealed)
-        return Words::tr("the settings require sealing");
+        return Text::tr("the settings require sealing");
     if (!around.view.session)
-        return Words::tr("no sealed link yet");
+        return Text::tr("no sealed link yet");
     const auto &offered = around.view.session->info.peerOffered;
     if (std::ranges::find(offered, SuiteId::None) == offered.end())
-        return Words::tr("the agent does not allow it (skyseal-air --allow-plain)");
+        return Text::tr("the agent does not allow it (skyseal-air --allow-plain)");
     if (isArmed(around.view))
-        return Words::tr("not while the vehicle is armed");
+        return Text::tr("not while the vehicle is armed");
     return {};
 }
 
@@ -63,18 +63,18 @@ QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
 {
     // The session begins anew for it, and for a moment nothing can be commanded.
     if (!ownVehicle && around.view.snapshot && isArmed(around.view))
-        return Words::tr("not while the vehicle is armed");
+        return Text::tr("not while the vehicle is armed");
     return {};
 }
 
 QString whyNotOtherLink(bool ownVehicle)
 {
-    return ownVehicle ? QString() : Words::tr("the connected one is measured as it is");
+    return ownVehicle ? QString() : Text::tr("the connected one is measured as it is");
 }
 
 QString whyNotSaturated(bool ownVehicle)
 {
-    return ownVehicle ? QString() : Words::tr("the vehicle sends what it sends");
+    return ownVehicle ? QString() : Text::tr("the vehicle sends what it sends");
 }
 
 } // namespace skyseal::ui

@@ -23,9 +23,9 @@ SweepPresenter::SweepPresenter(SweepInterface &port, SweepPage &page, SuiteActio
                 hold(false);
                 Q_EMIT finished();
             });
-    connect(&page, &SweepPage::runWanted, this, &SweepPresenter::askWanted);
-    connect(&page, &SweepPage::cancelWanted, this, &SweepPresenter::cancel);
-    connect(&page, &SweepPage::saveWanted, this, &SweepPresenter::askFolder);
+    connect(&page, &SweepPage::runRequested, this, &SweepPresenter::dialogRequested);
+    connect(&page, &SweepPage::cancelRequested, this, &SweepPresenter::cancel);
+    connect(&page, &SweepPage::saveRequested, this, &SweepPresenter::askFolder);
 }
 
 bool SweepPresenter::isRunning() const

@@ -35,7 +35,7 @@ Q_SIGNALS:
     void began();
     void finished();
     /// The page's button.
-    void askWanted();
+    void dialogRequested();
 
 private:
     void start(const SweepOrder &order);

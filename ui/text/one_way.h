@@ -1,4 +1,4 @@
-// What is true of a vehicle that is only heard: of a recording, and of a stream that is never sent to. Words for the lock,
+// What is true of a vehicle that is only heard: of a recording, and of a stream that is never sent to. Text for the lock,
 // the panel and all that would send something.
 #pragma once
 

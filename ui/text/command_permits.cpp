@@ -1,7 +1,7 @@
-#include "ui/flight/command_permits.h"
+#include "ui/text/command_permits.h"
 
-#include "ui/status/link_ended.h"
-#include "ui/status/one_way.h"
+#include "ui/text/link_ended.h"
+#include "ui/text/one_way.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -9,7 +9,7 @@ namespace skyseal::ui {
 
 namespace {
 
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::CommandPermits)
 };
@@ -19,9 +19,9 @@ struct Words
 QString whyNoCommands(const ViewState &view)
 {
     if (view.pendingApproval && !view.session)
-        return Words::tr("it is not sealed, and plain MAVLink is not allowed");
+        return Text::tr("it is not sealed, and plain MAVLink is not allowed");
     if (!view.vehicle)
-        return Words::tr("no vehicle");
+        return Text::tr("no vehicle");
     if (const auto oneWay = oneWayOf(view))
         return oneWay->whyNot;
     const auto ended = linkEndedOf(view);
@@ -30,7 +30,7 @@ QString whyNoCommands(const ViewState &view)
 
 QString nothingCanBeSent(const QString &reason)
 {
-    return reason.isEmpty() ? QString() : Words::tr("Nothing can be sent: %1").arg(reason);
+    return reason.isEmpty() ? QString() : Text::tr("Nothing can be sent: %1").arg(reason);
 }
 
 } // namespace skyseal::ui

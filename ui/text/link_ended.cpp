@@ -1,4 +1,4 @@
-#include "ui/status/link_ended.h"
+#include "ui/text/link_ended.h"
 
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
@@ -14,7 +14,7 @@ using channel::DownReason;
 
 namespace {
 
-struct Words
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LinkEnded)
 };
@@ -26,33 +26,31 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     if (view.session || !view.vehicle || !view.vehicle->session)
         return std::nullopt;
     const engine::EndedSession ended = view.vehicle->ended.value_or(engine::EndedSession{});
-    const QString name = ended.peerName.empty() ? Words::tr("the agent") : fromStd(ended.peerName);
+    const QString name = ended.peerName.empty() ? Text::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Words::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
-                    "last, and clear MAVLink in its name stays refused.");
+        + Text::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
+                   "last, and clear MAVLink in its name stays refused.");
     if (view.inSweep && ended.reason == DownReason::Closed)
-        return LinkEnded{Words::tr("Beginning anew · %1").arg(name),
-                         Words::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
+        return LinkEnded{Text::tr("Beginning anew · %1").arg(name),
+                         Text::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
-        return LinkEnded{
-            Words::tr("Revoked · %1").arg(name),
-            Words::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
-                      "shown is what was heard last. Pair it again to go on.")
-                .arg(name, ago),
-            true};
+        return LinkEnded{Text::tr("Revoked · %1").arg(name),
+                         Text::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
+                                  "shown is what was heard last. Pair it again to go on.")
+                             .arg(name, ago),
+                         true};
     case DownReason::TimedOut:
-        return LinkEnded{Words::tr("Session lost · %1").arg(name),
-                         Words::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+        return LinkEnded{Text::tr("Session lost · %1").arg(name),
+                         Text::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:
     case DownReason::Closed: break;
     }
-    return LinkEnded{Words::tr("Session ended · %1").arg(name),
-                     Words::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, engine::downReasonText(ended.reason))
-                         + waiting};
+    return LinkEnded{Text::tr("Session ended · %1").arg(name),
+                     Text::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason)) + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const ViewState &view)

@@ -1,0 +1,100 @@
+// The window: status strip on top, map in the middle, docks around it, menus above. It creates the parts and connects them:
+// snapshots to views, requests to the station. Lives on the GUI thread.
+#pragma once
+
+#include "ui/charts/session_memory.h"
+#include "ui/settings.h"
+#include "ui/view_state.h"
+
+#include <QtWidgets/QMainWindow>
+
+#include <functional>
+
+namespace skyseal::ui {
+
+class EmptyState;
+class KeyringInterface;
+class LinkDialog;
+class MapView;
+class PairingInterface;
+class ProblemReports;
+class StatusStrip;
+class SuiteActions;
+class SweepInterface;
+class SweepPresenter;
+class TrafficBar;
+class VehicleCommands;
+class ViewSelection;
+class WindowDialogs;
+class WindowDocks;
+
+/// Facts about this program that the window shows.
+struct ProgramFacts
+{
+    QString version;
+    QString recordFolder; ///< folder of the recordings
+    bool demoAvailable = false;
+    /// Heap of one end's session under a suite, for the diagnostics.
+    SessionMemory::Measure sessionBytes = experiment::sessionBytes;
+};
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+
+public:
+    /// `store` keeps settings and the arrangement of the docks; it and `station` must outlive the window.
+    MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    /// Shows a problem that the operator has to act on; `remedy` is the text of the button that calls `act`.
+    void reportProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
+    /// Adds a link by its URL; an invalid URL is reported in the window.
+    void addLink(const QString &url);
+    /// Without a keyring, the dialog of keys and peers does not open. Both must outlive the window.
+    void setKeyring(KeyringInterface &keyring, PairingInterface *pairing = nullptr);
+    /// Without it, the window offers no sweeps. It must outlive the window.
+    void setSweep(SweepInterface &sweep);
+    SweepPresenter *sweep() const { return m_sweep; }
+    const Settings &settings() const { return m_settings; }
+    const ViewState &view() const;
+    SuiteActions &suites() { return *m_suites; }
+
+Q_SIGNALS:
+    void demoRequested();
+    void settingsChanged(const skyseal::ui::Settings &settings);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    void makeStatusStrip();
+    void makeCentre(bool demoAvailable);
+    void makeMenus(const ProgramFacts &facts);
+    void connectParts();
+    void showNumbers(const ViewState &view);
+    void openLink(const LinkDialog &dialog);
+    void popUpVehicles();
+    void openSweep();
+    void revealSweep();
+    void applySettings(const Settings &settings);
+
+    StationInterface &m_station;
+    QSettings &m_store;
+    Settings m_settings;
+    ViewSelection *m_selection;
+    SuiteActions *m_suites;
+    VehicleCommands *m_commands;
+    WindowDialogs *m_dialogs;
+    SweepPresenter *m_sweep = nullptr;
+    StatusStrip *m_strip;
+    TrafficBar *m_traffic;
+    MapView *m_map;
+    EmptyState *m_empty;
+    ProblemReports *m_problems;
+    WindowDocks *m_docks;
+    bool m_wasShown = false;
+};
+
+} // namespace skyseal::ui

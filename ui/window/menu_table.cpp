@@ -1,0 +1,71 @@
+#include "ui/window/menu_table.h"
+
+#include <QtGui/QAction>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+
+#include <algorithm>
+
+namespace skyseal::ui {
+
+namespace {
+
+void addItems(QMenu &menu, const MenuItems &items);
+
+QAction *addSubmenu(QMenu &menu, const MenuItem &item)
+{
+    QMenu *submenu = menu.addMenu(item.text);
+    submenu->setObjectName(item.id);
+    QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, items = item.submenu] {
+        submenu->clear();
+        addItems(*submenu, items());
+    });
+    return submenu->menuAction();
+}
+
+QAction *addAction(QMenu &menu, const MenuItem &item)
+{
+    auto *action = menu.addAction(item.text);
+    action->setObjectName(item.id);
+    action->setShortcut(item.shortcut);
+    action->setCheckable(item.checked.has_value());
+    action->setChecked(item.checked.value_or(false));
+    QObject::connect(action, &QAction::triggered, &menu, [trigger = item.trigger] { trigger(); });
+    return action;
+}
+
+void addItems(QMenu &menu, const MenuItems &items)
+{
+    for (const MenuItem &item : items) {
+        if (item.action)
+            menu.addAction(item.action);
+        else if (item.id.isEmpty() && item.text.isEmpty())
+            menu.addSeparator();
+        else if (item.id.isEmpty() && !item.trigger)
+            menu.addSection(item.text);
+        else {
+            QAction *action = item.submenu ? addSubmenu(menu, item) : addAction(menu, item);
+            if (item.whyDisabled)
+                QObject::connect(&menu, &QMenu::aboutToShow, action, [action, whyDisabled = item.whyDisabled] {
+                    const QString reason = whyDisabled();
+                    action->setEnabled(reason.isEmpty());
+                    action->setToolTip(reason); // empty: QAction shows its text
+                    action->setStatusTip(reason);
+                });
+        }
+    }
+}
+
+} // namespace
+
+void addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
+{
+    for (const Menu &table : menus) {
+        QMenu *menu = bar.addMenu(table.title);
+        menu->setObjectName(table.id);
+        menu->setToolTipsVisible(std::ranges::any_of(table.items, [](const MenuItem &item) { return !!item.whyDisabled; }));
+        addItems(*menu, table.items);
+    }
+}
+
+} // namespace skyseal::ui

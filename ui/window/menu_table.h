@@ -1,0 +1,43 @@
+// Menus as tables of values. The tables are made in window_menus; addMenus() makes the menu bar from them, so that names,
+// shortcuts and reasons for disabled entries are handled in one place.
+#pragma once
+
+#include <QtCore/QString>
+#include <QtGui/QKeySequence>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QAction;
+class QMenuBar;
+
+namespace skyseal::ui {
+
+struct MenuItem;
+using MenuItems = std::vector<MenuItem>;
+
+/// One line of a menu. An item with neither id, text nor action is a separator; one with a text alone is a section title.
+struct MenuItem
+{
+    QString id = {};                           ///< object name of the action, or of the submenu
+    QString text = {};                         ///< with its mnemonic
+    std::function<void()> trigger = {};        ///< called when the item is chosen
+    QKeySequence shortcut = {};                ///< active in the whole window
+    std::function<QString()> whyDisabled = {}; ///< read when the menu opens: the reason shown in tips, empty if enabled
+    std::optional<bool> checked = {};          ///< set: the item is checkable
+    std::function<MenuItems()> submenu = {};   ///< set: the item is a submenu, filled each time it opens
+    QAction *action = nullptr;                 ///< set: this existing action is shown; the other fields are unused
+};
+
+struct Menu
+{
+    QString id; ///< object name
+    QString title;
+    MenuItems items;
+};
+
+/// Adds `menus` to `bar`, which owns everything that is made. What the functions of the items refer to must outlive it.
+void addMenus(QMenuBar &bar, const std::vector<Menu> &menus);
+
+} // namespace skyseal::ui

@@ -1,0 +1,91 @@
+#include "ui/window/window_dialogs.h"
+
+#include "ui/dialogs/help_dialog.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/flight/take_off_dialog.h"
+#include "ui/keys/keys_dialog.h"
+#include "ui/keys/pairing_dialog.h"
+#include "ui/links/link_dialog.h"
+
+#include <QtWidgets/QFileDialog>
+#include <QtWidgets/QMessageBox>
+
+namespace skyseal::ui {
+
+namespace {
+
+/// A dialog that deletes itself when it closes.
+template<typename Dialog, typename... Arguments> Dialog *make(Arguments &&...arguments)
+{
+    auto *dialog = new Dialog(std::forward<Arguments>(arguments)...);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    return dialog;
+}
+
+} // namespace
+
+WindowDialogs::WindowDialogs(QWidget &window, VehicleCommands &commands, const Settings &settings, QString recordFolder)
+    : QObject(&window), m_window(window), m_commands(commands), m_settings(settings), m_recordFolder(std::move(recordFolder))
+{}
+
+void WindowDialogs::setKeyring(KeyringInterface &keyring, PairingInterface *pairing)
+{
+    m_keyring = &keyring;
+    m_pairing = pairing;
+}
+
+void WindowDialogs::openLink()
+{
+    auto *dialog = make<LinkDialog>(m_settings.defaultLink, &m_window);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT linkAccepted(*dialog); });
+    dialog->open();
+}
+
+void WindowDialogs::openReplay()
+{
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Replay a log"), m_recordFolder,
+                                                      tr("Telemetry logs (*.tlog);;All files (*)"));
+    if (!file.isEmpty())
+        Q_EMIT replayAccepted(file);
+}
+
+void WindowDialogs::openSettings()
+{
+    auto *dialog = make<SettingsDialog>(m_settings, &m_window);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { Q_EMIT settingsAccepted(dialog->settings()); });
+    dialog->open();
+}
+
+void WindowDialogs::openTakeOff()
+{
+    make<TakeOffDialog>(m_commands, m_settings.units, &m_window)->open();
+}
+
+void WindowDialogs::openKeys()
+{
+    if (!m_keyring)
+        return;
+    auto *dialog = make<KeysDialog>(*m_keyring, &m_window);
+    if (m_pairing) {
+        dialog->offerPairing();
+        connect(dialog, &KeysDialog::pairRequested, dialog,
+                [this, dialog] { make<PairingDialog>(*m_pairing, *m_keyring, dialog)->open(); });
+    }
+    dialog->open();
+}
+
+void WindowDialogs::openHelp(const QString &page)
+{
+    make<HelpDialog>(page, &m_window)->show();
+}
+
+void WindowDialogs::openAbout(const QString &version)
+{
+    QMessageBox::about(
+        &m_window, tr("About Skyseal"),
+        tr("Skyseal %1\n\nA ground control station whose MAVLink link is sealed.\nGPL-3.0-or-later; built with Qt %2, "
+           "Qt Charts, libsodium and OpenSSL.")
+            .arg(version, QLatin1String(qVersion())));
+}
+
+} // namespace skyseal::ui

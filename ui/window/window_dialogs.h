@@ -1,0 +1,54 @@
+// The dialogs that the window opens from menus, panels and the empty state. Each deletes itself when it closes; the results
+// leave as signals. Lives on the GUI thread.
+#pragma once
+
+#include "ui/settings.h"
+
+#include <QtCore/QObject>
+
+class QWidget;
+
+namespace skyseal::ui {
+
+class KeyringInterface;
+class LinkDialog;
+class PairingInterface;
+class VehicleCommands;
+
+class WindowDialogs : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// `commands` and `settings` must outlive this; `window` becomes the parent of the dialogs. Recordings are looked for in
+    /// `recordFolder`.
+    WindowDialogs(QWidget &window, VehicleCommands &commands, const Settings &settings, QString recordFolder);
+
+    /// Without a keyring, openKeys() does nothing; without pairing, the dialog of keys does not offer it. Both must outlive
+    /// this.
+    void setKeyring(KeyringInterface &keyring, PairingInterface *pairing);
+
+    void openLink();
+    void openReplay();
+    void openSettings();
+    void openTakeOff();
+    void openKeys();
+    /// `page` is the name of a help page without its suffix.
+    void openHelp(const QString &page);
+    void openAbout(const QString &version);
+
+Q_SIGNALS:
+    void linkAccepted(const skyseal::ui::LinkDialog &dialog);
+    void replayAccepted(const QString &file);
+    void settingsAccepted(const skyseal::ui::Settings &settings);
+
+private:
+    QWidget &m_window;
+    VehicleCommands &m_commands;
+    const Settings &m_settings;
+    QString m_recordFolder;
+    KeyringInterface *m_keyring = nullptr;
+    PairingInterface *m_pairing = nullptr;
+};
+
+} // namespace skyseal::ui
