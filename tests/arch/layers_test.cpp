@@ -36,6 +36,49 @@ const QHash<QString, QStringList> &allowed()
     return kAllowed;
 }
 
+/// What each room of ui may include besides itself and the base files in ui/ (view state, settings, station interface, dock
+/// panel). The rooms of panels stand beside one another: what two of them need belongs into text or theme.
+const QHash<QString, QStringList> &allowedInUi()
+{
+    static const QString kTheme = QStringLiteral("theme"), kText = QStringLiteral("text"),
+                         kSecurity = QStringLiteral("security"), kSweep = QStringLiteral("sweep");
+    static const QStringList kBottom{kTheme, kText};
+    static const QStringList kEverything = kBottom + QStringList{QStringLiteral("charts"),     QStringLiteral("dialogs"),
+                                                                 QStringLiteral("flight"),     QStringLiteral("inspector"),
+                                                                 QStringLiteral("keys"),       QStringLiteral("links"),
+                                                                 QStringLiteral("logs"),       QStringLiteral("map"),
+                                                                 QStringLiteral("messages"),   QStringLiteral("mission"),
+                                                                 QStringLiteral("parameters"), kSecurity,
+                                                                 QStringLiteral("status"),     kSweep};
+    static const QHash<QString, QStringList> kAllowed{
+        {QString(), kBottom}, // the base files
+        {kTheme, {}},
+        {kText, {kTheme}},
+        {QStringLiteral("dialogs"), kBottom},
+        {QStringLiteral("flight"), kBottom},
+        {QStringLiteral("inspector"), kBottom},
+        {QStringLiteral("keys"), kBottom},
+        {QStringLiteral("links"), kBottom},
+        {QStringLiteral("logs"), kBottom},
+        {QStringLiteral("messages"), kBottom},
+        {QStringLiteral("mission"), kBottom},
+        {QStringLiteral("parameters"), kBottom},
+        {QStringLiteral("status"), kBottom},
+        {kSecurity, kBottom},
+        {QStringLiteral("map"), kBottom + QStringList{kSecurity}}, // the empty state asks to allow plain MAVLink
+        {kSweep, kBottom + QStringList{kSecurity}},                // a sweep takes over the choice of the suite
+        {QStringLiteral("charts"), kBottom + QStringList{kSweep}}, // the diagnostics show the page of the sweep
+        {QStringLiteral("window"), kEverything},
+    };
+    return kAllowed;
+}
+
+/// The room of a path like "ui/text/units.h" or "app/cli/main.cpp"; empty for a file that stands in no room.
+QString roomOf(const QString &path)
+{
+    return path.count(QLatin1Char('/')) > 1 ? path.section(QLatin1Char('/'), 1, 1) : QString();
+}
+
 const QStringList kWithQt{QStringLiteral("link"), QStringLiteral("engine"), QStringLiteral("experiment")};
 
 struct SourceFile
@@ -68,6 +111,8 @@ class LayersTest : public QObject
 
 private Q_SLOTS:
     void arrowsGoDown();
+    void roomsOfTheUserInterface();
+    void roomsOfThePrograms();
     void protocolHasNoQt();
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
@@ -91,6 +136,50 @@ void LayersTest::arrowsGoDown()
             const bool upward = target.isEmpty() && !(isUi && match.captured(1) == QLatin1String("ui"));
             const bool sideways = !target.isEmpty() && !isUi && target != layer && !allowed().value(layer).contains(target);
             if (upward || sideways)
+                wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+void LayersTest::roomsOfTheUserInterface()
+{
+    static const QRegularExpression kInclude(QStringLiteral("^#include \"(ui/[a-z_/]+)"));
+    QStringList wrong, unlisted;
+    for (const SourceFile &file : sources({QStringLiteral("ui")})) {
+        const QString room = roomOf(file.path);
+        if (!allowedInUi().contains(room))
+            unlisted << file.path;
+        for (const QString &line : file.lines) {
+            const auto match = kInclude.match(line);
+            if (!match.hasMatch())
+                continue;
+            const QString target = roomOf(match.captured(1));
+            if (!target.isEmpty() && target != room && !allowedInUi().value(room).contains(target))
+                wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(unlisted.isEmpty(), qPrintable(unlisted.join(QLatin1Char('\n'))));
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// Programs share only app/common, and only the desktop program knows ui.
+void LayersTest::roomsOfThePrograms()
+{
+    static const QRegularExpression kInclude(QStringLiteral("^#include \"((app|ui)/[a-z_/]+)"));
+    QStringList wrong;
+    const auto files = sources({QStringLiteral("app")});
+    QVERIFY(files.size() > 20);
+    for (const SourceFile &file : files) {
+        const QString room = roomOf(file.path);
+        for (const QString &line : file.lines) {
+            const auto match = kInclude.match(line);
+            if (!match.hasMatch())
+                continue;
+            const bool isUi = match.captured(2) == QLatin1String("ui");
+            const QString target = roomOf(match.captured(1));
+            const bool allowed = isUi ? room == QLatin1String("skyseal") : target == room || target == QLatin1String("common");
+            if (!allowed)
                 wrong << file.path + QStringLiteral(": ") + line;
         }
     }

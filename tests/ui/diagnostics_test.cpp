@@ -8,7 +8,9 @@
 #include "ui/charts/chart_text.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/quantities.h"
+#include "ui/charts/samples_csv.h"
 #include "ui/charts/suite_legend.h"
+#include "ui/dialogs/help_dialog.h"
 #include "ui/theme/palettes.h"
 #include "ui/theme/suite_style.h"
 
@@ -20,6 +22,7 @@
 #include <QtWidgets/QCheckBox>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QTableView>
+#include <QtWidgets/QTextBrowser>
 
 #include <numeric>
 
@@ -144,6 +147,33 @@ private Q_SLOTS:
             QVERIFY(!quantity.unit.isEmpty());
             QVERIFY(!quantity.note.isEmpty());
         }
+    }
+
+    /// One row of the table makes a chart, its columns of the CSV file and its paragraph of the help page.
+    void everyQuantityIsInChartCsvAndHelp()
+    {
+        m_panel->onSnapshot(viewWith(twoSuites()));
+        choose("chartGroup", QStringLiteral("All"));
+        const QByteArray header = samplesCsv({}, 0, 0).trimmed();
+        const QList<QByteArray> columns = header.split(',');
+        QSet<QByteArray> expected{"number", "time_s", "suite", "insecure", "epoch", "link_up", "refused_so_far"};
+        const HelpDialog help(QStringLiteral("diagnostics"), {{QStringLiteral("quantities"), quantitiesHelp()}});
+        const QString page = help.findChild<QTextBrowser *>()->toPlainText();
+        for (const Quantity &quantity : allQuantities()) {
+            const auto *chart = m_panel->findChild<TimeSeriesChart *>(QStringLiteral("chart_") + QLatin1String(quantity.key));
+            QVERIFY2(chart && chart->isVisibleTo(m_panel.get()), quantity.key);
+            QCOMPARE(chart->accessibleName(), quantity.title);
+            QVERIFY2(page.contains(QStringLiteral("%1 (%2): %3").arg(quantity.title, quantity.unit, quantity.note)),
+                     quantity.key);
+            for (const QuantityLine &line : quantity.lines)
+                expected += line.value.column;
+            for (const SampleValue &value : quantity.csvOnly)
+                expected += value.column;
+        }
+        QCOMPARE(QSet<QByteArray>(columns.begin(), columns.end()), expected);
+        QCOMPARE(columns.size(), expected.size()); // no two quantities share a column
+        for (const QuantityGroup &group : quantityGroups())
+            QVERIFY2(!group.keys.empty(), qPrintable(group.title));
     }
 
     void memoryOfASessionIsThatOfTheSuite()
@@ -272,8 +302,8 @@ private Q_SLOTS:
             QVERIFY(!m_panel->chart(i)->cursorText().isEmpty()); // one cursor for all
         const QStringList loss = m_panel->chart(1)->cursorText();
         QVERIFY2(loss[0].contains(QStringLiteral("RC4 (insecure)")), qPrintable(loss.join(QLatin1Char('|'))));
-        QVERIFY(loss.contains(QStringLiteral("to us ") + QString::number(there.lossPercent, 'f', 3)));
-        QVERIFY(loss.contains(QStringLiteral("to it ") + QString::number(there.peerLossPercent, 'f', 3)));
+        QVERIFY(loss.contains(QStringLiteral("from vehicle ") + QString::number(there.lossPercent, 'f', 3)));
+        QVERIFY(loss.contains(QStringLiteral("to vehicle ") + QString::number(there.peerLossPercent, 'f', 3)));
         Q_EMIT m_panel->chart(0)->hoverEnded();
         QVERIFY(m_panel->chart(0)->cursorText().isEmpty());
         Q_EMIT m_panel->chart(0)->hovered(20 - all.back().time);
@@ -394,8 +424,9 @@ private Q_SLOTS:
         };
         for (std::size_t i = 0; i < all.size(); ++i) {
             QVERIFY(qFuzzyCompare(cell(i, "frames_per_s").toDouble(), all[i].openedFramesPerSecond));
-            QVERIFY(qFuzzyCompare(1 + cell(i, "channel_loss_to_it_percent").toDouble(), 1 + all[i].peerLossPercent));
-            QVERIFY(qFuzzyCompare(1 + cell(i, "mavlink_loss_to_it_percent").toDouble(), 1 + all[i].peerMavlinkLossPercent));
+            QVERIFY(qFuzzyCompare(1 + cell(i, "channel_loss_to_vehicle_percent").toDouble(), 1 + all[i].peerLossPercent));
+            QVERIFY(
+                qFuzzyCompare(1 + cell(i, "mavlink_loss_to_vehicle_percent").toDouble(), 1 + all[i].peerMavlinkLossPercent));
             QVERIFY(std::abs(cell(i, "processor_watts").toDouble() - all[i].powerWatts) < 1e-9);
         }
         QCOMPARE(cell(0, "suite"), QByteArray("chacha20-poly1305"));

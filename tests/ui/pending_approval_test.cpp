@@ -1,7 +1,6 @@
 // A vehicle in clear that may be an impostor of a known agent: named wherever the operator looks, offered nothing, and taken
 // only by a person who was told what that means.
 #include "scripted_snapshots.h"
-#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/security/allow_plain.h"
 #include "ui/status/strip_item.h"
@@ -136,5 +135,5 @@ private Q_SLOTS:
     }
 };
 
-SKYSEAL_TEST_WIDGETS(PendingApprovalTest)
+QTEST_MAIN(PendingApprovalTest)
 #include "pending_approval_test.moc"

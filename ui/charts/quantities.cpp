@@ -5,181 +5,178 @@
 namespace skyseal::ui {
 
 using engine::MetricsSample;
+using Valid = SampleValue::Valid;
 
 namespace {
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::Quantities)
 };
 
-/// Only while a vehicle is heard: nothing was measured otherwise.
-template<double MetricsSample::*member> double whileUp(const MetricsSample &s)
+constexpr double kKilo = 1e-3, kMilli = 1e3, kMicroOfNano = 1e-3, kMega = 1e-6; ///< factors from a unit to a shown one
+
+template<double MetricsSample::*member> double read(const MetricsSample &sample)
 {
-    return s.linkUp ? s.*member : vehicle::kUnknown;
+    return sample.*member;
 }
 
-template<double MetricsSample::*member> double kilo(const MetricsSample &s)
+double residentBytes(const MetricsSample &sample)
 {
-    return s.linkUp ? s.*member / 1000 : vehicle::kUnknown;
-}
-
-/// Nanoseconds as microseconds; 0 means that there was no record.
-template<double MetricsSample::*member> double micro(const MetricsSample &s)
-{
-    return s.linkUp && s.*member > 0 ? s.*member / 1000 : vehicle::kUnknown;
-}
-
-template<double MetricsSample::*member> double milli(const MetricsSample &s)
-{
-    return s.linkUp ? s.*member * 1000 : vehicle::kUnknown;
-}
-
-double megabytes(const MetricsSample &s)
-{
-    return s.residentBytes > 0 ? static_cast<double>(s.residentBytes) / 1e6 : vehicle::kUnknown;
-}
-
-double watts(const MetricsSample &s)
-{
-    return s.powerWatts;
-}
-
-double processCpu(const MetricsSample &s)
-{
-    return s.processCpuPercent;
-}
-
-double ioCpu(const MetricsSample &s)
-{
-    return s.ioCpuPercent;
+    return sample.residentBytes > 0 ? static_cast<double>(sample.residentBytes) : vehicle::kUnknown;
 }
 
 std::vector<Quantity> rates()
 {
     return {
-        {"frameRate",
-         Text::tr("Decryption rate"),
-         Text::tr("frames/s"),
-         Text::tr("MAVLink frames that were opened and believed, over the last second."),
-         1,
-         10,
-         {{{}, Stroke::Solid, whileUp<&MetricsSample::openedFramesPerSecond>}},
-         true},
-        {"byteRate",
-         Text::tr("Bytes"),
-         Text::tr("kB/s"),
-         Text::tr("Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers)."),
-         2,
-         1,
-         {{Text::tr("opened"), Stroke::Solid, kilo<&MetricsSample::openedBytesPerSecond>},
-          {Text::tr("received"), Stroke::Dashed, kilo<&MetricsSample::rxBytesPerSecond>}},
-         true},
-        {"overhead",
-         Text::tr("Wire overhead"),
-         Text::tr("%"),
-         Text::tr("Bytes of the channel's datagrams beyond those of the frames in them: headers, tags, handshakes and "
-                  "reports. 0 on a plain link."),
-         1,
-         50,
-         {{Text::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::rxOverheadPercent>},
-          {Text::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::txOverheadPercent>}},
-         true},
+        {.key = "frameRate",
+         .title = Text::tr("Decryption rate"),
+         .unit = Text::tr("frames/s"),
+         .note = Text::tr("MAVLink frames that were decrypted and accepted, over the last second."),
+         .group = QuantityGroupId::Rates,
+         .overview = true,
+         .least = 10,
+         .lines = {{{}, Stroke::Solid, {"frames_per_s", read<&MetricsSample::openedFramesPerSecond>}}}},
+        {.key = "byteRate",
+         .title = Text::tr("Bytes"),
+         .unit = Text::tr("kB/s"),
+         .note = Text::tr(
+             "Bytes of the frames that were decrypted, and of the received datagrams (without UDP and IP headers)."),
+         .group = QuantityGroupId::Rates,
+         .decimals = 2,
+         .lines = {{Text::tr("decrypted"),
+                    Stroke::Solid,
+                    {"opened_bytes_per_s", read<&MetricsSample::openedBytesPerSecond>, kKilo}},
+                   {Text::tr("received"), Stroke::Dashed, {"rx_bytes_per_s", read<&MetricsSample::rxBytesPerSecond>, kKilo}}},
+         .csvOnly = {{"tx_bytes_per_s", read<&MetricsSample::txBytesPerSecond>}}},
+        {.key = "overhead",
+         .title = Text::tr("Wire overhead"),
+         .unit = Text::tr("%"),
+         .note = Text::tr("Bytes of the channel's datagrams beyond the frames in them: headers, tags, handshakes and reports. "
+                          "At a few frames a second it is large, because the reports stay the same. 0 on a plain link."),
+         .group = QuantityGroupId::Rates,
+         .least = 50,
+         .lines = {{Text::tr("from vehicle"),
+                    Stroke::Solid,
+                    {"overhead_from_vehicle_percent", read<&MetricsSample::rxOverheadPercent>}},
+                   {Text::tr("to vehicle"),
+                    Stroke::Dashed,
+                    {"overhead_to_vehicle_percent", read<&MetricsSample::txOverheadPercent>}}}},
     };
 }
 
 std::vector<Quantity> links()
 {
     return {
-        {"channelLoss",
-         Text::tr("Packet loss, channel"),
-         Text::tr("%"),
-         Text::tr("Records that never arrived, by their counters, over the last second; the other end reports its "
-                  "direction once a second. On a plain link: MAVLink's."),
-         2,
-         1,
-         {{Text::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::lossPercent>},
-          {Text::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerLossPercent>}},
-         true},
-        {"mavlinkLoss",
-         Text::tr("Packet loss, MAVLink"),
-         Text::tr("%"),
-         Text::tr("Frames that never arrived, by their sequence numbers for each sender, over the last second; those to the "
-                  "vehicle as its agent counts them and tells once a second. Loss between autopilot and agent counts here and "
-                  "not in the channel."),
-         2,
-         1,
-         {{Text::tr("to us"), Stroke::Solid, whileUp<&MetricsSample::mavlinkLossPercent>},
-          {Text::tr("to it"), Stroke::Dashed, whileUp<&MetricsSample::peerMavlinkLossPercent>}},
-         true},
-        {"latency",
-         Text::tr("Latency"),
-         Text::tr("ms"),
-         Text::tr("There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."),
-         2,
-         1,
-         {{Text::tr("TIMESYNC"), Stroke::Solid, milli<&MetricsSample::latency>},
-          {Text::tr("channel"), Stroke::Dashed, milli<&MetricsSample::roundTrip>}},
-         true},
+        {.key = "channelLoss",
+         .title = Text::tr("Packet loss, channel"),
+         .unit = Text::tr("%"),
+         .note = Text::tr("Records that were lost, by their counters, over the last second; the agent reports its direction "
+                          "once a second. On a plain link: the loss of MAVLink frames."),
+         .group = QuantityGroupId::Link,
+         .overview = true,
+         .decimals = 2,
+         .lines = {{Text::tr("from vehicle"),
+                    Stroke::Solid,
+                    {"channel_loss_from_vehicle_percent", read<&MetricsSample::lossPercent>}},
+                   {Text::tr("to vehicle"),
+                    Stroke::Dashed,
+                    {"channel_loss_to_vehicle_percent", read<&MetricsSample::peerLossPercent>}}}},
+        {.key = "mavlinkLoss",
+         .title = Text::tr("Packet loss, MAVLink"),
+         .unit = Text::tr("%"),
+         .note = Text::tr("Frames that were lost, by the sequence numbers of each sender, over the last second; frames to the "
+                          "vehicle are counted by its agent and reported once a second. Loss between autopilot and agent "
+                          "counts here and not in the channel."),
+         .group = QuantityGroupId::Link,
+         .decimals = 2,
+         .lines = {{Text::tr("from vehicle"),
+                    Stroke::Solid,
+                    {"mavlink_loss_from_vehicle_percent", read<&MetricsSample::mavlinkLossPercent>}},
+                   {Text::tr("to vehicle"),
+                    Stroke::Dashed,
+                    {"mavlink_loss_to_vehicle_percent", read<&MetricsSample::peerMavlinkLossPercent>}}}},
+        {.key = "latency",
+         .title = Text::tr("Latency"),
+         .unit = Text::tr("ms"),
+         .note = Text::tr("Round trip: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel's reports."),
+         .group = QuantityGroupId::Link,
+         .decimals = 2,
+         .lines = {{Text::tr("TIMESYNC"), Stroke::Solid, {"latency_s", read<&MetricsSample::latency>, kMilli}},
+                   {Text::tr("channel"), Stroke::Dashed, {"channel_round_trip_s", read<&MetricsSample::roundTrip>, kMilli}}}},
     };
 }
 
 std::vector<Quantity> costs()
 {
     return {
-        {"cpu",
-         Text::tr("CPU"),
-         Text::tr("% of a core"),
-         Text::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
-                  "seal and open (elapsed time of each call, added up), over the last second."),
-         2,
-         5,
-         {{Text::tr("process"), Stroke::Solid, processCpu},
-          {Text::tr("link"), Stroke::Dashed, ioCpu},
-          {Text::tr("suite"), Stroke::Dotted, whileUp<&MetricsSample::suiteCpuPercent>}},
-         true,
-         {},
-         2}, // the others hold much that is no suite's
-        {"openCost",
-         Text::tr("Opening a record"),
-         Text::tr("µs"),
-         Text::tr("From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after "
-                  "the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records "
-                  "that follow in the same wake-up, which come closer to the suite itself."),
-         2,
-         1,
-         {{Text::tr("p50"), Stroke::Solid, micro<&MetricsSample::openNsP50>},
-          {Text::tr("p99"), Stroke::Dashed, micro<&MetricsSample::openNsP99>},
-          {Text::tr("next p50"), Stroke::Dotted, micro<&MetricsSample::openNextNsP50>}},
-         true},
-        {"sealCost",
-         Text::tr("Sealing a record"),
-         Text::tr("µs"),
-         Text::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."),
-         2,
-         1,
-         {{Text::tr("p50"), Stroke::Solid, micro<&MetricsSample::sealNsP50>},
-          {Text::tr("p99"), Stroke::Dashed, micro<&MetricsSample::sealNsP99>}},
-         true},
-        {"memory",
-         Text::tr("Memory"),
-         Text::tr("MB resident"),
-         Text::tr("Of the whole process, as the system counts it. It does not belong to a suite."),
-         1,
-         50,
-         {{{}, Stroke::Solid, megabytes}},
-         false},
-        {"sessionMemory",
-         Text::tr("Memory of a session"),
-         Text::tr("kB"),
-         Text::tr(
-             "Heap that one end's session takes under the suite in use, its keyed ciphers included: measured once for each "
-             "suite, with a session of this program's own."),
-         2,
-         5,
-         {{{}, Stroke::Solid, kilo<&MetricsSample::sessionBytes>}},
-         true},
+        {.key = "openCost",
+         .title = Text::tr("Opening a record"),
+         .unit = Text::tr("µs"),
+         .note = Text::tr(
+             "From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record "
+             "after the thread slept finds cold caches and takes several microseconds with any suite; at the "
+             "pace of telemetry that is nearly every record. “next” are records that follow in the same "
+             "wake-up, which show more of the cipher itself."),
+         .group = QuantityGroupId::Cost,
+         .decimals = 2,
+         .lines = {{Text::tr("p50"),
+                    Stroke::Solid,
+                    {"open_ns_p50", read<&MetricsSample::openNsP50>, kMicroOfNano, Valid::Recorded}},
+                   {Text::tr("p99"),
+                    Stroke::Dashed,
+                    {"open_ns_p99", read<&MetricsSample::openNsP99>, kMicroOfNano, Valid::Recorded}},
+                   {Text::tr("next p50"),
+                    Stroke::Dotted,
+                    {"open_next_ns_p50", read<&MetricsSample::openNextNsP50>, kMicroOfNano, Valid::Recorded}}},
+         .csvOnly = {{"open_next_ns_p99", read<&MetricsSample::openNextNsP99>}}},
+        {.key = "sealCost",
+         .title = Text::tr("Sealing a record"),
+         .unit = Text::tr("µs"),
+         .note = Text::tr("From the frames to the record that is sent, with the cold caches of a thread that slept."),
+         .group = QuantityGroupId::Cost,
+         .decimals = 2,
+         .lines = {{Text::tr("p50"),
+                    Stroke::Solid,
+                    {"seal_ns_p50", read<&MetricsSample::sealNsP50>, kMicroOfNano, Valid::Recorded}},
+                   {Text::tr("p99"),
+                    Stroke::Dashed,
+                    {"seal_ns_p99", read<&MetricsSample::sealNsP99>, kMicroOfNano, Valid::Recorded}}}},
+        {.key = "cpu",
+         .title = Text::tr("CPU"),
+         .unit = Text::tr("% of a core"),
+         .note = Text::tr("CPU time of the process with its window, of the thread that carries the link, and of the suite in "
+                          "seal and open (elapsed time of each call, added up), over the last second."),
+         .group = QuantityGroupId::Cost,
+         .overview = true,
+         .decimals = 2,
+         .least = 5,
+         .lines = {{Text::tr("process"),
+                    Stroke::Solid,
+                    {"process_cpu_percent", read<&MetricsSample::processCpuPercent>, 1, Valid::Always}},
+                   {Text::tr("link"),
+                    Stroke::Dashed,
+                    {"link_thread_cpu_percent", read<&MetricsSample::ioCpuPercent>, 1, Valid::Always}},
+                   {Text::tr("suite"), Stroke::Dotted, {"suite_cpu_percent", read<&MetricsSample::suiteCpuPercent>}}},
+         .barLine = 2}, // the other lines contain much that does not depend on the suite
+        {.key = "memory",
+         .title = Text::tr("Memory"),
+         .unit = Text::tr("MB resident"),
+         .note = Text::tr("Resident memory of the whole process. It does not depend on the suite."),
+         .group = QuantityGroupId::Cost,
+         .least = 50,
+         .lines = {{{}, Stroke::Solid, {"resident_bytes", residentBytes, kMega, Valid::Always}}},
+         .perSuite = false},
+        {.key = "sessionMemory",
+         .title = Text::tr("Memory of a session"),
+         .unit = Text::tr("kB"),
+         .note = Text::tr("Heap of one end's session under the suite in use, with its keyed ciphers. Measured once for each "
+                          "suite, with a session inside this program."),
+         .group = QuantityGroupId::Cost,
+         .decimals = 2,
+         .least = 5,
+         .lines = {{{}, Stroke::Solid, {"session_bytes", read<&MetricsSample::sessionBytes>, kKilo}}}},
     };
 }
 
@@ -187,21 +184,27 @@ Quantity power(const std::string &powercap)
 {
     metrics::EnergyMeter meter(powercap);
     const bool readable = meter.microjoules().has_value();
-    return {
-        "power",
-        Text::tr("Power of the processor"),
-        Text::tr("W"),
-        Text::tr("By the kernel's energy counters, over the last second: the whole processor and all that runs on it, not this "
-                 "program alone (%1).")
-            .arg(QString::fromStdString(meter.describe())),
-        1,
-        5,
-        {{{}, Stroke::Solid, watts}},
-        true,
-        readable ? QString() : Text::tr("not readable here")};
+    return {.key = "power",
+            .title = Text::tr("Power of the processor"),
+            .unit = Text::tr("W"),
+            .note = Text::tr("From the kernel's energy counters, over the last second: the whole processor and everything that "
+                             "runs on it, not this program alone (%1).")
+                        .arg(QString::fromStdString(meter.describe())),
+            .group = QuantityGroupId::Cost,
+            .least = 5,
+            .lines = {{{}, Stroke::Solid, {"processor_watts", read<&MetricsSample::powerWatts>, 1, Valid::Always}}},
+            .remark = readable ? QString() : Text::tr("not readable here")};
 }
 
 } // namespace
+
+double SampleValue::operator()(const MetricsSample &sample) const
+{
+    const double raw = read(sample);
+    if ((valid != Valid::Always && !sample.linkUp) || (valid == Valid::Recorded && raw <= 0))
+        return vehicle::kUnknown;
+    return raw * scale;
+}
 
 std::vector<Quantity> allQuantities(const std::string &powercap)
 {
@@ -214,14 +217,25 @@ std::vector<Quantity> allQuantities(const std::string &powercap)
 
 std::vector<QuantityGroup> quantityGroups()
 {
-    QuantityGroup all{Text::tr("All"), {}};
-    for (const Quantity &quantity : allQuantities())
+    QuantityGroup overview{Text::tr("Overview"), {}}, all{Text::tr("All"), {}};
+    std::vector<QuantityGroup> groups{{Text::tr("Rates"), {}}, {Text::tr("Link"), {}}, {Text::tr("Cost"), {}}};
+    for (const Quantity &quantity : allQuantities()) {
+        groups[static_cast<std::size_t>(quantity.group)].keys.push_back(quantity.key);
         all.keys.push_back(quantity.key);
-    return {{Text::tr("Overview"), {"frameRate", "channelLoss", "cpu"}},
-            {Text::tr("Rates"), {"frameRate", "byteRate", "overhead"}},
-            {Text::tr("Link"), {"channelLoss", "mavlinkLoss", "latency"}},
-            {Text::tr("Cost"), {"openCost", "sealCost", "cpu", "memory", "sessionMemory", "power"}},
-            all};
+        if (quantity.overview)
+            overview.keys.push_back(quantity.key);
+    }
+    groups.insert(groups.begin(), std::move(overview));
+    groups.push_back(std::move(all));
+    return groups;
+}
+
+QString quantitiesHelp()
+{
+    QString out;
+    for (const Quantity &quantity : allQuantities())
+        out += QStringLiteral("- **%1** (%2): %3\n").arg(quantity.title, quantity.unit, quantity.note);
+    return out;
 }
 
 } // namespace skyseal::ui

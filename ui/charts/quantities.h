@@ -1,5 +1,5 @@
-// What the diagnostics can show: each quantity with its unit, its lines, and a sentence on how it is measured. One table for
-// charts, bars, the comparison table and the CSV.
+// The table of everything that the diagnostics measure. Charts, bars, the comparison table, the CSV file and the help page are
+// all made from it, so a new quantity is one row in quantities.cpp.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -10,37 +10,64 @@
 
 namespace skyseal::ui {
 
-using SampleValue = double (*)(const engine::MetricsSample &);
+/// A value of a sample, as the CSV file holds it and as a chart plots it.
+struct SampleValue
+{
+    /// The samples in which a chart plots the value.
+    enum class Valid : std::uint8_t {
+        Always,
+        LinkUp,   ///< nothing is measured without a vehicle
+        Recorded, ///< the same, and 0 means that there was no record to measure
+    };
+
+    const char *column;                            ///< name of the CSV column, which ends with its unit
+    double (*read)(const engine::MetricsSample &); ///< in the unit of the column; NaN if unknown
+    double scale = 1;                              ///< from the unit of the column to the unit of the chart
+    Valid valid = Valid::LinkUp;
+
+    /// In the unit of the chart; NaN if there is nothing to plot.
+    double operator()(const engine::MetricsSample &sample) const;
+};
 
 struct QuantityLine
 {
-    QString name; ///< "to us"; empty where the quantity has one line
+    QString name; ///< "from vehicle"; empty if the quantity has one line
     Stroke stroke = Stroke::Solid;
-    SampleValue value; ///< NaN where it is not known
+    SampleValue value;
 };
+
+enum class QuantityGroupId : std::uint8_t { Rates, Link, Cost };
 
 struct Quantity
 {
-    const char *key; ///< for object names, settings and CSV
-    QString title, unit, note;
+    const char *key; ///< for object names
+    QString title, unit;
+    QString note; ///< how it is measured, for tool tips and the help page
+    QuantityGroupId group;
+    bool overview = false; ///< also in the group that is shown first
     int decimals = 1;
-    double least = 1; ///< the least end of its axis
+    double least = 1; ///< smallest end of the y axis
     std::vector<QuantityLine> lines;
-    bool perSuite = true;    ///< false: the figure says nothing about a suite, so that bars would mislead
-    QString remark = {};     ///< in the chart: why there is nothing to see
-    std::size_t barLine = 0; ///< of which line the bars are
+    std::size_t barLine = 0;               ///< the line that the bars and their means are of
+    bool perSuite = true;                  ///< false: independent of the suite, so that there are no bars
+    std::vector<SampleValue> csvOnly = {}; ///< further columns of the CSV file, which no chart plots
+    QString remark = {};                   ///< shown in the chart if there is nothing to plot
 };
 
-/// All of them, in the order in which they are shown. `powercap`: where the kernel's energy counters are.
+/// All quantities in the order in which they are shown. `powercap` is the folder of the kernel's energy counters.
 std::vector<Quantity> allQuantities(const std::string &powercap = metrics::EnergyMeter::kFolder);
 
-/// A choice of quantities for the place that there is.
+/// A selection of quantities for the charts.
 struct QuantityGroup
 {
     QString title;
     std::vector<const char *> keys;
 };
 
+/// Overview, one group per QuantityGroupId, and all.
 std::vector<QuantityGroup> quantityGroups();
+
+/// The part of the help page that says what each quantity is, in Markdown.
+QString quantitiesHelp();
 
 } // namespace skyseal::ui

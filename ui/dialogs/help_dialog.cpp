@@ -9,7 +9,22 @@
 
 namespace skyseal::ui {
 
-HelpDialog::HelpDialog(const QString &page, QWidget *parent) : QDialog(parent)
+namespace {
+
+QString pageText(const QString &page, const QHash<QString, QString> &inserts)
+{
+    QFile file(QStringLiteral(":/skyseal/help/%1.md").arg(page));
+    if (!file.open(QIODevice::ReadOnly))
+        return HelpDialog::tr("There is no help page \"%1\".").arg(page);
+    QString text = QString::fromUtf8(file.readAll());
+    for (auto insert = inserts.begin(); insert != inserts.end(); ++insert)
+        text.replace(QStringLiteral("<!-- %1 -->").arg(insert.key()), insert.value());
+    return text;
+}
+
+} // namespace
+
+HelpDialog::HelpDialog(const QString &page, const QHash<QString, QString> &inserts, QWidget *parent) : QDialog(parent)
 {
     setObjectName(QStringLiteral("helpDialog"));
     setWindowTitle(tr("Help"));
@@ -17,9 +32,7 @@ HelpDialog::HelpDialog(const QString &page, QWidget *parent) : QDialog(parent)
     text->setAccessibleName(tr("Help page"));
     text->setFrameShape(QFrame::NoFrame);
     text->document()->setDocumentMargin(2 * kGrid);
-    QFile file(QStringLiteral(":/skyseal/help/%1.md").arg(page));
-    text->setMarkdown(file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll())
-                                                     : tr("There is no help page \"%1\".").arg(page));
+    text->setMarkdown(pageText(page, inserts));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *column = new QVBoxLayout(this);

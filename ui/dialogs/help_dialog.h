@@ -1,6 +1,7 @@
-// The help pages that come with the program.
+// The help pages that are built into the program.
 #pragma once
 
+#include <QtCore/QHash>
 #include <QtWidgets/QDialog>
 
 namespace skyseal::ui {
@@ -10,8 +11,9 @@ class HelpDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// `page` is a name in resources/help, without suffix.
-    explicit HelpDialog(const QString &page, QWidget *parent = nullptr);
+    /// `page` is a name in resources/help without its suffix. Each line <!-- key --> of the page is replaced by the Markdown
+    /// text `inserts` holds for that key.
+    HelpDialog(const QString &page, const QHash<QString, QString> &inserts, QWidget *parent = nullptr);
 };
 
 } // namespace skyseal::ui

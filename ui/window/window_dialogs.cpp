@@ -1,5 +1,6 @@
 #include "ui/window/window_dialogs.h"
 
+#include "ui/charts/quantities.h"
 #include "ui/dialogs/help_dialog.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/take_off_dialog.h"
@@ -76,7 +77,8 @@ void WindowDialogs::openKeys()
 
 void WindowDialogs::openHelp(const QString &page)
 {
-    make<HelpDialog>(page, &m_window)->show();
+    const QHash<QString, QString> inserts{{QStringLiteral("quantities"), quantitiesHelp()}};
+    make<HelpDialog>(page, inserts, &m_window)->show();
 }
 
 void WindowDialogs::openAbout(const QString &version)
