@@ -7,7 +7,7 @@
 #include "ui/flight/take_off_dialog.h"
 #include "ui/security/secure_link_panel.h"
 #include "ui/security/suite_actions.h"
-#include "ui/status/lock_face.h"
+#include "ui/text/lock_face.h"
 #include "ui/status/strip_item.h"
 #include "ui/sweep/sweep_dialog.h"
 #include "window_rig.h"

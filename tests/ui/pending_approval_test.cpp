@@ -48,7 +48,7 @@ private Q_SLOTS:
         QVERIFY(m_station->allowedClear.empty());
         auto *menu = find<QMenu>("menuAllowPlain");
         Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
-        QVERIFY(menu->isEnabled());
+        QVERIFY(menu->menuAction()->isEnabled());
         Q_EMIT menu->aboutToShow();
         QCOMPARE(menu->actions().size(), 1);
         menu->actions().front()->trigger();
@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(find<HoldButton>("armButton")->isEnabled());
         QVERIFY(!find<QWidget>("emptyState")->isVisible());
         Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
-        QVERIFY(!menu->isEnabled());
+        QVERIFY(!menu->menuAction()->isEnabled());
 
         // One that was taken before its agent became known is flown no further.
         taken.time = 3;

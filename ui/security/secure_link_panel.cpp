@@ -5,7 +5,7 @@
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
 #include "ui/text/link_ended.h"
-#include "ui/status/lock_face.h"
+#include "ui/text/lock_face.h"
 #include "ui/text/one_way.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"

@@ -2,7 +2,7 @@
 
 #include "core/engine/text/state_text.h"
 #include "core/mavlink/enums.h"
-#include "ui/status/lock_face.h"
+#include "ui/text/lock_face.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"

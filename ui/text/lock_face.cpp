@@ -1,4 +1,4 @@
-#include "ui/status/lock_face.h"
+#include "ui/text/lock_face.h"
 
 #include "core/engine/text/state_text.h"
 #include "ui/text/link_ended.h"
