@@ -1,5 +1,5 @@
-// A dock's content that scrolls up and down where nothing else helps. It tells how much height there is, so that a panel can
-// leave out what matters least before the operator has to scroll.
+// The content of a side dock: scrolls vertically if needed, and reports the available height, so that a panel can hide less
+// important parts before the operator has to scroll.
 #pragma once
 
 #include "ui/theme/grid.h"

@@ -1,5 +1,5 @@
-// What the operator chose, as one value; kept by QSettings between runs. Only the application reads and writes it, every
-// panel gets what it needs passed in.
+// The settings of the operator as one value, stored by QSettings. Only the window reads and writes them; panels receive the
+// values that they need.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -24,15 +24,15 @@ struct Settings
     bool record = true;
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;
-    crypto::SuiteId weakestSuite = crypto::SuiteId::Rc4; ///< of those that are offered; RC4 = any sealed one
-    bool requireSealed = false;                          ///< clear MAVLink is never shown
-    double takeOffAltitude = 10;                         ///< metres above home, the last one that was chosen
+    crypto::SuiteId weakestSuite = crypto::SuiteId::Rc4; ///< weakest suite that is offered; RC4: any sealed one
+    bool requireSealed = false;                          ///< plain MAVLink is never shown
+    double takeOffAltitude = 10;                         ///< metres above home, last used
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
 
     bool operator==(const Settings &) const = default;
 };
 
-/// Values that are missing or out of range keep their defaults.
+/// Missing or invalid values get their defaults.
 Settings loadSettings(const QSettings &store);
 void storeSettings(QSettings &store, const Settings &settings);
 

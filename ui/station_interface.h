@@ -1,5 +1,5 @@
-// The station as the windows see it: what they may ask and what they hear. The application puts the engine behind it,
-// tests a scripted one, so that no window needs sockets or a thread to be shown or tested.
+// The interface of the window to the station: requests, snapshots and events. The application implements it with the engine,
+// tests with a fake, so that no test of the window needs sockets or threads.
 #pragma once
 
 #include "core/base/result.h"
@@ -19,7 +19,7 @@ namespace skyseal::ui {
 
 using SnapshotPtr = std::shared_ptr<const engine::Snapshot>;
 
-/// Lives on the GUI thread. Commands return at once; what became of them comes as a event.
+/// Lives on the GUI thread. Requests return at once; results arrive as events.
 class StationInterface : public QObject
 {
     Q_OBJECT
@@ -27,9 +27,9 @@ class StationInterface : public QObject
 public:
     using QObject::QObject;
 
-    /// A link by its URL, or what is wrong with the text. Whether it opens shows in the snapshot's links.
+    /// Adds a link by its URL. Fails if the URL is invalid; the snapshot shows whether the link opens.
     virtual Result<LinkId, InputError> addLink(const std::string &url) = 0;
-    /// The same for a stream of MAVSec's published code: insecure, only read. Also an error when its key cannot be read.
+    /// Adds a listen-only link for a stream of MAVSec's published code, which is insecure. Fails also if its key cannot be read.
     virtual Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) = 0;
     virtual void removeLink(LinkId link) = 0;
     virtual void switchSuite(channel::SessionId session, crypto::SuiteId suite) = 0;

@@ -1,29 +1,29 @@
-// What the panels draw: one snapshot, and which vehicle and session of it the operator looks at.
+// One snapshot with the vehicle and session that the operator has selected: the input of all panels.
 #pragma once
 
 #include "ui/station_interface.h"
 
 namespace skyseal::ui {
 
-/// Values older than this are shown as stale (the same limit as a lost link).
+/// Values older than this, in seconds, are shown as stale (the limit of a lost link).
 inline constexpr double kStaleAfterSeconds = 3.5;
 
-/// Never null once a first snapshot came; the pointers point into it.
+/// The pointers point into `snapshot`, which is null only before the first one.
 struct ViewState
 {
     SnapshotPtr snapshot;
     const engine::VehicleSnapshot *vehicle = nullptr;
-    const engine::LinkSnapshot *link = nullptr; ///< over which the vehicle was heard last; null when that was removed
+    const engine::LinkSnapshot *link = nullptr; ///< last link of the vehicle; null if it was removed
     const engine::SessionSnapshot *session = nullptr;
-    const engine::PendingVehicle *pendingApproval = nullptr; ///< the view's vehicle; without one, the first that is
-    bool inSweep = false;                                    ///< the connected link is being measured: sessions begin anew
-    bool plainRun = false;                                   ///< and just now in clear, which the operator consented to
+    const engine::PendingVehicle *pendingApproval = nullptr; ///< entry of the selected vehicle, or the first entry without one
+    bool inSweep = false;                                    ///< a sweep measures the connected link and restarts sessions
+    bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 
-    /// True where the vehicle's values are older than the limit.
+    /// True if the values of the vehicle are older than the limit.
     bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }
 };
 
-/// What must show at once when it changes, whatever the rate at which numbers are renewed.
+/// The part of the view whose changes are shown at once, independent of the refresh interval of numbers.
 struct AlarmState
 {
     engine::Security security{};
@@ -37,8 +37,8 @@ struct AlarmState
 
 AlarmState alarmStateOf(const ViewState &view);
 
-/// Finds the vehicle with `systemId` (or the first one when it is gone or 0) and its session. Where no vehicle is known yet,
-/// the first session stands in, so that an agent without an autopilot is seen.
+/// Selects the vehicle with `systemId` (the first one if it is gone or 0) and its session. Without a vehicle, the first session
+/// is selected, so that an agent without an autopilot is visible.
 ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId);
 
 } // namespace skyseal::ui

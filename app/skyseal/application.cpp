@@ -76,7 +76,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
     });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
-        m_window->reportProblem(tr("The changed list of peers is refused, the old one stays: %1").arg(problem));
+        m_window->reportProblem(tr("The changed list of peers is invalid, the previous list stays in use: %1").arg(problem));
     });
 }
 
@@ -91,7 +91,7 @@ void Application::reloadPeers()
 void Application::tellLeftOut(const keys::PeersInForce &peers)
 {
     if (!peers.leftOut.empty())
-        m_window->reportProblem(tr("Left out of the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
+        m_window->reportProblem(tr("Ignored entries in the list of peers: %1").arg(QString::fromStdString(peers.leftOut)));
 }
 
 void Application::tellKeyProblem()

@@ -26,7 +26,7 @@ public:
     static QString programPath(const QString &name);
     static bool isAvailable();
 
-    /// The keys of the station's end.
+    /// The key files of the station in the demo.
     engine::KeyPaths stationKeys() const;
     /// Starts both programs; the agent looks for the station on this port of loopback. Also restarts it when the port
     /// changed.

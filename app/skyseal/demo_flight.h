@@ -13,7 +13,7 @@ class DemoFlight : public QObject
     Q_OBJECT
 
 public:
-    /// `station` must outlive it.
+    /// `station` must outlive this.
     explicit DemoFlight(ui::StationInterface &station);
 
 private:

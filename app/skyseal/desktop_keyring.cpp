@@ -115,8 +115,8 @@ private:
         connect(job, &QKeychain::Job::finished, this, [this, file, keeps](const QKeychain::Job *ended) {
             const bool gone = !keeps && ended->error() == QKeychain::EntryNotFound;
             if (ended->error() != QKeychain::NoError && !gone) {
-                Q_EMIT failed(keeps ? tr("The keyring did not take the passphrase: %1").arg(ended->errorString())
-                                    : tr("The keyring did not forget the passphrase: %1").arg(ended->errorString()));
+                Q_EMIT failed(keeps ? tr("The keyring did not store the passphrase: %1").arg(ended->errorString())
+                                    : tr("The keyring did not delete the passphrase: %1").arg(ended->errorString()));
                 return;
             }
             note(file, keeps);

@@ -41,7 +41,7 @@ public:
                           bool remember) override;
 
 Q_SIGNALS:
-    /// The list of peers was changed here.
+    /// The operator changed the list of peers.
     void edited();
 
 private:

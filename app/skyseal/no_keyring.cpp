@@ -1,4 +1,4 @@
-// Built without a library for the desktop's keyring.
+// The passphrase memory of a build without QtKeychain: it stores nothing.
 #include "app/skyseal/passphrase_memory.h"
 
 #include <QtCore/QCoreApplication>

@@ -15,7 +15,7 @@ Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::str
             return std::move(*recalled);
     }
     ui::PassphraseDialog dialog(QString::fromStdString(file), attempt > 0, problem);
-    dialog.setToBeRemembered(m_memory.remembers(file)); // an old one that does not open it any more
+    dialog.setToBeRemembered(m_memory.remembers(file)); // an outdated passphrase
     const InputError none{"the passphrase was not given", file};
     m_declined = dialog.exec() != QDialog::Accepted;
     if (m_declined)

@@ -10,15 +10,16 @@ namespace skyseal::app {
 class PassphraseQuestion
 {
 public:
-    /// `memory` must outlive it.
+    /// `memory` must outlive this.
     explicit PassphraseQuestion(PassphraseMemory &memory) : m_memory(memory) {}
 
-    /// Asks until the file opens or the operator gives up. GUI thread; waits for the answer. The function must not outlive this.
+    /// Returns a function that asks until the file opens or the operator cancels. It blocks on the GUI thread and must not outlive
+    /// this.
     keys::AskPassphrase ask()
     {
         return [this](const std::string &file, int attempt) { return answer(file, attempt); };
     }
-    /// The operator was asked and did not answer.
+    /// True if the operator cancelled.
     bool declined() const { return m_declined; }
     /// The last answer opened the file: stores the passphrase if the operator chose so.
     void opened();

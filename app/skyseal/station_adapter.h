@@ -44,7 +44,7 @@ Q_SIGNALS:
 private:
     void listen();
 
-    std::unique_ptr<engine::Station> m_station; ///< null only after `failed`
+    std::unique_ptr<engine::Station> m_station; ///< null only after failed()
     bool m_inspecting = false;
 };
 

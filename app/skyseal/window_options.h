@@ -1,4 +1,4 @@
-// The command line of the window.
+// The command line options of skyseal.
 #pragma once
 
 #include "app/common/passphrase_input.h"
@@ -15,12 +15,12 @@ namespace skyseal::app {
 
 struct WindowOptions
 {
-    std::vector<link::LinkUrl> links; ///< empty = the one of the settings
+    std::vector<link::LinkUrl> links; ///< empty: the link of the settings
     bool demo = false;
-    QString screenshot;                  ///< file to save a picture of the window to; empty = none
+    QString screenshot;                  ///< file for a picture of the window; empty: none
     double screenshotAfter = 3;          ///< seconds
-    std::string identityFile, peersFile; ///< empty = the user's own
-    PassphraseInput passphrase;          ///< none given = a dialog asks
+    std::string identityFile, peersFile; ///< empty: the files of the user
+    PassphraseInput passphrase;          ///< none: a dialog asks
 };
 
 /// `arguments`: without the program's name. An exit status if the program is done: help or version was printed, or the usage is

@@ -287,7 +287,7 @@ private Q_SLOTS:
         QVERIFY(!marks[1].incident);
         QVERIFY(marks[1].text.contains(QStringLiteral("epoch 1")));
         QCOMPARE(marks[2].text, QStringLiteral("link lost"));
-        QCOMPARE(marks[3].text, QStringLiteral("link back"));
+        QCOMPARE(marks[3].text, QStringLiteral("link recovered"));
     }
 
     void hoverTellsTheValues()

@@ -185,7 +185,7 @@ private Q_SLOTS:
         // Between plain MAVLink and a suite the session is ended by the sweep; one that is lost is told as lost.
         view = viewOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::Closed)), 0);
         view.inSweep = true;
-        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Beginning anew · air-1"));
+        QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("New session · air-1"));
         view = viewOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::TimedOut)), 0);
         view.inSweep = true;
         QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Session lost · air-1"));

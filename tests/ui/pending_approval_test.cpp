@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("impostor of air-1")));
         QVERIFY(find<StripItem>("stripLock")->text().contains(QStringLiteral("Not sealed")));
         QVERIFY(find<StripItem>("stripLock")->toolTip().contains(QStringLiteral("air-1")));
-        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, held back"));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, needs approval"));
         for (const char *name : {"armButton", "takeOffButton", "landButton", "setModeButton"}) {
             QVERIFY2(!find<HoldButton>(name)->isEnabled(), name);
             QVERIFY2(find<HoldButton>(name)->toolTip().contains(QStringLiteral("not sealed")), name);
@@ -99,9 +99,9 @@ private Q_SLOTS:
         engine::Snapshot snapshot = pendingApprovalSnapshot();
         snapshot.unanswering.push_back({"air-1", "192.0.2.7:40000", "SHA256:own", 4});
         m_station->show(snapshot);
-        QVERIFY2(find<StripItem>("stripLock")->text().contains(QStringLiteral("held back")),
+        QVERIFY2(find<StripItem>("stripLock")->text().contains(QStringLiteral("needs approval")),
                  qPrintable(find<StripItem>("stripLock")->text()));
-        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, held back"));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed, needs approval"));
         QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("Vehicle 1 is not sealed")));
         QVERIFY(find<QPushButton>("secureHelp")->isVisible());
         QVERIFY(!find<QPushButton>("secureKeys")->isVisible());

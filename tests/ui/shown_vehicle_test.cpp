@@ -144,9 +144,9 @@ private Q_SLOTS:
         QTest::addColumn<bool>("recorded");
         QTest::addColumn<QString>("whyNot");
         QTest::addColumn<QString>("title");
-        QTest::newRow("recording") << true << QStringLiteral("it is a recording") << QStringLiteral("A recording");
+        QTest::newRow("recording") << true << QStringLiteral("it is a replay") << QStringLiteral("Replay");
         QTest::newRow("stream that is never sent to")
-            << false << QStringLiteral("its link is only listened to") << QStringLiteral("Not sealed, only listened to");
+            << false << QStringLiteral("its link is listen-only") << QStringLiteral("Not sealed, listening only");
     }
 
     void nothingIsSentOneWay()

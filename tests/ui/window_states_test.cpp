@@ -263,7 +263,7 @@ private Q_SLOTS:
         snapshot.time = 9;
         snapshot.sessions.front().info.silent = true;
         m_station->show(snapshot);
-        QVERIFY(find<QLabel>("secureTitle")->text().contains(QStringLiteral("nothing is heard")));
+        QVERIFY(find<QLabel>("secureTitle")->text().contains(QStringLiteral("no data received")));
         QVERIFY(find<QLabel>("secureAdvice")->isVisible());
     }
 

@@ -1,5 +1,5 @@
-// The end of a y axis that keeps still: it grows at once to the next round number, and shrinks only after the values
-// have stayed low for a while. And into how many parts such an axis is best divided.
+// The scale of a y axis. It grows at once to the next round number and shrinks only after the values have stayed low for a
+// while, so that the axis does not jump. Also the division of such an axis into labelled parts.
 #pragma once
 
 namespace skyseal::ui {
@@ -7,10 +7,10 @@ namespace skyseal::ui {
 class AxisScale
 {
 public:
-    /// Never smaller than `least`.
+    /// `least` is the smallest end of the axis, in the unit of the chart.
     explicit AxisScale(double least) : m_least(least), m_top(least) {}
 
-    /// The axis' end for values up to `highest` at `now` (seconds).
+    /// Returns the end of the axis for values up to `highest` at the time `now` in seconds.
     double update(double highest, double now);
     double top() const { return m_top; }
 
@@ -21,13 +21,13 @@ private:
     double m_lowSince = -1;
 };
 
-/// The least of 1, 2 or 5 times a power of ten that is not below `value`.
+/// Returns the smallest of 1, 2 or 5 times a power of ten that is not below `value`.
 double roundUp(double value);
 
-/// Parts of an axis up to `top` (as roundUp() gives it) that is so many pixels long: each ends at a short number.
+/// Returns the number of parts for an axis up to `top` (a result of roundUp()) of this length, so that labels are short numbers.
 int axisParts(double top, double pixels);
 
-/// Places behind the point that a number which grows by `step` needs.
+/// Returns the decimals that labels at multiples of `step` need.
 int decimalsOf(double step);
 
 } // namespace skyseal::ui

@@ -1,5 +1,5 @@
-// A chart as the rest of the window sees it: what is to be plotted, as values. Which library draws it is behind
-// makeTimeSeriesChart().
+// The interface of a time series chart: its content as values. The implementation, which knows the drawing library, is made by
+// makeTimeSeriesChart() and lives on the GUI thread.
 #pragma once
 
 #include <QtCore/QPointF>
@@ -15,18 +15,18 @@ namespace skyseal::ui {
 
 enum class Stroke : std::uint8_t { Solid, Dashed, Dotted };
 
-/// A line without a break, of one quantity under one suite.
+/// An unbroken line of one quantity under one suite.
 struct ChartRun
 {
     QColor color;
     Stroke stroke = Stroke::Solid;
-    QString line; ///< which of the chart's quantities, for the values under the mouse; empty where there is one only
+    QString line; ///< name of the quantity's line, shown beside the cursor; empty if the chart has one line
     QString suite;
     std::vector<QPointF> points; ///< x in seconds, y in the chart's unit
     bool operator==(const ChartRun &) const = default;
 };
 
-/// A moment worth seeing: a vertical line, its text under the mouse. An incident has another shape than a switch.
+/// An event: a vertical line whose text the cursor shows. Incidents and switches have different shapes.
 struct ChartMark
 {
     double x = 0;
@@ -36,7 +36,7 @@ struct ChartMark
     bool operator==(const ChartMark &) const = default;
 };
 
-/// The mean of a suite over all the time that it was in use, on the same scale as the lines beside it.
+/// The mean of a suite over all its time in use, on the scale of the lines.
 struct ChartBar
 {
     QColor color;
@@ -46,11 +46,11 @@ struct ChartBar
     bool operator==(const ChartBar &) const = default;
 };
 
-/// What the x axis counts.
+/// The meaning of the x axis.
 enum class ChartTime : std::uint8_t {
-    BeforeNow, ///< from `from` to `to`, both not above 0; 0 is now
-    Frozen,    ///< the same, where 0 is the moment at which the charts were stopped
-    InUse      ///< time that each suite was in use, from 0
+    BeforeNow, ///< seconds before now: `from` and `to` are not above 0
+    Frozen,    ///< seconds before the moment at which the charts were frozen
+    InUse      ///< seconds that each suite was in use, from 0
 };
 
 struct ChartContent
@@ -72,33 +72,33 @@ public:
     using QWidget::QWidget;
 
     virtual void showContent(const ChartContent &content) = 0;
-    /// What is plotted, read back from the drawing library: for tests and exports.
+    /// Returns the content as the drawing library holds it, for tests and exports.
     virtual ChartContent plotted() const = 0;
-    /// A vertical line with the values at that time; none without a time.
+    /// Shows a vertical line with the values at the time `x`; hides it without a time.
     virtual void showCursor(std::optional<double> x) = 0;
-    /// The words beside the cursor, line by line.
+    /// Returns the lines of text beside the cursor.
     virtual QStringList cursorText() const = 0;
 
 Q_SIGNALS:
     void hovered(double x);
     void hoverEnded();
-    /// The wheel was turned: positive is closer.
+    /// The wheel was turned; positive steps zoom in.
     void zoomRequested(int steps);
     /// The operator drew a range with the mouse.
     void rangeRequested(double from, double to);
     void liveRequested();
 };
 
-/// What stands above and around a chart.
+/// The texts around a chart.
 struct ChartTitle
 {
     QString name, unit;
-    QString key;         ///< which stroke is which: "to it dashed"
-    QString note;        ///< what is measured and how
-    QString remark = {}; ///< why there is nothing to see; empty where there is
+    QString key;         ///< explains the strokes: "to vehicle dashed"
+    QString note;        ///< how the quantity is measured
+    QString remark = {}; ///< reason for an empty chart; empty if there is none
 };
 
-/// The caller's parent owns it.
+/// Makes a chart that is owned by `parent`.
 TimeSeriesChart *makeTimeSeriesChart(const ChartTitle &title, QWidget *parent);
 
 } // namespace skyseal::ui

@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kGapSeconds = 2;
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartBuilder)
 };
 
-/// Keeps the lowest and highest point of each bucket, in their order: peaks survive the thinning.
+/// Keeps the lowest and the highest point of each bucket in their order, so that peaks survive.
 std::vector<QPointF> thinned(const std::vector<QPointF> &points, std::size_t most)
 {
     if (points.size() <= most || most < 4)
@@ -51,7 +51,7 @@ void thin(std::vector<ChartRun> &runs, std::size_t most)
         run.points = thinned(run.points, std::max<std::size_t>(4, run.points.size() * most / total));
 }
 
-/// Samples from the last one before the range to the first one behind it, so that lines reach its edges.
+/// Samples from the last one before the range to the first one after it, so that lines reach the edges.
 std::pair<std::size_t, std::size_t> within(const std::deque<MetricsSample> &samples, double from, double to)
 {
     const auto first = std::ranges::lower_bound(samples, from, {}, &MetricsSample::time);
@@ -80,7 +80,7 @@ void appendRuns(std::vector<ChartRun> &runs, const SampleHistory &history, const
         } else {
             const QPointF point(sample.time - zero, value);
             if (!(open && close && sameStretch(*before, sample))) {
-                if (open && close) // the old colour reaches to the first point of the new one, so that the line has no hole
+                if (open && close) // the old run ends at the first point of the new one: no gap
                     runs.back().points.push_back(point);
                 runs.push_back({sample.linkUp ? suiteColor(sample.suite) : suiteColor(crypto::SuiteId::None),
                                 line.stroke,

@@ -1,5 +1,5 @@
-// From samples to what a chart plots: over time in runs of one colour for as long as one suite was in use, with a mark where
-// something happened; or suite over suite, by the time that each was in use; and bars to compare them by.
+// Makes the content of charts from samples: over time, with one run per suite and marks for events; suite over suite, by the
+// time in use of each suite; and bars that compare the suites.
 #pragma once
 
 #include "ui/charts/chart_range.h"
@@ -7,19 +7,19 @@
 
 namespace skyseal::ui {
 
-/// Values that are not finite break the line, and so does a gap of more than two seconds. Runs are thinned to about
-/// `mostPoints` in all, keeping highest and lowest of what each point stands for.
+/// Values that are not finite and gaps of more than two seconds break the line. The runs are thinned to about `mostPoints`
+/// points in all, which keep the highest and lowest values.
 ChartContent buildTimeLine(const SampleHistory &history, const Quantity &quantity, const ChartRange &range,
                            std::size_t mostPoints);
 
-/// Every suite used so far over the same axis: the last range.span() seconds of its use.
+/// All suites used so far on one axis: the last range.span() seconds of the time in use of each.
 ChartContent buildOverlay(const SampleHistory &history, const Quantity &quantity, const ChartRange &range,
                           std::size_t mostPoints);
 
-/// One bar for each suite used so far; `firstTally` is the place of the quantity's first line among the tallies.
+/// One bar for each suite used so far; `firstTally` is the index of the quantity's first line among the tallies.
 std::vector<ChartBar> buildBars(const SampleHistory &history, const Quantity &quantity, std::size_t firstTally);
 
-/// Switches, lost and found links, new keys, and records that were refused, within the range.
+/// Switches, new keys, lost and recovered links, and refused records within the range.
 std::vector<ChartMark> buildMarks(const SampleHistory &history, const ChartRange &range, const QColor &alarm,
                                   const QColor &dim);
 

@@ -41,8 +41,8 @@ QSizeF ChartCursor::wordsSize() const
     return {wide + 2 * kHalfGrid + 4, metrics.height() * static_cast<qreal>(m_words.size()) + kHalfGrid};
 }
 
-/// Beside the line or at an end of the plot, above or below: where it covers least of the curves. Rather over the axis than
-/// over the line. It stays where it is until another place is clearly better, so that it does not jump.
+/// Chooses the place that covers the fewest points of the curves: beside the line or at an end of the plot, above or below. The
+/// box keeps its place until another one is clearly better, so that it does not jump.
 void ChartCursor::placeBox(const std::vector<QPointF> &curves)
 {
     constexpr std::ptrdiff_t kOutsideThePlot = 10'000, kOverTheLine = 1'000'000, kClearly = 4;
@@ -78,7 +78,7 @@ void ChartCursor::paintEvent(QPaintEvent *)
         return;
     const QRectF &frame = m_box;
     QColor back = palette().color(QPalette::ToolTipBase);
-    back.setAlpha(215); // where it has to cover a curve, that shows through
+    back.setAlpha(215); // covered curves remain visible
     painter.setBrush(back);
     painter.setPen(colors.line);
     painter.drawRect(frame);

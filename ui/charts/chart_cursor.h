@@ -1,5 +1,5 @@
-// The vertical line under the mouse and the values beside it: a thin layer of its own above a chart, so that moving it does
-// not draw the chart anew.
+// The vertical line under the mouse and the values beside it: a layer above the chart, so that moving it does not redraw the
+// chart.
 #pragma once
 
 #include <QtCore/QRectF>
@@ -17,11 +17,11 @@ class ChartCursor : public QWidget
 public:
     explicit ChartCursor(QWidget *chart);
 
-    /// `x` in pixels of the chart; `plot` is where the line may stand, `curves` the points that are best not covered.
+    /// All coordinates are pixels of the chart: the line at `x` within `plot`; the box avoids the points in `curves`.
     void showAt(qreal x, const QRectF &plot, const QStringList &words, const std::vector<QPointF> &curves);
     void clear();
     const QStringList &words() const { return m_words; }
-    /// Where the words stand.
+    /// The rectangle of the text.
     const QRectF &box() const { return m_box; }
 
 protected:
@@ -34,7 +34,7 @@ private:
     qreal m_x = -1;
     QRectF m_plot, m_box;
     QStringList m_words;
-    std::size_t m_place = 0; ///< of those that placeBox() weighs
+    std::size_t m_place = 0; ///< index among the places that placeBox() compares
 };
 
 } // namespace skyseal::ui

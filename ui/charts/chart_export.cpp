@@ -13,7 +13,7 @@ namespace skyseal::ui {
 
 namespace {
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartExport)

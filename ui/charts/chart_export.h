@@ -1,4 +1,4 @@
-// Writes what the diagnostics show into files.
+// Writes the shown charts and samples to files.
 #pragma once
 
 #include <QtCore/QByteArray>
@@ -10,11 +10,11 @@ class QWidget;
 
 namespace skyseal::ui {
 
-/// The widgets below one another as a picture: SVG where the name ends so, otherwise whatever image format the name asks
-/// for, at twice the screen's resolution. What went wrong, in words; empty when it was written.
+/// Writes the widgets, one below the other, as a picture: SVG or the image format of the file's suffix, at twice the resolution
+/// of the screen. Returns the error text; empty on success.
 QString writePicture(const QString &file, const std::vector<QWidget *> &parts);
 
-/// What went wrong; empty when all of it was written.
+/// Writes the whole content or nothing. Returns the error text; empty on success.
 QString writeWhole(const QString &file, const QByteArray &content);
 
 } // namespace skyseal::ui

@@ -9,7 +9,7 @@
 namespace skyseal::ui {
 
 namespace {
-constexpr int kOneRow = 4;                          ///< so many charts stand in one row where they can
+constexpr int kOneRow = 4;                          ///< charts that share one row if the width allows
 constexpr int kLeastWidth = 230, kUsualWidth = 320; ///< pixels of a chart
 } // namespace
 
@@ -58,7 +58,7 @@ void ChartGrid::arrange()
 
 void ChartGrid::resizeEvent(QResizeEvent *event)
 {
-    arrange(); // first: the sheet's least height follows from it
+    arrange(); // first, because the minimum height of the sheet depends on it
     QScrollArea::resizeEvent(event);
 }
 

@@ -1,4 +1,4 @@
-// The charts that are shown, in as many columns as the width allows; it scrolls where they are more than fit.
+// The shown charts in as many columns as the width allows; scrolls if they do not fit.
 #pragma once
 
 #include <QtWidgets/QScrollArea>
@@ -18,7 +18,7 @@ public:
 
     /// The parent of every chart.
     QWidget *sheet() const { return widget(); }
-    /// Shows these, in their order, and hides what was shown before.
+    /// Shows these charts in their order and hides the previous ones.
     void setCharts(const std::vector<QWidget *> &charts);
 
 protected:

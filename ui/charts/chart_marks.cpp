@@ -1,4 +1,4 @@
-// What happened along the time line, read from the samples themselves, so that a mark stands exactly where the lines change.
+// Marks of events on the time line. They are derived from the samples, so that a mark stands exactly where the lines change.
 #include "ui/charts/chart_builder.h"
 
 #include "ui/text/units.h"
@@ -12,13 +12,13 @@ using engine::MetricsSample;
 
 namespace {
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartMarks)
 };
 
-/// Refused records within so many seconds are one incident.
+/// Refused records within this time in seconds are one incident.
 constexpr double kOneIncident = 5;
 
 class MarkMaker
@@ -32,11 +32,11 @@ public:
             refuse(sample, sample.refused - before.refused);
         if (sample.linkUp != before.linkUp) {
             if (m_heard)
-                add(sample, m_dim, sample.linkUp ? Text::tr("link back") : Text::tr("link lost"), true);
+                add(sample, m_dim, sample.linkUp ? Text::tr("link recovered") : Text::tr("link lost"), true);
         }
     }
 
-    /// Of two samples with a link, whatever lay between them.
+    /// For two samples with a link, and any number of samples without one between them.
     void change(const MetricsSample &before, const MetricsSample &sample)
     {
         if (before.suite != sample.suite)

@@ -17,7 +17,7 @@ namespace skyseal::ui {
 
 namespace {
 
-/// As many parts as give whole seconds.
+/// Returns the number of parts that end at whole seconds.
 int timeParts(double span)
 {
     for (const int parts : {4, 3, 5})
@@ -95,7 +95,7 @@ void ChartView::drawTimeLabels(QPainter &painter, const QRectF &area) const
     const int parts = timeParts(m_frame.to - m_frame.from);
     const double step = (m_frame.to - m_frame.from) / parts;
     const int decimals = std::min(1, decimalsOf(step));
-    qreal free = area.left() - 1; // labels that would touch are left away
+    qreal free = area.left() - 1; // labels that would touch are omitted
     for (int i = 0; i <= parts; ++i) {
         const double time = m_frame.from + step * i;
         const QString text = chartTimeText(time, m_frame.time, decimals);
@@ -119,7 +119,7 @@ void ChartView::drawBars(QPainter &painter, const QRectF &area) const
         const auto y = [&](double value) { return area.bottom() - std::clamp(value / m_frame.top, 0.0, 1.0) * area.height(); };
         painter.setPen(QPen(palette().color(QPalette::WindowText), 1));
         const qreal x = crisp(place.center().x());
-        painter.drawLine(QPointF(x, y(bar.low)), QPointF(x, y(bar.high))); // how far the samples reach
+        painter.drawLine(QPointF(x, y(bar.low)), QPointF(x, y(bar.high))); // range of the samples
     }
 }
 

@@ -1,4 +1,4 @@
-// Which part of the time the charts show: so many seconds up to now, or a part that was stopped and looked at closer.
+// The range of time that the charts show: the last seconds up to now, or a frozen part.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,15 @@ namespace skyseal::ui {
 class ChartRange
 {
 public:
-    /// What the wheel and the keys step through, in seconds.
+    /// The steps of the zoom, in seconds.
     static constexpr std::array<double, 6> kSpans{15, 30, 60, 120, 300, 600};
     static constexpr double kLeastSpan = 2;
 
     double span() const { return m_span; }
     bool frozen() const { return m_stopped.has_value(); }
-    /// What x = 0 stands for.
+    /// The time of the station, in seconds, at x = 0.
     double zero(double newest) const { return m_stopped.value_or(newest); }
-    /// Both in seconds before zero().
+    /// Ends of the range in seconds relative to zero(), not above 0.
     double from() const { return m_end - m_span; }
     double to() const { return m_end; }
 
@@ -29,14 +29,14 @@ public:
         if (!m_stopped)
             m_stopped = newest;
     }
-    /// Shows what is new again, as wide as it was before a part was looked at closer.
+    /// Returns to live data and the span chosen before zooming into a frozen part.
     void goLive()
     {
         m_stopped.reset();
         m_end = 0;
         m_span = m_chosen;
     }
-    /// Positive is closer.
+    /// Positive steps zoom in.
     void zoom(int steps)
     {
         for (; steps > 0; --steps) {
@@ -50,14 +50,14 @@ public:
         if (!frozen())
             m_chosen = m_span;
     }
-    /// A part of what is shown, which stops the charts.
+    /// Freezes the charts and shows this part of the range.
     void select(double from, double to, double newest)
     {
         freeze(newest);
         m_end = std::min(0.0, std::max(from, to));
         m_span = std::max(kLeastSpan, std::abs(to - from));
     }
-    /// By a share of the span; stops the charts. Never beyond zero.
+    /// Freezes the charts and moves the range by a share of its span, not beyond zero.
     void pan(double share, double newest)
     {
         freeze(newest);

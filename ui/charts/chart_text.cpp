@@ -12,13 +12,13 @@ namespace skyseal::ui {
 
 namespace {
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
-    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartWords)
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::ChartText)
 };
 
-/// Further away than this a point says nothing about the moment.
+/// Points further away than this, in seconds, are not shown for a time.
 constexpr double kNear = 1.0;
 
 const QPointF *nearest(const ChartRun &run, double x)
@@ -32,15 +32,15 @@ const QPointF *nearest(const ChartRun &run, double x)
     return best;
 }
 
-/// What one line says there.
+/// The value of one line at the time.
 struct Reading
 {
     const ChartRun *run;
     QPointF point;
 };
 
-/// Of each line, and of each suite where they lie over one another: a line that was interrupted there has several runs, of
-/// which the nearest speaks.
+/// One value for each line, and for each suite in the overlay. A line that is interrupted near the time has several runs; the
+/// nearest point counts.
 std::vector<Reading> readingsAt(const ChartContent &content, double x, double near)
 {
     std::vector<Reading> out;

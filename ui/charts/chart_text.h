@@ -1,4 +1,4 @@
-// What a chart says about a moment: the values of its lines there, and what happened nearby.
+// The text of the cursor: the values of the lines at one time, and the events near it.
 #pragma once
 
 #include "ui/charts/chart.h"
@@ -8,8 +8,7 @@ namespace skyseal::ui {
 /// "−32.5 s", "now", "12 s in use".
 QString chartTimeText(double x, ChartTime time, int decimals);
 
-/// The time, then a line for each suite and quantity that has a value near `x`; marks nearer than `reach` seconds at the
-/// end.
+/// Returns the time, a line for each suite and quantity with a value near `x`, then the marks within `reach` seconds.
 QStringList chartTextAt(const ChartContent &content, double x, double reach, int decimals);
 
 } // namespace skyseal::ui

@@ -157,7 +157,7 @@ void ChartView::leaveEvent(QEvent *event)
 
 void ChartView::wheelEvent(QWheelEvent *event)
 {
-    // Where the charts are more than fit, the wheel scrolls them and zooms with Ctrl.
+    // If the charts do not fit, the wheel scrolls them; it zooms with Ctrl.
     for (QWidget *around = parentWidget(); around; around = around->parentWidget()) {
         const auto *scrolls = qobject_cast<const QScrollArea *>(around);
         if (scrolls && scrolls->verticalScrollBar()->maximum() > 0 && !(event->modifiers() & Qt::ControlModifier)) {
@@ -165,7 +165,7 @@ void ChartView::wheelEvent(QWheelEvent *event)
             return;
         }
     }
-    // Half a turn of a fine wheel is nothing yet; a click of a usual one is one step.
+    // 120 units are one click of a common wheel.
     const int steps = event->angleDelta().y() / 120;
     if (steps != 0)
         Q_EMIT zoomRequested(steps);

@@ -1,5 +1,5 @@
-// The view of one Qt chart, with what Qt Charts does slowly or not at all painted by hand: grid, labels, marks, bars; and
-// what the mouse does in it, told as times.
+// The view of one Qt chart. It paints grid, labels, marks and bars, which Qt Charts draws slower or not at all (figures in
+// qt_time_series_chart.cpp), and translates mouse actions to times.
 #pragma once
 
 #include "ui/charts/chart.h"
@@ -17,18 +17,18 @@ class ChartView : public QChartView
 public:
     explicit ChartView(QChart *chart, QWidget *parent);
 
-    /// All but the runs, which the chart's series hold.
+    /// Sets everything except the runs, which the chart's series hold.
     void setFrame(const ChartContent &content, bool anyRun);
     const ChartContent &frame() const { return m_frame; }
     void setUnit(const QString &unit) { m_unit = unit; }
-    /// What stands in the plot while there is nothing to see.
+    /// Sets the text of an empty plot.
     void setWordsForNothing(const QString &words) { m_nothing = words; }
-    /// Seconds at a place in the view, held to the plot.
+    /// Returns the time in seconds at this pixel, limited to the plot.
     double timeAt(qreal x) const;
     qreal placeOf(double time) const;
     ChartCursor *cursorLayer() const { return m_cursor; }
     QRectF plot() const;
-    /// Seconds that one pixel stands for.
+    /// Returns the seconds per pixel.
     double secondsPerPixel() const;
 
 Q_SIGNALS:
@@ -64,7 +64,7 @@ private:
     QString m_nothing = tr("nothing measured yet");
     ChartCursor *m_cursor;
     bool m_anyRun = false;
-    int m_bars = -1; ///< for which the plot was placed
+    int m_bars = -1; ///< number of bars for which the plot area was computed
     qreal m_pressed = -1, m_dragged = -1;
 };
 

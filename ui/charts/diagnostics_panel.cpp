@@ -59,7 +59,7 @@ DiagnosticsPanel::DiagnosticsPanel(QWidget *parent)
 
 DiagnosticsPanel::~DiagnosticsPanel()
 {
-    delete m_pages; // the table in it looks at the history as long as it lives, and children would go after the members
+    delete m_pages; // before the members: the table in it reads the history
 }
 
 void DiagnosticsPanel::makePlots()
@@ -105,8 +105,8 @@ TimeSeriesChart *DiagnosticsPanel::widgetOf(Plot &plot)
         else if (line.stroke == Stroke::Dotted)
             key << tr("%1 dotted").arg(line.name);
         if (quantity.barLine > 0 && &line == &quantity.lines[quantity.barLine]) {
-            key.back() = tr("%1 + bars").arg(key.back()); // short: there is little room
-            note += QLatin1Char(' ') + tr("The bars are of “%1” alone.").arg(line.name);
+            key.back() = tr("%1 + bars").arg(key.back()); // short, because titles are elided
+            note += QLatin1Char(' ') + tr("The bars show only “%1”.").arg(line.name);
         }
     }
     plot.widget = makeTimeSeriesChart({quantity.title, quantity.unit, key.join(QStringLiteral(", ")), note, quantity.remark},
@@ -164,7 +164,7 @@ void DiagnosticsPanel::onSnapshot(const ViewState &view)
 {
     if (!view.snapshot || view.snapshot->samples.empty())
         return;
-    // Snapshots come more often than samples.
+    // Snapshots are more frequent than samples.
     if (!m_history.empty() && m_history.samples().back().number == view.snapshot->samples.back().number)
         return;
     std::vector<engine::MetricsSample> samples = view.snapshot->samples;
@@ -184,7 +184,7 @@ std::size_t DiagnosticsPanel::chartsAtOnce() const
     return m_tools->view() == DiagnosticsView::Overlay ? kOverlaysAtOnce : kChartsAtOnce;
 }
 
-/// So many charts, those that were drawn longest ago; or the table, whole.
+/// Draws the `count` charts that were drawn longest ago, or the whole table.
 void DiagnosticsPanel::draw(std::size_t count)
 {
     m_due = m_tools->view() == DiagnosticsView::Table ? 0 : m_due - std::min(m_due, count);

@@ -1,7 +1,5 @@
-// The diagnostics: what the link carries, loses and costs, over time or suite over suite, with bars to compare the suites
-// by.
-// Samples are kept all the time; charts are drawn four times a second (more than six in turns), and not at all while nobody
-// sees them.
+// The diagnostics panel: throughput, losses and cost of the link over time or suite over suite, with bars that compare the
+// suites. Samples are always collected; charts are drawn four times a second, and only while they are visible.
 #pragma once
 
 #include "ui/charts/axis_scale.h"
@@ -30,27 +28,27 @@ class DiagnosticsPanel : public DockPanel
 
 public:
     static constexpr int kRefreshMs = 240;
-    /// Charts that one refresh draws. Where more are shown they take turns, so that looking at all of them costs no more.
+    /// Charts that one refresh draws. If more are shown, they take turns, so that the cost is bounded.
     static constexpr std::size_t kChartsAtOnce = 6;
-    static constexpr std::size_t kOverlaysAtOnce = 3; ///< each has a line for every suite, and most of it is history
+    static constexpr std::size_t kOverlaysAtOnce = 3; ///< an overlay has a line for every suite
 
     explicit DiagnosticsPanel(QWidget *parent = nullptr);
     void setSessionMeasure(const SessionMemory::Measure &measure) { m_sessionMemory = SessionMemory(measure); }
     ~DiagnosticsPanel() override;
 
     void onSnapshot(const ViewState &view) override;
-    /// Draws what is known now, also where the next refresh is not due.
+    /// Draws all shown charts at once, without waiting for the next refresh.
     void refresh();
     SweepPage *sweep() const { return m_sweep; }
-    /// In place of the charts.
+    /// Shows the page of the sweep instead of the charts.
     void showSweep();
-    /// Of the charts that are shown.
+    /// Returns one of the shown charts.
     TimeSeriesChart *chart(int index) const;
     int chartCount() const { return static_cast<int>(m_shown.size()); }
     const ChartRange &range() const { return m_range; }
     const SampleHistory &history() const { return m_history; }
 
-    /// Empty when it was written, otherwise what went wrong. The samples are those of the time that is shown.
+    /// Write the shown samples or charts. Return the error text; empty on success.
     QString saveCsv(const QString &file) const;
     QString savePicture(const QString &file);
 
@@ -64,7 +62,7 @@ private:
         const Quantity *quantity;
         std::size_t firstTally;
         AxisScale scale;
-        TimeSeriesChart *widget = nullptr; ///< made when it is shown for the first time
+        TimeSeriesChart *widget = nullptr; ///< made when it is first shown
     };
 
     void makePlots();
@@ -85,16 +83,16 @@ private:
     SampleHistory m_history;
     ChartRange m_range;
     std::vector<Plot> m_plots;
-    std::vector<std::size_t> m_shown; ///< places in m_plots
+    std::vector<std::size_t> m_shown; ///< indices into m_plots
     DiagnosticsTools *m_tools;
     QStackedWidget *m_pages;
     ChartGrid *m_grid;
     QTableView *m_table;
     SweepPage *m_sweep;
     SuiteTableModel *m_model;
-    QTimer *m_timer;        ///< runs only while the charts can be seen
-    std::size_t m_due = 0;  ///< charts that show less than is known
-    std::size_t m_next = 0; ///< whose turn it is, in m_shown
+    QTimer *m_timer;        ///< runs only while the charts are visible
+    std::size_t m_due = 0;  ///< charts that new samples have not been drawn in
+    std::size_t m_next = 0; ///< index in m_shown of the chart drawn last
 };
 
 } // namespace skyseal::ui

@@ -27,21 +27,21 @@ QString spanText(double seconds)
 DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(quantityGroups())
 {
     m_legend = new SuiteLegend(this);
-    m_view = addChoice("chartView", tr("How it is shown"));
+    m_view = addChoice("chartView", tr("View of the measurements"));
     m_view->addItems({tr("Over time"), tr("Suite over suite"), tr("Table"), tr("Sweep")});
-    m_view->setToolTip(tr("Over time; or the suites over one another, each by the last of its own time in use; or means in "
-                          "numbers; or one suite after the other, measured by plan"));
-    m_group = addChoice("chartGroup", tr("What is shown"));
+    m_view->setToolTip(tr("Over time; all suites on one axis, by their time in use; means as numbers; or the results of a "
+                          "planned sweep"));
+    m_group = addChoice("chartGroup", tr("Quantities shown"));
     for (const QuantityGroup &group : m_groups)
         m_group->addItem(group.title);
-    m_span = addChoice("chartSpan", tr("Time shown"));
+    m_span = addChoice("chartSpan", tr("Time range"));
     for (const double seconds : ChartRange::kSpans)
         m_span->addItem(spanText(seconds), seconds);
     m_freeze = new QCheckBox(tr("Freeze"), this);
     m_freeze->setObjectName(QStringLiteral("chartFreeze"));
     m_freeze->setAccessibleName(tr("Freeze the charts"));
-    m_freeze->setToolTip(tr("Stops the picture, not the measurement (Space). Drag over a chart or turn the wheel to look "
-                            "closer; a double click, Home or Esc goes back to now."));
+    m_freeze->setToolTip(tr("Freezes the charts, not the measurement (Space). Drag over a chart or turn the wheel to zoom; "
+                            "a double click, Home or Esc returns to live."));
     m_save = new QToolButton(this);
     m_save->setText(tr("Save"));
     m_save->setObjectName(QStringLiteral("chartSave"));
@@ -64,7 +64,7 @@ DiagnosticsTools::DiagnosticsTools(QWidget *parent) : QWidget(parent), m_groups(
 
     connect(m_view, &QComboBox::currentIndexChanged, this, [this] {
         for (QWidget *tool : std::initializer_list<QWidget *>{m_legend, m_group, m_span, m_freeze, m_save})
-            tool->setEnabled(view() != DiagnosticsView::Sweep); // which has its own
+            tool->setEnabled(view() != DiagnosticsView::Sweep); // the page of the sweep has its own tools
         Q_EMIT viewChanged();
     });
     connect(m_group, &QComboBox::currentIndexChanged, this, &DiagnosticsTools::groupChanged);

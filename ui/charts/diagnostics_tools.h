@@ -1,4 +1,4 @@
-// The row above the diagnostics: the legend, what is shown and how, stop and save.
+// The tool row above the charts: legend, view, group, time range, freeze and save.
 #pragma once
 
 #include "ui/charts/quantities.h"
@@ -12,7 +12,7 @@ namespace skyseal::ui {
 class ChartRange;
 class SuiteLegend;
 
-/// How the same samples are looked at, or what a sweep brought.
+/// The views of the samples, and the results of a sweep.
 enum class DiagnosticsView : std::uint8_t { TimeLine, Overlay, Table, Sweep };
 
 class DiagnosticsTools : public QWidget
@@ -26,7 +26,7 @@ public:
     DiagnosticsView view() const;
     void setView(DiagnosticsView view);
     const QuantityGroup &group() const;
-    /// Span and freeze as the charts have them; says nothing back.
+    /// Shows span and freeze of the charts without emitting signals.
     void showRange(const ChartRange &range);
 
 Q_SIGNALS:

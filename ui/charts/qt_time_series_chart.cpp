@@ -42,13 +42,13 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_chart->legend()->hide();
     m_chart->setMargins(QMargins(0, 0, 0, 0));
     m_chart->layout()->setContentsMargins(0, 0, 0, 0);
-    m_chart->setBackgroundRoundness(0);
-    m_chart->setAnimationOptions(QChart::NoAnimation);
+    m_chart->setBackgroundVisible(false);
     m_time = new QValueAxis(m_chart);
     m_value = new QValueAxis(m_chart);
     for (QValueAxis *axis : {m_time, m_value}) {
-        // The view paints them: Qt Charts lays out a text document for each label at every redraw, and its grid stays
-        // behind when a fixed plot area changes.
+        // ChartView paints grid and labels. Measured for a refresh of 6 charts with 600 points each (offscreen, CPU time, one
+        // run): series alone 1; with the view's grid and labels 1.12; with Qt Charts' own 1.30, which lays out a text document
+        // for each label and does not move its grid with a fixed plot area.
         axis->setLabelsVisible(false);
         axis->setGridLineVisible(false);
         axis->setLineVisible(false);
@@ -167,8 +167,6 @@ QStringList QtTimeSeriesChart::cursorText() const
 
 void QtTimeSeriesChart::applyColors()
 {
-    m_chart->setBackgroundBrush(Qt::NoBrush);
-    m_chart->setBackgroundPen(Qt::NoPen);
     m_view->setBackgroundBrush(palette().color(QPalette::Window));
 }
 

@@ -1,5 +1,5 @@
-// The time series chart drawn by Qt Charts. The x axis stands still ("120 s ago … now") and the data move under it, since a
-// moving axis costs half of a redraw; series are kept and refilled, never made anew.
+// The time series chart drawn by Qt Charts. The x axis is fixed ("120 s ago … now") and the data move, because moving the axis
+// costs half of a redraw; series are refilled, not replaced.
 #pragma once
 
 #include "ui/charts/chart.h"

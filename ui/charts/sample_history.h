@@ -1,5 +1,4 @@
-// The last ten minutes of the diagnostics' samples, each once, whatever the snapshots repeat; and beside them what each
-// suite did while it was in use.
+// The samples of the last ten minutes without the repetitions of the snapshots, and the history of each suite.
 #pragma once
 
 #include "ui/charts/suite_history.h"
@@ -13,8 +12,8 @@ public:
 
     explicit SampleHistory(const std::vector<Quantity> &quantities = allQuantities()) : m_suites(quantities) {}
 
-    /// Takes those that are newer than what is known; true when there were any. Numbers that
-    /// went back are another station's: it begins anew.
+    /// Adds the samples that are newer than the known ones; returns true if there were any. If the numbers went back, the
+    /// samples are of another station and the history is cleared first.
     bool take(const std::vector<engine::MetricsSample> &samples)
     {
         bool any = false;
@@ -37,7 +36,7 @@ public:
     const std::deque<engine::MetricsSample> &samples() const { return m_samples; }
     const SuiteHistory &suites() const { return m_suites; }
     bool empty() const { return m_samples.empty(); }
-    /// Time of the newest sample; 0 without any.
+    /// Returns the time of the newest sample in seconds; 0 without samples.
     double newest() const { return m_samples.empty() ? 0 : m_samples.back().time; }
 
 private:

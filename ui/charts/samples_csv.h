@@ -1,5 +1,5 @@
-// The diagnostics' samples as a table for other programs: one line a sample, figures as they were measured, not as rounded
-// for the eye; empty where nothing was known.
+// The samples as a CSV table for other programs: one line per sample, values as measured, empty cells for unknown values. The
+// columns come from the table of quantities.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -10,7 +10,7 @@
 
 namespace skyseal::ui {
 
-/// RFC 4180 with a header line; decimal points whatever the locale. Only samples with from <= time <= to (seconds).
+/// RFC 4180 with a header line and decimal points in every locale. Contains the samples with from <= time <= to (seconds).
 QByteArray samplesCsv(const std::deque<engine::MetricsSample> &samples, double from, double to);
 
 } // namespace skyseal::ui

@@ -1,4 +1,4 @@
-// What a session's memory is under each suite, asked for once for each, when it is used for the first time.
+// The memory of a session under each suite, measured once per suite when it is first used.
 #pragma once
 
 #include "core/experiment/cipher_bench.h"
@@ -16,7 +16,7 @@ public:
 
     explicit SessionMemory(Measure measure = experiment::sessionBytes) : m_measure(std::move(measure)) {}
 
-    /// Bytes of the heap; NaN without a session, and where the system does not tell.
+    /// Returns the heap in bytes; NaN without a session, or if it cannot be measured.
     double of(crypto::SuiteId suite)
     {
         const auto [place, isNew] = m_known.try_emplace(suite, std::numeric_limits<double>::quiet_NaN());

@@ -1,5 +1,5 @@
-// What each suite did while it was in use, however often the link changed between them: its samples, joined to one time of
-// use, and sums over all of them, so that suites can be laid over one another and compared.
+// The history of each suite: its samples over its time in use, joined across all switches, and sums over all samples, so that
+// suites can be overlaid and compared.
 #pragma once
 
 #include "ui/charts/quantities.h"
@@ -8,7 +8,7 @@
 
 namespace skyseal::ui {
 
-/// Running figures of one line of one quantity.
+/// Running statistics of one line of one quantity.
 struct Tally
 {
     std::uint64_t count = 0;
@@ -23,8 +23,8 @@ struct SuiteUse
     struct Point
     {
         engine::MetricsSample sample;
-        double inUse = 0;   ///< seconds that the suite had been in use by then
-        bool joined = true; ///< follows the point before without a break
+        double inUse = 0;   ///< seconds in use up to the sample
+        bool joined = true; ///< false: there is a gap before this point
     };
 
     crypto::SuiteId suite{};
@@ -36,7 +36,7 @@ struct SuiteUse
 class SuiteHistory
 {
 public:
-    /// Rates look back over a second: so many samples after a change still tell of the suite before, and are not added up.
+    /// Samples after a switch that are not added up, because rates over the last second still include the suite before.
     static constexpr int kSettling = 5;
     static constexpr double kKeepSeconds = 600;
 

@@ -1,4 +1,4 @@
-// The legend of the diagnostics: the suites used so far by colour and name, in as many lines as they need.
+// The legend of the charts: the suites used so far by colour and name, in as many lines as needed.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -17,7 +17,7 @@ public:
     explicit SuiteLegend(QWidget *parent = nullptr);
 
     void setSuites(const std::vector<crypto::SuiteId> &suites);
-    /// The names in the picture, in their order.
+    /// Returns the names in the order of the legend.
     QStringList names() const;
 
     QSize sizeHint() const override;
@@ -35,7 +35,7 @@ private:
         QString name;
         QPointF at; ///< left end, top of its line
     };
-    /// Where each name stands in a legend of this width; the height that takes.
+    /// Returns the place of each name for this width, and the height that is needed.
     std::vector<Entry> arranged(int width, int *height) const;
 
     std::vector<crypto::SuiteId> m_suites;

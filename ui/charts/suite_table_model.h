@@ -1,4 +1,4 @@
-// The suites used so far beside one another in numbers: means over all the time that each was in use.
+// The suites used so far as a table of means over the time in use of each.
 #pragma once
 
 #include "ui/charts/sample_history.h"
@@ -15,7 +15,7 @@ public:
     /// `history` must outlive the model.
     SuiteTableModel(const SampleHistory &history, const std::vector<Quantity> &quantities, QObject *parent = nullptr);
 
-    /// After the history grew.
+    /// To be called when the history has new samples.
     void refresh();
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -32,7 +32,7 @@ private:
     };
 
     const SampleHistory &m_history;
-    std::vector<Column> m_columns; ///< behind "suite" and "in use"
+    std::vector<Column> m_columns; ///< after the columns "Suite" and "In use"
     int m_rows = 0;
 };
 

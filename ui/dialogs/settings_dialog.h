@@ -1,4 +1,4 @@
-// The settings, edited as one value. What is dangerous says so and needs its own tick.
+// The dialog of the settings, which are edited as one value. Insecure choices carry a warning and a check box of their own.
 #pragma once
 
 #include "ui/settings.h"

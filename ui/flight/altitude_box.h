@@ -1,4 +1,4 @@
-// Asks for a height in the operator's unit and gives it in metres.
+// Input of a take-off height in the operator's unit; the value is in metres.
 #pragma once
 
 #include "ui/settings.h"
@@ -17,11 +17,11 @@ public:
 
     void setUnits(UnitSystem units);
     double metres() const { return m_metres; }
-    /// Held to the limits of a take-off.
+    /// Limited to kLowestTakeOff … kHighestTakeOff.
     void setMetres(double metres);
 
 Q_SIGNALS:
-    /// By the operator's hand alone.
+    /// Emitted only for changes by the operator.
     void metresChanged(double metres);
 
 private:

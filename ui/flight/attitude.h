@@ -1,4 +1,4 @@
-// What the artificial horizon draws, as plain numbers in the units of its tapes.
+// The values that the artificial horizon draws, in the units of its tapes.
 #pragma once
 
 #include "core/vehicle/vehicle_state.h"

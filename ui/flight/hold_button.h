@@ -1,5 +1,5 @@
-// A button that acts only after it was held for half a second, by mouse, Space or Enter: for what moves a vehicle. Letting
-// go early, leaving the button, losing the focus or pressing Esc means no.
+// A button for commands that move a vehicle: it acts only after it was held for half a second, by mouse, Space or Enter.
+// Releasing early, leaving the button, losing the focus or pressing Esc aborts.
 #pragma once
 
 #include <QtCore/QElapsedTimer>
@@ -17,17 +17,17 @@ public:
 
     explicit HoldButton(const QString &text, QWidget *parent = nullptr);
 
-    /// Disabled while there is a reason, a sentence that is the tool tip then; enabled when it is empty.
+    /// Disables the button with this sentence as its tool tip; enables it if the sentence is empty.
     void setWhyNot(const QString &sentence);
-    /// How far the hold is, 0 … 1; 0 when nobody holds.
+    /// Returns the progress of the hold, 0 … 1; 0 if the button is not held.
     double progress() const { return m_progress; }
     bool isHeld() const { return m_ticker.isActive(); }
-    /// Ends a hold as a no: what the button would do is not what it was pressed for any more.
+    /// Aborts a hold because the meaning of the button has changed.
     void abort();
 
 Q_SIGNALS:
     void confirmed();
-    /// Let go before the time was over, so that a hint can say how it works.
+    /// The button was released too early.
     void aborted();
 
 protected:

@@ -1,5 +1,5 @@
 // The artificial horizon: attitude in the middle, speed on the left, altitude on the right, compass below. Repaints only
-// when something that can be seen has changed.
+// when a visible value has changed.
 #pragma once
 
 #include "ui/flight/attitude.h"

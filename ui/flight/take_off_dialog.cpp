@@ -30,7 +30,7 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
     auto *cancel = new QPushButton(tr("Cancel"), this);
     cancel->setAccessibleName(cancel->text());
     for (QPushButton *button : std::initializer_list<QPushButton *>{go, cancel}) {
-        button->setAutoDefault(false); // Enter in the number must not fly
+        button->setAutoDefault(false); // Enter in the field must not start the take-off
         button->setMinimumWidth(12 * kGrid);
     }
 

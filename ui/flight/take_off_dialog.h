@@ -1,5 +1,5 @@
-// Vehicle -> Take off: asks how high, then wants the button held, as the one of the flight panel does. It is for the vehicle
-// that was shown as it opened.
+// The take-off dialog of the Vehicle menu: asks for the altitude and uses a hold button, like the flight panel. It applies to
+// the vehicle that was selected when it opened.
 #pragma once
 
 #include "ui/text/units.h"

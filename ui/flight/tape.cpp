@@ -39,7 +39,7 @@ void paintVerticalTape(QPainter &painter, const QRectF &area, double value, doub
     const QFontMetricsF metrics(painter.font());
     const qreal middle = area.center().y();
     const qreal half = std::ceil(metrics.height() / 2) + 1; // of the box with the value
-    // A number that is cut, by an end of the tape or by the box, can be read as another one: it is left away.
+    // A number that is cut off can be misread, so it is omitted.
     const auto fits = [&](qreal y) {
         const qreal reach = metrics.capHeight() / 2 + 2;
         return y - reach >= area.top() && y + reach <= area.bottom() && std::abs(y - middle) >= half + reach - 1;

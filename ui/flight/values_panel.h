@@ -1,4 +1,4 @@
-// The vehicle's numbers: two columns of name, value and dimmed unit. Values that are too old turn grey and say their age.
+// The vehicle's values: two columns of name, value and dimmed unit. Stale values turn grey and show their age.
 #pragma once
 
 #include "ui/view_state.h"

@@ -20,7 +20,7 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     m_takeOff->setObjectName(QStringLiteral("takeOffButton"));
     m_land = new HoldButton(tr("Land"), this);
     m_land->setObjectName(QStringLiteral("landButton"));
-    m_return = new HoldButton(tr("Return"), this);
+    m_return = new HoldButton(tr("RTL"), this);
     m_return->setObjectName(QStringLiteral("returnButton"));
     m_setMode = new HoldButton(tr("Set mode"), this);
     m_setMode->setObjectName(QStringLiteral("setModeButton"));
@@ -37,7 +37,7 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
     m_result = new QLabel(this);
-    m_result->setTextFormat(Qt::PlainText); // the reason is in the vehicle's own words
+    m_result->setTextFormat(Qt::PlainText); // the reason is text from the vehicle
     m_result->setObjectName(QStringLiteral("commandResult"));
     m_result->setAccessibleName(tr("Result of the last command"));
     m_result->setWordWrap(true);
@@ -78,12 +78,12 @@ void VehicleActions::showViewState(const ViewState &view)
     const bool present = view.vehicle != nullptr;
     const std::uint8_t systemId = present ? view.vehicle->state.systemId : 0;
     if (systemId != m_systemId)
-        endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is shown now"));
+        endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is selected"));
     m_systemId = systemId;
     m_armed = present && view.vehicle->state.armed;
     const QString word = m_armed ? tr("Disarm") : tr("Arm");
     if (m_arm->text() != word) {
-        endHolds({m_arm}, m_armed ? tr("the vehicle was armed meanwhile") : tr("the vehicle was disarmed meanwhile"));
+        endHolds({m_arm}, m_armed ? tr("the vehicle has been armed") : tr("the vehicle has been disarmed"));
         m_arm->setText(word);
         m_arm->setAccessibleName(word);
     }
@@ -113,7 +113,7 @@ void VehicleActions::showPermit(const ViewState &view)
     m_setMode->setWhyNot(noModes ? tr("The modes of this vehicle are not known") : nothingCanBeSent(reason));
     m_altitude->setEnabled(reason.isEmpty());
     m_modes->setEnabled(m_setMode->isEnabled());
-    // Without a vehicle there is nothing to explain.
+    // Without a vehicle, the line stays empty.
     const QString line = view.vehicle ? nothingCanBeSent(reason) : QString();
     if (line == m_whyNot)
         return;
@@ -128,7 +128,7 @@ void VehicleActions::showModes(const std::vector<std::string> &modes, const std:
 {
     if (modes == m_knownModes)
         return;
-    endHolds({m_setMode}, tr("the vehicle has other modes now"));
+    endHolds({m_setMode}, tr("the vehicle's modes have changed"));
     m_knownModes = modes;
     m_modes->clear();
     for (const std::string &mode : modes)

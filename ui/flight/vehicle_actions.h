@@ -1,4 +1,4 @@
-// The buttons that move the vehicle, each held to confirm, and the line that says what became of it.
+// The buttons that command the vehicle, each held to confirm, and the result of the last command.
 #pragma once
 
 #include "ui/flight/hold_button.h"
@@ -27,7 +27,7 @@ public:
     void say(const QString &line, bool ok);
 
 private:
-    /// What is held just now would not do what it was pressed for.
+    /// Aborts holds whose meaning has changed.
     void endHolds(const std::vector<HoldButton *> &buttons, const QString &why);
     void showPermit(const ViewState &view);
     void showModes(const std::vector<std::string> &modes, const std::string &current);
@@ -38,7 +38,7 @@ private:
     AltitudeBox *m_altitude;
     QLabel *m_result;
     std::vector<std::string> m_knownModes;
-    QString m_whyNot; ///< why nothing can be sent to the vehicle, as the line says it
+    QString m_whyNot; ///< reason why commands cannot be sent, as shown in the result line
     std::uint8_t m_systemId = 0;
     bool m_armed = false;
 };

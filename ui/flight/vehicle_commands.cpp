@@ -29,7 +29,7 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
         return;
     const QString words = commandText(command);
     if (m_systemId != 0 && systemId != m_systemId) {
-        Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is not the one that is shown now").arg(words).arg(systemId), false);
+        Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is no longer selected").arg(words).arg(systemId), false);
         return;
     }
     if (!m_whyNot.isEmpty()) {
@@ -38,7 +38,7 @@ void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand 
     }
     const vehicle::RequestId id = m_station.perform(systemId, command);
     m_asked.insert(static_cast<quint32>(id), words);
-    Q_EMIT resultReported(tr("%1: asked …").arg(words), true);
+    Q_EMIT resultReported(tr("%1: requested …").arg(words), true);
 }
 
 void VehicleCommands::setTakeOffAltitude(double metres)

@@ -1,5 +1,5 @@
-// Sends commands to the vehicle that the operator looks at, and to no other than the one that was asked about. Keeps the
-// questions, so that each answer can be told in words: "Arm: refused: …". Shared by the buttons and the Vehicle menu.
+// Sends commands to the selected vehicle and reports the results as text ("Arm: refused: …"). Shared by the buttons of the
+// flight panel and the Vehicle menu. Lives on the GUI thread.
 #pragma once
 
 #include "ui/settings.h"
@@ -19,25 +19,25 @@ public:
     explicit VehicleCommands(StationInterface &station, QObject *parent = nullptr);
 
     void showViewState(const ViewState &view);
-    /// Empty when a command can go to the vehicle.
+    /// Returns the reason why commands cannot be sent; empty if they can.
     const QString &whyNot() const { return m_whyNot; }
-    /// The vehicle that the operator looks at; 0 without one.
+    /// System id of the selected vehicle; 0 without one.
     std::uint8_t systemId() const { return m_systemId; }
-    /// There are others, so that a question has to say which one it is about.
+    /// True if there are several vehicles, so that a question must name the vehicle.
     bool isOneOfSeveral() const { return m_severalVehicles; }
-    /// Says no where there is a reason: one that was asked for before it was there, too. And where another vehicle than
-    /// `systemId` is shown now: nobody sees any more what would become of it.
+    /// Sends the command to `systemId`. Refused, with a report, if commands cannot be sent or if another vehicle has been
+    /// selected since the operator confirmed, because its result would not be visible.
     void send(std::uint8_t systemId, const vehicle::VehicleCommand &command);
     void handleEvent(const engine::Event &event);
 
-    /// How high the next take-off goes, in metres: one number for the panel and the menu.
+    /// Altitude of the next take-off in metres above home, shared by panel and menu.
     double takeOffAltitude() const { return m_takeOffAltitude; }
     void setTakeOffAltitude(double metres);
 
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
     void whyNotChanged(const QString &reason);
-    /// One line for the operator; `ok` is false when the vehicle refused or did not answer.
+    /// One line for the operator; `ok` is false if the vehicle refused or did not answer.
     void resultReported(const QString &line, bool ok);
 
 private:

@@ -18,7 +18,7 @@ public:
 
     explicit FieldModel(const mavlink::Dialect &dialect, QObject *parent = nullptr);
 
-    /// Null empties it. A message that the dialect does not know shows its raw bytes.
+    /// Null clears the model. For a message that is not in the dialect, the raw bytes are shown.
     void setMessage(const engine::InspectorRow *row);
 
     int rowCount(const QModelIndex &parent = {}) const override;

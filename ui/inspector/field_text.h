@@ -1,4 +1,4 @@
-// A field of a raw payload as people read it: numbers, text, names of enum entries.
+// The text of a field of a raw payload: numbers, strings, names of enum entries.
 #pragma once
 
 #include "core/base/bytes.h"
@@ -8,7 +8,7 @@
 
 namespace skyseal::ui {
 
-/// The value (arrays separated by spaces); `payload` may be shorter than the message, what is missing counts as zero.
+/// Returns the value, array elements separated by spaces. `payload` may be truncated; missing bytes count as zero.
 QString fieldText(const mavlink::FieldInfo &field, ByteView payload, const mavlink::Dialect &dialect);
 
 } // namespace skyseal::ui

@@ -1,5 +1,5 @@
-// The kinds of messages that come in, one row for each sender and kind. Rows keep their place: new kinds are inserted,
-// numbers change in place, nothing jumps.
+// The received message types, one row for each sender and type. Rows keep their order: new types are inserted, values change
+// in place.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -17,7 +17,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Sorted by sender and name by the model itself. An empty list (nobody was watching) keeps what is shown.
+    /// Sorts the rows by sender and name. An empty list (the inspector was off) leaves the model unchanged.
     void setRows(const std::vector<engine::InspectorRow> &rows);
     void clear();
     const engine::InspectorRow *rowAt(int row) const;

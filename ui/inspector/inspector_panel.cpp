@@ -15,7 +15,7 @@ namespace skyseal::ui {
 
 namespace {
 
-constexpr double kRefreshSeconds = 0.25; ///< people cannot read quicker
+constexpr double kRefreshSeconds = 0.25; ///< faster changes cannot be read
 
 QTreeView *makeView(QAbstractItemModel *model, const QString &accessible, QWidget *parent)
 {
@@ -40,13 +40,13 @@ InspectorPanel::InspectorPanel(StationInterface &station, QWidget *parent)
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("inspectorFilter"));
     wanted->setPlaceholderText(tr("Filter by name"));
-    wanted->setAccessibleName(tr("Filter of the message kinds"));
+    wanted->setAccessibleName(tr("Filter for message types"));
     wanted->setClearButtonEnabled(true);
     connect(wanted, &QLineEdit::textChanged, m_filter, &QSortFilterProxyModel::setFilterFixedString);
 
-    m_list = makeView(m_filter, tr("Message kinds"), this);
+    m_list = makeView(m_filter, tr("Message types"), this);
     m_list->setObjectName(QStringLiteral("inspectorList"));
-    m_detail = makeView(&m_fields, tr("Fields of the chosen message"), this);
+    m_detail = makeView(&m_fields, tr("Fields of the selected message"), this);
     m_detail->setObjectName(QStringLiteral("inspectorFields"));
     const QFontMetrics metrics(font());
     const auto room = [&](const char *sample) { return metrics.horizontalAdvance(QLatin1String(sample)) + 3 * kGrid; };

@@ -1,5 +1,5 @@
-// The inspector: every kind of message that comes in, and the fields of the chosen one, live. The station collects for it
-// only while it can be seen.
+// The inspector: all received message types, and the fields of the selected one, live. The station collects the data only
+// while the panel is visible.
 #pragma once
 
 #include "ui/dock_panel.h"

@@ -17,14 +17,14 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidge
     const OwnKey own = keyring.ownKey();
     setObjectName(QStringLiteral("changePassphraseDialog"));
     setWindowTitle(own.sealed ? tr("Change the passphrase") : tr("Set a passphrase"));
-    auto *intro = new QLabel(tr("The passphrase seals the private key in its file: without it, whoever copies the file has the "
-                                "key. Skyseal asks for it at each start. Nobody can restore it."),
+    auto *intro = new QLabel(tr("The passphrase encrypts the private key in its file. Without one, anyone who copies the file "
+                                "has the key. Skyseal asks for it at each start. A lost passphrase cannot be recovered."),
                              this);
     intro->setWordWrap(true);
-    m_present = new PassphraseField("presentPassphrase", tr("Present passphrase"), this);
+    m_present = new PassphraseField("presentPassphrase", tr("Current passphrase"), this);
     m_next = new PassphraseField("newPassphrase", tr("New passphrase"), this);
     m_again = new PassphraseField("newPassphraseAgain", tr("New passphrase, again"), this);
-    m_none = new QCheckBox(tr("&No passphrase: whoever has the file has the key"), this);
+    m_none = new QCheckBox(tr("&No passphrase: anyone who has the file has the key"), this);
     m_none->setObjectName(QStringLiteral("noPassphrase"));
     m_remember = makeRememberBox(own.keyringProblem, this);
     m_remember->setChecked(own.remembered);
@@ -33,7 +33,7 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidge
     m_problem->setObjectName(QStringLiteral("passphraseProblem"));
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
-    m_problem->setMinimumHeight(kRow); // the dialog does not jump while somebody types
+    m_problem->setMinimumHeight(kRow); // fixed, so that the dialog does not resize while typing
     auto *file = new QLabel(own.file, this);
     file->setTextFormat(Qt::PlainText);
     file->setForegroundRole(QPalette::PlaceholderText);
@@ -41,9 +41,9 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidge
     form->setHorizontalSpacing(2 * kGrid);
     form->setVerticalSpacing(kGrid);
     if (own.sealed)
-        form->addRow(tr("&Present passphrase"), m_present);
+        form->addRow(tr("&Current passphrase"), m_present);
     form->addRow(tr("Ne&w passphrase"), m_next);
-    form->addRow(tr("The same &again"), m_again);
+    form->addRow(tr("Repeat the &new passphrase"), m_again);
     m_present->setVisible(own.sealed);
     m_none->setVisible(own.sealed);
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
@@ -95,7 +95,7 @@ void ChangePassphraseDialog::check()
     const bool same = m_next->text() == m_again->text();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(opened && (none || (same && !m_next->text().isEmpty())));
     const bool differs = !none && !same && !m_again->text().isEmpty() && !m_next->text().startsWith(m_again->text());
-    notify(differs ? tr("The two new ones differ.") : QString(), true);
+    notify(differs ? tr("The two new passphrases differ.") : QString(), true);
 }
 
 void ChangePassphraseDialog::accept()

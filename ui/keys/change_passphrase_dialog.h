@@ -1,4 +1,4 @@
-// Gives this station's private key a passphrase, another one, or none.
+// Sets, changes or removes the passphrase of this station's private key.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -21,7 +21,7 @@ public:
     explicit ChangePassphraseDialog(KeyringInterface &keyring, QWidget *parent = nullptr);
 
     void accept() override;
-    /// Not while the key is being sealed.
+    /// Does nothing while the key is being sealed.
     void reject() override;
 
 private:

@@ -46,14 +46,16 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
 
 void ChangedKeyWarning::showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered)
 {
-    m_words->setText(tr("The key of %1 has changed. Either it was made anew there, or somebody pretends to be %1.").arg(name));
+    m_words->setText(tr("The key of %1 has changed. Either a new key was made there, or another device pretends to be "
+                        "%1.")
+                         .arg(name));
     m_known->setText(fingerprintLines(known));
     m_offered->setText(fingerprintLines(offered));
     show();
     Case shown{name, known, offered};
     if (m_shown == shown)
         return;
-    m_shown = std::move(shown); // first, since taking the tick away has the owner ask again
+    m_shown = std::move(shown); // before clearing the tick, which makes the owner query this
     m_accept->setChecked(false);
 }
 

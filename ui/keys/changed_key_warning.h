@@ -1,5 +1,4 @@
-// The warning that a known peer comes with another key: both fingerprints, and a box that must be ticked before the key is
-// replaced.
+// The warning that a known peer has another key: both fingerprints, and a box that must be ticked before the key is replaced.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -19,9 +18,9 @@ class ChangedKeyWarning : public QFrame
 public:
     explicit ChangedKeyWarning(QWidget *parent = nullptr);
 
-    /// What the person said before counts as long as it is about the same.
+    /// Keeps the tick if the shown keys are the same as before.
     void showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered);
-    /// The person said knowingly that the key is to be replaced.
+    /// True if the operator has confirmed that the key is replaced.
     bool isAccepted() const;
 
 Q_SIGNALS:

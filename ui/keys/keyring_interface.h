@@ -1,5 +1,5 @@
-// The keys of this station as the windows see them: its own public key and the known peers. The application puts the files
-// behind it, tests a scripted one; no window touches a file or a private key.
+// The interface of the dialogs to the keys of this station: its own public key and the known peers. The application implements
+// it with files, tests with a fake, so that no dialog handles a file or a private key.
 #pragma once
 
 #include "core/base/result.h"
@@ -20,9 +20,9 @@ struct OwnKey
     std::optional<channel::PublicKey> publicKey; ///< none: only plain links
     bool sealed = false;                         ///< with a passphrase
     QString file;
-    QString problem;             ///< why there is no key, in words
-    bool remembered = false;     ///< the desktop's keyring has the passphrase
-    QString keyringProblem = {}; ///< why it cannot, in words; empty when it can
+    QString problem;             ///< reason why there is no key
+    bool remembered = false;     ///< the desktop's keyring holds the passphrase
+    QString keyringProblem = {}; ///< reason why it cannot be stored there; empty if it can
 };
 
 struct KnownPeer
@@ -32,18 +32,18 @@ struct KnownPeer
     std::vector<std::uint8_t> systems; ///< empty = any
     channel::PublicKey key{};
     bool hasPresharedKey = false;
-    bool connected = false; ///< has a session now
-    QDateTime lastSeen;     ///< null = never, as far as is known
+    bool connected = false; ///< has a session
+    QDateTime lastSeen;     ///< null: never seen
 };
 
 struct PeerList
 {
     std::vector<KnownPeer> peers;
     QString file;
-    QString problem; ///< why the list cannot be read, in words
+    QString problem; ///< reason why the list cannot be read
 };
 
-/// Lives on the GUI thread. What is changed is in force at once: who is removed loses the session.
+/// Lives on the GUI thread. Changes take effect at once: a removed peer loses its session.
 class KeyringInterface : public QObject
 {
     Q_OBJECT
@@ -55,22 +55,22 @@ public:
     virtual PeerList peerList() const = 0;
 
     virtual Result<void, InputError> addPeer(const KnownPeer &peer) = 0;
-    /// Name, role, systems or key of the peer that is called `name` now.
+    /// Changes name, role, systems or key of the peer with this name.
     virtual Result<void, InputError> changePeer(const QString &name, const KnownPeer &changed) = 0;
     virtual Result<void, InputError> removePeer(const QString &name) = 0;
 
-    /// The text of a file that holds a public key.
+    /// Returns the text of a public key file.
     virtual Result<QString, InputError> readKeyText(const QString &file) const = 0;
     virtual Result<void, InputError> exportPublicKey(const QString &file) const = 0;
-    /// Seals the private key with `next`, or takes its passphrase away; `present` opens it, if it is sealed. It takes a second
-    /// or two of slow hashing elsewhere; passphraseDone() follows. `remember`: in the desktop's keyring.
+    /// Seals the private key with the passphrase `next`, or removes the passphrase; `present` opens it if it is sealed. Takes a
+    /// second or two on another thread, then passphraseDone() follows. `remember` stores `next` in the desktop's keyring.
     virtual void changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next,
                                   bool remember) = 0;
 
 Q_SIGNALS:
-    /// Own key, list or sessions are others than before.
+    /// Own key, list of peers or sessions have changed.
     void changed();
-    /// Why the passphrase is the old one, in words; empty when it was changed.
+    /// `problem` is the reason of a failure; empty if the passphrase was changed.
     void passphraseDone(const QString &problem);
 };
 

@@ -49,10 +49,9 @@ KeysDialog::KeysDialog(KeyringInterface &keyring, QWidget *parent) : QDialog(par
     setWindowTitle(tr("Keys and peers"));
     m_own = new OwnKeyBox(keyring, this);
     m_view = makeView(m_model, this);
-    m_empty = new QLabel(
-        tr("No peers yet.\n\nAdd the public key of the agent beside your vehicle: there, skyseal-cli keys show prints it. And "
-           "the agent needs the key of this station."),
-        this);
+    m_empty = new QLabel(tr("No peers yet.\n\nAdd the public key of the agent beside your vehicle; skyseal-cli keys show "
+                            "prints it there. The agent also needs the key of this station."),
+                         this);
     m_empty->setObjectName(QStringLiteral("noPeers"));
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
@@ -141,7 +140,7 @@ void KeysDialog::refresh()
     if (const int row = m_model.rowOf(name); row >= 0 && row != m_view->currentIndex().row())
         m_view->setCurrentIndex(m_model.index(row, 0));
     else if (row < 0 && m_model.rowCount() > 0)
-        m_view->setCurrentIndex(m_model.index(0, 0)); // the first one, or what is left
+        m_view->setCurrentIndex(m_model.index(0, 0)); // the first peer, or the remaining one
     m_pages->setCurrentWidget(m_model.rowCount() > 0 || !list.problem.isEmpty() ? static_cast<QWidget *>(m_view) : m_empty);
     m_file->setText(list.file);
     notify(list.problem);

@@ -1,4 +1,4 @@
-// Keys and peers: this station's own key, and whom it talks to. All that skyseal-cli keys does with them, by mouse or keys.
+// The dialog of this station's key and its known peers, with the functions of skyseal-cli keys.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -22,7 +22,7 @@ class KeysDialog : public QDialog
 public:
     explicit KeysDialog(KeyringInterface &keyring, QWidget *parent = nullptr);
 
-    /// Shows the button that pairs; without it the dialog does not speak of pairing.
+    /// Shows the button for pairing.
     void offerPairing();
 
 Q_SIGNALS:

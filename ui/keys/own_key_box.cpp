@@ -72,7 +72,7 @@ OwnKeyBox::OwnKeyBox(KeyringInterface &keyring, QWidget *parent) : QGroupBox(tr(
     connect(m_passphrase, &QPushButton::clicked, this, &OwnKeyBox::changePassphrase);
     connect(&keyring, &KeyringInterface::passphraseDone, this, [this](const QString &problem) {
         if (problem.isEmpty())
-            m_result->setText(m_keyring.ownKey().sealed ? tr("sealed") : tr("not sealed any more"));
+            m_result->setText(m_keyring.ownKey().sealed ? tr("sealed") : tr("no longer sealed"));
     });
     refresh();
 }
@@ -85,7 +85,7 @@ void OwnKeyBox::refresh()
         widget->setVisible(has);
     m_file->setVisible(!own.file.isEmpty());
     if (!has) {
-        m_intro->setText(own.problem.isEmpty() ? tr("This station has no key: it can only speak plain MAVLink.")
+        m_intro->setText(own.problem.isEmpty() ? tr("This station has no key: it can use only plain MAVLink.")
                                                : tr("No key is in use: %1").arg(own.problem));
         m_file->setText(own.file);
         return;
@@ -96,7 +96,7 @@ void OwnKeyBox::refresh()
     m_fingerprint->setText(fingerprintLines(*own.publicKey));
     m_key->setText(text);
     m_file->setText(own.sealed ? tr("%1, sealed with a passphrase").arg(own.file)
-                               : tr("%1, not sealed: whoever copies the file has the key").arg(own.file));
+                               : tr("%1, not sealed: anyone who copies the file has the key").arg(own.file));
     m_passphrase->setText(own.sealed ? tr("Change the pa&ssphrase …") : tr("Set a pa&ssphrase …"));
     m_passphrase->setAccessibleName(m_passphrase->text().remove(QLatin1Char('&')));
     if (text == m_text)

@@ -1,4 +1,4 @@
-// This station's own public key: fingerprint, text and QR code, to be copied, exported and compared.
+// The public key of this station: fingerprint, text and QR code, to copy, export and compare.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"

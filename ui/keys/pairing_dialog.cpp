@@ -56,15 +56,15 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     m_nameTitle->setBuddy(m_name);
     m_role = new QComboBox(this);
     m_role->setObjectName(QStringLiteral("pairingRole"));
-    m_role->setAccessibleName(tr("What this station asks to be"));
-    m_role->addItem(tr("pilot: may command"), static_cast<int>(channel::PeerRole::Pilot));
-    m_role->addItem(tr("observer: may only look"), static_cast<int>(channel::PeerRole::Observer));
-    m_roleTitle = new QLabel(tr("Ask to &be"), this);
+    m_role->setAccessibleName(tr("Role that this station requests"));
+    m_role->addItem(tr("pilot: may send commands"), static_cast<int>(channel::PeerRole::Pilot));
+    m_role->addItem(tr("observer: receives telemetry only"), static_cast<int>(channel::PeerRole::Observer));
+    m_roleTitle = new QLabel(tr("Re&quest role"), this);
     m_roleTitle->setBuddy(m_role);
     m_passphrase = new PassphraseField("pairingPassphrase", tr("Passphrase of this pairing"), this);
     m_passphrase->setPlaceholderText(tr("none; or the same as at the agent"));
-    m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\n"
-                                "It serves for this one pairing. The fingerprints have to be compared all the same."));
+    m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\nIt is "
+                                "valid for this pairing only. The fingerprints must be compared nevertheless."));
     m_passphraseTitle = new QLabel(tr("&Passphrase"), this);
     m_passphraseTitle->setBuddy(m_passphrase);
     m_warning = new ChangedKeyWarning(this);
@@ -85,7 +85,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     m_again->setObjectName(QStringLiteral("pairingAgain"));
     m_close = buttons->addButton(QDialogButtonBox::Cancel);
     for (QPushButton *button : {m_agree, m_differ, m_again, m_close})
-        button->setAutoDefault(false); // nobody says yes, or goes away, by a Return too many
+        button->setAutoDefault(false); // a stray Return must neither confirm nor close
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
@@ -100,24 +100,24 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(&pairing, &PairingInterface::seen, this, &PairingDialog::showQuestion);
     connect(&pairing, &PairingInterface::confirmedThere, this, [this] {
         if (m_step == Step::Comparing)
-            m_words->setText(tr("The agent's side said yes. Compare both fingerprints with those that it shows."));
+            m_words->setText(tr("The agent's side has confirmed. Compare both fingerprints with those that the agent shows."));
     });
     connect(&pairing, &PairingInterface::gone, this, [this](const QString &reason) {
         m_question.reset();
-        showStep(Step::Waiting, tr("It is not there any more: %1. Waiting for the agent …").arg(reason));
+        showStep(Step::Waiting, tr("The agent is gone: %1. Waiting for the agent …").arg(reason));
     });
     connect(&pairing, &PairingInterface::otherTried, this, [this](const QString &fingerprint) {
-        m_problem->setText(tr("Somebody else tried to be paired meanwhile, fingerprint %1").arg(fingerprint));
+        m_problem->setText(tr("Another device tried to pair at the same time, fingerprint %1").arg(fingerprint));
     });
     connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
-        showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both find each other.").arg(name));
+        showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both ends are connected.").arg(name));
     });
     connect(&pairing, &PairingInterface::failed, this,
             [this](const QString &reason) { showStep(Step::Failed, tr("Not paired: %1.").arg(reason)); });
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting)
-            m_problem->setText(
-                tr("An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there."));
+            m_problem->setText(tr("An agent answers, but the passphrases differ, or only one end has one. Enter the same "
+                                  "passphrase at both ends."));
     });
     connect(m_passphrase, &QLineEdit::textEdited, this, [this] { m_passphraseTyped = true; });
     connect(m_passphrase, &QLineEdit::editingFinished, this, &PairingDialog::applyPassphrase);
@@ -126,7 +126,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
         m_question.reset();
         m_pairing.refuse();
         showStep(Step::Waiting,
-                 tr("Refused. If it was not a slip of the eye, somebody is in between. Waiting for the agent …"));
+                 tr("Refused. If you compared the right fingerprints, this may be an attack on the link (man in the "
+                    "middle). Waiting for the agent …"));
     });
     connect(m_again, &QPushButton::clicked, this, &PairingDialog::begin);
     connect(m_name, &QLineEdit::textChanged, this, &PairingDialog::check);
@@ -152,8 +153,8 @@ void PairingDialog::begin()
     m_clock.start();
     m_tick.start();
     showStep(Step::Waiting,
-             tr("Open the window at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair --identity FILE\n\n"
-                "Waiting for the agent …"));
+             tr("Start pairing at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair "
+                "--identity FILE\n\nWaiting for the agent …"));
     m_pairing.open(static_cast<channel::PeerRole>(m_role->currentData().toInt()), m_passphrase->passphrase());
 }
 
@@ -192,14 +193,14 @@ void PairingDialog::showStep(Step step, const QString &words)
 
 void PairingDialog::showQuestion(const PairingQuestion &question)
 {
-    if (m_passphraseTyped && m_step == Step::Waiting) { // it came through without what stands in the field
+    if (m_passphraseTyped && m_step == Step::Waiting) { // the agent was found with the previous passphrase
         begin();
         return;
     }
     m_question = question;
     m_theirs->setText(fingerprintLines(question.key));
     m_name->setText(question.name);
-    showStep(Step::Comparing, tr("An agent is there. Compare both fingerprints with those that it shows; every group."));
+    showStep(Step::Comparing, tr("An agent answers. Compare both fingerprints, every group, with those that the agent shows."));
     m_differ->setFocus();
 }
 
@@ -234,7 +235,7 @@ void PairingDialog::agree()
         return;
     const bool replaces = !m_warning->isHidden();
     m_pairing.confirm(m_question->key, m_name->text(), replaces);
-    showStep(Step::Confirmed, tr("Confirmed here. Now somebody at the agent must say yes as well."));
+    showStep(Step::Confirmed, tr("Confirmed here. The pairing must now be confirmed at the agent as well."));
 }
 
 } // namespace skyseal::ui

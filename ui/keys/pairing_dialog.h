@@ -1,5 +1,5 @@
-// Pairs this station with an agent: waits for it, shows both fingerprints, and keeps it once the persons at both ends have
-// said that they are the same.
+// Pairs this station with an agent: waits for it, shows both fingerprints, and adds it to the peers once they were confirmed at
+// both ends.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -44,7 +44,7 @@ private:
     std::optional<PairingQuestion> m_question;
     QElapsedTimer m_clock;
     QTimer m_tick;
-    bool m_passphraseTyped = false; ///< since the window was opened: another one than that of now
+    bool m_passphraseTyped = false; ///< edited since the pairing window was opened
     QLabel *m_words, *m_time, *m_theirs, *m_theirTitle, *m_nameTitle, *m_roleTitle, *m_passphraseTitle, *m_problem;
     QLineEdit *m_name;
     PassphraseField *m_passphrase;

@@ -1,5 +1,5 @@
-// A pairing as the windows see it: what they may ask and what they hear. The application puts the engine and the list of
-// peers behind it, tests a scripted one.
+// The interface of the dialog to a pairing. The application implements it with the engine and the list of peers, tests with a
+// fake.
 #pragma once
 
 #include "core/channel/policy.h"
@@ -12,11 +12,11 @@
 
 namespace skyseal::ui {
 
-/// Somebody at the other end, to be compared.
+/// The device at the other end, whose fingerprint is to be compared.
 struct PairingQuestion
 {
     channel::PublicKey key{};
-    QString name; ///< as it is known here already, or as it calls itself, made fit for the list
+    QString name; ///< its name in the list of peers, or the name it gives, made valid for the list
 };
 
 /// Lives on the GUI thread.
@@ -27,9 +27,9 @@ class PairingInterface : public QObject
 public:
     using QObject::QObject;
 
-    /// Waits for an agent whose window is open. With a passphrase only one that has the same is shown.
+    /// Opens the pairing window and waits for an agent that does the same. With a passphrase, only an agent with the same one is found.
     virtual void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) = 0;
-    /// The person compared the fingerprints of this key.
+    /// The operator has compared the fingerprints of this key.
     virtual void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) = 0;
     virtual void refuse() = 0;
     virtual void cancel() = 0;
@@ -37,14 +37,14 @@ public:
 Q_SIGNALS:
     void seen(const skyseal::ui::PairingQuestion &question);
     void confirmedThere();
-    /// The question is void.
+    /// The agent is gone; the comparison is void.
     void gone(const QString &reason);
     void otherTried(const QString &fingerprint);
-    /// One end has a passphrase and the other none, or they are not the same. Comes again each second.
+    /// The passphrases differ, or only one end has one. Repeated every second.
     void passphraseDiffers();
-    /// It is in the list, by this name.
+    /// The peer was added to the list under this name.
     void paired(const QString &name);
-    /// It is over without a pair.
+    /// The pairing ended without a new peer.
     void failed(const QString &reason);
 };
 

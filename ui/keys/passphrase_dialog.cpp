@@ -17,9 +17,9 @@ PassphraseDialog::PassphraseDialog(const QString &file, bool again, const QStrin
 {
     setObjectName(QStringLiteral("passphraseDialog"));
     setWindowTitle(tr("Passphrase"));
-    auto *question = new QLabel(tr("The key of this station is sealed. Its passphrase?"), this);
+    auto *question = new QLabel(tr("Passphrase of this station's key:"), this);
     m_edit = new PassphraseField("passphrase", tr("Passphrase"), this);
-    auto *wrong = new QLabel(again ? tr("That one does not open it.") : QString(), this);
+    auto *wrong = new QLabel(again ? tr("Wrong passphrase.") : QString(), this);
     wrong->setObjectName(QStringLiteral("passphraseWrong"));
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);

@@ -18,11 +18,11 @@ class PassphraseDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// `again`: the one before did not open the file. `keyringProblem`: why the desktop cannot remember it, in words; empty when
-    /// it can.
+    /// `again`: the previous passphrase was wrong. `keyringProblem`: reason why the desktop's keyring cannot store it; empty if it
+    /// can.
     PassphraseDialog(const QString &file, bool again, const QString &keyringProblem, QWidget *parent = nullptr);
 
-    /// What was typed, taken out of the dialog.
+    /// Moves the passphrase out of the dialog.
     std::optional<crypto::Passphrase> takePassphrase();
     void setToBeRemembered(bool remember);
     bool isToBeRemembered() const;

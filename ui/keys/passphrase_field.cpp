@@ -11,7 +11,7 @@ PassphraseField::PassphraseField(const char *objectName, const QString &accessib
     setObjectName(QLatin1String(objectName));
     setAccessibleName(accessibleName);
     setEchoMode(QLineEdit::Password);
-    setMaxLength(crypto::Passphrase::kMaxLength / 4); // UTF-8 makes no more than four bytes of a character
+    setMaxLength(crypto::Passphrase::kMaxLength / 4); // UTF-8 needs at most four bytes per character
     setInputMethodHints(Qt::ImhSensitiveData | Qt::ImhNoPredictiveText);
 }
 
@@ -21,8 +21,8 @@ QCheckBox *makeRememberBox(const QString &keyringProblem, QWidget *parent)
     out->setObjectName(QStringLiteral("rememberPassphrase"));
     out->setText(keyringProblem.isEmpty() ? QObject::tr("&Remember it in the desktop's keyring")
                                           : QObject::tr("Remember it in the desktop's keyring (%1)").arg(keyringProblem));
-    out->setToolTip(QObject::tr("Whoever is logged in as you, and each program of yours, can then use the key without "
-                                "being asked."));
+    out->setToolTip(QObject::tr("Anyone who is logged in as you, and every program that you run, can then use the key without "
+                                "the passphrase."));
     out->setEnabled(keyringProblem.isEmpty());
     return out;
 }

@@ -1,4 +1,4 @@
-// A field for a passphrase, and what was typed there as the core wants it.
+// An input field for a passphrase, which it returns as the type of core/crypto.
 #pragma once
 
 #include "core/crypto/passphrase.h"
@@ -18,11 +18,11 @@ class PassphraseField : public QLineEdit
 public:
     PassphraseField(const char *objectName, const QString &accessibleName, QWidget *parent = nullptr);
 
-    /// What stands there; nothing when it is empty.
+    /// Returns the passphrase; nothing if the field is empty.
     std::optional<crypto::Passphrase> passphrase() const;
 };
 
-/// "Remember it in the desktop's keyring"; disabled, and saying why, where there is none.
+/// The box "Remember it in the desktop's keyring"; disabled with the reason if there is no keyring.
 QCheckBox *makeRememberBox(const QString &keyringProblem, QWidget *parent);
 
 } // namespace skyseal::ui

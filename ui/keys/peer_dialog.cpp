@@ -22,7 +22,7 @@ namespace skyseal::ui {
 
 namespace {
 
-/// As it is typed; empty = any.
+/// System ids as text; empty for any.
 QString systemsOf(const KnownPeer &peer)
 {
     return peer.systems.empty() ? QString() : fromStd(keys::systemIdsText(peer.systems));
@@ -56,8 +56,8 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     m_role = new QComboBox(this);
     m_role->setObjectName(QStringLiteral("peerRole"));
     m_role->setAccessibleName(tr("Role"));
-    m_role->addItem(tr("pilot: may command"), static_cast<int>(channel::PeerRole::Pilot));
-    m_role->addItem(tr("observer: may only look"), static_cast<int>(channel::PeerRole::Observer));
+    m_role->addItem(tr("pilot: may send commands"), static_cast<int>(channel::PeerRole::Pilot));
+    m_role->addItem(tr("observer: receives telemetry only"), static_cast<int>(channel::PeerRole::Observer));
     m_systems = new QLineEdit(this);
     m_systems->setObjectName(QStringLiteral("peerSystems"));
     m_systems->setAccessibleName(tr("MAVLink system ids"));
@@ -67,7 +67,7 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     m_problem->setObjectName(QStringLiteral("peerProblem"));
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->setWordWrap(true);
-    m_problem->setMinimumHeight(2 * kRow); // the dialog does not jump while somebody types
+    m_problem->setMinimumHeight(2 * kRow); // fixed, so that the dialog does not resize while typing
     m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
 
     auto *form = new QFormLayout;
@@ -159,13 +159,14 @@ QString PeerDialog::problem(KnownPeer &out) const
         if (key)
             out.key = *key;
         else
-            note(m_key->text().isEmpty() ? tr("Paste the public key that keys show prints at the other end.").toStdString()
-                                         : key.error().message);
+            note(m_key->text().isEmpty()
+                     ? tr("Paste the public key that skyseal-cli keys show prints at the other end.").toStdString()
+                     : key.error().message);
     }
     keys::PeerEntry entry;
     entry.peer.name = out.name.toStdString();
     if (const auto fits = keys::checkPeerEntry(entry); !fits)
-        note(out.name.isEmpty() ? tr("Give it a name.").toStdString() : fits.error().message);
+        note(out.name.isEmpty() ? tr("Enter a name.").toStdString() : fits.error().message);
     const QString systems = m_systems->text().trimmed();
     auto ids = keys::systemIdsFromText(systems.isEmpty() ? "any" : systems.toStdString());
     if (ids)
@@ -188,7 +189,7 @@ void PeerDialog::check()
     else
         m_warning->hide();
     if (wrong.isEmpty() && changed && !m_warning->isAccepted())
-        wrong = tr("Replace the key knowingly, or choose another name.");
+        wrong = tr("Confirm that the key is replaced, or choose another name.");
     QPalette colors = palette();
     const bool started = m_changing || !m_key->text().isEmpty();
     colors.setColor(QPalette::WindowText, started ? stateColors(palette()).alarm : stateColors(palette()).dim);

@@ -1,5 +1,5 @@
-// One peer: added by its public key, or changed. What is typed is checked at once; a name that is known with another key is
-// the changed key of ssh, replaced only knowingly.
+// The dialog that adds a peer by its public key or changes one. Input is checked at once. A known name with another key is
+// treated like a changed host key of ssh: it is replaced only after confirmation.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -31,16 +31,16 @@ private:
     PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget *parent);
     void readKeyFile();
     void check();
-    /// A peer whose key is replaced stays what it was, unless the person said otherwise.
+    /// Replacing the key of a peer keeps role and systems, unless they were edited.
     void proposeAsKnown();
-    /// What is wrong with what stands there; empty when nothing is. Fills `out` as far as it goes.
+    /// Returns the first error of the input; empty if it is valid. Fills `out` as far as possible.
     QString problem(KnownPeer &out) const;
     const KnownPeer *knownByName(const QString &name) const;
 
     KeyringInterface &m_keyring;
     std::vector<KnownPeer> m_peers;
     std::optional<KnownPeer> m_changing;
-    bool m_roleChosen = false, m_systemsTyped = false; ///< by the person
+    bool m_roleChosen = false, m_systemsTyped = false; ///< edited by the operator
     QLineEdit *m_key, *m_name, *m_systems;
     QComboBox *m_role;
     QLabel *m_fingerprint, *m_problem;

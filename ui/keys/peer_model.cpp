@@ -27,7 +27,7 @@ QString roleText(channel::PeerRole role)
 void PeerModel::setPeers(std::vector<KnownPeer> peers)
 {
     const bool same = std::ranges::equal(peers, m_peers, {}, &KnownPeer::name, &KnownPeer::name);
-    if (same) { // what is chosen stays chosen
+    if (same) { // keeps the selection
         m_peers = std::move(peers);
         if (!m_peers.empty())
             Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));

@@ -20,7 +20,7 @@ public:
 
     void setPeers(std::vector<KnownPeer> peers);
     const KnownPeer *peerAt(int row) const;
-    /// -1 when there is none.
+    /// Returns -1 if there is none.
     int rowOf(const QString &name) const;
 
     int rowCount(const QModelIndex &parent = {}) const override;

@@ -6,7 +6,7 @@
 
 namespace skyseal::ui {
 
-/// A QR code of `text`, one pixel a module with the quiet zone; null when it does not fit.
+/// Returns a QR code of `text` with its quiet zone, one pixel per module; null if the text is too long.
 QImage qrImage(const QString &text);
 
 } // namespace skyseal::ui

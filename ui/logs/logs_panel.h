@@ -1,4 +1,4 @@
-// What is being recorded and where, and the way to replay what was.
+// The state of the recording, and a button to replay a log.
 #pragma once
 
 #include "ui/dock_panel.h"
@@ -17,7 +17,7 @@ class LogsPanel : public DockPanel
     Q_OBJECT
 
 public:
-    /// `folder` is where recordings go.
+    /// `folder` is the folder of the recordings.
     LogsPanel(StationInterface &station, const QString &folder, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view) override;

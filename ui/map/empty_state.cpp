@@ -106,39 +106,39 @@ void EmptyState::showViewState(const ViewState &view)
     const engine::UnknownAgent *unknown = unknownAgentOf(view);
     if (view.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
-        text = tr("The link to the agent is sealed; the vehicle beside it has not spoken yet.");
+        text = tr("The link to the agent is sealed; nothing has been received from the vehicle beside it yet.");
     } else if (view.pendingApproval) {
         m_held = *view.pendingApproval;
         title = tr("Vehicle %1 is not sealed").arg(m_held.systemId);
-        text = tr("It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. "
-                  "Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.\n\n"
-                  "If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.")
-                   .arg(fromStd(m_held.remoteAddress), engine::anyOfNames(m_held.mayBe));
+        text = tr("It sends plain MAVLink from %1 and may be an impostor of %2, which is a known peer but has not "
+                  "been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain "
+                  "MAVLink.\n\nIf it is the vehicle of %2, start the agent beside it instead, so that its link is "
+                  "sealed.")
+                   .arg(fromStd(m_held.remoteAddress), anyOfNames(m_held.mayBe));
     } else if (view.snapshot && !view.snapshot->unanswering.empty()) {
         const engine::UnansweringAgent &agent = view.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));
-        text = tr("It is there, at %1, but it answers no handshake. Does it know this station's key?\n\n"
-                  "Its list of peers needs the key with the fingerprint\n%2\n\n"
-                  "It is as silent when it permits none of the suites that are offered here.")
+        text = tr("It is reachable at %1, but it does not answer the handshake. Does it know this station's "
+                  "key?\n\nIts list of peers needs the key with the fingerprint\n%2\n\nIt does not answer either "
+                  "if it permits none of the suites that this station offers.")
                    .arg(fromStd(agent.remoteAddress), fromStd(agent.ownFingerprint));
     } else if (unknown) {
-        title = tr("An agent that is not known here");
-        text = tr("It announces itself from %1, with a key that is not among this station's peers. That does not show its "
-                  "fingerprint.\n\n"
-                  "If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent, while the vehicle is "
-                  "disarmed:")
+        title = tr("An unknown agent");
+        text = tr("It announces itself from %1 with a key that is not in this station's list of peers. An "
+                  "announcement does not contain the fingerprint.\n\nIf the agent is yours, pair the two: choose "
+                  "Pair in Keys and peers here and, while the vehicle is disarmed, run beside the agent:")
                    .arg(fromStd(unknown->remoteAddress));
         command = QStringLiteral("skyseal-air --pair --identity air.key");
     } else if (replaying) {
         title = tr("Replaying a log");
-        text = tr("No vehicle in it so far.");
+        text = tr("No vehicle in the log so far.");
     } else if (listening.isEmpty()) {
         title = tr("Nothing is connected");
         text = tr("Add a link to the vehicle, or listen for one on UDP port 14550.");
     } else {
         title = tr("Waiting for a vehicle on %1").arg(listening);
         text = tr("Start an agent, skyseal-air, beside an autopilot:");
-        // The port that is listened on, whichever it became.
+        // The port that is open, which may differ from the settings.
         command = QStringLiteral("skyseal-air --vehicle tcp:127.0.0.1:5760 \\\n"
                                  "  --ground udpout:127.0.0.1:%1 \\\n"
                                  "  --identity air.key --peers air.peers")

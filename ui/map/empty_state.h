@@ -1,4 +1,4 @@
-// What stands over the map while there is no vehicle: what is waited for, where, and what to do about it.
+// Shown over the map while there is no vehicle: the state of the link, and the next step for the operator.
 #pragma once
 
 #include "ui/view_state.h"
@@ -28,7 +28,7 @@ Q_SIGNALS:
     void demoRequested();
     void connectRequested();
     void keysRequested();
-    /// The operator wants to take this vehicle in clear.
+    /// The operator wants to allow plain MAVLink for this vehicle.
     void plainRequested(const skyseal::engine::PendingVehicle &held);
 
 private:

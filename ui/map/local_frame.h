@@ -1,4 +1,4 @@
-// Degrees to metres and back around one origin: a plane is exact enough for the few kilometres that a link reaches.
+// Converts degrees to metres and back around one origin. A plane is exact enough for the few kilometres of a radio link.
 #pragma once
 
 #include <QtCore/QPointF>

@@ -1,4 +1,4 @@
-// How the map looks: the part of MapView that paints.
+// The painting of MapView.
 #include "ui/map/map_view.h"
 
 #include "core/mavlink/enums.h"

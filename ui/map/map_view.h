@@ -28,7 +28,7 @@ public:
     bool isFollowing() const { return m_follow; }
     double metresPerPixel() const { return m_metresPerPixel; }
     const Track &track() const { return m_track; }
-    /// Where `metres` lies in the widget.
+    /// Returns the pixel of a position in metres.
     QPointF toPixels(const QPointF &metres) const;
 
     QSize minimumSizeHint() const override { return {240, 160}; }

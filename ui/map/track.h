@@ -1,4 +1,4 @@
-// Where the vehicle has been, with the suite that sealed its words at each point.
+// The track of the vehicle, with the cipher suite at each point.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -22,7 +22,7 @@ public:
     static constexpr std::size_t kMost = 4000;
     static constexpr double kApart = 1.0;
 
-    /// True when the point was far enough from the last one (or another suite) to be kept.
+    /// Returns true if the point was added: far enough from the last one, or under another suite.
     bool append(const QPointF &metres, crypto::SuiteId suite)
     {
         if (!m_points.empty()) {

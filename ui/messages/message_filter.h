@@ -1,4 +1,4 @@
-// Shows the messages that are grave enough and contain the text that is looked for.
+// Filters the messages by severity and text.
 #pragma once
 
 #include "ui/messages/message_model.h"
@@ -14,7 +14,7 @@ class MessageFilter : public QSortFilterProxyModel
 public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
-    /// Up to this MAV_SEVERITY (7 = everything).
+    /// Shows messages up to this MAV_SEVERITY (7: all).
     void setLeastGrave(int severity)
     {
         m_leastGrave = severity;

@@ -1,4 +1,4 @@
-// What the vehicles said, newest last, bounded. Severity has a colour and a word.
+// The messages of vehicles and station, newest last, bounded. Severity is shown by colour and text.
 #pragma once
 
 #include "core/vehicle/vehicle_state.h"

@@ -1,4 +1,4 @@
-// Panel with the messages of the vehicles (STATUSTEXT) and the events of the station, with filter and copy. Main thread.
+// The messages panel: texts of the vehicles (STATUSTEXT), events of the links and results of commands, with filter and copy.
 #pragma once
 
 #include "core/engine/common/peer_names.h"

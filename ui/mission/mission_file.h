@@ -10,7 +10,7 @@
 
 namespace skyseal::ui {
 
-/// The items of a file's text; `source` names it in the error.
+/// Parses the text of a file; `source` is its name in errors.
 Result<std::vector<vehicle::MissionItem>, InputError> parseMission(std::string_view text, const std::string &source);
 std::string missionText(const std::vector<vehicle::MissionItem> &items);
 

@@ -20,7 +20,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// `current` is the item that is being flown, −1 for none.
+    /// `current` is the item that the vehicle flies to, −1 for none.
     void setMission(const Mission &mission, int current);
 
     int rowCount(const QModelIndex &parent = {}) const override;

@@ -72,7 +72,7 @@ QString MissionPanel::kinds()
     return tr("Missions (*.waypoints *.txt);;All files (*)");
 }
 
-// While a file is chosen time goes on: what is meant is what was shown when the button was pressed.
+// Another vehicle may be selected while the file dialog is open: the command is for the one that was shown when it opened.
 void MissionPanel::askAndSend()
 {
     const std::uint8_t systemId = m_systemId;
@@ -92,7 +92,7 @@ void MissionPanel::askAndSave()
 
 void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 {
-    const QString otherVehicle = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is shown now");
+    const QString otherVehicle = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is selected");
     if (const QString reason = otherVehicle.isEmpty() ? m_whyNot : otherVehicle; !reason.isEmpty()) {
         say(tr("Not sent: %1").arg(reason));
         return;
@@ -140,7 +140,7 @@ void MissionPanel::handleEvent(const engine::Event &event)
         return;
     const QString reason = fromStd(done->reason);
     if (done->transfer == vehicle::MissionTransfer::Upload)
-        say(done->ok ? tr("The vehicle has the mission") : tr("Not sent: %1").arg(reason));
+        say(done->ok ? tr("Mission written to the vehicle") : tr("Not sent: %1").arg(reason));
     else
         say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));
 }

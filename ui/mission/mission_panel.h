@@ -1,4 +1,4 @@
-// The mission: read it from the vehicle, send one from a file, keep it in a file.
+// The mission panel: read the mission from the vehicle, send one from a file, save it to a file.
 #pragma once
 
 #include "ui/mission/mission_model.h"
@@ -19,14 +19,14 @@ public:
 
     void showViewState(const ViewState &view) override;
     void handleEvent(const engine::Event &event);
-    /// Sends the mission of a file to the vehicle that it was chosen for; says so when it is none, or when that vehicle is
-    /// not shown any more or cannot be sent anything.
+    /// Sends the mission of a file to the vehicle that was selected when the dialog opened. Shows the reason if the file is
+    /// invalid, another vehicle is selected or nothing can be sent.
     void sendFile(const QString &file, std::uint8_t systemId);
     void saveFile(const QString &file, const MissionModel::Mission &mission);
 
 private:
     void say(const QString &line);
-    static QString kinds(); ///< of files, for the dialogs that ask for one
+    static QString kinds(); ///< the name filter of file dialogs
     void askAndSend();
     void askAndSave();
 
@@ -35,7 +35,7 @@ private:
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
     QLabel *m_result;
-    QString m_whyNot; ///< why nothing can be sent to the vehicle
+    QString m_whyNot; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
 };
 

@@ -16,7 +16,7 @@ void ParameterModel::setParameters(const Parameters &parameters)
                 return false;
         return true;
     };
-    if (sameNames()) { // values changed: keeps selection and scroll position
+    if (sameNames()) { // only values changed: keeps selection and scroll position
         m_parameters = parameters;
         Q_EMIT dataChanged(index(0, Value), index(rowCount() - 1, Value));
         return;
@@ -78,7 +78,7 @@ bool ParameterModel::setData(const QModelIndex &index, const QVariant &value, in
     const vehicle::Parameter &parameter = (*m_parameters)[static_cast<std::size_t>(index.row())];
     const QString name = fromStd(parameter.name);
     if (!ok) {
-        m_states.insert(name, tr("\"%1\" is no number").arg(value.toString()));
+        m_states.insert(name, tr("\"%1\" is not a number").arg(value.toString()));
         touch(name);
         return false;
     }

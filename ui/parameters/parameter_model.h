@@ -1,4 +1,4 @@
-// The vehicle's parameters. Editing a value only asks: the table shows what the vehicle read back.
+// The vehicle's parameters. Editing a value requests a write; the table shows the value that the vehicle reports.
 #pragma once
 
 #include "core/vehicle/parameter.h"
@@ -22,7 +22,7 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void setParameters(const Parameters &parameters);
-    /// The answer to a write.
+    /// The result of a write.
     void written(const vehicle::Parameter &parameter, bool ok, const QString &reason);
 
     int rowCount(const QModelIndex &parent = {}) const override;

@@ -1,4 +1,4 @@
-// The vehicle's parameters: fetch, find, edit.
+// The parameters panel: fetch, filter and edit the vehicle's parameters.
 #pragma once
 
 #include "ui/parameters/parameter_model.h"
@@ -29,7 +29,7 @@ private:
     QProgressBar *m_progress;
     QLabel *m_count;
     std::uint8_t m_systemId = 0;
-    QString m_whyNot; ///< why nothing can be sent to the vehicle
+    QString m_whyNot; ///< reason why nothing can be sent to the vehicle
 };
 
 } // namespace skyseal::ui

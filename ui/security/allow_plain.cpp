@@ -26,17 +26,17 @@ QString allowPlainText(const engine::PendingVehicle &held)
 
 void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent)
 {
-    const QString question = Text::tr("Take vehicle %1 without a seal?").arg(held.systemId);
+    const QString question = Text::tr("Accept plain MAVLink from vehicle %1?").arg(held.systemId);
     auto *box = new QMessageBox(QMessageBox::Warning, Text::tr("Plain MAVLink"), question,
                                 QMessageBox::Yes | QMessageBox::Cancel, parent);
     box->setObjectName(QStringLiteral("confirmPlain"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    // The consent is for the number alone: an address is no more proof than the number is.
+    // The consent is for the system id alone, because an address proves no more than the id does.
     box->setInformativeText(
-        Text::tr("It now sends from %2. But whoever says in clear that it is vehicle %1, from any address, is then shown "
-                 "and flown as it, until this program ends or it is heard sealed. Anyone on the way can read and change "
-                 "what is sent.\n\n"
-                 "If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.")
+        Text::tr("It sends from %2 at present. If you allow it, any sender that claims in clear to be vehicle "
+                 "%1, from any address, is shown and commanded as that vehicle until this program ends or the "
+                 "vehicle is heard sealed. Anyone on the path can read and change the traffic.\n\nIf this should "
+                 "be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.")
             .arg(held.systemId)
             .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
     box->setDefaultButton(QMessageBox::Cancel);

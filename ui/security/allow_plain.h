@@ -1,5 +1,5 @@
-// The one act by which an operator takes a vehicle in clear that may be an impostor of a known agent: a question that says
-// what it means, whose answer is no unless yes is chosen.
+// The confirmation by which an operator allows plain MAVLink for a vehicle that may be an impostor of a known agent. The
+// dialog explains the consequences; the default answer is Cancel.
 #pragma once
 
 #include "core/engine/station/snapshot.h"
@@ -12,7 +12,7 @@ namespace skyseal::ui {
 
 class StationInterface;
 
-/// "Allow plain MAVLink for vehicle 1 …", of buttons and the menu.
+/// The text "Allow plain MAVLink for vehicle 1 …" for buttons and the menu.
 QString allowPlainText(const engine::PendingVehicle &held);
 void askAllowPlain(StationInterface &station, const engine::PendingVehicle &held, QWidget *parent);
 

@@ -19,13 +19,13 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         bool alarming;
     };
     const Entry entries[] = {
-        {tr("good"), tr("Records whose seal verified"), &ReceiveCounters::good, false},
-        {tr("late"), tr("Good, but after a newer one"), &ReceiveCounters::late, false},
-        {tr("lost"), tr("Sent, but never arrived"), &ReceiveCounters::lost, false},
-        {tr("replayed"), tr("Seen before, refused"), &ReceiveCounters::replayed, true},
-        {tr("forged"), tr("Seal did not verify, refused"), &ReceiveCounters::forged, true},
-        {tr("malformed"), tr("No record at all, refused"), &ReceiveCounters::malformed, true},
-        {tr("plain"), tr("Clear MAVLink of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
+        {tr("good"), tr("Records with a valid authentication tag"), &ReceiveCounters::good, false},
+        {tr("late"), tr("Valid, but received after a newer record"), &ReceiveCounters::late, false},
+        {tr("lost"), tr("Sent, but not received"), &ReceiveCounters::lost, false},
+        {tr("replayed"), tr("Received before, refused"), &ReceiveCounters::replayed, true},
+        {tr("forged"), tr("Authentication tag invalid, refused"), &ReceiveCounters::forged, true},
+        {tr("malformed"), tr("Not a valid record, refused"), &ReceiveCounters::malformed, true},
+        {tr("plain"), tr("Clear MAVLink in the name of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
         {tr("refused"), {}, nullptr, true},
     };
     auto *grid = new QGridLayout(this);
@@ -33,7 +33,7 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
     grid->setHorizontalSpacing(kGrid);
     grid->setVerticalSpacing(2);
     int column = 1;
-    for (const QString &head : {tr("to us"), tr("to it")}) {
+    for (const QString &head : {tr("from vehicle"), tr("to vehicle")}) {
         auto *label = new QLabel(head, this);
         label->setForegroundRole(QPalette::PlaceholderText);
         grid->addWidget(label, 0, column++, Qt::AlignRight);
@@ -48,7 +48,7 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         int at = 1;
         for (FigureLabel *cell : {cells.toUs, cells.toIt}) {
             cell->setSample(QStringLiteral("8 888 888"), {});
-            cell->setAccessibleName(tr("%1 %2").arg(entry.name, at == 1 ? tr("to us") : tr("to it")));
+            cell->setAccessibleName(tr("%1 %2").arg(entry.name, at == 1 ? tr("from vehicle") : tr("to vehicle")));
             cell->setObjectName(QStringLiteral("counter_%1_%2").arg(row).arg(at));
             cell->setToolTip(entry.tip);
             grid->addWidget(cell, row, at++);

@@ -1,4 +1,4 @@
-// What became of the records, in both directions: counted here ("to us") and reported by the other end ("to it").
+// The counters of received records in both directions: counted here ("from vehicle") and reported by the agent ("to vehicle").
 #pragma once
 
 #include "core/channel/stats.h"
@@ -20,9 +20,9 @@ class CountersTable : public QWidget
 public:
     explicit CountersTable(QWidget *parent = nullptr);
 
-    /// Null shows dashes.
+    /// Shows dashes for null.
     void showStats(const channel::SessionStats *stats);
-    /// Where there is little room all that was refused is one row, the sum; its tool tip tells the parts.
+    /// The compact form shows all refused records in one row, the sum, with the parts in its tool tip.
     void setBrief(bool brief);
     bool isBrief() const { return m_brief; }
     int rowHeight() const;
@@ -30,8 +30,8 @@ public:
 private:
     struct Row
     {
-        std::uint64_t channel::ReceiveCounters::*counter; ///< null: the sum of what was refused
-        bool alarming;                                    ///< anything but zero deserves a look
+        std::uint64_t channel::ReceiveCounters::*counter; ///< null: the sum of the refused records
+        bool alarming;                                    ///< highlighted if not zero
         QLabel *name;
         FigureLabel *toUs;
         FigureLabel *toIt;

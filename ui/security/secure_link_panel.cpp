@@ -142,7 +142,7 @@ void SecureLinkPanel::applyFit(int level)
     m_counters->setBrief(level >= 2);
     m_since->setVisible(m_sealed && level < 4);
     m_note->setMinimumHeight((level >= 3 ? 1 : 2) * fontMetrics().lineSpacing());
-    // Without a session there is nothing to count, and the room is better used by the advice.
+    // Without a session there are no counters; the advice takes their place.
     m_counters->setVisible(m_sealed);
     m_line->setVisible(m_sealed);
 }
@@ -151,7 +151,7 @@ void SecureLinkPanel::arrange()
 {
     if (m_sealed != m_counters->isVisibleTo(this))
         applyFit(m_level);
-    // The fullest level that fits, reckoned from the one that stands, so that no widget changes only to be measured.
+    // The fullest level that fits, computed from the current one, so that no widget changes only to be measured.
     const int savings[kLeastFit] = {m_sealed ? m_fingerprint->heightForWidth(width() - 2 * kGrid) + layout()->spacing() : 0,
                                     m_sealed ? 3 * m_counters->rowHeight() : 0, fontMetrics().lineSpacing(),
                                     m_sealed ? m_since->sizeHint().height() + layout()->spacing() : 0};
@@ -182,10 +182,11 @@ void SecureLinkPanel::showHead(const ViewState &view)
             advice = oneWay->advice;
         } else if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
             title = tr("%1 does not answer").arg(fromStd(agent->peerName));
-            advice = tr("It is there, at %1, and silent: does it know this station's key? Look there for the fingerprint %2")
+            advice = tr("It is reachable at %1 but does not answer. Does its list of peers contain this station's key, "
+                        "fingerprint %2?")
                          .arg(fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
         } else if (unknown) {
-            advice = tr("An agent at %1 announces itself with a key that is not known here. If it is yours, pair the two.")
+            advice = tr("An agent at %1 announces itself with an unknown key. If it is yours, pair the two.")
                          .arg(fromStd(unknown->remoteAddress));
         } else if (const auto ended = linkEndedOf(view)) {
             title = ended->title;
@@ -196,12 +197,12 @@ void SecureLinkPanel::showHead(const ViewState &view)
         break;
     case Security::Plain:
         title = tr("Not sealed");
-        advice = tr(
-            "This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.");
+        advice = tr("This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. "
+                    "Start skyseal-air beside it.");
         if (view.pendingApproval) {
-            title = tr("Not sealed, held back");
-            advice = tr("Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: "
-                        "Security → Allow plain MAVLink.")
+            title = tr("Not sealed, needs approval");
+            advice = tr("Vehicle %1 sends plain MAVLink and may be an impostor of %2. Commands are disabled until you "
+                        "allow it: Security → Allow plain MAVLink.")
                          .arg(view.pendingApproval->systemId)
                          .arg(engine::anyOfNames(view.pendingApproval->mayBe));
         } else if (oneWay) {
@@ -209,8 +210,8 @@ void SecureLinkPanel::showHead(const ViewState &view)
             advice = oneWay->advice;
         } else if (view.plainRun) {
             title = tr("Not sealed, in a sweep");
-            advice = tr("Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The "
-                        "sweep seals the link again by itself.");
+            advice = tr("Plain MAVLink is measured at present, with your consent: anyone on the path can read the "
+                        "telemetry and command the vehicle. The sweep seals the link again afterwards.");
         }
         color = colors.warning;
         break;
@@ -218,8 +219,8 @@ void SecureLinkPanel::showHead(const ViewState &view)
         title = tr("Sealed");
         color = colors.good;
         if (view.session && view.session->info.silent) {
-            title = tr("Sealed, but nothing is heard");
-            advice = tr("It goes on by itself as soon as the agent is heard again.");
+            title = tr("Sealed, no data received");
+            advice = tr("It continues automatically when the agent is received again.");
             color = colors.warning;
         }
         break;

@@ -1,5 +1,5 @@
-// The right dock: how the link is sealed, with whom, since when; the choice of the suite; what was counted. For a plain
-// vehicle it says that nothing is sealed and what to do about it.
+// The secure link panel: peer, suite and age of the session, the choice of the suite, and the counters. For a plain vehicle it
+// shows that nothing is sealed and how to seal the link.
 #pragma once
 
 #include "ui/dock_panel.h"
@@ -23,12 +23,12 @@ public:
     explicit SecureLinkPanel(SuiteActions &suites, QWidget *parent = nullptr);
 
     void showViewState(const ViewState &view) override;
-    /// So much height is there: what matters least gives way, first the fingerprint (it stays in the tool tip), then the
-    /// kinds of what was refused, then the second line of the note and since when it is sealed.
+    /// Hides parts until the panel fits into `height` pixels: first the fingerprint (it stays in the tool tip), then the kinds
+    /// of refused records, then the second line of the note and the age of the session.
     void fitHeight(int height) override;
 
 Q_SIGNALS:
-    /// The operator picked another session of several: show its vehicle.
+    /// The operator selected another session; its vehicle is to be shown.
     void sessionChosen(quint32 session);
     void helpRequested(const QString &page);
     void keysRequested();
@@ -46,8 +46,8 @@ private:
     QComboBox *m_sessions;
     CountersTable *m_counters;
     QFrame *m_line;
-    int m_room = 0;  ///< 0: as much as it wants
-    int m_level = 0; ///< what gave way, see fitHeight()
+    int m_room = 0;  ///< pixels; 0: unlimited
+    int m_level = 0; ///< number of hidden parts, see fitHeight()
     bool m_sealed = false;
 };
 

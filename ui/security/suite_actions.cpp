@@ -52,7 +52,7 @@ QString SuiteActions::whyNot(SuiteId suite) const
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
     if (m_held)
-        return tr("in a sweep");
+        return tr("a sweep is running");
     if (std::ranges::find(m_info->permitted, suite) != m_info->permitted.end())
         return {};
     if (crypto::suiteInfo(suite).strength < crypto::suiteInfo(m_weakest).strength)
@@ -60,7 +60,7 @@ QString SuiteActions::whyNot(SuiteId suite) const
     if (crypto::suiteInfo(suite).research && !m_researchAllowed)
         return tr("research is off");
     if (std::ranges::find(m_info->peerOffered, suite) == m_info->peerOffered.end())
-        return tr("not offered by it");
+        return tr("not offered by the agent");
     return tr("not allowed here");
 }
 
@@ -70,7 +70,7 @@ void SuiteActions::choose(SuiteId suite)
         m_asked = suite;
         m_station.switchSuite(m_info->session, suite);
     }
-    refresh(); // puts the mark back on the suite that is in use
+    refresh(); // the mark returns to the suite in use
 }
 
 QString SuiteActions::whyNoFreshKeys() const
@@ -78,7 +78,7 @@ QString SuiteActions::whyNoFreshKeys() const
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
     if (m_held)
-        return tr("in a sweep");
+        return tr("a sweep is running");
     return m_keysAsked || pending() ? tr("changing…") : QString();
 }
 
@@ -87,7 +87,7 @@ void SuiteActions::changeKeys()
     if (!whyNoFreshKeys().isEmpty())
         return;
     m_keysAsked = true;
-    m_station.switchSuite(m_info->session, m_info->suite); // a switch to what is in use brings new keys
+    m_station.switchSuite(m_info->session, m_info->suite); // a switch to the suite in use makes new keys
     refresh();
 }
 
@@ -115,19 +115,17 @@ void SuiteActions::handleEvent(const engine::Event &event)
             return;
         const bool committed = done->failure == channel::SwitchFailure::None;
         if (done->rekey && (!m_keysAsked || done->byPeer))
-            return; // by itself
+            return; // an automatic change of keys
         if (!done->rekey)
-            m_asked.reset(); // fresh keys that were given up for it are no answer to it
+            m_asked.reset(); // an abandoned change of keys does not answer the request
         m_info->pending.reset();
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
             m_info->epoch = done->epoch;
-            setNote(tr("Fresh keys, epoch %1, after %2")
-                        .arg(static_cast<quint32>(done->epoch))
-                        .arg(engine::switchTimeText(done->took)),
+            setNote(tr("New keys, epoch %1, after %2").arg(static_cast<quint32>(done->epoch)).arg(switchTimeText(done->took)),
                     false);
         } else if (done->rekey) {
-            setNote(tr("Stays with its keys: %1").arg(engine::switchFailureText(done->failure)), true);
+            setNote(tr("The keys stay the same: %1").arg(switchFailureText(done->failure)), true);
         } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;
@@ -206,7 +204,7 @@ void SuiteActions::refreshChangeKeys()
     const QString why = whyNoFreshKeys();
     const QString text = tr("Change keys &now");
     m_changeKeys->setText(m_info && !why.isEmpty() ? text + QStringLiteral(" · ") + why : text);
-    m_changeKeys->setToolTip(why.isEmpty() ? tr("New keys for the suite in use, while the link goes on") : why);
+    m_changeKeys->setToolTip(why.isEmpty() ? tr("New keys for the suite in use, without interrupting the link") : why);
     m_changeKeys->setStatusTip(m_changeKeys->toolTip());
     m_changeKeys->setEnabled(why.isEmpty());
 }

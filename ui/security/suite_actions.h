@@ -1,6 +1,6 @@
-// The choice of the cipher suite, once, as actions: the Security menu and the Secure link panel are two views of it. The
-// mark follows what both ends have agreed, never what was asked for: until a switch is confirmed it reads "switching…",
-// a roll-back leaves the old suite and one line why. Beside them fresh keys for the suite in use, in the menu alone.
+// The cipher suites as actions, shown by the Security menu and the Secure link panel. The check mark shows the suite that both
+// ends have agreed on, not the requested one: until a switch is confirmed, the requested suite is marked "switching…"; after a
+// roll-back, one line gives the reason. A further action changes the keys of the suite in use.
 #pragma once
 
 #include "ui/view_state.h"
@@ -32,17 +32,17 @@ public:
     void showViewState(const ViewState &view);
     void handleEvent(const engine::Event &event);
     void setResearchAllowed(bool allowed);
-    /// Suites weaker than this one stay grey; see crypto::SuiteStrength.
+    /// Disables suites that are weaker than this one; see channel::strengthOf.
     void setWeakest(crypto::SuiteId suite);
 
-    /// While a sweep runs, the suite is its business.
+    /// Disables the choice while a sweep controls the suite.
     void setHeld(bool held);
 
-    /// Why `suite` cannot be chosen now; empty when it can.
+    /// Returns the reason why `suite` cannot be chosen; empty if it can.
     QString whyNot(crypto::SuiteId suite) const;
-    /// The suite that is being agreed.
+    /// The suite of the switch in progress.
     std::optional<crypto::SuiteId> pending() const;
-    /// What became of the last switch, in one line; empty before the first.
+    /// Result of the last switch in one line; empty before the first.
     const QString &note() const { return m_note; }
     bool noteIsProblem() const { return m_noteIsProblem; }
 
@@ -64,7 +64,7 @@ private:
     std::vector<QAction *> m_actions; ///< of each of `m_suites`
     QAction *m_changeKeys;
     std::optional<channel::SessionInfo> m_info;
-    std::optional<crypto::SuiteId> m_asked; ///< chosen here and not yet answered
+    std::optional<crypto::SuiteId> m_asked; ///< requested here and not yet answered
     bool m_keysAsked = false;               ///< the same for fresh keys
     bool m_researchAllowed = false;
     crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;

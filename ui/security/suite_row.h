@@ -1,5 +1,5 @@
-// One suite of the Secure link panel: a radio button that shows its action and never marks itself, since only an agreed
-// switch moves the mark. The arrow keys move the focus, Space or a click chooses.
+// One suite of the Secure link panel: a radio button that follows its action. A click does not check it, because only an agreed
+// switch moves the mark. The arrow keys move the focus; Space or a click chooses.
 #pragma once
 
 #include <QtWidgets/QRadioButton>

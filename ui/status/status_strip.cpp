@@ -168,7 +168,7 @@ void StatusStrip::showLink(const ViewState &view)
 
 void StatusStrip::arrange()
 {
-    // Who gives way first.
+    // Order in which the items shorten.
     StripItem *const order[] = {m_link, m_lock, m_gps, m_battery, m_vehicle, m_link, m_lock, m_gps, m_mode};
     StripItem *const left[] = {m_vehicle, m_armed, m_mode, m_gps, m_battery};
     StripItem *const right[] = {m_link, m_lock};

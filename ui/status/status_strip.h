@@ -1,5 +1,5 @@
-// The strip under the menu: all that must be seen at one glance, in one line. It never wraps; where room is short its
-// parts shorten, the least important first, and the name of the cipher suite last.
+// The status strip under the menu: the most important state in one line. If the width is short, its items shorten, the least
+// important first and the name of the cipher suite last.
 #pragma once
 
 #include "ui/view_state.h"

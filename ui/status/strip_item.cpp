@@ -32,7 +32,7 @@ void StripItem::setContent(const QStringList &variants, const QString &iconName)
     m_variants = variants;
     m_icon = iconName;
     m_variant = std::min(m_variant, std::max(0, variantCount() - 1));
-    setText(m_variants.value(0)); // what assistive technology reads: always the whole
+    setText(m_variants.value(0)); // assistive technology reads the whole text
     update();
     if (widthOf(m_variant) != before)
         Q_EMIT widthChanged();

@@ -1,4 +1,4 @@
-// One word group of the status strip: an icon and a text that exists in several lengths.
+// One item of the status strip: an icon and a text in several lengths.
 #pragma once
 
 #include <QtCore/QStringList>
@@ -14,15 +14,15 @@ class StripItem : public QAbstractButton
 public:
     explicit StripItem(const QString &accessibleName, QWidget *parent = nullptr);
 
-    /// Texts for the same thing, the longest first. Repaints and asks for a new layout only when something changed.
+    /// Sets the same text in several lengths, longest first. Repaints and requests a layout only if something changed.
     void setContent(const QStringList &variants, const QString &iconName = {});
-    /// Texts as wide as they may get, one for each variant, so that changing figures keep their room.
+    /// Sets the widest expected text of each variant, so that changing numbers do not move the layout.
     void setSamples(const QStringList &samples);
-    /// Colour of the icon; invalid = as the text.
+    /// Sets the colour of the icon; invalid: the colour of the text.
     void setIconColor(const QColor &color);
     void setTextColor(const QColor &color);
     void setStrong(bool strong);
-    /// Items that do something when clicked take the keyboard's focus.
+    /// Clickable items accept the keyboard focus.
     void setClickable(bool clickable);
 
     int variantCount() const { return static_cast<int>(m_variants.size()); }

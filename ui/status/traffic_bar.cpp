@@ -59,7 +59,7 @@ void TrafficBar::showViewState(const ViewState &view)
     if (m_links->text() != links) {
         m_links->setText(links);
         m_links->setToolTip(parts.join(QLatin1Char('\n')));
-        m_links->setMinimumWidth(1); // gives way before the window has to grow
+        m_links->setMinimumWidth(1); // shortens instead of widening the window
         QPalette words = palette();
         if (problem)
             words.setColor(QPalette::WindowText, colors.warning);

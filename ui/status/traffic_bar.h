@@ -1,5 +1,4 @@
-// The line at the bottom: where we listen, what comes in and goes out, what is being recorded. Always there, so that
-// nobody has to ask on which port the station is.
+// The status bar at the bottom: state of the links with their ports, data rates and recording.
 #pragma once
 
 #include "ui/view_state.h"

@@ -38,7 +38,7 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
         m_presets.push_back({condition, box});
     };
     add("sweepClean", tr("Clea&n"), "clean");
-    // What a radio adds by turns of its own on the air, about.
+    // Delays that are typical of half-duplex telemetry radios.
     add("sweepRadio57600", tr("Radio of &57,600 baud"), "rate=57600,delay=20");
     add("sweepRadio115200", tr("Radio of &115,200 baud"), "rate=115200,delay=20");
     upper->addStretch(1);

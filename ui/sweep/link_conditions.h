@@ -1,5 +1,5 @@
-// The links that a sweep measures on, one after the other: a clean one, radios of two line rates, and one of the operator's
-// own making. Each chosen one is measured whole.
+// The choice of the links that a sweep measures on in turn: a clean link, radios of two line rates, and one with custom
+// impairments.
 #pragma once
 
 #include "core/experiment/plan.h"
@@ -22,16 +22,16 @@ class LinkConditions : public QGroupBox
 public:
     explicit LinkConditions(QWidget *parent = nullptr);
 
-    /// The link cannot be changed: the title says why, and conditions() is the clean one alone. Empty: it can be chosen.
+    /// Disables the choice: the title shows the reason and conditions() is the clean link. Empty: enables it.
     void setWhyNot(const QString &reason);
-    /// None when nothing is chosen.
+    /// Empty if nothing is chosen.
     std::vector<experiment::Condition> conditions() const;
 
 Q_SIGNALS:
     void changed();
 
 private:
-    /// As `skyseal-cli sweep --impair` takes it; "clean" when nothing is set.
+    /// In the syntax of `skyseal-cli sweep --impair`; "clean" if nothing is set.
     QString ownText() const;
     void addFields(QHBoxLayout &row);
 

@@ -38,7 +38,7 @@ double highestOf(const experiment::BarChart &chart)
 
 struct SweepBars::Frame
 {
-    QRectF area; ///< of the bars alone
+    QRectF area; ///< of the bars without labels
     qreal row = 0;
     double step = 1, end = 1;
 
@@ -108,7 +108,7 @@ void SweepBars::drawAxis(QPainter &painter, const Frame &frame) const
 {
     const StateColors &colors = stateColors(palette());
     const QFontMetricsF metrics(font());
-    qreal free = 0; // labels that would touch are left away
+    qreal free = 0; // labels that would touch are omitted
     for (int i = 0; i * frame.step <= frame.end * 1.0001; ++i) {
         const qreal x = std::floor(frame.x(i * frame.step)) + 0.5;
         painter.setPen(QPen(i == 0 ? colors.dim : colors.line, 1));

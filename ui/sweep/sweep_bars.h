@@ -1,5 +1,5 @@
 // One metric of a sweep as bars, in the colours of the suites: mean, 95 % confidence interval, and a dot for each run. The
-// same chart as the figures that are saved (experiment::BarChart), painted in the window's palette.
+// same chart as the saved figures (experiment::BarChart), painted with the palette of the window.
 #pragma once
 
 #include "core/experiment/bar_chart.h"
@@ -30,7 +30,7 @@ private:
     void drawBar(QPainter &painter, const Frame &frame, std::size_t row) const;
 
     experiment::BarChart m_chart;
-    QStringList m_labels; ///< one for each bar
+    QStringList m_labels; ///< one per bar
 };
 
 } // namespace skyseal::ui

@@ -27,7 +27,7 @@ using experiment::Load;
 
 namespace {
 
-constexpr double kBetweenRuns = 0.3; ///< seconds, about: a switch and waiting for it
+constexpr double kBetweenRuns = 0.3; ///< seconds, approximate time of a switch
 
 } // namespace
 
@@ -38,7 +38,7 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     setObjectName(QStringLiteral("sweepDialog"));
     setWindowTitle(tr("Run a sweep"));
     m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Run"));
-    named(m_summary, "sweepSummary", tr("What this comes to"));
+    named(m_summary, "sweepSummary", tr("Summary"));
     named(m_warning, "sweepWarning", tr("Warning"))->setWordWrap(true);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
@@ -75,8 +75,7 @@ QWidget *SweepDialog::makeWhere()
     (m_connected->isEnabled() ? m_connected : m_own)->setChecked(true);
     auto *column = new QVBoxLayout(box);
     column->addWidget(m_connected);
-    column->addWidget(
-        smallPrint(tr("The suites change on the live link, and in the end it has the one that it has now."), box));
+    column->addWidget(smallPrint(tr("The suites change on the live link. At the end the current suite is restored."), box));
     column->addWidget(m_own);
     connect(m_own, &QRadioButton::toggled, this, &SweepDialog::offer);
     return box;
@@ -84,7 +83,7 @@ QWidget *SweepDialog::makeWhere()
 
 QWidget *SweepDialog::makeWhat()
 {
-    auto *box = new QGroupBox(tr("What"), this);
+    auto *box = new QGroupBox(tr("Suites, framing and load"), this);
     auto *suites = new QVBoxLayout;
     suites->setSpacing(kHalfGrid);
     for (const SuiteId suite : crypto::sealedSuites())
@@ -99,7 +98,8 @@ QWidget *SweepDialog::makeWhat()
     }
     m_sealed = named(new QCheckBox(tr("Sealed: whole frames in records"), box), "sweepSealed", tr("Sealed framing"));
     m_inline = named(new QCheckBox(box), "sweepInline", tr("Inline framing"));
-    m_natural = named(new QCheckBox(tr("Natural load: what a station asks for"), box), "sweepNatural", tr("Natural load"));
+    m_natural = named(new QCheckBox(tr("Natural load: the streams that a station requests"), box), "sweepNatural",
+                      tr("Natural load"));
     m_saturated = named(new QCheckBox(box), "sweepSaturated", tr("Saturated load"));
     m_sealed->setChecked(true);
     m_natural->setChecked(true);
@@ -109,10 +109,11 @@ QWidget *SweepDialog::makeWhat()
         others->addWidget(choice);
         connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
     }
-    others->addWidget(smallPrint(tr("Inline is what the paper measured: payloads encrypted in place, headers clear. Only a "
-                                    "cipher with an HMAC can do it, and the agent must allow it (skyseal-air "
-                                    "--allow-inline)."),
-                                 box));
+    others->addWidget(
+        smallPrint(tr("Inline is the framing that the MAVSec paper measured: payloads are encrypted in place, headers "
+                      "stay clear. It needs a cipher with an HMAC, and the agent must allow it (skyseal-air "
+                      "--allow-inline)."),
+                   box));
     others->addSpacing(kGrid);
     for (QCheckBox *choice : {m_natural, m_saturated}) {
         others->addWidget(choice);
@@ -128,7 +129,7 @@ QWidget *SweepDialog::makeWhat()
 
 QWidget *SweepDialog::makeHow()
 {
-    auto *box = new QGroupBox(tr("How long"), this);
+    auto *box = new QGroupBox(tr("Duration"), this);
     m_seconds = named(new QDoubleSpinBox(box), "sweepSeconds", tr("Length of each run"));
     m_seconds->setRange(0.5, 3600);
     m_seconds->setDecimals(1);
@@ -169,7 +170,7 @@ bool SweepDialog::ownVehicle() const
 void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &whyNot)
 {
     box->setEnabled(whyNot.isEmpty());
-    // What stands in brackets is what to do about it: that is for the tip.
+    // The remedy in brackets is shown only in the tool tip.
     const QString brief = whyNot.section(QStringLiteral(" ("), 0, 0);
     box->setText(whyNot.isEmpty() ? text : text + QStringLiteral(" · ") + brief);
     box->setToolTip(whyNot);
@@ -177,7 +178,7 @@ void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &why
         box->setChecked(false);
 }
 
-/// What may be chosen at this place; on the connected link plain MAVLink takes an act of its own.
+/// Enables the choices that are possible; on the connected link, plain MAVLink must be chosen explicitly.
 void SweepDialog::offer()
 {
     const bool own = ownVehicle();
@@ -203,11 +204,12 @@ void SweepDialog::sumUp()
     const double each = seconds(plan.measure) + seconds(plan.warmUp) + kBetweenRuns;
     const QString time = aboutTime(static_cast<double>(runs) * each);
     m_summary->setText(possible ? (runs == 1 ? tr("One run, %1").arg(time) : tr("%1 runs, %2").arg(runs).arg(time))
-                                : tr("Choose a link, a suite, a framing that it can be in, and a load."));
+                                : tr("Choose a link, a suite, a framing that the suite supports, and a load."));
     const bool plain = !ownVehicle() && m_suites.back().box->isChecked();
-    m_warning->setText(plain ? tr("You consent to plain MAVLink: during these runs telemetry and commands travel in clear, "
-                                  "and anyone can speak to the vehicle.")
-                             : QString());
+    m_warning->setText(plain
+                           ? tr("You consent to plain MAVLink: during these runs telemetry and commands are sent in clear, and "
+                                "anyone can command the vehicle.")
+                           : QString());
     m_warning->setVisible(plain);
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(possible);
 }

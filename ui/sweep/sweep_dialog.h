@@ -1,5 +1,5 @@
-// What a sweep is to measure: where, over which links, which suites in which framings, how long and how often. What cannot
-// be measured says why.
+// The dialog that configures a sweep: vehicle, links, suites, framings, load, duration and repeats. Disabled choices show the
+// reason.
 #pragma once
 
 #include "ui/sweep/sweep_permits.h"

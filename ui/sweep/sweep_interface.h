@@ -1,4 +1,4 @@
-// A sweep as the windows see it: what they may ask and what they hear. The application puts the runner behind it.
+// The interface of the window to a sweep. The application implements it with the runner, tests with a fake.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -10,14 +10,14 @@
 
 namespace skyseal::ui {
 
-/// What is to be measured.
+/// The configuration of a sweep.
 struct SweepOrder
 {
     experiment::Plan plan;
-    bool ownVehicle = false; ///< on a simulated vehicle and an agent of its own; the connected link is left alone
+    bool ownVehicle = false; ///< on a simulated vehicle with its own agent instead of the connected link
 };
 
-/// Where a sweep stands.
+/// The progress of a sweep.
 struct SweepProgress
 {
     std::size_t done = 0, runs = 0;
@@ -32,20 +32,20 @@ class SweepInterface : public QObject
 public:
     using QObject::QObject;
 
-    /// Why there can be no vehicle of its own; empty when there can.
+    /// Returns the reason why there can be no simulated vehicle; empty if there can.
     virtual QString whyNoOwnVehicle() const = 0;
     virtual void start(const SweepOrder &order) = 0;
-    /// The link goes back to its suite, then finished() comes.
+    /// Restores the suite of the link, then finished() follows.
     virtual void cancel() = 0;
-    /// Writes the files of these results into a folder that is made for them; saved() comes.
+    /// Writes the files of these results into a new folder; saved() follows.
     virtual void save(const experiment::Results &results, const QString &folder) = 0;
 
 Q_SIGNALS:
     void runBegan(const skyseal::experiment::Run &run, const skyseal::ui::SweepProgress &progress);
     void sampleTaken(const skyseal::experiment::Sample &sample, const skyseal::ui::SweepProgress &progress);
-    /// `problem` is a sentence when it was not carried out whole.
+    /// `problem` is the reason of an incomplete sweep; otherwise empty.
     void finished(std::shared_ptr<const skyseal::experiment::Results> results, const QString &problem);
-    /// `problem` says what is missing, or, when nothing was `written`, why.
+    /// `problem` names missing files, or the reason if nothing was `written`.
     void saved(const QString &folder, bool written, const QString &problem);
 };
 

@@ -1,4 +1,4 @@
-// What a sweep is called in the window.
+// Texts for the parts of a sweep.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -13,7 +13,7 @@ QString framingText(const experiment::SweepArm &arm);
 QString loadText(experiment::Load load);
 /// "clean link"; "57,600 baud, 5 % loss, 20 ms delay".
 QString linkText(const experiment::Condition &link);
-/// "natural load"; where not all links of the sweep are clean, "57,600 baud, 20 ms delay · natural load".
+/// "natural load"; with impaired links in the sweep, "57,600 baud, 20 ms delay · natural load".
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load);
 /// "about 2 min 20 s", "about 12 s".
 QString aboutTime(double seconds);

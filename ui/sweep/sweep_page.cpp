@@ -27,7 +27,7 @@ namespace skyseal::ui {
 
 SweepPage::SweepPage(QWidget *parent)
     : QWidget(parent), m_status(named(new QLabel(this), "sweepStatus", tr("The sweep"))),
-      m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs made"))),
+      m_bar(named(new QProgressBar(this), "sweepProgress", tr("Runs completed"))),
       m_start(named(new QPushButton(tr("Run a sweep …"), this), "sweepStart", tr("Run a sweep"))),
       m_cancel(named(new QPushButton(tr("Cancel"), this), "sweepCancel", tr("Cancel the sweep"))),
       m_save(named(new QPushButton(tr("Save …"), this), "sweepSave", tr("Save the sweep's files"))),
@@ -38,7 +38,7 @@ SweepPage::SweepPage(QWidget *parent)
     m_status->setMinimumWidth(10 * kGrid);
     m_bar->setMaximumWidth(20 * kGrid);
     m_bar->setTextVisible(false);
-    // The line beside them says how far it is: it gets the room, and the lists open as wide as they want.
+    // The status line takes the remaining width; the lists open as wide as they need.
     for (QComboBox *choice : {m_place, m_metric}) {
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         choice->setMinimumContentsLength(18);
@@ -83,7 +83,7 @@ SweepPage::SweepPage(QWidget *parent)
     connect(m_place, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
     connect(m_place, &QComboBox::activated, this, [this] { m_follows = false; });
     connect(m_metric, &QComboBox::currentIndexChanged, this, &SweepPage::showResults);
-    setStatus(tr("No sweep yet. It measures what each suite costs, one after the other."));
+    setStatus(tr("No sweep yet. A sweep measures the cost of each suite in turn."));
     showStatus();
     setPossible(false);
 }
@@ -214,7 +214,7 @@ void SweepPage::showResults()
     m_bars->showChart(std::move(chart), labels);
 }
 
-/// "not in this framing" once, not in every column.
+/// Shows "not in this framing" once, not in every column.
 void SweepPage::spanRows()
 {
     m_table->clearSpans();
@@ -240,7 +240,7 @@ void SweepPage::showStatus()
     m_bar->setMaximum(static_cast<int>(m_progress.runs));
     m_bar->setValue(static_cast<int>(m_progress.done));
     if (m_stopping)
-        return setStatus(tr("Stopping: the link goes back to its suite …"));
+        return setStatus(tr("Stopping: restoring the suite of the link …"));
     if (!m_run)
         return setStatus(tr("Starting …"));
     const experiment::Plan &plan = m_results->plan;

@@ -1,4 +1,4 @@
-// The diagnostics' page of a sweep: how far it is while it runs, and what it brought, in numbers and bars, as it comes in.
+// The page of a sweep in the diagnostics: progress, and the results so far as table and bars.
 #pragma once
 
 #include "ui/sweep/sweep_interface.h"
@@ -28,20 +28,20 @@ public:
     explicit SweepPage(QWidget *parent = nullptr);
     ~SweepPage() override;
 
-    /// A sweep began: what stood here before is gone.
+    /// Clears the previous results for a new sweep.
     void begin(const experiment::Plan &plan);
     void showRun(const experiment::Run &run, const SweepProgress &progress);
     void take(const experiment::Sample &sample, const SweepProgress &progress);
     void showStopping();
     void finish(std::shared_ptr<const experiment::Results> results, const QString &problem);
-    /// One line about the files.
+    /// Shows the result of saving the files.
     void showSaved(const QString &folder, bool written, const QString &problem);
     void showSaving();
-    /// Whether there can be a sweep at all.
+    /// Enables the button that starts a sweep.
     void setPossible(bool possible);
 
     bool isRunning() const { return m_running; }
-    /// Complete only after finish().
+    /// Complete after finish().
     std::shared_ptr<const experiment::Results> results() const { return m_results; }
 
 Q_SIGNALS:
@@ -59,7 +59,7 @@ private:
 
     std::shared_ptr<const experiment::Results> m_results;
     bool m_running = false, m_stopping = false;
-    bool m_follows = true; ///< shows the place that is measured, until another one is chosen
+    bool m_follows = true; ///< shows the link and load being measured until the operator selects another
     std::optional<experiment::Run> m_run;
     SweepProgress m_progress;
     QLabel *m_status;
@@ -69,7 +69,7 @@ private:
     QTableView *m_table;
     SweepTableModel *m_model;
     SweepBars *m_bars;
-    QTimer *m_clock; ///< counts the remaining time down
+    QTimer *m_clock; ///< updates the remaining time
 };
 
 } // namespace skyseal::ui

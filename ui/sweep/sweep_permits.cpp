@@ -35,7 +35,7 @@ QString whyNoConnectedLink(const SweepSurroundings &around)
         return Text::tr("the link is silent");
     const auto clear = [](const engine::VehicleSnapshot &vehicle) { return !vehicle.session && !vehicle.state.lost; };
     if (view.snapshot->sessions.size() > 1 || std::ranges::any_of(view.snapshot->vehicles, clear))
-        return Text::tr("other links would be measured with it: leave one sealed link open");
+        return Text::tr("other links would be measured as well: keep only one sealed link open");
     return {};
 }
 
@@ -61,7 +61,7 @@ QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId su
 
 QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
 {
-    // The session begins anew for it, and for a moment nothing can be commanded.
+    // It needs a new session, during which no commands can be sent.
     if (!ownVehicle && around.view.snapshot && isArmed(around.view))
         return Text::tr("not while the vehicle is armed");
     return {};
@@ -69,12 +69,12 @@ QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
 
 QString whyNotOtherLink(bool ownVehicle)
 {
-    return ownVehicle ? QString() : Text::tr("the connected one is measured as it is");
+    return ownVehicle ? QString() : Text::tr("the connected link is measured as it is");
 }
 
 QString whyNotSaturated(bool ownVehicle)
 {
-    return ownVehicle ? QString() : Text::tr("the vehicle sends what it sends");
+    return ownVehicle ? QString() : Text::tr("the load of a connected vehicle cannot be changed");
 }
 
 } // namespace skyseal::ui

@@ -1,4 +1,4 @@
-// What a sweep may measure on the connected link, and why not: pure functions of what the window knows.
+// Reasons why a sweep cannot measure something: pure functions of the view and the settings.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -15,10 +15,10 @@ struct SweepSurroundings
     const ViewState &view;
     const SuiteActions &suites;
     bool requireSealed = false; ///< by the settings
-    QString noOwnVehicle;       ///< why there can be no simulated vehicle for the sweep alone; empty when there can
+    QString noOwnVehicle;       ///< reason why there can be no simulated vehicle; empty if there can
 };
 
-/// Each of these is empty when nothing speaks against it.
+/// Each returns the reason; empty if the choice is possible.
 QString whyNoConnectedLink(const SweepSurroundings &around);
 QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, crypto::SuiteId suite);
 QString whyNotInline(const SweepSurroundings &around, bool ownVehicle);

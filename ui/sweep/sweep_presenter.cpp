@@ -84,7 +84,8 @@ void SweepPresenter::cancel()
 
 void SweepPresenter::askFolder()
 {
-    const QString folder = QFileDialog::getExistingDirectory(&m_window, tr("Choose where to make the folder of this sweep"));
+    const QString folder = QFileDialog::getExistingDirectory(&m_window,
+                                                             tr("Choose the folder in which the sweep's folder is created"));
     if (!folder.isEmpty())
         saveIn(folder);
 }

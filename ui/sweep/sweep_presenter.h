@@ -1,5 +1,5 @@
-// A sweep from the window: asks what to measure, has it measured, and shows it in the diagnostics. While one runs, nobody
-// changes the suite by hand.
+// Connects a sweep to the window: opens the dialog, starts the sweep and shows its results in the diagnostics. While a sweep
+// runs on the connected link, the suite cannot be chosen by hand. Lives on the GUI thread.
 #pragma once
 
 #include "ui/sweep/sweep_permits.h"
@@ -18,23 +18,23 @@ class SweepPresenter : public QObject
     Q_OBJECT
 
 public:
-    /// All of it must outlive this; `window` is the dialogs' parent.
+    /// All arguments must outlive this; `window` is the parent of dialogs.
     SweepPresenter(SweepInterface &port, SweepPage &page, SuiteActions &suites, QWidget &window);
 
     bool isRunning() const;
-    /// Writes into the view what one that runs on the connected link does to it now. For every view, in their order.
+    /// Sets the state of a sweep on the connected link in `view`. To be called for every view in order.
     void mark(ViewState &view);
-    /// Opens the dialog, unless a sweep runs.
+    /// Opens the dialog unless a sweep runs.
     void ask(const ViewState &view, bool requireSealed);
     void cancel();
-    /// A folder of its own for the files is made inside this one.
+    /// Saves the files in a new folder inside this one.
     void saveIn(const QString &folder);
 
 Q_SIGNALS:
-    /// It began, and its page is to be seen.
+    /// A sweep began; its page is to be shown.
     void began();
     void finished();
-    /// The page's button.
+    /// The button of the page was clicked.
     void dialogRequested();
 
 private:
@@ -47,10 +47,10 @@ private:
     SweepPage &m_page;
     SuiteActions &m_suites;
     QWidget &m_window;
-    std::vector<experiment::SweepArm> m_arms; ///< of the sweep that was started last
-    bool m_holdsLink = false;                 ///< one runs, on the connected link
-    bool m_plainArm = false;                  ///< plain MAVLink is its present run
-    bool m_inClear = false;                   ///< or was the one before, and no session is up again
+    std::vector<experiment::SweepArm> m_arms; ///< of the last sweep
+    bool m_holdsLink = false;                 ///< a sweep runs on the connected link
+    bool m_plainArm = false;                  ///< the current run measures plain MAVLink
+    bool m_inClear = false;                   ///< the same, or the run before was plain and no session is up yet
 };
 
 } // namespace skyseal::ui

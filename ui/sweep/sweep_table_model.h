@@ -1,4 +1,4 @@
-// A sweep's means as a table: a row for each suite in each framing, a column for each metric that was measured.
+// The means of a sweep as a table: a row per suite and framing, a column per metric.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -15,7 +15,7 @@ class SweepTableModel : public QAbstractTableModel
 
 public:
     enum Column { SuiteColumn, FramingColumn, FixedColumns };
-    /// The mean as a number, invalid where there is none.
+    /// The mean as a number; invalid if there is none.
     static constexpr int MeanRole = Qt::UserRole;
 
     using QAbstractTableModel::QAbstractTableModel;

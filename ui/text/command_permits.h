@@ -1,4 +1,4 @@
-// Whether the vehicle that the operator looks at can be told anything: where nothing would arrive, nothing is offered.
+// Reasons why commands cannot be sent to the selected vehicle.
 #pragma once
 
 #include "ui/view_state.h"
@@ -7,8 +7,8 @@
 
 namespace skyseal::ui {
 
-/// Why no command can go to the view's vehicle, in a few words; empty when one can. A link that is only silent is no
-/// reason: what we say may arrive even where nothing is heard.
+/// Returns the reason in a few words; empty if commands can be sent. A silent link is not a reason, because commands may still
+/// arrive at the vehicle.
 QString whyNoCommands(const ViewState &view);
 /// The same as a sentence: "Nothing can be sent: no vehicle"; empty for an empty reason.
 QString nothingCanBeSent(const QString &reason);

@@ -29,21 +29,21 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     const QString name = ended.peerName.empty() ? Text::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Text::tr("Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard "
-                   "last, and clear MAVLink in its name stays refused.");
+        + Text::tr("Waiting: the session is established automatically when it is heard again. The last received "
+                   "values are shown, and clear MAVLink that claims to be it is still refused.");
     if (view.inSweep && ended.reason == DownReason::Closed)
-        return LinkEnded{Text::tr("Beginning anew · %1").arg(name),
-                         Text::tr("The sweep changes how the link is protected; both ends agree on that in a new handshake.")};
+        return LinkEnded{Text::tr("New session · %1").arg(name),
+                         Text::tr("The sweep changes the protection of the link, which needs a new handshake.")};
     switch (ended.reason) {
     case DownReason::Revoked:
         return LinkEnded{Text::tr("Revoked · %1").arg(name),
-                         Text::tr("%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is "
-                                  "shown is what was heard last. Pair it again to go on.")
+                         Text::tr("%1 is no longer a known peer: its session ended %2 ago and cannot be established again. The "
+                                  "last received values are shown. Pair it again to continue.")
                              .arg(name, ago),
                          true};
     case DownReason::TimedOut:
         return LinkEnded{Text::tr("Session lost · %1").arg(name),
-                         Text::tr("Nothing was heard of %1 for too long; the session ended %2 ago.").arg(name, ago) + waiting};
+                         Text::tr("%1 was not heard for too long; the session ended %2 ago.").arg(name, ago) + waiting};
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:

@@ -1,5 +1,4 @@
-// What is true of a vehicle that was heard over a sealed session which is not there any more: words for the lock and for the
-// panel.
+// Texts about a vehicle whose sealed session has ended, and about agents without a session, for the lock and the panels.
 #pragma once
 
 #include "ui/view_state.h"
@@ -11,17 +10,18 @@ namespace skyseal::ui {
 struct LinkEnded
 {
     QString title;  ///< a few words
-    QString advice; ///< why, and what comes next
+    QString advice; ///< reason and next step
     bool revoked = false;
 };
 
-/// Nothing while the session of the view's vehicle is up, for a vehicle in clear and without a vehicle.
+/// Returns nothing if the session of the view's vehicle is up, for a plain vehicle and without a vehicle.
 std::optional<LinkEnded> linkEndedOf(const ViewState &view);
 
-/// The agent of the view's vehicle (or any, where there is none) that is there and does not answer; null when none is so.
+/// Returns the agent of the view's vehicle (or any, without a vehicle) that announces itself but does not answer; null if there
+/// is none.
 const engine::UnansweringAgent *unansweringOf(const ViewState &view);
 
-/// An agent whose key is not known here, where that is all there is; null otherwise.
+/// Returns an agent with an unknown key if nothing else is connected; null otherwise.
 const engine::UnknownAgent *unknownAgentOf(const ViewState &view);
 
 } // namespace skyseal::ui

@@ -15,7 +15,7 @@ using engine::Security;
 
 namespace {
 
-/// The translations' context of the free functions below.
+/// The translation context of the functions below.
 struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::LockFace)
@@ -46,12 +46,13 @@ LockFace unsealedFace(const QStringList &variants, const QString &toolTip)
 
 LockFace pendingApprovalFace(const engine::PendingVehicle &held)
 {
-    return unsealedFace({Text::tr("Not sealed · vehicle %1 held back").arg(held.systemId), Text::tr("Not sealed · held back"),
-                         Text::tr("Not sealed")},
-                        Text::tr("Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown "
-                                 "and nothing is sent to it until you allow plain MAVLink for it.")
-                            .arg(held.systemId)
-                            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
+    return unsealedFace(
+        {Text::tr("Not sealed · vehicle %1 needs approval").arg(held.systemId), Text::tr("Not sealed · needs approval"),
+         Text::tr("Not sealed")},
+        Text::tr("Vehicle %1 at %2 may be an impostor of %3, which has not been heard yet. Its telemetry is not "
+                 "shown and nothing is sent to it until you allow plain MAVLink for it.")
+            .arg(held.systemId)
+            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)
@@ -66,12 +67,13 @@ LockFace plainFace(const ViewState &view)
         return face;
     }
     if (view.plainRun)
-        return unsealedFace({Text::tr("Not sealed · in a sweep"), Text::tr("Not sealed")},
-                            Text::tr("The sweep measures plain MAVLink now, as was consented to: anyone on the way can "
-                                     "read and change what is sent. It seals the link again by itself."));
+        return unsealedFace(
+            {Text::tr("Not sealed · in a sweep"), Text::tr("Not sealed")},
+            Text::tr("The sweep measures plain MAVLink at present, with your consent: anyone on the path can read "
+                     "and change the traffic. The sweep seals the link again afterwards."));
     return unsealedFace({Text::tr("Not sealed · plain MAVLink"), Text::tr("Not sealed")},
-                        Text::tr("Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle "
-                                 "to seal the link."));
+                        Text::tr("Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to "
+                                 "seal the link."));
 }
 
 } // namespace
@@ -98,8 +100,8 @@ LockFace lockFaceOf(const ViewState &view)
             face.icon = QStringLiteral("lock-none");
             face.lost = true;
             face.variants = {Text::tr("%1 does not answer").arg(fromStd(agent->peerName)), Text::tr("No answer")};
-            face.toolTip = Text::tr("The agent %1 at %2 is there but does not answer. Does it know this station's key?\n"
-                                    "Fingerprint %3")
+            face.toolTip = Text::tr("The agent %1 at %2 is reachable but does not answer. Does it know this station's "
+                                    "key?\nFingerprint %3")
                                .arg(fromStd(agent->peerName), fromStd(agent->remoteAddress), fromStd(agent->ownFingerprint));
             return face;
         }
@@ -129,7 +131,7 @@ LockFace lockFaceOf(const ViewState &view)
         face.icon = QStringLiteral("lock-switching");
         if (session.info.pending.value_or(session.info.suite) == session.info.suite) {
             face.variants = {suite + dot + Text::tr("changing keys…")};
-            face.toolTip += QLatin1Char('\n') + Text::tr("Fresh keys are being agreed");
+            face.toolTip += QLatin1Char('\n') + Text::tr("New keys are being agreed");
             break;
         }
         const QString to = suiteName(*session.info.pending);

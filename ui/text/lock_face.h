@@ -1,5 +1,4 @@
-// What the lock shows: one of its faces and the words beside it, from one view. Kept apart from the painting, so that
-// strip, panel and tests agree about it.
+// The icon and text of the lock for one view, shared by status strip and secure link panel.
 #pragma once
 
 #include "ui/view_state.h"
@@ -13,14 +12,14 @@ struct LockFace
 {
     engine::Security security = engine::Security::Nothing;
     QString icon;
-    QStringList variants; ///< of the words, the longest first; each names the suite
+    QStringList variants; ///< texts, longest first; each names the suite
     QString toolTip;
     std::optional<crypto::SuiteId> suite; ///< for the colour
-    bool lost = false; ///< there was a session, or there is an agent that does not answer: not nothing, and not well
+    bool lost = false;                    ///< the session has ended, or the agent does not answer
     bool operator==(const LockFace &) const = default;
 };
 
-/// The state of the view's own session (or of the whole station where it has none).
+/// Returns the state of the view's session, or of the whole station if the view has none.
 engine::Security securityOf(const ViewState &view);
 LockFace lockFaceOf(const ViewState &view);
 

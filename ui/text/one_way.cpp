@@ -18,14 +18,14 @@ std::optional<OneWay> oneWayOf(const ViewState &view)
     if (!view.link || view.vehicle->session)
         return std::nullopt;
     if (view.link->url.starts_with("tlog:"))
-        return OneWay{Text::tr("A recording"),
-                      Text::tr("What is shown was recorded earlier. Nothing of it is live, and nothing can be sent."),
-                      Text::tr("it is a recording"), true};
+        return OneWay{Text::tr("Replay"),
+                      Text::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
+                      Text::tr("it is a replay"), true};
     if (view.link->listenOnly)
-        return OneWay{Text::tr("Not sealed, only listened to"),
-                      Text::tr("This stream is protected as MAVSec's published code does it, which is insecure: who is "
-                               "on the way can change it. Nothing is sent to it."),
-                      Text::tr("its link is only listened to")};
+        return OneWay{Text::tr("Not sealed, listening only"),
+                      Text::tr("This stream is protected like MAVSec's published code, which is insecure: anyone on the path "
+                               "can change it. Nothing is sent to it."),
+                      Text::tr("its link is listen-only")};
     return std::nullopt;
 }
 

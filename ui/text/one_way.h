@@ -1,5 +1,5 @@
-// What is true of a vehicle that is only heard: of a recording, and of a stream that is never sent to. Text for the lock,
-// the panel and all that would send something.
+// Texts about a vehicle that nothing can be sent to: a replayed log or a listen-only link. For the lock, the panels and
+// disabled commands.
 #pragma once
 
 #include "ui/view_state.h"
@@ -12,11 +12,11 @@ struct OneWay
 {
     QString title; ///< a few words
     QString advice;
-    QString whyNot; ///< why no command goes there, in a few words
+    QString whyNot; ///< reason why commands cannot be sent, in a few words
     bool recorded = false;
 };
 
-/// Nothing for a vehicle that something can be sent to, as far as its link is concerned, and without a vehicle.
+/// Returns nothing if the link of the vehicle can send, and without a vehicle.
 std::optional<OneWay> oneWayOf(const ViewState &view);
 
 } // namespace skyseal::ui

@@ -1,11 +1,11 @@
-// What the dialogs with many fields are put together from.
+// Helpers that dialogs with many fields use.
 #pragma once
 
 #include <QtWidgets/QLabel>
 
 namespace skyseal::ui {
 
-/// Names a widget for tests and for screen readers; gives it back.
+/// Sets object name and accessible name, and returns the widget.
 template<typename W> W *named(W *widget, const char *objectName, const QString &accessible)
 {
     widget->setObjectName(QLatin1String(objectName));
@@ -13,7 +13,7 @@ template<typename W> W *named(W *widget, const char *objectName, const QString &
     return widget;
 }
 
-/// An explanation under what it explains.
+/// An explanation below a field.
 inline QLabel *smallPrint(const QString &text, QWidget *parent)
 {
     auto *label = new QLabel(text, parent);

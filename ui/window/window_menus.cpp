@@ -21,19 +21,18 @@ namespace skyseal::ui {
 namespace {
 
 /// The translation context of this file.
-struct MenuText
+struct Text
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::WindowMenus)
 };
-
-constexpr auto tr = [](const char *text) { return MenuText::tr(text); };
 
 /// Asks once about the vehicle that is shown at this moment. Closing the box or Esc means no.
 void confirmAndSend(const MenuTargets &on, const QString &question, const vehicle::VehicleCommand &command)
 {
     const std::uint8_t systemId = on.commands.systemId();
-    const QString text = on.commands.isOneOfSeveral() ? tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
-    auto *box = new QMessageBox(QMessageBox::Question, tr("Confirm"), text, QMessageBox::Yes | QMessageBox::Cancel, &on.window);
+    const QString text = on.commands.isOneOfSeveral() ? Text::tr("Vehicle %1: %2").arg(systemId).arg(question) : question;
+    auto *box = new QMessageBox(QMessageBox::Question, Text::tr("Confirm"), text, QMessageBox::Yes | QMessageBox::Cancel,
+                                &on.window);
     box->setObjectName(QStringLiteral("confirmCommand"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Cancel);
@@ -49,18 +48,18 @@ void confirmAndSend(const MenuTargets &on, const QString &question, const vehicl
 Menu fileMenu(const MenuTargets &on)
 {
     return {QStringLiteral("menuFile"),
-            tr("&File"),
+            Text::tr("&File"),
             {{.id = QStringLiteral("actionSettings"),
-              .text = tr("&Settings …"),
+              .text = Text::tr("&Settings …"),
               .trigger = [on] { on.dialogs.openSettings(); },
               .shortcut = QKeySequence::Preferences},
              {.id = QStringLiteral("actionReplay"),
-              .text = tr("&Replay a log …"),
+              .text = Text::tr("&Replay a log …"),
               .trigger = [on] { on.dialogs.openReplay(); },
               .shortcut = QKeySequence::Open},
              {},
              {.id = QStringLiteral("actionQuit"),
-              .text = tr("&Quit"),
+              .text = Text::tr("&Quit"),
               .trigger = [on] { on.window.close(); },
               .shortcut = QKeySequence::Quit}}};
 }
@@ -68,9 +67,9 @@ Menu fileMenu(const MenuTargets &on)
 Menu linkMenu(const MenuTargets &on)
 {
     return {QStringLiteral("menuLink"),
-            tr("&Link"),
+            Text::tr("&Link"),
             {{.id = QStringLiteral("actionConnect"),
-              .text = tr("&Connect …"),
+              .text = Text::tr("&Connect …"),
               .trigger = [on] { on.dialogs.openLink(); },
               .shortcut = Qt::Key_F12}}};
 }
@@ -83,7 +82,7 @@ MenuItems modeItems(const MenuTargets &on)
             items.push_back({.text = fromStd(mode) + QStringLiteral(" …"),
                              .trigger =
                                  [on, mode] {
-                                     confirmAndSend(on, tr("Change the mode to %1?").arg(fromStd(mode)),
+                                     confirmAndSend(on, Text::tr("Change the mode to %1?").arg(fromStd(mode)),
                                                     vehicle::SetMode{mode});
                                  },
                              .checked = mode == vehicle->state.mode});
@@ -99,7 +98,7 @@ MenuItems vehicleItems(const MenuTargets &on)
         return items;
     for (const auto &vehicle : view.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
-        items.push_back({.text = tr("Vehicle %1").arg(id),
+        items.push_back({.text = Text::tr("Vehicle %1").arg(id),
                          .trigger = [on, id] { on.selection.selectVehicle(id); },
                          .checked = view.vehicle && view.vehicle->state.systemId == id});
     }
@@ -116,31 +115,31 @@ Menu vehicleMenu(const MenuTargets &on)
                         .trigger = [on, question, order] { confirmAndSend(on, question, order); },
                         .whyDisabled = whyNoCommand};
     };
-    return {
-        QStringLiteral("menuVehicle"),
-        tr("&Vehicle"),
-        {command(tr("&Arm …"), QStringLiteral("actionArm"), tr("Arm the motors? The propellers will turn."), vehicle::Arm{}),
-         command(tr("&Disarm …"), QStringLiteral("actionDisarm"), tr("Disarm the motors?"), vehicle::Disarm{}),
-         {},
-         {.id = QStringLiteral("actionTakeOff"),
-          .text = tr("&Take off …"),
-          .trigger = [on] { on.dialogs.openTakeOff(); },
-          .whyDisabled = whyNoCommand},
-         command(tr("&Land …"), QStringLiteral("actionLand"), tr("Land here?"), vehicle::Land{}),
-         command(tr("&Return to launch (RTL) …"), QStringLiteral("actionReturn"), tr("Return to launch and land there?"),
-                 vehicle::ReturnToLaunch{}),
-         command(tr("&Start the mission …"), QStringLiteral("actionStartMission"), tr("Fly the mission?"),
-                 vehicle::StartMission{}),
-         {},
-         {.id = QStringLiteral("menuMode"),
-          .text = tr("&Mode"),
-          .whyDisabled = whyNoCommand,
-          .submenu = [on] { return modeItems(on); }},
-         {},
-         {.id = QStringLiteral("menuChooseVehicle"),
-          .text = tr("S&how"),
-          .whyDisabled = [on] { return on.selection.view().vehicle ? QString() : tr("No vehicle"); },
-          .submenu = [on] { return vehicleItems(on); }}}};
+    return {QStringLiteral("menuVehicle"),
+            Text::tr("&Vehicle"),
+            {command(Text::tr("&Arm …"), QStringLiteral("actionArm"), Text::tr("Arm the motors? The propellers will turn."),
+                     vehicle::Arm{}),
+             command(Text::tr("&Disarm …"), QStringLiteral("actionDisarm"), Text::tr("Disarm the motors?"), vehicle::Disarm{}),
+             {},
+             {.id = QStringLiteral("actionTakeOff"),
+              .text = Text::tr("&Take off …"),
+              .trigger = [on] { on.dialogs.openTakeOff(); },
+              .whyDisabled = whyNoCommand},
+             command(Text::tr("&Land …"), QStringLiteral("actionLand"), Text::tr("Land here?"), vehicle::Land{}),
+             command(Text::tr("&Return to launch (RTL) …"), QStringLiteral("actionReturn"),
+                     Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
+             command(Text::tr("&Start the mission …"), QStringLiteral("actionStartMission"), Text::tr("Fly the mission?"),
+                     vehicle::StartMission{}),
+             {},
+             {.id = QStringLiteral("menuMode"),
+              .text = Text::tr("&Mode"),
+              .whyDisabled = whyNoCommand,
+              .submenu = [on] { return modeItems(on); }},
+             {},
+             {.id = QStringLiteral("menuChooseVehicle"),
+              .text = Text::tr("S&how"),
+              .whyDisabled = [on] { return on.selection.view().vehicle ? QString() : Text::tr("No vehicle"); },
+              .submenu = [on] { return vehicleItems(on); }}}};
 }
 
 MenuItems plainItems(const MenuTargets &on)
@@ -148,7 +147,7 @@ MenuItems plainItems(const MenuTargets &on)
     MenuItems items;
     if (const auto &snapshot = on.selection.view().snapshot) {
         for (const engine::PendingVehicle &pending : snapshot->pendingApproval)
-            items.push_back({.text = tr("Vehicle %1 at %2 …").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
+            items.push_back({.text = Text::tr("Vehicle %1 at %2 …").arg(pending.systemId).arg(fromStd(pending.remoteAddress)),
                              .trigger = [on, pending] { askAllowPlain(on.station, pending, &on.window); }});
     }
     return items;
@@ -156,25 +155,25 @@ MenuItems plainItems(const MenuTargets &on)
 
 Menu securityMenu(const MenuTargets &on)
 {
-    MenuItems items{{.text = tr("Cipher suite")}};
+    MenuItems items{{.text = Text::tr("Cipher suite")}};
     for (QAction *action : on.suites.actions())
         items.push_back({.action = action});
     items.push_back({});
     items.push_back({.action = on.suites.changeKeysAction()});
     items.push_back({.id = QStringLiteral("menuAllowPlain"),
-                     .text = tr("Allow &plain MAVLink"),
+                     .text = Text::tr("Allow &plain MAVLink"),
                      .whyDisabled =
                          [on] {
                              const auto &snapshot = on.selection.view().snapshot;
                              const bool any = snapshot && !snapshot->pendingApproval.empty();
-                             return any ? QString() : tr("No vehicle is waiting for approval");
+                             return any ? QString() : Text::tr("No vehicle is waiting for approval");
                          },
                      .submenu = [on] { return plainItems(on); }});
     items.push_back({.id = QStringLiteral("actionKeys"),
-                     .text = tr("&Keys and peers …"),
+                     .text = Text::tr("&Keys and peers …"),
                      .trigger = [on] { on.dialogs.openKeys(); },
                      .shortcut = Qt::CTRL | Qt::Key_K});
-    return {QStringLiteral("menuSecurity"), tr("&Security"), std::move(items)};
+    return {QStringLiteral("menuSecurity"), Text::tr("&Security"), std::move(items)};
 }
 
 Menu viewMenu(const MenuTargets &on)
@@ -185,56 +184,58 @@ Menu viewMenu(const MenuTargets &on)
     const MenuItems others{
         {},
         {.id = QStringLiteral("actionFollow"),
-         .text = tr("&Follow the vehicle"),
+         .text = Text::tr("&Follow the vehicle"),
          .trigger = [on] { on.map.followVehicle(); },
          .shortcut = Qt::CTRL | Qt::Key_Home},
         {.id = QStringLiteral("actionZoomIn"),
-         .text = tr("Zoom &in"),
+         .text = Text::tr("Zoom &in"),
          .trigger = [on] { on.map.zoomBy(1.5); },
          .shortcut = QKeySequence::ZoomIn},
         {.id = QStringLiteral("actionZoomOut"),
-         .text = tr("Zoom &out"),
+         .text = Text::tr("Zoom &out"),
          .trigger = [on] { on.map.zoomBy(1 / 1.5); },
          .shortcut = QKeySequence::ZoomOut},
-        {.id = QStringLiteral("actionClearTrack"), .text = tr("&Clear the track"), .trigger = [on] { on.map.clearTrack(); }},
+        {.id = QStringLiteral("actionClearTrack"),
+         .text = Text::tr("&Clear the track"),
+         .trigger = [on] { on.map.clearTrack(); }},
         {},
-        {.id = QStringLiteral("actionResetView"), .text = tr("&Reset the layout"), .trigger = [on] { on.docks.reset(); }},
+        {.id = QStringLiteral("actionResetView"), .text = Text::tr("&Reset the layout"), .trigger = [on] { on.docks.reset(); }},
         {.id = QStringLiteral("actionFullScreen"),
-         .text = tr("F&ull screen"),
+         .text = Text::tr("F&ull screen"),
          .trigger = [on] { on.window.setWindowState(on.window.windowState() ^ Qt::WindowFullScreen); },
          .shortcut = Qt::Key_F11,
          .checked = false}};
     items.insert(items.end(), others.begin(), others.end());
-    return {QStringLiteral("menuView"), tr("V&iew"), std::move(items)};
+    return {QStringLiteral("menuView"), Text::tr("V&iew"), std::move(items)};
 }
 
 Menu toolsMenu(const MenuTargets &on)
 {
     MenuItems items{{.id = QStringLiteral("actionSweep"),
-                     .text = tr("Run a s&weep …"),
+                     .text = Text::tr("Run a s&weep …"),
                      .trigger = on.openSweep,
                      .shortcut = Qt::CTRL | Qt::Key_R}};
     if (on.startDemo)
-        items.push_back({.id = QStringLiteral("actionDemo"), .text = tr("Start the &demo"), .trigger = on.startDemo});
-    return {QStringLiteral("menuTools"), tr("&Tools"), std::move(items)};
+        items.push_back({.id = QStringLiteral("actionDemo"), .text = Text::tr("Start the &demo"), .trigger = on.startDemo});
+    return {QStringLiteral("menuTools"), Text::tr("&Tools"), std::move(items)};
 }
 
 Menu helpMenu(const MenuTargets &on)
 {
     return {QStringLiteral("menuHelp"),
-            tr("&Help"),
+            Text::tr("&Help"),
             {{.id = QStringLiteral("actionHelp"),
-              .text = tr("&First steps"),
+              .text = Text::tr("&First steps"),
               .trigger = [on] { on.dialogs.openHelp(QStringLiteral("start")); },
               .shortcut = QKeySequence::HelpContents},
              {.id = QStringLiteral("actionHelpSealing"),
-              .text = tr("&Sealing a link"),
+              .text = Text::tr("&Sealing a link"),
               .trigger = [on] { on.dialogs.openHelp(QStringLiteral("sealing")); }},
              {.id = QStringLiteral("actionHelpDiagnostics"),
-              .text = tr("&Diagnostics"),
+              .text = Text::tr("&Diagnostics"),
               .trigger = [on] { on.dialogs.openHelp(QStringLiteral("diagnostics")); }},
              {},
-             {.id = QStringLiteral("actionAbout"), .text = tr("&About Skyseal"), .trigger = [on] {
+             {.id = QStringLiteral("actionAbout"), .text = Text::tr("&About Skyseal"), .trigger = [on] {
                   on.dialogs.openAbout(on.version);
               }}}};
 }
