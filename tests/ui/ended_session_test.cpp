@@ -42,8 +42,8 @@ private Q_SLOTS:
         const auto row = [](const char *name, channel::DownReason reason, const char *title, const char *words) {
             QTest::newRow(name) << static_cast<int>(reason) << QString::fromUtf8(title) << QString::fromUtf8(words);
         };
-        row("revoked", channel::DownReason::Revoked, "Revoked · air-1", "no longer among the known peers");
-        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "Nothing was heard of air-1");
+        row("revoked", channel::DownReason::Revoked, "Revoked · air-1", "no longer a known peer");
+        row("silent", channel::DownReason::TimedOut, "Session lost · air-1", "air-1 was not heard for too long");
         row("goodbye", channel::DownReason::PeerClosed, "Session ended · air-1", "closed by the other end");
         row("restart", channel::DownReason::PeerRestarted, "Session ended · air-1", "the other end restarted");
         row("keys", channel::DownReason::Exhausted, "Session ended · air-1", "its keys were used up");
@@ -64,7 +64,7 @@ private Q_SLOTS:
         QCOMPARE(find<QLabel>("secureTitle")->text(), title);
         QVERIFY2(advice.contains(words), qPrintable(advice));
         QVERIFY2(!advice.contains(QStringLiteral("plain MAVLink")), qPrintable(advice));
-        QCOMPARE(advice.contains(QStringLiteral("Waiting for it")), why != channel::DownReason::Revoked);
+        QCOMPARE(advice.contains(QStringLiteral("Waiting: ")), why != channel::DownReason::Revoked);
         QCOMPARE(find<StripItem>("stripLock")->text(), title);
         QVERIFY(find<QPushButton>("secureKeys")->isVisible());
 
@@ -177,7 +177,7 @@ private Q_SLOTS:
         panel.showViewState(view);
         QCOMPARE(text("secureTitle"), QStringLiteral("Not sealed, in a sweep"));
         QVERIFY(!text("secureAdvice").contains(QStringLiteral("Start skyseal-air")));
-        QVERIFY(text("secureAdvice").contains(QStringLiteral("measured now")));
+        QVERIFY(text("secureAdvice").contains(QStringLiteral("measured at present")));
         QVERIFY(panel.findChild<QPushButton *>(QStringLiteral("secureHelp"))->isHidden());
         QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · in a sweep"));
         QVERIFY(!lockFaceOf(view).toolTip.contains(QStringLiteral("Start skyseal-air")));

@@ -1,6 +1,7 @@
 // A vehicle in clear that may be an impostor of a known agent: named wherever the operator looks, offered nothing, and taken
 // only by a person who was told what that means.
 #include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/security/allow_plain.h"
 #include "ui/status/strip_item.h"
@@ -112,7 +113,7 @@ private Q_SLOTS:
         askAllowPlain(*m_station, {1, "192.0.2.66:40000", "air-1, air-2"}, m_window.get());
         auto *box = find<QMessageBox>("confirmPlain");
         const QString words = box->informativeText();
-        QVERIFY2(words.contains(QStringLiteral("says in clear that it is vehicle 1, from any address")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("claims in clear to be vehicle 1, from any address")), qPrintable(words));
         QVERIFY2(words.contains(QStringLiteral("the vehicle of air-1 or air-2")), qPrintable(words));
         for (const auto answer : {QMessageBox::Yes, QMessageBox::Cancel})
             QVERIFY(box->button(answer)->icon().isNull()); // none of them is recommended by a picture
@@ -135,5 +136,5 @@ private Q_SLOTS:
     }
 };
 
-QTEST_MAIN(PendingApprovalTest)
+SKYSEAL_TEST_WIDGETS(PendingApprovalTest)
 #include "pending_approval_test.moc"

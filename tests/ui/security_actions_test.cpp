@@ -90,7 +90,7 @@ private Q_SLOTS:
         m_station->notify(done);
         QVERIFY(change->isEnabled());
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isChecked());
-        QVERIFY2(note()->text().contains(QStringLiteral("Fresh keys, epoch 4, after 42 ms")), qPrintable(note()->text()));
+        QVERIFY2(note()->text().contains(QStringLiteral("New keys, epoch 4, after 42 ms")), qPrintable(note()->text()));
 
         QTest::keyClick(m_window.get(), Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_station->switches.size(), std::size_t(2));

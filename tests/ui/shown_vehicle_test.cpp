@@ -80,7 +80,7 @@ private Q_SLOTS:
         Q_EMIT go->confirmed();
         QVERIFY(m_station->commands.empty());
         const QString line = find<QLabel>("commandResult")->text();
-        QVERIFY2(line.contains(QStringLiteral("vehicle 5 is not the one that is shown now")), qPrintable(line));
+        QVERIFY2(line.contains(QStringLiteral("vehicle 5 is no longer selected")), qPrintable(line));
 
         m_station->show(vehicles(4, {1}));
         find<QAction>("actionLand")->trigger();
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QTest::mouseRelease(arm, Qt::LeftButton);
         QVERIFY(m_station->commands.empty());
         const QString line = find<QLabel>("commandResult")->text();
-        QVERIFY2(line.contains(QStringLiteral("was disarmed meanwhile")), qPrintable(line));
+        QVERIFY2(line.contains(QStringLiteral("has been disarmed")), qPrintable(line));
     }
 
     void holdEndsWithTheVehicleAndItsModes()

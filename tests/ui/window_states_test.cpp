@@ -99,7 +99,7 @@ private Q_SLOTS:
         engine::Snapshot snapshot = waitingSnapshot();
         snapshot.unknownAgents.push_back({"192.0.2.7:40000"});
         m_station->show(snapshot);
-        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("not known here")));
+        QVERIFY(find<QLabel>("emptyTitle")->text().contains(QStringLiteral("unknown agent")));
         QVERIFY(find<QLabel>("emptyText")->text().contains(QStringLiteral("192.0.2.7:40000")));
         QVERIFY(find<QLabel>("emptyCommand")->text().contains(QStringLiteral("--pair")));
         QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("192.0.2.7:40000")));
