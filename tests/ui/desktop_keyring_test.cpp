@@ -46,10 +46,10 @@ private Q_SLOTS:
     void init();
     void rememberedAndForgotten();
     void askedOnceThenNoMore();
-    void staleOneIsAskedFor();
+    void stalePassphraseIsRequested();
 
 private:
-    /// A program that starts anew: only what is in the files and in the keyring is left.
+    /// A restarted program: only the files and the keyring remain.
     void restart()
     {
         m_store = std::make_unique<QSettings>(m_folder.filePath(QStringLiteral("s.ini")), QSettings::IniFormat);
@@ -159,7 +159,7 @@ void DesktopKeyringTest::askedOnceThenNoMore()
 }
 
 /// The passphrase was changed by skyseal-cli meanwhile.
-void DesktopKeyringTest::staleOneIsAskedFor()
+void DesktopKeyringTest::stalePassphraseIsRequested()
 {
     remember("/station.key", "old");
     bool asked = false;
@@ -184,7 +184,7 @@ void DesktopKeyringTest::staleOneIsAskedFor()
     QVERIFY(is(m_memory->recall("/station.key"), "new")); // it went on being remembered
 }
 
-/// Once more on a session bus of its own, so that nobody's keyring is touched.
+/// Runs again on its own session bus, so that no real keyring is used.
 int main(int argc, char **argv)
 {
     const QString session = QStandardPaths::findExecutable(QStringLiteral("dbus-run-session"));

@@ -1,5 +1,5 @@
-// The charts by content: what is plotted is what was measured, in the suite's colour, with a mark where something happened;
-// suite over suite, as bars and in numbers; what is saved is what is shown.
+// The content of the charts: measured values in the suite's colour with marks for events, the overlay, bars and table, and the
+// saved files.
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
@@ -143,7 +143,7 @@ private Q_SLOTS:
                 QVERIFY2(qFuzzyCompare(content.runs[i].points.back().y(), values[i]), key);
             QVERIFY2(content.top >= highestOf(content), key);
         }
-        for (const Quantity &quantity : quantities) { // every axis says what it counts, every chart how it is measured
+        for (const Quantity &quantity : quantities) { // every axis has a unit, every chart a description
             QVERIFY(!quantity.unit.isEmpty());
             QVERIFY(!quantity.note.isEmpty());
         }
@@ -230,7 +230,7 @@ private Q_SLOTS:
         QCOMPARE(cpu.bars[1].mean, meanOf(all, SuiteId::Rc4, &MetricsSample::suiteCpuPercent)); // not of the process
     }
 
-    void suitesLieOverOneAnother()
+    void overlayShowsAllSuites()
     {
         auto all = twoSuites();
         const auto again = samplesOf(all.size(), 40, 50, SuiteId::ChaCha20Poly1305, 2);
@@ -250,7 +250,7 @@ private Q_SLOTS:
         QCOMPARE(rate.runs[2].points.front().x(), 0.0);
     }
 
-    void tableSaysTheSameInNumbers()
+    void tableMatchesTheBars()
     {
         const auto all = twoSuites();
         m_panel->onSnapshot(viewWith(all));
@@ -310,7 +310,7 @@ private Q_SLOTS:
         QVERIFY(m_panel->chart(0)->cursorText().last().contains(QStringLiteral("RC4 (insecure)"))); // the mark
     }
 
-    void hoverCoversNoPointAskedFor()
+    void cursorTextAvoidsTheCurves()
     {
         m_panel->onSnapshot(viewWith(samplesOf(0, 0, 130, SuiteId::Aes256Gcm, 0)));
         m_panel->refresh();
@@ -345,7 +345,7 @@ private Q_SLOTS:
         QCOMPARE(cursor.box(), before);
     }
 
-    void interruptedLineSpeaksOnce()
+    void interruptedLineHasOneCursorValue()
     {
         // Two readings within a second of the cursor, with none between: two runs of one line.
         const QString suite = QStringLiteral("RC4 (insecure)");
@@ -474,7 +474,7 @@ private Q_SLOTS:
         QCOMPARE(scale.update(101, 2), 200.0);
         QCOMPARE(scale.update(30, 3), 200.0);
         QCOMPARE(scale.update(30, 12), 200.0);
-        QCOMPARE(scale.update(90, 12.5), 200.0); // high again: the wait begins anew
+        QCOMPARE(scale.update(90, 12.5), 200.0); // high again: the wait restarts
         QCOMPARE(scale.update(30, 13), 200.0);
         QCOMPARE(scale.update(30, 23), 50.0);
         QCOMPARE(scale.update(0, 40), 50.0);

@@ -1,5 +1,5 @@
-// A vehicle whose sealed session is over: it is told as such and not as plain MAVLink, and nothing is offered that could not
-// be sent. What a sweep does to the link on purpose is told as that.
+// A vehicle whose sealed session has ended: it is not shown as plain MAVLink, and commands that cannot be sent are disabled. A
+// session that a sweep has ended is shown as part of the sweep.
 #include "fake_sweep.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
@@ -160,7 +160,7 @@ private Q_SLOTS:
         QVERIFY(find<HoldButton>("landButton")->isEnabled());
     }
 
-    void clearByASweepIsToldAsThat()
+    void plainRunOfASweepIsNamed()
     {
         SuiteActions suites(*m_station);
         SecureLinkPanel panel(suites);
@@ -182,7 +182,7 @@ private Q_SLOTS:
         QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("Not sealed · in a sweep"));
         QVERIFY(!lockFaceOf(view).toolTip.contains(QStringLiteral("Start skyseal-air")));
 
-        // Between plain MAVLink and a suite the session is ended by the sweep; one that is lost is told as lost.
+        // Between plain MAVLink and a suite the session is ended by the sweep; a lost session is shown as lost.
         view = viewOf(std::make_shared<const engine::Snapshot>(ended(2, channel::DownReason::Closed)), 0);
         view.inSweep = true;
         QCOMPARE(lockFaceOf(view).variants.front(), QStringLiteral("New session · air-1"));
@@ -210,7 +210,7 @@ private Q_SLOTS:
             return find<QLabel>("secureTitle")->text();
         };
         sweeps.begin(crypto::SuiteId::Aes256Gcm);
-        QCOMPARE(title(plainSnapshot(2)), QStringLiteral("Not sealed")); // nobody consented to that
+        QCOMPARE(title(plainSnapshot(2)), QStringLiteral("Not sealed")); // without consent
         sweeps.begin(crypto::SuiteId::None);
         QCOMPARE(title(plainSnapshot(3)), QStringLiteral("Not sealed, in a sweep"));
         sweeps.begin(crypto::SuiteId::Aes256Gcm);

@@ -1,4 +1,4 @@
-// Keys without files: remembers what the windows changed and shows them what a test (or the gallery) wants.
+// A keyring without files: records the changes of the dialogs and holds the content that a test (or the gallery) sets.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -60,7 +60,7 @@ public:
     QString fileText;
     std::vector<std::pair<std::string, std::string>> passphrases; ///< the present one and the next; empty = none
     bool remembers = false;                                       ///< as the last change wanted it
-    QString refusal;                                              ///< what a change meets with; empty = it succeeds
+    QString refusal;                                              ///< error of every change; empty: changes succeed
 
 private:
     template<typename Act> Result<void, InputError> commit(Act act)

@@ -1,4 +1,4 @@
-// A pairing without an engine: remembers what the dialog asked and says what a test (or the gallery) wants.
+// A pairing without an engine: records the requests of the dialog; a test (or the gallery) emits the events.
 #pragma once
 
 #include "ui/keys/pairing_interface.h"

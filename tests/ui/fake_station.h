@@ -1,4 +1,4 @@
-// A station without sockets: remembers what the windows asked of it and shows them what a test (or the gallery) wants.
+// A station without sockets: records the requests of the window; a test (or the gallery) emits snapshots and events.
 #pragma once
 
 #include "ui/station_interface.h"

@@ -1,4 +1,4 @@
-// Sweeps without a link: remembers what was ordered and tells what a test wants.
+// Sweeps without a link: records the orders; a test emits the events.
 #pragma once
 
 #include "ui/sweep/sweep_interface.h"

@@ -13,7 +13,7 @@ QStringList dialogStates();
 /// Keys and peers of a station that has been used for a while.
 void fillKeyring(FakeKeyring &keyring);
 
-/// Opens the dialog by its name, as a child of the window; null for what is no dialog.
+/// Opens the dialog by its name, as a child of the window; null for an unknown name.
 QWidget *openDialog(const QString &state, MainWindow &window, FakeKeyring &keyring, FakePairing &pairing);
 
 } // namespace skyseal::ui

@@ -68,13 +68,13 @@ private Q_SLOTS:
     void cleanup() { m_dialog.reset(); }
 
     void ownKeyIsShownAndCopied();
-    void noKeySaysWhy();
+    void missingKeyShowsTheReason();
     void peersAreListed();
-    void emptyListSaysWhatToDo();
-    void unreadableListSaysWhy();
+    void emptyListShowsInstructions();
+    void unreadableListShowsTheReason();
     void addedByItsText();
-    void everyMistakeInWords_data();
-    void everyMistakeInWords();
+    void everyInputErrorHasAMessage_data();
+    void everyInputErrorHasAMessage();
     void changedKeyIsReplacedKnowingly();
     void replacedPeerStaysWhatItWas();
     void tickCountsForOneKeyAlone();
@@ -145,7 +145,7 @@ void KeysDialogTest::ownKeyIsShownAndCopied()
     QCOMPARE(find<QLabel>("ownResult")->text(), QStringLiteral("copied"));
 }
 
-void KeysDialogTest::noKeySaysWhy()
+void KeysDialogTest::missingKeyShowsTheReason()
 {
     m_keyring->own = {std::nullopt, false, {}, QStringLiteral("the passphrase was not given")};
     m_keyring->notify();
@@ -166,7 +166,7 @@ void KeysDialogTest::peersAreListed()
     QCOMPARE(cell(0, PeerModel::LastSeen).data().toString(), QStringLiteral("connected"));
 }
 
-void KeysDialogTest::emptyListSaysWhatToDo()
+void KeysDialogTest::emptyListShowsInstructions()
 {
     m_keyring->list.peers.clear();
     m_keyring->notify();
@@ -180,7 +180,7 @@ void KeysDialogTest::emptyListSaysWhatToDo()
     QCOMPARE(wanted.size(), 1);
 }
 
-void KeysDialogTest::unreadableListSaysWhy()
+void KeysDialogTest::unreadableListShowsTheReason()
 {
     m_keyring->list = {{}, QStringLiteral("/home/ann/peers"), QStringLiteral("/home/ann/peers:3: \"captain\" is not a role")};
     m_keyring->notify();
@@ -207,7 +207,7 @@ void KeysDialogTest::addedByItsText()
     QVERIFY(!dialog->isVisible());
 }
 
-void KeysDialogTest::everyMistakeInWords_data()
+void KeysDialogTest::everyInputErrorHasAMessage_data()
 {
     QTest::addColumn<QString>("keyText");
     QTest::addColumn<QString>("name");
@@ -225,7 +225,7 @@ void KeysDialogTest::everyMistakeInWords_data()
                              << QStringLiteral("not a list of system ids");
 }
 
-void KeysDialogTest::everyMistakeInWords()
+void KeysDialogTest::everyInputErrorHasAMessage()
 {
     QFETCH(QString, keyText);
     QFETCH(QString, name);
@@ -262,7 +262,7 @@ void KeysDialogTest::changedKeyIsReplacedKnowingly()
     QCOMPARE(okOf(dialog)->text(), QStringLiteral("Replace the key"));
     QTest::mouseClick(okOf(dialog), Qt::LeftButton);
     QVERIFY(m_keyring->list.peers[0].key == key(9));
-    QCOMPARE(m_keyring->list.peers[0].systems, std::vector<std::uint8_t>{7}); // what was typed stands
+    QCOMPARE(m_keyring->list.peers[0].systems, std::vector<std::uint8_t>{7}); // the input is kept
     QCOMPARE(m_keyring->list.peers.size(), std::size_t(2));
 }
 
@@ -412,7 +412,7 @@ void KeysDialogTest::passphraseIsHiddenAndTaken()
     PassphraseDialog other(QStringLiteral("/home/ann/identity.key"), false, {});
     other.show();
     remember = other.findChild<QCheckBox *>(QStringLiteral("rememberPassphrase"));
-    QVERIFY(remember->isEnabled() && !other.isToBeRemembered()); // only when somebody wants it
+    QVERIFY(remember->isEnabled() && !other.isToBeRemembered()); // only if the operator ticks it
     QTest::mouseClick(remember, Qt::LeftButton, {}, QPoint(8, remember->height() / 2));
     QVERIFY(other.isToBeRemembered());
 }

@@ -113,7 +113,7 @@ private Q_SLOTS:
         }
     }
 
-    void whatGivesWayIsStillTold()
+    void hiddenPartsStayInToolTips()
     {
         open({1024, 700});
         engine::Snapshot snapshot = sealedSnapshot(1);

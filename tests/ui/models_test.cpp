@@ -1,5 +1,4 @@
-// Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and what its cells say.
-#include "core/engine/text/event_text.h"
+// Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and the content of its cells.
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/inspector/field_model.h"
@@ -50,7 +49,7 @@ private Q_SLOTS:
         QCOMPARE(model.rowCount(), 0);
     }
 
-    void vehiclesWordsAreNoMarkup()
+    void vehicleTextIsNotMarkup()
     {
         MessageModel model;
         model.append({QDateTime::currentDateTime(), 1, 6, QStringLiteral("<img src='file:///x'>1 < 2")});
@@ -59,7 +58,7 @@ private Q_SLOTS:
         QVERIFY(tip.contains(QStringLiteral("&lt;img")));
     }
 
-    void eventsReadAsOnTheCommandLine()
+    void impostorOfAVehicleIsNamed()
     {
         MessagesPanel panel;
         engine::PeerNames names;
@@ -178,7 +177,7 @@ private Q_SLOTS:
         model.written({"BATT_CAPACITY", 5200, 9, 2}, true, {});
         QVERIFY(cell(model, 2, ParameterModel::State).contains(QStringLiteral("5200")));
         QVERIFY(!model.setData(value, QStringLiteral("many"), Qt::EditRole));
-        QVERIFY(cell(model, 2, ParameterModel::State).contains(QStringLiteral("no number")));
+        QVERIFY(cell(model, 2, ParameterModel::State).contains(QStringLiteral("not a number")));
         QCOMPARE(wanted.size(), 1);
         model.setParameters(nullptr);
         QCOMPARE(model.rowCount(), 0);

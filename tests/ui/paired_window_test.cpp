@@ -78,7 +78,7 @@ private Q_SLOTS:
     void changedKeyIsRefusedUntilReplaced();
     void agentThatGoesAwayIsWaitedFor();
     void keyIsSealedInTheDialog();
-    void sealedKeyIsAskedForAtTheStart();
+    void sealedKeyNeedsItsPassphraseAtStart();
     void namedKeyMayStaySealed();
 
 private:
@@ -328,7 +328,7 @@ void PairedWindowTest::revokedInTheDialog()
     QVERIFY2(clock.elapsed() < 5000, "at once");
     QVERIFY(!m_agent->waitFor(QStringLiteral("session"), kPatience, stateIs("down")).isEmpty());
 
-    // And the window says what is true.
+    // The window shows the actual state.
     QTRY_COMPARE_WITH_TIMEOUT(lock(), QStringLiteral("Revoked · heron"), kPatience);
     QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Revoked · heron"));
     const QString advice = find<QLabel>("secureAdvice")->text();
@@ -438,7 +438,7 @@ void PairedWindowTest::keyIsSealedInTheDialog()
     QVERIFY(textOf(keys, "ownFile").contains(QStringLiteral("sealed with a passphrase")));
     QVERIFY(isSealed()); // the session does not notice
 
-    // A wrong one is told, and changes nothing.
+    // A wrong passphrase is reported and changes nothing.
     const QByteArray sealed = read(ownFile("identity.key"));
     click(keys, "ownPassphrase");
     dialog = keys->findChild<ChangePassphraseDialog *>();
@@ -455,7 +455,7 @@ void PairedWindowTest::keyIsSealedInTheDialog()
     closeKeys();
 }
 
-void PairedWindowTest::sealedKeyIsAskedForAtTheStart()
+void PairedWindowTest::sealedKeyNeedsItsPassphraseAtStart()
 {
     m_app.reset();
     int asked = 0;

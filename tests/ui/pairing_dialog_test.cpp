@@ -1,4 +1,4 @@
-// The dialog that pairs: what it asks, what it shows in each step, and that nobody says yes by accident.
+// The pairing dialog: its input, the content of each step, and no confirmation by accident.
 #include "fake_keyring.h"
 #include "fake_pairing.h"
 #include "tests/support/test_runner.h"
@@ -44,9 +44,9 @@ private Q_SLOTS:
     }
     void cleanup() { m_dialog.reset(); }
 
-    void waitsAndSaysWhatToDo();
+    void waitingShowsInstructions();
     void comparedAndConfirmed();
-    void returnSaysNothing();
+    void returnKeyDoesNotConfirm();
     void refusedByTheEye();
     void goneTakesTheQuestionAway();
     void changedKeyNeedsTheTick();
@@ -69,7 +69,7 @@ private:
     std::unique_ptr<PairingDialog> m_dialog;
 };
 
-void PairingDialogTest::waitsAndSaysWhatToDo()
+void PairingDialogTest::waitingShowsInstructions()
 {
     QCOMPARE(m_pairing->opened.size(), std::size_t(1));
     QVERIFY(words().contains(QStringLiteral("skyseal-air --pair")));
@@ -84,7 +84,7 @@ void PairingDialogTest::comparedAndConfirmed()
     QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(5)));
     QCOMPARE(find<QLineEdit>("pairingName")->text(), QStringLiteral("heron"));
     Q_EMIT m_pairing->confirmedThere();
-    QVERIFY(words().contains(QStringLiteral("said yes")));
+    QVERIFY(words().contains(QStringLiteral("has confirmed")));
     find<QLineEdit>("pairingName")->setText(QStringLiteral("scout-1"));
     QTest::mouseClick(find<QPushButton>("pairingAgree"), Qt::LeftButton);
     QCOMPARE(m_pairing->confirmations.size(), std::size_t(1));
@@ -96,7 +96,7 @@ void PairingDialogTest::comparedAndConfirmed()
     QVERIFY(find<QLabel>("pairingTime")->text().isEmpty());
 }
 
-void PairingDialogTest::returnSaysNothing()
+void PairingDialogTest::returnKeyDoesNotConfirm()
 {
     see(5, "heron");
     for (QWidget *at : std::initializer_list<QWidget *>{m_dialog.get(), find<QLineEdit>("pairingName")}) {
@@ -203,7 +203,7 @@ void PairingDialogTest::passphraseIsUsedOnceItIsTyped()
     QTest::keyClick(field, Qt::Key_Return);
     QVERIFY(m_dialog->isVisible());
     QCOMPARE(m_pairing->passphrases, (std::vector<std::string>{"", "blue heron"}));
-    find<QComboBox>("pairingRole")->setFocus(); // unchanged: nothing begins anew
+    find<QComboBox>("pairingRole")->setFocus(); // unchanged: the pairing is not restarted
     QCOMPARE(m_pairing->opened.size(), std::size_t(2));
     see(5, "heron");
     QVERIFY(!field->isVisible());
@@ -227,7 +227,7 @@ void PairingDialogTest::wrongPassphraseIsTold()
     QVERIFY(find<QLabel>("pairingProblem")->text().contains(QStringLiteral("passphrases differ")));
     see(5, "heron");
     QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
-    Q_EMIT m_pairing->passphraseDiffers(); // a late one about somebody else
+    Q_EMIT m_pairing->passphraseDiffers(); // a late event about another device
     QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
 }
 

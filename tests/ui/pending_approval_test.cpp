@@ -1,5 +1,5 @@
-// A vehicle in clear that may be an impostor of a known agent: named wherever the operator looks, offered nothing, and taken
-// only by a person who was told what that means.
+// A plain vehicle that may be an impostor of a known agent: it is named in strip, panel and map, commands are disabled, and it
+// is accepted only after a confirmation that explains the consequences.
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
@@ -38,7 +38,7 @@ private Q_SLOTS:
             QVERIFY2(find<HoldButton>(name)->toolTip().contains(QStringLiteral("not sealed")), name);
         }
 
-        // The act is a button or the menu, and then a question whose answer is no unless yes is chosen.
+        // Approval by the button or the menu opens a question whose default answer is Cancel.
         const auto *button = find<QPushButton>("allowPlainButton");
         QVERIFY(button->isVisible() && button->text().contains(QStringLiteral("vehicle 1")));
         QTest::mouseClick(find<QPushButton>("allowPlainButton"), Qt::LeftButton);
@@ -108,7 +108,7 @@ private Q_SLOTS:
         QVERIFY(!find<QPushButton>("secureKeys")->isVisible());
     }
 
-    void consentIsForTheNumberFromAnywhere()
+    void consentIsForTheSystemIdFromAnyAddress()
     {
         askAllowPlain(*m_station, {1, "192.0.2.66:40000", "air-1, air-2"}, m_window.get());
         auto *box = find<QMessageBox>("confirmPlain");

@@ -122,7 +122,7 @@ private Q_SLOTS:
     {
         m_station->show(sealedSnapshot(1));
         m_window->findChild<QAction *>(QStringLiteral("actionChangeKeys"))->trigger();
-        QVERIFY(!action(SuiteId::Aes256Gcm)->isEnabled()); // asked, and not yet told as pending
+        QVERIFY(!action(SuiteId::Aes256Gcm)->isEnabled()); // requested, not yet pending in the snapshot
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isEnabled());
         QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_station->switches.size(), std::size_t(1));
@@ -202,7 +202,7 @@ private Q_SLOTS:
         QCOMPARE(engine::switchTimeText(microseconds(9'960)), QStringLiteral("10 ms"));
     }
 
-    void rollBackKeepsTheOldSuiteAndSaysWhy()
+    void rollBackKeepsTheOldSuiteAndShowsTheReason()
     {
         m_station->show(sealedSnapshot(1));
         QTest::mouseClick(row(SuiteId::ChaCha20), Qt::LeftButton, {}, QPoint(12, 8));

@@ -1,4 +1,4 @@
-// One vehicle is shown, and what is asked for goes to that one and to no other, whatever becomes of it between the question
+// Commands go only to the selected vehicle, whatever happens to it between the question
 // and the answer. Where nothing can be sent, nothing is offered.
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"

@@ -118,7 +118,7 @@ private Q_SLOTS:
         experiment::Plan plan;
         plan.arms = experiment::armsOf({crypto::SuiteId::Aes256Gcm}, {channel::Framing::Sealed}, false);
         page.begin(plan);
-        QVERIFY(!place->isVisible()); // one clean link under one load needs no word
+        QVERIFY(!place->isVisible()); // one clean link under one load needs no name
         plan.conditions = {*experiment::parseCondition("rate=57600,delay=20")};
         page.begin(plan);
         QVERIFY(place->isVisible());
@@ -127,7 +127,7 @@ private Q_SLOTS:
         page.begin(plan);
         QCOMPARE(place->itemText(0), QStringLiteral("clean link · natural load"));
         page.showRun({1, 0, 0, 0}, {3, 6, 12});
-        QCOMPARE(place->currentIndex(), 1); // what is measured is what is seen, until something else is chosen
+        QCOMPARE(place->currentIndex(), 1); // follows the measurement until another entry is chosen
         QTest::keyClick(place, Qt::Key_Up);
         page.showRun({1, 0, 0, 1}, {4, 6, 9});
         QCOMPARE(place->currentIndex(), 0);

@@ -195,7 +195,7 @@ void SweepWindowTest::saysWhyNot()
 {
     m_sim = std::make_unique<Program>(q("skyseal-sim"), m_flight.simArguments());
     m_window->addLink(q("udpin:127.0.0.1:%1").arg(m_flight.groundPort));
-    { // an agent that was not told to allow plain MAVLink
+    { // an agent that does not allow plain MAVLink
         Program air(q("skyseal-air"), m_flight.airArguments());
         QTRY_VERIFY_WITH_TIMEOUT(m_window->view().session && m_window->view().vehicle, 20'000);
         SweepDialog *dialog = openDialog();

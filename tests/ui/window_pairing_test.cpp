@@ -52,13 +52,13 @@ private Q_SLOTS:
         QTRY_COMPARE(failed.size(), 1);
         QVERIFY(failed[0][0].toString().contains(QStringLiteral("memory")));
         QTRY_VERIFY(cancelled); // the one that was opened without a passphrase
-        // And whatever it still had to tell is told to nobody.
+        // Its remaining events are not delivered.
         Q_EMIT adapter.pairing(channel::PairingPeerSeen{});
         QCOMPARE(seen.size(), 0);
         QCOMPARE(failed.size(), 1);
     }
 
-    void withoutAStationItSaysSo()
+    void pairingWithoutAStationFails()
     {
         auto station = engine::Station::create(m_config);
         QVERIFY(station);

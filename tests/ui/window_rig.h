@@ -1,4 +1,4 @@
-// The window on a scripted station, with settings of its own: what most tests of the window begin with, as a second base.
+// The window with a fake station and temporary settings: a second base class for tests of the window.
 #pragma once
 
 #include "fake_station.h"

@@ -55,7 +55,7 @@ private Q_SLOTS:
     }
     void cleanup() { tearDown(); }
 
-    void nothingThereSaysWhatToDo()
+    void emptyStateShowsInstructions()
     {
         QVERIFY(find<QWidget>("emptyState")->isVisible());
         m_station->show(waitingSnapshot());
@@ -255,7 +255,7 @@ private Q_SLOTS:
         QCOMPARE(box.metres(), kLowestTakeOff);
     }
 
-    void aSilentSessionSaysSo()
+    void silentSessionIsShown()
     {
         engine::Snapshot snapshot = sealedSnapshot(1);
         m_station->show(snapshot);

@@ -48,34 +48,27 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     auto *ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn",
                                  tr("Fingerprint of this station"), this);
     m_theirs = fixedWidthLabel({}, "pairingTheirs", tr("Fingerprint of the agent"), this);
-    m_theirTitle = new QLabel(tr("The agent"), this);
     m_name = new QLineEdit(this);
     m_name->setObjectName(QStringLiteral("pairingName"));
     m_name->setAccessibleName(tr("Name"));
-    m_nameTitle = new QLabel(tr("&Name"), this);
-    m_nameTitle->setBuddy(m_name);
     m_role = new QComboBox(this);
     m_role->setObjectName(QStringLiteral("pairingRole"));
     m_role->setAccessibleName(tr("Role that this station requests"));
     m_role->addItem(tr("pilot: may send commands"), static_cast<int>(channel::PeerRole::Pilot));
     m_role->addItem(tr("observer: receives telemetry only"), static_cast<int>(channel::PeerRole::Observer));
-    m_roleTitle = new QLabel(tr("Re&quest role"), this);
-    m_roleTitle->setBuddy(m_role);
     m_passphrase = new PassphraseField("pairingPassphrase", tr("Passphrase of this pairing"), this);
     m_passphrase->setPlaceholderText(tr("none; or the same as at the agent"));
     m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\nIt is "
                                 "valid for this pairing only. The fingerprints must be compared nevertheless."));
-    m_passphraseTitle = new QLabel(tr("&Passphrase"), this);
-    m_passphraseTitle->setBuddy(m_passphrase);
     m_warning = new ChangedKeyWarning(this);
-    auto *form = new QFormLayout;
-    form->setHorizontalSpacing(2 * kGrid);
-    form->setVerticalSpacing(kGrid);
-    form->addRow(tr("This station"), ours);
-    form->addRow(m_theirTitle, m_theirs);
-    form->addRow(m_nameTitle, m_name);
-    form->addRow(m_roleTitle, m_role);
-    form->addRow(m_passphraseTitle, m_passphrase);
+    m_form = new QFormLayout;
+    m_form->setHorizontalSpacing(2 * kGrid);
+    m_form->setVerticalSpacing(kGrid);
+    m_form->addRow(tr("This station"), ours);
+    m_form->addRow(tr("The agent"), m_theirs);
+    m_form->addRow(tr("&Name"), m_name);
+    m_form->addRow(tr("Re&quest role"), m_role);
+    m_form->addRow(tr("&Passphrase"), m_passphrase);
     auto *buttons = new QDialogButtonBox(this);
     m_agree = buttons->addButton(tr("&Both are the same"), QDialogButtonBox::ActionRole);
     m_agree->setObjectName(QStringLiteral("pairingAgree"));
@@ -90,7 +83,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
     column->addWidget(m_words);
-    column->addLayout(form);
+    column->addLayout(m_form);
     column->addWidget(m_warning);
     column->addWidget(m_problem);
     column->addStretch(1);
@@ -170,9 +163,11 @@ void PairingDialog::showStep(Step step, const QString &words)
     m_words->setText(words);
     const bool comparing = step == Step::Comparing;
     const bool hasPeer = comparing || step == Step::Confirmed;
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_theirs, m_theirTitle, m_name, m_nameTitle})
+    for (QWidget *widget :
+         std::initializer_list<QWidget *>{m_theirs, m_form->labelForField(m_theirs), m_name, m_form->labelForField(m_name)})
         widget->setVisible(hasPeer);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_role, m_roleTitle, m_passphrase, m_passphraseTitle})
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_role, m_form->labelForField(m_role), m_passphrase,
+                                                            m_form->labelForField(m_passphrase)})
         widget->setVisible(step == Step::Waiting || step == Step::Failed);
     m_name->setEnabled(comparing);
     m_agree->setVisible(comparing);

@@ -10,6 +10,7 @@
 #include <QtWidgets/QDialog>
 
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -45,7 +46,8 @@ private:
     QElapsedTimer m_clock;
     QTimer m_tick;
     bool m_passphraseTyped = false; ///< edited since the pairing window was opened
-    QLabel *m_words, *m_time, *m_theirs, *m_theirTitle, *m_nameTitle, *m_roleTitle, *m_passphraseTitle, *m_problem;
+    QLabel *m_words, *m_time, *m_theirs, *m_problem;
+    QFormLayout *m_form;
     QLineEdit *m_name;
     PassphraseField *m_passphrase;
     QComboBox *m_role;
