@@ -219,7 +219,7 @@ void KeysDialogTest::everyInputErrorHasAMessage_data()
                             << QStringLiteral("does not begin with");
     QTest::newRow("slip") << QString(good).replace(20, 1, QStringLiteral("#")) << QStringLiteral("a") << QString()
                           << QStringLiteral("check does not fit");
-    QTest::newRow("no name") << good << QString() << QString() << QStringLiteral("Give it a name");
+    QTest::newRow("no name") << good << QString() << QString() << QStringLiteral("Enter a name");
     QTest::newRow("bad name") << good << QStringLiteral("two words") << QString() << QStringLiteral("is not a peer's name");
     QTest::newRow("systems") << good << QStringLiteral("a") << QStringLiteral("1,300")
                              << QStringLiteral("not a list of system ids");
