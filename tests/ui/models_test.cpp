@@ -1,4 +1,5 @@
 // Every item model under QAbstractItemModelTester while it is filled, changed and emptied, and the content of its cells.
+#include "core/engine/text/event_text.h"
 #include "scripted_snapshots.h"
 #include "tests/support/test_runner.h"
 #include "ui/inspector/field_model.h"
@@ -58,7 +59,7 @@ private Q_SLOTS:
         QVERIFY(tip.contains(QStringLiteral("&lt;img")));
     }
 
-    void impostorOfAVehicleIsNamed()
+    void eventsReadAsOnTheCommandLine()
     {
         MessagesPanel panel;
         engine::PeerNames names;

@@ -147,21 +147,7 @@ QWidget *SettingsDialog::makeSecurity()
     column->addWidget(m_required);
     column->addWidget(smallPrint(tr("Plain MAVLink is then neither shown nor answered. Takes effect at the next start."), box));
     m_weakest = named(new QComboBox(box), "settingWeakest", tr("Weakest suite"));
-    const auto level = [this](const QString &text, crypto::SuiteId suite) {
-        m_weakest->addItem(text, static_cast<int>(suite));
-    };
-    level(tr("Any sealed suite"), crypto::SuiteId::Rc4);
-    level(tr("%1 or stronger").arg(suiteName(crypto::SuiteId::Aes256Cbc)), crypto::SuiteId::Aes256Cbc);
-    level(tr("%1, %2 or stronger").arg(suiteName(crypto::SuiteId::Aes256Ctr), suiteName(crypto::SuiteId::ChaCha20)),
-          crypto::SuiteId::Aes256Ctr);
-    level(tr("%1 and %2 only").arg(suiteName(crypto::SuiteId::ChaCha20Poly1305), suiteName(crypto::SuiteId::Aes256Gcm)),
-          crypto::SuiteId::ChaCha20Poly1305);
-    // Suites of equal strength share one entry.
-    for (int i = 0; i < m_weakest->count(); ++i) {
-        const auto suite = static_cast<crypto::SuiteId>(m_weakest->itemData(i).toInt());
-        if (channel::strengthOf(suite) == channel::strengthOf(m_start.weakestSuite))
-            m_weakest->setCurrentIndex(i);
-    }
+    offerWeakestSuites();
     auto *weakest = new QHBoxLayout;
     auto *label = new QLabel(tr("&Weakest suite"), box);
     label->setBuddy(m_weakest);
@@ -169,11 +155,12 @@ QWidget *SettingsDialog::makeSecurity()
     weakest->addWidget(m_weakest, 1);
     column->addLayout(weakest);
     column->addWidget(m_research);
-    column->addWidget(
-        smallPrint(tr("RC4 is broken: anyone who records the link may be able to decrypt it. It exists for comparison "
-                      "with the others, is never chosen automatically, and works only if the vehicle's agent allows "
-                      "it as well. I understand that the link is not confidential while it is in use."),
-                   box));
+    column->addWidget(smallPrint(
+        tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured "
+           "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. I "
+           "understand that while one is in use the link is not confidential.")
+            .arg(researchSuites()),
+        box));
     return box;
 }
 

@@ -114,7 +114,7 @@ void EmptyState::showViewState(const ViewState &view)
                   "been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain "
                   "MAVLink.\n\nIf it is the vehicle of %2, start the agent beside it instead, so that its link is "
                   "sealed.")
-                   .arg(fromStd(m_held.remoteAddress), anyOfNames(m_held.mayBe));
+                   .arg(fromStd(m_held.remoteAddress), engine::anyOfNames(m_held.mayBe));
     } else if (view.snapshot && !view.snapshot->unanswering.empty()) {
         const engine::UnansweringAgent &agent = view.snapshot->unanswering.front();
         title = tr("The agent %1 does not answer").arg(fromStd(agent.peerName));

@@ -122,10 +122,12 @@ void SuiteActions::handleEvent(const engine::Event &event)
         m_keysAsked = m_keysAsked && done->byPeer;
         if (done->rekey && committed) {
             m_info->epoch = done->epoch;
-            setNote(tr("New keys, epoch %1, after %2").arg(static_cast<quint32>(done->epoch)).arg(switchTimeText(done->took)),
+            setNote(tr("New keys, epoch %1, after %2")
+                        .arg(static_cast<quint32>(done->epoch))
+                        .arg(engine::switchTimeText(done->took)),
                     false);
         } else if (done->rekey) {
-            setNote(tr("The keys stay the same: %1").arg(switchFailureText(done->failure)), true);
+            setNote(tr("The keys stay the same: %1").arg(engine::switchFailureText(done->failure)), true);
         } else if (committed) {
             m_info->suite = done->to;
             m_info->epoch = done->epoch;

@@ -32,7 +32,7 @@ public:
     void showViewState(const ViewState &view);
     void handleEvent(const engine::Event &event);
     void setResearchAllowed(bool allowed);
-    /// Disables suites that are weaker than this one; see channel::strengthOf.
+    /// Disables suites that are weaker than this one; see crypto::SuiteStrength.
     void setWeakest(crypto::SuiteId suite);
 
     /// Disables the choice while a sweep controls the suite.

@@ -50,7 +50,8 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     case DownReason::Closed: break;
     }
     return LinkEnded{Text::tr("Session ended · %1").arg(name),
-                     Text::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, downReasonText(ended.reason)) + waiting};
+                     Text::tr("The session with %1 ended %2 ago: %3.").arg(name, ago, engine::downReasonText(ended.reason))
+                         + waiting};
 }
 
 const engine::UnansweringAgent *unansweringOf(const ViewState &view)

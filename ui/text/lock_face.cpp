@@ -52,7 +52,7 @@ LockFace pendingApprovalFace(const engine::PendingVehicle &held)
         Text::tr("Vehicle %1 at %2 may be an impostor of %3, which has not been heard yet. Its telemetry is not "
                  "shown and nothing is sent to it until you allow plain MAVLink for it.")
             .arg(held.systemId)
-            .arg(fromStd(held.remoteAddress), anyOfNames(held.mayBe)));
+            .arg(fromStd(held.remoteAddress), engine::anyOfNames(held.mayBe)));
 }
 
 LockFace plainFace(const ViewState &view)

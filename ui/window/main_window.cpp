@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "core/engine/text/state_text.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
@@ -185,7 +186,7 @@ void MainWindow::popUpVehicles()
     QMenu menu(this);
     for (const auto &vehicle : shown.snapshot->vehicles) {
         const std::uint8_t id = vehicle.state.systemId;
-        const QString type = vehicleTypeText(vehicle.state.type);
+        const QString type = engine::vehicleTypeText(vehicle.state.type);
         QAction *action = menu.addAction(vehicle.session ? tr("Vehicle %1 · %2").arg(id).arg(type)
                                                          : tr("Vehicle %1 · %2 · not sealed").arg(id).arg(type));
         action->setCheckable(true);
