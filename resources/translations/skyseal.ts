@@ -27,7 +27,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Whoever is logged in as you, and each program of yours, can then use the key without being asked.</source>
+        <source>Anyone who is logged in as you, and every program that you run, can then use the key without the passphrase.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -43,10 +43,6 @@
     </message>
     <message>
         <source>the link is silent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>other links would be measured with it: leave one sealed link open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -67,14 +63,6 @@
     </message>
     <message>
         <source>not while the vehicle is armed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the connected one is measured as it is</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle sends what it sends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -149,17 +137,21 @@
         <source>nothing impaired</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>other links would be measured as well: keep only one sealed link open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the connected link is measured as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the load of a connected vehicle cannot be changed</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Application</name>
-    <message>
-        <source>The changed list of peers is refused, the old one stays: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Left out of the list of peers: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>No sealed links: %1</source>
         <translation type="unfinished"></translation>
@@ -170,6 +162,14 @@
     </message>
     <message>
         <source>Start it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The changed list of peers is invalid, the previous list stays in use: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ignored entries in the list of peers: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -203,11 +203,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The keyring did not take the passphrase: %1</source>
+        <source>The keyring did not store the passphrase: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The keyring did not forget the passphrase: %1</source>
+        <source>The keyring did not delete the passphrase: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -698,10 +698,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Take vehicle %1 without a seal?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Plain MAVLink</source>
         <translation type="unfinished"></translation>
     </message>
@@ -710,9 +706,13 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It now sends from %2. But whoever says in clear that it is vehicle %1, from any address, is then shown and flown as it, until this program ends or it is heard sealed. Anyone on the way can read and change what is sent.
+        <source>Accept plain MAVLink from vehicle %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It sends from %2 at present. If you allow it, any sender that claims in clear to be vehicle %1, from any address, is shown and commanded as that vehicle until this program ends or the vehicle is heard sealed. Anyone on the path can read and change the traffic.
 
-If this should be the vehicle of %3, say no: its sealed link is broken or being blocked.</source>
+If this should be the vehicle of %3, choose Cancel: its sealed link is broken or blocked.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -746,14 +746,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The passphrase seals the private key in its file: without it, whoever copies the file has the key. Skyseal asks for it at each start. Nobody can restore it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Present passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>New passphrase</source>
         <translation type="unfinished"></translation>
     </message>
@@ -762,19 +754,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;No passphrase: whoever has the file has the key</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Present passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Ne&amp;w passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The same &amp;again</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -786,11 +766,31 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The two new ones differ.</source>
+        <source>Working …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Working …</source>
+        <source>The passphrase encrypts the private key in its file. Without one, anyone who copies the file has the key. Skyseal asks for it at each start. A lost passphrase cannot be recovered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Current passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;No passphrase: anyone who has the file has the key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Current passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeat the &amp;new passphrase</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The two new passphrases differ.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -817,7 +817,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key of %1 has changed. Either it was made anew there, or somebody pretends to be %1.</source>
+        <source>The key of %1 has changed. Either a new key was made there, or another device pretends to be %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -838,10 +838,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
 <context>
     <name>skyseal::ui::ChartMarks</name>
     <message>
-        <source>link back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>link lost</source>
         <translation type="unfinished"></translation>
     </message>
@@ -853,20 +849,13 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <source>%1 forged, replayed or clear, refused</source>
         <translation type="unfinished"></translation>
     </message>
-</context>
-<context>
-    <name>skyseal::ui::ChartView</name>
     <message>
-        <source>nothing measured yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1: mean %2 %3, from %4 to %5, %6 samples</source>
+        <source>link recovered</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::ChartWords</name>
+    <name>skyseal::ui::ChartText</name>
     <message>
         <source>now</source>
         <translation type="unfinished"></translation>
@@ -897,6 +886,17 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
     </message>
 </context>
 <context>
+    <name>skyseal::ui::ChartView</name>
+    <message>
+        <source>nothing measured yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: mean %2 %3, from %4 to %5, %6 samples</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::CommandPermits</name>
     <message>
         <source>no vehicle</source>
@@ -918,15 +918,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records whose seal verified</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>late</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Good, but after a newer one</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -934,15 +926,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Sent, but never arrived</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>replayed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Seen before, refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -950,31 +934,11 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Seal did not verify, refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>malformed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No record at all, refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>plain</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Clear MAVLink of a sealed peer, refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to us</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to it</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -987,6 +951,42 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
     </message>
     <message>
         <source>%1 replayed, %2 forged, %3 malformed, %4 plain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records with a valid authentication tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid, but received after a newer record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sent, but not received</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Received before, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Authentication tag invalid, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not a valid record, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clear MAVLink in the name of a sealed peer, refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to vehicle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1025,11 +1025,11 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The bars are of “%1” alone.</source>
+        <source>Save the samples shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Save the samples shown</source>
+        <source>The bars show only “%1”.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1041,10 +1041,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How it is shown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1064,27 +1060,11 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Over time; or the suites over one another, each by the last of its own time in use; or means in numbers; or one suite after the other, measured by plan</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What is shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Time shown</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Freeze</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Freeze the charts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stops the picture, not the measurement (Space). Drag over a chart or turn the wheel to look closer; a double click, Home or Esc goes back to now.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1103,6 +1083,26 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <source>Samples shown, as &amp;CSV …</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>View of the measurements</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time; all suites on one axis, by their time in use; means as numbers; or the results of a planned sweep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Quantities shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Freezes the charts, not the measurement (Space). Drag over a chart or turn the wheel to zoom; a double click, Home or Esc returns to live.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::EmptyState</name>
@@ -1119,15 +1119,7 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The link to the agent is sealed; the vehicle beside it has not spoken yet.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Replaying a log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No vehicle in it so far.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1151,15 +1143,6 @@ If this should be the vehicle of %3, say no: its sealed link is broken or being 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is there, at %1, but it answers no handshake. Does it know this station&apos;s key?
-
-Its list of peers needs the key with the fingerprint
-%2
-
-It is as silent when it permits none of the suites that are offered here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Start an agent, skyseal-air, beside an autopilot:</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1169,12 +1152,6 @@ It is as silent when it permits none of the suites that are offered here.</sourc
     </message>
     <message>
         <source>Vehicle %1 is not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It speaks plain MAVLink from %1, and it may be an impostor of %2: known here, and never heard so far. Nothing of the vehicle is shown, and nothing is sent to it, until you allow that.
-
-If it is the vehicle of %2, start the agent beside it instead: what it sends is then taken sealed.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1190,13 +1167,36 @@ If it is the vehicle of %2, start the agent beside it instead: what it sends is 
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent that is not known here</source>
+        <source>The link to the agent is sealed; nothing has been received from the vehicle beside it yet.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It announces itself from %1, with a key that is not among this station&apos;s peers. That does not show its fingerprint.
+        <source>It sends plain MAVLink from %1 and may be an impostor of %2, which is a known peer but has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink.
 
-If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent, while the vehicle is disarmed:</source>
+If it is the vehicle of %2, start the agent beside it instead, so that its link is sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is reachable at %1, but it does not answer the handshake. Does it know this station&apos;s key?
+
+Its list of peers needs the key with the fingerprint
+%2
+
+It does not answer either if it permits none of the suites that this station offers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An unknown agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It announces itself from %1 with a key that is not in this station&apos;s list of peers. An announcement does not contain the fingerprint.
+
+If the agent is yours, pair the two: choose Pair in Keys and peers here and, while the vehicle is disarmed, run beside the agent:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle in the log so far.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1302,15 +1302,15 @@ If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Filter of the message kinds</source>
+        <source>Filter for message types</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Message kinds</source>
+        <source>Message types</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fields of the chosen message</source>
+        <source>Fields of the selected message</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1318,12 +1318,6 @@ If it is yours, pair the two: Pair, in Keys and peers here, and beside the agent
     <name>skyseal::ui::KeysDialog</name>
     <message>
         <source>Keys and peers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No peers yet.
-
-Add the public key of the agent beside your vehicle: there, skyseal-cli keys show prints it. And the agent needs the key of this station.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1382,6 +1376,12 @@ Pair with the agent beside your vehicle, or add its public key: there, skyseal-c
     </message>
     <message>
         <source>Revoke</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No peers yet.
+
+Add the public key of the agent beside your vehicle; skyseal-cli keys show prints it there. The agent also needs the key of this station.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1591,31 +1591,11 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waiting for it: the session comes up by itself once it is heard again. What is shown is what was heard last, and clear MAVLink in its name stays refused.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Beginning anew · %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sweep changes how the link is protected; both ends agree on that in a new handshake.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Revoked · %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is no longer among the known peers: its session ended %2 ago, and none comes up. What is shown is what was heard last. Pair it again to go on.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Session lost · %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing was heard of %1 for too long; the session ended %2 ago.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -1624,6 +1604,26 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
     <message>
         <source>The session with %1 ended %2 ago: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting: the session is established automatically when it is heard again. The last received values are shown, and clear MAVLink that claims to be it is still refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New session · %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep changes the protection of the link, which needs a new handshake.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no longer a known peer: its session ended %2 ago and cannot be established again. The last received values are shown. Pair it again to continue.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not heard for too long; the session ended %2 ago.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1722,10 +1722,6 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Anyone on the way can read and change what is sent. Start skyseal-air beside the vehicle to seal the link.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>switching…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1762,11 +1758,6 @@ Fingerprint %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The agent %1 at %2 is there but does not answer. Does it know this station&apos;s key?
-Fingerprint %3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Revoked</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1779,22 +1770,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The sweep measures plain MAVLink now, as was consented to: anyone on the way can read and change what is sent. It seals the link again by itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not sealed · vehicle %1 held back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not sealed · held back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 at %2 may be an impostor of %3, never heard so far. Nothing of it is shown and nothing is sent to it until you allow plain MAVLink for it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Recording</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1803,7 +1778,32 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fresh keys are being agreed</source>
+        <source>Not sealed · vehicle %1 needs approval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed · needs approval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 may be an impostor of %3, which has not been heard yet. Its telemetry is not shown and nothing is sent to it until you allow plain MAVLink for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sweep measures plain MAVLink at present, with your consent: anyone on the path can read and change the traffic. The sweep seals the link again afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anyone on the path can read and change the traffic. Start skyseal-air beside the vehicle to seal the link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent %1 at %2 is reachable but does not answer. Does it know this station&apos;s key?
+Fingerprint %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys are being agreed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1845,212 +1845,6 @@ Fingerprint %3</source>
         <source>dropped</source>
         <translation type="unfinished"></translation>
     </message>
-    <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::MainMenus</name>
-    <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Link</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Security</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>V&amp;iew</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Tools</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Settings …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Replay a log …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replay a log</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Telemetry logs (*.tlog);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Connect …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Confirm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Arm …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm the motors? The propellers will turn.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Disarm …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disarm the motors?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Take off …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Land …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Land here?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Return to launch …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Return to launch and land there?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Start the mission …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fly the mission?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Mode</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Change the mode to %1?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>S&amp;how</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cipher suite</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Follow the vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Clear the track</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Reset the arrangement</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>F&amp;ull screen</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start the &amp;demo</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;First steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Sealing a link</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;About Skyseal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>About Skyseal</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Skyseal %1
-
-A ground control station whose MAVLink link is sealed.
-GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Keys and peers …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run a s&amp;weep …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Diagnostics</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Allow &amp;plain MAVLink</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 at %2 …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No vehicle is held back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
 </context>
 <context>
     <name>skyseal::ui::MainWindow</name>
@@ -2063,23 +1857,11 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is in use by another program: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Listen on %1 instead</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Vehicle %1 · %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Vehicle %1 · %2 · not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 at %2 is not sealed and may be an impostor of %3: it is held back.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2266,10 +2048,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The vehicle has the mission</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2278,34 +2056,38 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>another vehicle is shown now</source>
+        <source>another vehicle is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission written to the vehicle</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::OneWay</name>
     <message>
-        <source>A recording</source>
+        <source>Replay</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What is shown was recorded earlier. Nothing of it is live, and nothing can be sent.</source>
+        <source>The values come from a recorded log. They are not live, and nothing can be sent.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>it is a recording</source>
+        <source>it is a replay</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not sealed, only listened to</source>
+        <source>Not sealed, listening only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>This stream is protected as MAVSec&apos;s published code does it, which is insecure: who is on the way can change it. Nothing is sent to it.</source>
+        <source>This stream is protected like MAVSec&apos;s published code, which is insecure: anyone on the path can change it. Nothing is sent to it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>its link is only listened to</source>
+        <source>its link is listen-only</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2348,14 +2130,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not sealed any more</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This station has no key: it can only speak plain MAVLink.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No key is in use: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2365,10 +2139,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>%1, sealed with a passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1, not sealed: whoever copies the file has the key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2389,6 +2159,18 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no longer sealed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This station has no key: it can use only plain MAVLink.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, not sealed: anyone who copies the file has the key</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2419,32 +2201,11 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What this station asks to be</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pilot: may command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observer: may only look</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ask to &amp;be</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Passphrase of this pairing</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>none; or the same as at the agent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
-It serves for this one pairing. The fingerprints have to be compared all the same.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2468,39 +2229,7 @@ It serves for this one pairing. The fingerprints have to be compared all the sam
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The agent&apos;s side said yes. Compare both fingerprints with those that it shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It is not there any more: %1. Waiting for the agent …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Somebody else tried to be paired meanwhile, fingerprint %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paired with %1. The link is sealed as soon as both find each other.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not paired: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An agent is there, but the passphrases differ, or only one end has one. Type here what was typed there.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused. If it was not a slip of the eye, somebody is in between. Waiting for the agent …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open the window at the agent, while the vehicle is disarmed:
-
-    skyseal-air --pair --identity FILE
-
-Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2512,15 +2241,68 @@ Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent is there. Compare both fingerprints with those that it shows; every group.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 s left</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Confirmed here. Now somebody at the agent must say yes as well.</source>
+        <source>Role that this station requests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pilot: may send commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer: receives telemetry only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
+It is valid for this pairing only. The fingerprints must be compared nevertheless.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Re&amp;quest role</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent&apos;s side has confirmed. Compare both fingerprints with those that the agent shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent is gone: %1. Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Another device tried to pair at the same time, fingerprint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paired with %1. The link is sealed as soon as both ends are connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent answers, but the passphrases differ, or only one end has one. Enter the same passphrase at both ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused. If you compared the right fingerprints, this may be an attack on the link (man in the middle). Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start pairing at the agent, while the vehicle is disarmed:
+
+    skyseal-air --pair --identity FILE
+
+Waiting for the agent …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent answers. Compare both fingerprints, every group, with those that the agent shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirmed here. The pairing must now be confirmed at the agent as well.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2532,10 +2314,6 @@ Waiting for the agent …</source>
     </message>
     <message>
         <source>not written: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is no number</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2552,6 +2330,10 @@ Waiting for the agent …</source>
     </message>
     <message>
         <source>Last change</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2597,19 +2379,19 @@ Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The key of this station is sealed. Its passphrase?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>That one does not open it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Without sealed links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Passphrase of this station&apos;s key:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wrong passphrase.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2641,14 +2423,6 @@ Waiting for the agent …</source>
     </message>
     <message>
         <source>Role</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pilot: may command</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observer: may only look</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2684,18 +2458,6 @@ Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paste the public key that keys show prints at the other end.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Give it a name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Replace the key knowingly, or choose another name.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2705,6 +2467,26 @@ Waiting for the agent …</source>
     </message>
     <message>
         <source>Add</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>pilot: may send commands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>observer: receives telemetry only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Paste the public key that skyseal-cli keys show prints at the other end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm that the key is replaced, or choose another name.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2760,6 +2542,21 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
+    <name>skyseal::ui::ProblemReports</name>
+    <message>
+        <source>Vehicle %1 at %2 is not sealed and may be an impostor of %3. It waits for your approval.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Listen on %1 instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::QtTimeSeriesChart</name>
     <message>
         <source>%1, %2</source>
@@ -2781,23 +2578,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>MAVLink frames that were opened and believed, over the last second.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Bytes</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>kB/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Bytes of the frames that were opened, and of the datagrams that came (without UDP and IP headers).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>opened</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2813,31 +2598,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Bytes of the channel&apos;s datagrams beyond those of the frames in them: headers, tags, handshakes and reports. 0 on a plain link.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to us</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>to it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Packet loss, channel</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Records that never arrived, by their counters, over the last second; the other end reports its direction once a second. On a plain link: MAVLink&apos;s.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Packet loss, MAVLink</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Frames that never arrived, by their sequence numbers for each sender, over the last second; those to the vehicle as its agent counts them and tells once a second. Loss between autopilot and agent counts here and not in the channel.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2846,10 +2611,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>ms</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>There and back: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel&apos;s reports.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2885,10 +2646,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>From the datagram to the opened frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds whatever the suite; “next” are records that follow in the same wake-up, which come closer to the suite itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>p50</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2913,10 +2670,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Of the whole process, as the system counts it. It does not belong to a suite.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Memory of a session</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2925,19 +2678,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Heap that one end&apos;s session takes under the suite in use, its keyed ciphers included: measured once for each suite, with a session of this program&apos;s own.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Power of the processor</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>W</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>By the kernel&apos;s energy counters, over the last second: the whole processor and all that runs on it, not this program alone (%1).</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2974,6 +2719,58 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Sealing a record</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>MAVLink frames that were decrypted and accepted, over the last second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes of the frames that were decrypted, and of the received datagrams (without UDP and IP headers).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>decrypted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes of the channel&apos;s datagrams beyond the frames in them: headers, tags, handshakes and reports. At a few frames a second it is large, because the reports stay the same. 0 on a plain link.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>from vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Records that were lost, by their counters, over the last second; the agent reports its direction once a second. On a plain link: the loss of MAVLink frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames that were lost, by the sequence numbers of each sender, over the last second; frames to the vehicle are counted by its agent and reported once a second. Loss between autopilot and agent counts here and not in the channel.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Round trip: to the autopilot by TIMESYNC, smoothed, and to the agent by the channel&apos;s reports.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the datagram to the decrypted frames: look-up, replay window, tag, decryption. The first record after the thread slept finds cold caches and takes several microseconds with any suite; at the pace of telemetry that is nearly every record. “next” are records that follow in the same wake-up, which show more of the cipher itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Resident memory of the whole process. It does not depend on the suite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heap of one end&apos;s session under the suite in use, with its keyed ciphers. Measured once for each suite, with a session inside this program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the kernel&apos;s energy counters, over the last second: the whole processor and everything that runs on it, not this program alone (%1).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3013,10 +2810,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Not sealed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This vehicle speaks plain MAVLink: anyone on the way can read it and fly it. Start skyseal-air beside it.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3061,23 +2854,7 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>It is there, at %1, and silent: does it know this station&apos;s key? Look there for the fingerprint %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not sealed, in a sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Plain MAVLink is measured now, as you consented: anyone on the way can read it and fly it. The sweep seals the link again by itself.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sealed, but nothing is heard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>It goes on by itself as soon as the agent is heard again.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3089,19 +2866,39 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not sealed, held back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle %1 speaks plain MAVLink and may be an impostor of %2. Commands are off until you allow it: Security → Allow plain MAVLink.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed, changing keys…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent at %1 announces itself with a key that is not known here. If it is yours, pair the two.</source>
+        <source>It is reachable at %1 but does not answer. Does its list of peers contain this station&apos;s key, fingerprint %2?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent at %1 announces itself with an unknown key. If it is yours, pair the two.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. Start skyseal-air beside it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not sealed, needs approval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 sends plain MAVLink and may be an impostor of %2. Commands are disabled until you allow it: Security → Allow plain MAVLink.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain MAVLink is measured at present, with your consent: anyone on the path can read the telemetry and command the vehicle. The sweep seals the link again afterwards.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, no data received</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It continues automatically when the agent is received again.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3117,10 +2914,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>as the desktop</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3236,10 +3029,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Plain MAVLink is then never shown and never answered. Takes effect at the next start.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. I understand that while one is in use the link is not confidential.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3261,6 +3050,14 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>&amp;Weakest suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>desktop default</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plain MAVLink is then neither shown nor answered. Takes effect at the next start.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3370,10 +3167,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>not offered by it</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>not allowed here</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3394,10 +3187,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>in a sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>weaker than allowed</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3406,23 +3195,31 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stays with its keys: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Change keys &amp;now</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>New keys for the suite in use, while the link goes on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fresh keys, epoch %1, after %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Now %1, after %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a sweep is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not offered by the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys, epoch %1, after %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The keys stay the same: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys for the suite in use, without interrupting the link</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3475,10 +3272,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>What this comes to</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Warning</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3507,14 +3300,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The suites change on the live link, and in the end it has the one that it has now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>What</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed: whole frames in records</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3527,23 +3312,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Natural load: what a station asks for</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Natural load</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Saturated load</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Inline is what the paper measured: payloads encrypted in place, headers clear. Only a cipher with an HMAC can do it, and the agent must allow it (skyseal-air --allow-inline).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>How long</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3603,11 +3376,35 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Choose a link, a suite, a framing that it can be in, and a load.</source>
+        <source>Summary</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>You consent to plain MAVLink: during these runs telemetry and commands travel in clear, and anyone can speak to the vehicle.</source>
+        <source>The suites change on the live link. At the end the current suite is restored.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Suites, framing and load</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Natural load: the streams that a station requests</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Inline is the framing that the MAVSec paper measured: payloads are encrypted in place, headers stay clear. It needs a cipher with an HMAC, and the agent must allow it (skyseal-air --allow-inline).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose a link, a suite, a framing that the suite supports, and a load.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You consent to plain MAVLink: during these runs telemetry and commands are sent in clear, and anyone can command the vehicle.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3615,10 +3412,6 @@ with a pre-shared key</source>
     <name>skyseal::ui::SweepPage</name>
     <message>
         <source>The sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runs made</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3655,10 +3448,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Means of the sweep</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No sweep yet. It measures what each suite costs, one after the other.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3706,10 +3495,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stopping: the link goes back to its suite …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Starting …</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3717,11 +3502,23 @@ with a pre-shared key</source>
         <source>Run %1 of %2, %3 left: %4, %5</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Runs completed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sweep yet. A sweep measures the cost of each suite in turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopping: restoring the suite of the link …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SweepPresenter</name>
     <message>
-        <source>Choose where to make the folder of this sweep</source>
+        <source>Choose the folder in which the sweep&apos;s folder is created</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3880,10 +3677,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Return</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Set mode</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3904,18 +3697,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>another vehicle is shown now</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle was armed meanwhile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>the vehicle was disarmed meanwhile</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Not sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3924,16 +3705,28 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>the vehicle has other modes now</source>
+        <source>RTL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another vehicle is selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has been armed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle has been disarmed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle&apos;s modes have changed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>skyseal::ui::VehicleCommands</name>
-    <message>
-        <source>%1: asked …</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>%1: %2</source>
         <translation type="unfinished"></translation>
@@ -3943,7 +3736,33 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1: not sent: vehicle %2 is not the one that is shown now</source>
+        <source>%1: not sent: vehicle %2 is no longer selected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: requested …</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::WindowDialogs</name>
+    <message>
+        <source>Replay a log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Telemetry logs (*.tlog);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Skyseal %1
+
+A ground control station whose MAVLink link is sealed.
+GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3987,7 +3806,194 @@ with a pre-shared key</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::Words</name>
+    <name>skyseal::ui::WindowMenus</name>
+    <message>
+        <source>Vehicle %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Settings …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Replay a log …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Connect …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Change the mode to %1?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Arm …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm the motors? The propellers will turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Disarm …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm the motors?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take off …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Land …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Land here?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Return to launch (RTL) …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return to launch and land there?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start the mission …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly the mission?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Mode</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;how</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle %1 at %2 …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cipher suite</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Allow &amp;plain MAVLink</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle is waiting for approval</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keys and peers …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Security</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Follow the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Clear the track</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V&amp;iew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Run a s&amp;weep …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the &amp;demo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Sealing a link</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Diagnostics</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::StateText</name>
     <message>
         <source>no GPS</source>
         <translation type="unfinished"></translation>

@@ -64,7 +64,7 @@ private Q_SLOTS:
         MessagesPanel panel;
         engine::PeerNames names;
         const auto shown = [&](const engine::Event &event) {
-            panel.take(event);
+            panel.handleEvent(event);
             names.note(event);
             return cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Text);
         };
@@ -74,7 +74,7 @@ private Q_SLOTS:
         QCOMPARE(shown(up), sentence(up));
         QCOMPARE(shown(down), sentence(down));
         const int rows = panel.model().rowCount();
-        panel.take(channel::SwitchPending{});
+        panel.handleEvent(channel::SwitchPending{});
         QCOMPARE(panel.model().rowCount(), rows);
         const engine::Event pending = engine::PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1"};
         QVERIFY(shown(pending).startsWith(sentence(pending)));

@@ -10,9 +10,9 @@ namespace skyseal::ui {
 namespace {
 
 /// The translations' context of the free functions below.
-struct Words
+struct Text
 {
-    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::Words)
+    Q_DECLARE_TR_FUNCTIONS(skyseal::ui::StateText)
 };
 
 template<typename... Ts> struct Overloaded : Ts...
@@ -31,15 +31,15 @@ QString fromStd(std::string_view text)
 QString fixText(int gpsFixType)
 {
     switch (gpsFixType) {
-    case mavlink::GPS_FIX_TYPE_NO_GPS: return Words::tr("no GPS");
-    case mavlink::GPS_FIX_TYPE_NO_FIX: return Words::tr("no fix");
-    case mavlink::GPS_FIX_TYPE_2D_FIX: return Words::tr("2D fix");
-    case mavlink::GPS_FIX_TYPE_3D_FIX: return Words::tr("3D fix");
-    case mavlink::GPS_FIX_TYPE_DGPS: return Words::tr("DGPS");
-    case mavlink::GPS_FIX_TYPE_RTK_FLOAT: return Words::tr("RTK float");
-    case mavlink::GPS_FIX_TYPE_RTK_FIXED: return Words::tr("RTK fixed");
-    case mavlink::GPS_FIX_TYPE_STATIC: return Words::tr("static");
-    case mavlink::GPS_FIX_TYPE_PPP: return Words::tr("PPP");
+    case mavlink::GPS_FIX_TYPE_NO_GPS: return Text::tr("no GPS");
+    case mavlink::GPS_FIX_TYPE_NO_FIX: return Text::tr("no fix");
+    case mavlink::GPS_FIX_TYPE_2D_FIX: return Text::tr("2D fix");
+    case mavlink::GPS_FIX_TYPE_3D_FIX: return Text::tr("3D fix");
+    case mavlink::GPS_FIX_TYPE_DGPS: return Text::tr("DGPS");
+    case mavlink::GPS_FIX_TYPE_RTK_FLOAT: return Text::tr("RTK float");
+    case mavlink::GPS_FIX_TYPE_RTK_FIXED: return Text::tr("RTK fixed");
+    case mavlink::GPS_FIX_TYPE_STATIC: return Text::tr("static");
+    case mavlink::GPS_FIX_TYPE_PPP: return Text::tr("PPP");
     default: return dash();
     }
 }
@@ -47,14 +47,14 @@ QString fixText(int gpsFixType)
 QString severityText(std::uint8_t severity)
 {
     switch (severity) {
-    case mavlink::MAV_SEVERITY_EMERGENCY: return Words::tr("emergency");
-    case mavlink::MAV_SEVERITY_ALERT: return Words::tr("alert");
-    case mavlink::MAV_SEVERITY_CRITICAL: return Words::tr("critical");
-    case mavlink::MAV_SEVERITY_ERROR: return Words::tr("error");
-    case mavlink::MAV_SEVERITY_WARNING: return Words::tr("warning");
-    case mavlink::MAV_SEVERITY_NOTICE: return Words::tr("notice");
-    case mavlink::MAV_SEVERITY_INFO: return Words::tr("info");
-    default: return Words::tr("debug");
+    case mavlink::MAV_SEVERITY_EMERGENCY: return Text::tr("emergency");
+    case mavlink::MAV_SEVERITY_ALERT: return Text::tr("alert");
+    case mavlink::MAV_SEVERITY_CRITICAL: return Text::tr("critical");
+    case mavlink::MAV_SEVERITY_ERROR: return Text::tr("error");
+    case mavlink::MAV_SEVERITY_WARNING: return Text::tr("warning");
+    case mavlink::MAV_SEVERITY_NOTICE: return Text::tr("notice");
+    case mavlink::MAV_SEVERITY_INFO: return Text::tr("info");
+    default: return Text::tr("debug");
     }
 }
 
@@ -62,10 +62,10 @@ QString commandOutcomeText(const vehicle::CommandResult &result)
 {
     const QString reason = fromStd(result.reason);
     switch (result.outcome) {
-    case vehicle::CommandOutcome::Accepted: return Words::tr("accepted");
+    case vehicle::CommandOutcome::Accepted: return Text::tr("accepted");
     case vehicle::CommandOutcome::Refused:
-        return reason.isEmpty() ? Words::tr("refused") : Words::tr("refused: %1").arg(reason);
-    case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Words::tr("no answer") : reason;
+        return reason.isEmpty() ? Text::tr("refused") : Text::tr("refused: %1").arg(reason);
+    case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Text::tr("no answer") : reason;
     }
     return {};
 }
@@ -73,18 +73,18 @@ QString commandOutcomeText(const vehicle::CommandResult &result)
 QString commandText(const vehicle::VehicleCommand &command)
 {
     return std::visit(
-        Overloaded{[](const vehicle::Arm &) { return Words::tr("Arm"); },
-                   [](const vehicle::Disarm &) { return Words::tr("Disarm"); },
-                   [](const vehicle::TakeOff &c) { return Words::tr("Take off to %1 m").arg(number(c.altitude, 0)); },
-                   [](const vehicle::Land &) { return Words::tr("Land"); },
-                   [](const vehicle::ReturnToLaunch &) { return Words::tr("Return to launch"); },
-                   [](const vehicle::SetMode &c) { return Words::tr("Mode %1").arg(fromStd(c.mode)); },
-                   [](const vehicle::GoTo &) { return Words::tr("Fly to the point"); },
-                   [](const vehicle::ChangeSpeed &c) { return Words::tr("Speed %1 m/s").arg(number(c.metresPerSecond, 1)); },
-                   [](const vehicle::SetCurrentMissionItem &c) { return Words::tr("Mission item %1").arg(c.index); },
-                   [](const vehicle::StartMission &) { return Words::tr("Start the mission"); },
-                   [](const vehicle::Reboot &) { return Words::tr("Restart the autopilot"); },
-                   [](const vehicle::RawCommand &c) { return Words::tr("Command %1").arg(c.command); }},
+        Overloaded{[](const vehicle::Arm &) { return Text::tr("Arm"); },
+                   [](const vehicle::Disarm &) { return Text::tr("Disarm"); },
+                   [](const vehicle::TakeOff &c) { return Text::tr("Take off to %1 m").arg(number(c.altitude, 0)); },
+                   [](const vehicle::Land &) { return Text::tr("Land"); },
+                   [](const vehicle::ReturnToLaunch &) { return Text::tr("Return to launch"); },
+                   [](const vehicle::SetMode &c) { return Text::tr("Mode %1").arg(fromStd(c.mode)); },
+                   [](const vehicle::GoTo &) { return Text::tr("Fly to the point"); },
+                   [](const vehicle::ChangeSpeed &c) { return Text::tr("Speed %1 m/s").arg(number(c.metresPerSecond, 1)); },
+                   [](const vehicle::SetCurrentMissionItem &c) { return Text::tr("Mission item %1").arg(c.index); },
+                   [](const vehicle::StartMission &) { return Text::tr("Start the mission"); },
+                   [](const vehicle::Reboot &) { return Text::tr("Restart the autopilot"); },
+                   [](const vehicle::RawCommand &c) { return Text::tr("Command %1").arg(c.command); }},
         command);
 }
 
