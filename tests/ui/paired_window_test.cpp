@@ -249,7 +249,7 @@ void PairedWindowTest::picture(const char *name, QWidget *of)
 void PairedWindowTest::confirmBoth(PairingDialog *dialog, Program &desk)
 {
     desk.notify(QStringLiteral("yes"));
-    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingText").contains(QStringLiteral("said yes")), kPatience);
+    QTRY_VERIFY_WITH_TIMEOUT(textOf(dialog, "pairingText").contains(QStringLiteral("has confirmed")), kPatience);
     const bool replaces = dialog->findChild<ChangedKeyWarning *>()->isVisible();
     QVERIFY(!read(ownFile("peers")).contains("heron ") || replaces); // one yes is none
     click(dialog, "pairingAgree");

@@ -205,7 +205,7 @@ void SweepWindowTest::saysWhyNot()
         QVERIFY2(plain->text().contains(q("the agent does not allow it")), qPrintable(plain->text()));
         QVERIFY2(plain->toolTip().contains(q("--allow-plain")), qPrintable(plain->toolTip()));
         auto *saturated = dialog->findChild<QAbstractButton *>(q("sweepSaturated"));
-        QVERIFY(!saturated->isEnabled() && saturated->text().contains(q("sends what it sends")));
+        QVERIFY(!saturated->isEnabled() && saturated->text().contains(q("cannot be changed")));
         set(*dialog, "sweepOwn", true);
         QVERIFY(plain->isEnabled() && saturated->isEnabled());
         picture("sweep-dialog");
@@ -324,7 +324,7 @@ void SweepWindowTest::cancelGoesBack()
     QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
     QVERIFY(!m_window->view().session);
     const QString advice = find<QLabel>("secureAdvice")->text();
-    QVERIFY2(advice.contains(q("measured now")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
+    QVERIFY2(advice.contains(q("measured at present")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
     QVERIFY2(find<StripItem>("stripLock")->toolTip().contains(q("measures plain MAVLink")),
              qPrintable(find<StripItem>("stripLock")->toolTip()));
     QCOMPARE(find<QLabel>("switchNote")->text(), QString()); // the session ended as was wanted
