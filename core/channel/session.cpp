@@ -171,7 +171,7 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
 Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
 {
     LiveEpoch &epoch = m_epochs.current();
-    if (exhausted(epoch) && !weakened(Weakness::NoHardStop))
+    if (exhausted(epoch))
         return SealError::Exhausted;
     if (out.size() < kRecordHeaderLength + epoch.writer->sealedSize(plaintext.size()))
         return SealError::NoRoom;
@@ -192,7 +192,7 @@ Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView ou
 /// Hard limit of an epoch: its counter must not wrap.
 bool Session::exhausted(const LiveEpoch &epoch)
 {
-    if (epoch.sent < m_context.timing.hardStopRecords)
+    if (epoch.sent < m_context.timing.hardStopRecords || weakened(Weakness::NoHardStop))
         return false;
     m_finished = DownReason::Exhausted;
     return true;

@@ -150,7 +150,7 @@ void KeyPassphraseTest::passphraseFileIsChecked()
     QCOMPARE(open(path("nowhere")).status, 3);
     const RunResult wrong = open(write("wrong", "y"));
     QCOMPARE(wrong.status, 3);
-    QVERIFY2(wrong.err.contains("does not open it"), wrong.err.constData());
+    QVERIFY2(wrong.err.contains("wrong passphrase"), wrong.err.constData());
     QCOMPARE(keys({QStringLiteral("passphrase"), path("a.key"), QStringLiteral("--passphrase-file"), path("readable"),
                    QStringLiteral("--passphrase-fd"), QStringLiteral("0")})
                  .status,
@@ -213,7 +213,7 @@ void KeyPassphraseTest::agentAndMonitorOpenIt()
     };
     const RunResult none = agent({QStringLiteral("--passphrase-file"), wrong});
     QCOMPARE(none.status, 3);
-    QVERIFY2(none.err.contains("does not open it"), none.err.constData());
+    QVERIFY2(none.err.contains("wrong passphrase"), none.err.constData());
     const RunResult opened = agent({QStringLiteral("--passphrase-file"), right});
     QCOMPARE(opened.status, 3); // by the next hurdle: there is no such station
     QVERIFY2(!opened.err.contains("a.key"), opened.err.constData());
