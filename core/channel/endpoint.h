@@ -43,7 +43,7 @@ public:
     /// A station's handshakes with announced agents that have not answered yet.
     std::vector<Unanswered> unanswered() const;
     /// Datagrams that belong to no session. malformed: not a message of this version, or of an unknown connection; forged: a
-    /// handshake message for another key; replayed: an old first message.
+    /// handshake message for another key; replayed: an old first message, or a reply to a first message whose session is up.
     const ReceiveCounters &unmatched() const;
     /// Latest time for the next handleDeadline(); kNever if no timer is running.
     TimePoint nextDeadline() const;

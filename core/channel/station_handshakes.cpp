@@ -145,9 +145,20 @@ StationHandshakes::Attempt *StationHandshakes::attemptAnsweredBy(const Path &fro
     return found == m_attempts.end() ? nullptr : &*found;
 }
 
+/// Returns true for a reply to a first message whose session is up: the agent replies to each copy of the message.
+bool StationHandshakes::isRepeated(ByteView datagram) const
+{
+    const auto connection = answeredConnection(datagram);
+    return connection && m_core.table.find(*connection);
+}
+
 bool StationHandshakes::handleNumber(TimePoint now, const Path &from, ByteView datagram)
 {
     Attempt *attempt = attemptAnsweredBy(from, datagram);
+    if (!attempt && isRepeated(datagram)) {
+        ++m_core.unmatched.replayed;
+        return false;
+    }
     if (!attempt || !m_core.ownMac.verify(datagram)) {
         ++m_core.unmatched.forged;
         return false;
@@ -200,8 +211,8 @@ void StationHandshakes::giveUpFirst(TimePoint now, Attempt &attempt)
 bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
     Attempt *found = attemptAnsweredBy(from, datagram);
-    if (!found) { // for instance a duplicate of the answer
-        ++m_core.unmatched.malformed;
+    if (!found) {
+        ++(isRepeated(datagram) ? m_core.unmatched.replayed : m_core.unmatched.malformed);
         return false;
     }
     if (!m_core.ownMac.verify(datagram)) {

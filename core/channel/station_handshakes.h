@@ -43,6 +43,7 @@ private:
 
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
     Attempt *attemptAnsweredBy(const Path &from, ByteView datagram);
+    bool isRepeated(ByteView datagram) const;
     Attempt &want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due);
     void send(TimePoint now, Attempt &attempt);
     void sendTo(TimePoint now, Attempt &attempt, Place &place);

@@ -172,6 +172,11 @@ void HandshakeTest::repeatedMessagesAreAnsweredTheSame()
     QVERIFY(answers.size() > 1);
     for (const Flight &flight : answers)
         QCOMPARE(toHex(flight.bytes), toHex(answers[0].bytes));
+    // The station has used the first of them; the others are repetitions, not damaged or forged.
+    const ReceiveCounters &unmatched = pair.ground().endpoint->unmatched();
+    QVERIFY(unmatched.replayed > 0);
+    QCOMPARE(unmatched.malformed, std::uint64_t(0));
+    QCOMPARE(unmatched.forged, std::uint64_t(0));
 }
 
 void HandshakeTest::replayedFirstKillsNothing()
