@@ -10,13 +10,26 @@ std::uint64_t CycleClock::monotonicNanoseconds()
 
 CycleClock CycleClock::measure(Duration duration)
 {
-    const std::uint64_t wanted = static_cast<std::uint64_t>(duration.count());
-    const std::uint64_t time = monotonicNanoseconds();
-    const std::uint64_t cycles = now();
-    std::uint64_t passed = 0;
-    while (passed < wanted)
-        passed = monotonicNanoseconds() - time;
-    const std::uint64_t counted = now() - cycles;
+    struct Reading
+    {
+        std::uint64_t nanoseconds, cycles, uncertainty;
+    };
+    // A preemption between the readings of the two clocks would falsify the rate, so the closest pair of several counts.
+    const auto read = [] {
+        Reading best{0, 0, UINT64_MAX};
+        for (int i = 0; i < 16; ++i) {
+            const std::uint64_t before = now();
+            const std::uint64_t time = monotonicNanoseconds();
+            const std::uint64_t width = now() - before;
+            if (width < best.uncertainty)
+                best = {time, before + width / 2, width};
+        }
+        return best;
+    };
+    const Reading begin = read();
+    while (monotonicNanoseconds() - begin.nanoseconds < static_cast<std::uint64_t>(duration.count())) {}
+    const Reading end = read();
+    const std::uint64_t passed = end.nanoseconds - begin.nanoseconds, counted = end.cycles - begin.cycles;
     return CycleClock(counted ? static_cast<double>(passed) / static_cast<double>(counted) : 1.0);
 }
 
