@@ -10,7 +10,6 @@
 #include "tests/crypto/seeded_random.h"
 #include "tests/keys/temporary_folder.h"
 
-#include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
 
 using namespace skyseal;
@@ -157,15 +156,14 @@ void SealedKeyTest::everyTruncationIsRefused()
 void SealedKeyTest::hostileCostsAreRefusedUnseen()
 {
     const SealedKey good = sealed(newPair(), "words");
-    QElapsedTimer clock;
-    clock.start();
     const PassphraseCost hostile[] = {{17, 8192}, {4294967295, 8192}, {1, 1048577}, {1, 4294967295},
                                       {0, 8192},  {1, 8191},          {1, 0}};
     for (const PassphraseCost &cost : hostile) {
         SealedKey key = good;
         key.cost = cost;
         QVERIFY2(!SealedKey::parse(key.text(), "f"), key.text().c_str());
-        QVERIFY(!key.open(words("words"))); // nor computed when constructed directly
+        // Nor computed if the object is made directly: a computed key would end in DoesNotOpen, after hours or gigabytes.
+        QVERIFY(key.open(words("words")).error() == PassphraseError::NoMemory);
     }
     const std::string line = "argon2id 1 8192 ";
     for (const char *instead :
@@ -175,7 +173,6 @@ void SealedKeyTest::hostileCostsAreRefusedUnseen()
         text.replace(text.find(line), line.size(), instead);
         QVERIFY(!SealedKey::parse(text, "f"));
     }
-    QVERIFY2(clock.elapsed() < 1000, "a refused cost must cost nothing");
 }
 
 /// A file made by an independent implementation of the format: tests/data/keys/make_sealed_key.py.
