@@ -9,7 +9,6 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr std::size_t kLongest = 1000;
-constexpr int kDeepest = 32;
 
 bool isWord(char c)
 {
@@ -18,7 +17,7 @@ bool isWord(char c)
 
 } // namespace
 
-/// Recursive descent; the first problem ends it, as an exception that does not leave this file.
+/// Reads from left to right. The first error is thrown and caught in Expectation::parse().
 class ExpectationParser
 {
 public:
@@ -28,26 +27,25 @@ public:
     {
         if (m_text.size() > kLongest)
             fail("longer than " + std::to_string(kLongest) + " characters");
-        m_out.m_text = std::string(m_text);
-        m_out.m_left = sum(0);
-        m_out.m_relation = relation();
-        m_out.m_right = sum(0);
+        Expectation out;
+        out.m_text = std::string(m_text);
+        auto &[left, right] = out.m_sides;
+        left = side();
+        out.m_relation = relation();
+        right = side();
         skipSpace();
         if (m_at != m_text.size())
             fail("unexpected " + here());
-        const bool anyMetric = std::any_of(m_out.m_nodes.begin(), m_out.m_nodes.end(),
-                                           [](const Node &node) { return node.kind == Kind::Value; });
-        if (!anyMetric)
-            fail("it mentions nothing that is measured");
-        return std::move(m_out);
+        if (!left.metric && !right.metric)
+            fail("a metric is expected on one side");
+        return out;
     }
 
 private:
-    using Kind = Expectation::Kind;
-    using Node = Expectation::Node;
     using Relation = Expectation::Relation;
+    using Side = Expectation::Side;
 
-    [[noreturn]] void fail(const std::string &why) const { throw InputError{why, std::string(m_text), 1, m_at + 1}; }
+    [[noreturn]] void fail(const std::string &problem) const { throw InputError{problem, std::string(m_text), 1, m_at + 1}; }
 
     std::string here() const
     {
@@ -66,24 +64,6 @@ private:
         m_at += token.size();
         return true;
     }
-    void expect(std::string_view token)
-    {
-        if (!take(token))
-            fail("'" + std::string(token) + "' is expected instead of " + here());
-    }
-    std::size_t add(Node node)
-    {
-        m_out.m_nodes.push_back(node);
-        return m_out.m_nodes.size() - 1;
-    }
-    std::size_t join(Kind kind, std::size_t left, std::size_t right)
-    {
-        Node node;
-        node.kind = kind;
-        node.left = left;
-        node.right = right;
-        return add(node);
-    }
 
     Relation relation()
     {
@@ -98,63 +78,32 @@ private:
         fail("a comparison (<=, >=, <, >, ==, !=) is expected instead of " + here());
     }
 
-    std::size_t sum(int depth)
+    Side side()
     {
-        std::size_t left = product(depth);
-        for (;;) {
-            if (take("+"))
-                left = join(Kind::Add, left, product(depth));
-            else if (take("-"))
-                left = join(Kind::Subtract, left, product(depth));
-            else
-                return left;
-        }
-    }
-
-    std::size_t product(int depth)
-    {
-        std::size_t left = factor(depth);
-        for (;;) {
-            if (take("*"))
-                left = join(Kind::Multiply, left, factor(depth));
-            else if (take("/"))
-                left = join(Kind::Divide, left, factor(depth));
-            else
-                return left;
-        }
-    }
-
-    std::size_t factor(int depth)
-    {
-        if (depth >= kDeepest)
-            fail("nested too deeply");
-        if (take("-"))
-            return join(Kind::Negate, factor(depth + 1), 0);
-        if (take("(")) {
-            const std::size_t inside = sum(depth + 1);
-            expect(")");
-            return inside;
-        }
+        Side out;
         skipSpace();
         const char first = m_at < m_text.size() ? m_text[m_at] : '\0';
-        if ((first >= '0' && first <= '9') || first == '.')
-            return number();
-        if (first >= 'a' && first <= 'z')
-            return value();
-        fail("a number or a metric is expected instead of " + here());
+        if ((first >= '0' && first <= '9') || first == '.') {
+            out.number = number();
+            if (take("*"))
+                metric(out);
+        } else {
+            metric(out);
+        }
+        return out;
     }
 
-    std::size_t number()
+    double number()
     {
-        Node node;
+        double out = 0;
         const char *begin = m_text.data() + m_at;
-        const auto [end, error] = std::from_chars(begin, m_text.data() + m_text.size(), node.number);
-        if (error != std::errc() || !std::isfinite(node.number))
+        const auto [end, error] = std::from_chars(begin, m_text.data() + m_text.size(), out);
+        if (error != std::errc() || !std::isfinite(out))
             fail("not a number");
         m_at += static_cast<std::size_t>(end - begin);
         if (m_at < m_text.size() && isWord(m_text[m_at]))
-            fail("unexpected " + here() + " behind a number");
-        return add(node);
+            fail("unexpected " + here() + " after a number");
+        return out;
     }
 
     std::string_view word(bool withDashes)
@@ -166,35 +115,29 @@ private:
         return m_text.substr(begin, m_at - begin);
     }
 
-    std::size_t value()
+    void metric(Side &out)
     {
-        Node node;
-        node.kind = Kind::Value;
+        skipSpace();
         const std::size_t begin = m_at;
+        if (m_at == m_text.size() || m_text[m_at] < 'a' || m_text[m_at] > 'z')
+            fail("a number or a metric is expected instead of " + here());
         const std::string_view key = word(false);
-        if (const auto metric = metricFromKey(key)) {
-            node.metric = *metric;
-        } else {
+        out.metric = metricFromKey(key);
+        if (!out.metric) {
             m_at = begin;
-            std::string names;
+            std::string keys;
             for (const MetricInfo &one : metrics())
-                names.append(names.empty() ? "" : ", ").append(one.key);
-            fail("no metric is named '" + std::string(key) + "'; there are " + names);
+                keys.append(keys.empty() ? "" : ", ").append(one.key);
+            fail("no metric is named '" + std::string(key) + "'; there are " + keys);
         }
-        if (take("("))
-            arguments(node);
-        if (!node.suite)
-            m_out.m_forEachSuite = true;
-        return add(node);
-    }
-
-    void arguments(Node &node)
-    {
+        if (!take("("))
+            return;
         if (!take("*"))
-            node.suite = suite();
+            out.suite = suite();
         while (take(","))
-            loadOrFraming(node);
-        expect(")");
+            loadOrFraming(out);
+        if (!take(")"))
+            fail("')' is expected instead of " + here());
     }
 
     crypto::SuiteId suite()
@@ -210,20 +153,20 @@ private:
         return *found;
     }
 
-    void loadOrFraming(Node &node)
+    void loadOrFraming(Side &out)
     {
         skipSpace();
         const std::size_t begin = m_at;
         const std::string_view text = word(false);
         for (const Load known : {Load::Natural, Load::Saturated}) {
-            if (text == name(known) && !node.load) {
-                node.load = known;
+            if (text == name(known) && !out.load) {
+                out.load = known;
                 return;
             }
         }
         for (const channel::Framing known : {channel::Framing::Sealed, channel::Framing::Inline}) {
-            if (text == name(known) && !node.framing) {
-                node.framing = known;
+            if (text == name(known) && !out.framing) {
+                out.framing = known;
                 return;
             }
         }
@@ -233,7 +176,6 @@ private:
 
     std::string_view m_text;
     std::size_t m_at = 0;
-    Expectation m_out;
 };
 
 Result<Expectation, InputError> Expectation::parse(std::string_view text)
@@ -245,12 +187,17 @@ Result<Expectation, InputError> Expectation::parse(std::string_view text)
     }
 }
 
+bool Expectation::isForEachSuite() const
+{
+    return std::any_of(m_sides.begin(), m_sides.end(), [](const Side &side) { return side.isForEachSuite(); });
+}
+
 std::vector<crypto::SuiteId> Expectation::suites() const
 {
     std::vector<crypto::SuiteId> out;
-    for (const Node &node : m_nodes) {
-        if (node.kind == Kind::Value && node.suite)
-            out.push_back(*node.suite);
+    for (const Side &side : m_sides) {
+        if (side.suite)
+            out.push_back(*side.suite);
     }
     return out;
 }
@@ -258,9 +205,9 @@ std::vector<crypto::SuiteId> Expectation::suites() const
 std::vector<Load> Expectation::loads() const
 {
     std::vector<Load> out;
-    for (const Node &node : m_nodes) {
-        if (node.kind == Kind::Value && node.load)
-            out.push_back(*node.load);
+    for (const Side &side : m_sides) {
+        if (side.load)
+            out.push_back(*side.load);
     }
     return out;
 }
@@ -268,45 +215,35 @@ std::vector<Load> Expectation::loads() const
 std::vector<channel::Framing> Expectation::framings() const
 {
     std::vector<channel::Framing> out;
-    for (const Node &node : m_nodes) {
-        if (node.kind == Kind::Value && node.framing)
-            out.push_back(*node.framing);
+    for (const Side &side : m_sides) {
+        if (side.framing)
+            out.push_back(*side.framing);
     }
     return out;
 }
 
 std::optional<channel::Framing> Expectation::onlyFraming() const
 {
-    for (const Node &node : m_nodes) {
-        if (node.kind == Kind::Value && !node.suite && node.framing)
-            return node.framing;
+    for (const Side &side : m_sides) {
+        if (side.isForEachSuite() && side.framing)
+            return side.framing;
     }
     return std::nullopt;
 }
 
-double Expectation::evaluate(std::size_t index, const SweepArm &subject, const Lookup &lookup) const
+double Expectation::Side::value(const SweepArm &arm, const Lookup &lookup) const
 {
-    const Node &node = m_nodes[index];
-    const auto side = [&](std::size_t child) { return evaluate(child, subject, lookup); };
-    switch (node.kind) {
-    case Kind::Number: return node.number;
-    case Kind::Value:
-        return node.suite ? lookup(node.metric, *node.suite, node.framing, node.load)
-                          : lookup(node.metric, subject.suite, node.framing.value_or(subject.framing), node.load);
-    case Kind::Add: return side(node.left) + side(node.right);
-    case Kind::Subtract: return side(node.left) - side(node.right);
-    case Kind::Multiply: return side(node.left) * side(node.right);
-    case Kind::Divide: return side(node.left) / side(node.right);
-    case Kind::Negate: return -side(node.left);
-    }
-    return 0;
+    if (!metric)
+        return number;
+    return number
+        * (suite ? lookup(*metric, *suite, framing, load) : lookup(*metric, arm.suite, framing.value_or(arm.framing), load));
 }
 
-Expectation::Outcome Expectation::check(const SweepArm &subject, const Lookup &lookup) const
+Expectation::Outcome Expectation::check(const SweepArm &arm, const Lookup &lookup) const
 {
     Outcome out;
-    out.left = evaluate(m_left, subject, lookup);
-    out.right = evaluate(m_right, subject, lookup);
+    out.left = m_sides[0].value(arm, lookup);
+    out.right = m_sides[1].value(arm, lookup);
     out.measured = std::isfinite(out.left) && std::isfinite(out.right);
     if (!out.measured)
         return out;

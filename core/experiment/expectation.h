@@ -1,14 +1,13 @@
 // Assertions about a sweep, for scripts: "loss<=0.001", "cpu(chacha20-poly1305)<=1.10*cpu(none)".
 //
-//   comparison = sum ("<=" | ">=" | "<" | ">" | "==" | "!=") sum
-//   sum        = product {("+" | "-") product}
-//   product    = factor {("*" | "/") factor}
-//   factor     = number | metric ["(" suite {"," (load | framing)} ")"] | "(" sum ")" | "-" factor
+//   assertion = side ("<=" | ">=" | "<" | ">" | "==" | "!=") side
+//   side      = number | [number "*"] metric ["(" (suite | "*") {"," (load | framing)} ")"]
 //
-// A metric stands for its mean over the repeats. Without a suite, or with "*" for it, it stands for every suite in turn, and
-// the comparison must hold for each of them. The load is "natural" or "saturated"; a comparison that names none must hold
-// under each load of the sweep; beside a metric with a load, one without stands for the sweep's first. The framing is "sealed"
-// or "inline"; without one, the first of the sweep for a suite that is named, and each in turn otherwise.
+// At least one side names a metric. A metric stands for its mean over the repeats. Without a suite, or with "*" for it, the
+// assertion must hold for each suite in turn. The load is "natural" or "saturated"; an assertion that names none must hold
+// under each load of the sweep; beside a metric with a load, a metric without one uses the first load of the sweep. The framing
+// is "sealed" or "inline"; without one, a metric with a suite uses the first framing of the sweep, and a metric without a suite
+// each in turn.
 #pragma once
 
 #include "core/base/result.h"
@@ -16,6 +15,7 @@
 #include "core/experiment/metric.h"
 #include "core/experiment/plan.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -26,55 +26,51 @@ namespace skyseal::experiment {
 class Expectation
 {
 public:
-    /// An error says what is wrong and at which column.
+    /// The error names the problem and its column, counted in bytes from 1.
     static Result<Expectation, InputError> parse(std::string_view text);
 
     const std::string &text() const { return m_text; }
-    /// Whether it holds for one suite at a time.
-    bool isForEachSuite() const { return m_forEachSuite; }
-    /// Whether it holds for one load at a time: it names none.
+    /// True if a metric names no suite: the assertion is checked for each suite in turn.
+    bool isForEachSuite() const;
+    /// True if no metric names a load: the assertion is checked for each load in turn.
     bool isForEachLoad() const { return loads().empty(); }
-    /// Suites and loads that it names: a sweep must have them.
+    /// The suites, loads and framings that it names. The sweep must measure them, see fits().
     std::vector<crypto::SuiteId> suites() const;
     std::vector<Load> loads() const;
     std::vector<channel::Framing> framings() const;
-    /// The framing that it restricts its suites to, where it stands for every suite.
+    /// The framing of a metric without a suite, such as cpu(*,inline); nullopt without one.
     std::optional<channel::Framing> onlyFraming() const;
 
-    /// The mean of a metric; NaN when it was not measured.
+    /// Returns the mean of a metric; NaN if it was not measured.
     using Lookup = std::function<double(Metric, crypto::SuiteId, std::optional<channel::Framing>, std::optional<Load>)>;
     struct Outcome
     {
-        bool measured = false; ///< both sides are numbers
-        bool holds = false;
+        bool measured = false; ///< both sides are finite
+        bool holds = false;    ///< false unless measured
         double left = 0, right = 0;
     };
-    /// `subject` is what metrics without a suite stand for.
-    Outcome check(const SweepArm &subject, const Lookup &lookup) const;
+    /// `arm` supplies the suite and the framing of metrics that name none.
+    Outcome check(const SweepArm &arm, const Lookup &lookup) const;
 
 private:
     friend class ExpectationParser;
 
-    enum class Kind : std::uint8_t { Number, Value, Add, Subtract, Multiply, Divide, Negate };
     enum class Relation : std::uint8_t { LessOrEqual, GreaterOrEqual, Less, Greater, Equal, NotEqual };
-    struct Node
+    struct Side
     {
-        Kind kind{};
-        double number = 0;
-        Metric metric{};
+        double number = 1;            ///< the factor of the metric; without a metric the value itself
+        std::optional<Metric> metric; ///< nullopt: only a number
         std::optional<crypto::SuiteId> suite;
         std::optional<Load> load;
         std::optional<channel::Framing> framing;
-        std::size_t left = 0, right = 0; ///< indices of nodes
+
+        bool isForEachSuite() const { return metric && !suite; }
+        double value(const SweepArm &arm, const Lookup &lookup) const;
     };
 
-    double evaluate(std::size_t node, const SweepArm &subject, const Lookup &lookup) const;
-
     std::string m_text;
-    std::vector<Node> m_nodes;
-    std::size_t m_left = 0, m_right = 0;
+    std::array<Side, 2> m_sides; ///< left, right
     Relation m_relation{};
-    bool m_forEachSuite = false;
 };
 
 } // namespace skyseal::experiment
