@@ -18,32 +18,42 @@ static bool isCompared(const SweepArm &arm, Metric metric)
     return info(metric).independent && !(info(metric).zeroInPlain && arm.suite == crypto::SuiteId::None);
 }
 
-/// The frames or records that a cell's shares are of, in all runs that have one.
-static double trialsOf(const Results &results, const Cell &cell, Metric metric)
+/// Frames or records that a share is of, in one sample.
+static double trialsOf(const Sample &sample, ShareOf share)
 {
-    const auto trials = [metric](const Sample &sample) {
-        if (metric == Metric::Loss)
-            return sample.values[Metric::Packets];
-        const auto records = metric == Metric::RecordLoss ? &Counted::rx : &Counted::tx;
+    const auto grown = [&sample](channel::ReceiveCounters Counted::*records) {
         return static_cast<double>((sample.end.*records).good) - static_cast<double>((sample.begin.*records).good);
     };
+    switch (share) {
+    case ShareOf::Frames: return sample.values[Metric::Packets];
+    case ShareOf::RecordsToStation: return grown(&Counted::rx);
+    case ShareOf::RecordsToAgent: return grown(&Counted::tx);
+    case ShareOf::Nothing: break;
+    }
+    return 0;
+}
+
+/// The sum over all runs of a cell in which the metric was measured.
+static double trialsOf(const Results &results, const Cell &cell, const MetricInfo &metric)
+{
     double out = 0;
     for (const Sample &sample : results.samples) {
-        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && std::isfinite(sample.values[metric]))
-            out += trials(sample);
+        if (Cell{sample.run.condition, sample.run.load, sample.run.arm} == cell && std::isfinite(sample.values[metric.metric]))
+            out += trialsOf(sample, metric.shareOf);
     }
     return out;
 }
 
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric)
 {
+    const MetricInfo &described = info(metric);
     Summary out = summarise(valuesOf(results, cell, metric));
     out.least = 0; // loads, shares, times and sizes
-    if (isShare(metric))
+    if (described.isShare())
         out.most = 1;
-    if (isShare(metric) && out.max == 0)
-        out.halfWidth = boundOfNone(trialsOf(results, cell, metric));
-    if (!info(metric).independent)
+    if (described.isShare() && out.max == 0)
+        out.halfWidth = boundOfNone(trialsOf(results, cell, described));
+    if (!described.independent)
         out.halfWidth = std::numeric_limits<double>::quiet_NaN();
     return out;
 }

@@ -23,7 +23,7 @@ struct Scale
 Scale scaleFor(Metric metric, double highest)
 {
     const std::string_view unit = info(metric).unit;
-    if (isShare(metric))
+    if (info(metric).isShare())
         return {100, "%"};
     if (unit == "B" && highest >= 1e6)
         return {1e-6, "MB"};
@@ -86,7 +86,7 @@ void drawLine(std::string &out, double x1, double y1, double x2, double y2)
         y2);
 }
 
-/// Strokes of 45 degrees by lines of our own: the profile of SVG that Qt draws knows no patterns.
+/// Hatching by single lines at 45 degrees, since SVG Tiny, the profile that Qt supports, has no patterns.
 void hatch(std::string &out, double left, double top, double right)
 {
     constexpr double kSpacing = 6;
@@ -116,7 +116,7 @@ void drawBar(std::string &out, const Axis &axis, const Bar &bar, int row)
     if (std::isfinite(bar.low) && std::isfinite(bar.high)) {
         const double low = axis.x(bar.low), high = axis.x(bar.high);
         drawLine(out, low, middle, high, middle);
-        if (bar.low > 0) // one that was cut there has no end to be seen
+        if (bar.low > 0) // no end mark where the interval is cut off at zero
             drawLine(out, low, middle - 5, low, middle + 5);
         drawLine(out, high, middle - 5, high, middle + 5);
     }
@@ -159,17 +159,17 @@ double axisStep(double highest)
     return 10 * decade;
 }
 
-/// How often it was measured, and what is drawn; `counts`: the runs of each arm.
+/// Number of runs and meaning of the drawing. `counts`: the runs of each arm.
 static std::string legendOf(const Plan &plan, Metric metric, const std::vector<std::size_t> &counts, bool anyInterval,
                             bool anyOutlier)
 {
     std::string out = runsText(counts) + " of " + readable(seconds(plan.measure))
         + " s for each; bar: mean, hatched: insecure, " + (anyInterval ? "whisker: 95 % confidence interval, " : "")
         + "dots: single runs";
-    if (metric == Metric::SessionMemory)
-        out = "measured once for each suite, with sessions of the program's own; hatched: insecure";
+    if (info(metric).oncePerSuite)
+        out = "measured once for each suite with separate sessions; hatched: insecure";
     if (!info(metric).independent)
-        out += "; one process through all suites: not a suite's own";
+        out += "; one process runs all suites: not a suite's own";
     if (anyOutlier)
         out += ", white ones: outliers";
     return out;
@@ -180,7 +180,7 @@ BarChart chartOf(const Results &results, std::size_t condition, std::size_t load
     const Plan &plan = results.plan;
     BarChart out;
     out.title = info(metric).title;
-    out.subtitle = "link: " + words(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
+    out.subtitle = "link: " + conditionText(plan.conditions[condition]) + "; load: " + std::string(name(plan.loads[load]));
     bool anyOutlier = false, anyInterval = false;
     std::vector<std::size_t> counts;
     for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {

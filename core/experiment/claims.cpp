@@ -13,9 +13,9 @@ namespace {
 using crypto::SuiteId;
 
 constexpr std::array kRivals{SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4};
-constexpr double kAsGood = 0.02; ///< a smaller share of difference does not matter to anybody's flight
+constexpr double kAsGood = 0.02; ///< smaller relative differences have no practical effect
 
-std::string shown(SuiteId suite)
+std::string nameOf(SuiteId suite)
 {
     return std::string(crypto::suiteInfo(suite).name);
 }
@@ -46,14 +46,15 @@ Place judgedPlace(const Plan &plan)
 std::string whereText(const Plan &plan, const Place &place, Metric metric)
 {
     return std::string(info(metric).title) + " (" + std::string(info(metric).key) + ", link "
-        + words(plan.conditions[place.condition]) + ", " + std::string(name(plan.loads[place.load])) + " load, framing "
+        + conditionText(plan.conditions[place.condition]) + ", " + std::string(name(plan.loads[place.load])) + " load, framing "
         + std::string(name(judgedFraming(plan))) + "): ";
 }
 
-/// How the second suite's mean stands to the first one's.
+/// The mean of the second suite relative to that of the first.
 struct Standing
 {
-    bool compared = false, known = false, significant = false;
+    bool compared = false;                   ///< both suites were measured at least twice
+    bool known = false, significant = false; ///< see Comparison
     double ratio = 1;
     double margin = 0; ///< half of the 90 % interval of the difference, as a share of the first one's mean
     std::string text;
@@ -77,7 +78,7 @@ Standing standing(const Results &results, const Place &place, Metric metric, Sui
         out.significant = pair.comparison.significant();
         out.ratio = theirs / mine;
         out.margin = pair.comparison.test.halfWidth(0.9) / mine;
-        out.text = shown(second) + " " + readable(theirs) + " against " + readable(mine)
+        out.text = nameOf(second) + " " + readable(theirs) + " against " + readable(mine)
             + (!out.known                               ? " (neither varies, in too few runs to say whether they differ)"
                    : !out.significant                   ? " (no significant difference)"
                    : std::abs(out.ratio - 1) <= kAsGood ? " (less than 2 % apart)"
@@ -112,7 +113,7 @@ Claim against(const Results &results, const Place &place, Metric metric, bool mo
     return out;
 }
 
-/// As good as plain MAVLink, or better: by two one-sided tests, so that few or scattered samples confirm nothing.
+/// As good as plain MAVLink or better, by two one-sided tests, so that few or scattered samples do not confirm the claim.
 Claim unharmed(const Results &results, const Place &place)
 {
     Claim out{"Integrating ChaCha20 does not affect the performance of MAVLink: as many packets as without encryption.",
@@ -122,7 +123,8 @@ Claim unharmed(const Results &results, const Place &place)
         return out;
     out.reason = whereText(results.plan, place, Metric::Packets) + found.text + " for plain MAVLink.";
     if (results.plan.loads[place.load] == Load::Natural) {
-        out.reason += " The vehicle sets this rate, whatever the suite costs: only the saturated load could tell.";
+        out.reason +=
+            " The vehicle sets this rate, whatever the suite costs; the claim can be tested only under the saturated load.";
         return out;
     }
     const double change = found.ratio - 1;
@@ -135,7 +137,7 @@ Claim unharmed(const Results &results, const Place &place)
         out.reason += " The difference, " + readable(100 * change) + " ± " + readable(100 * found.margin)
             + " % (90 % confidence interval), is not known to be within 2 %.";
     if (more && judgedFraming(results.plan) == channel::Framing::Sealed)
-        out.reason += " Sealing puts several frames into a record, and fewer datagrams are what makes it quicker.";
+        out.reason += " Sealing puts several frames into a record, and sending fewer datagrams makes it faster.";
     return out;
 }
 
@@ -146,16 +148,15 @@ Claim memory(const std::function<double(SuiteId)> &contextBytes)
     std::string list;
     for (const SuiteId suite : {SuiteId::ChaCha20, SuiteId::Aes256Cbc, SuiteId::Aes256Ctr, SuiteId::Rc4}) {
         if (const double bytes = contextBytes(suite); std::isfinite(bytes))
-            list += (list.empty() ? " One keyed cipher takes of the heap: " : ", ") + shown(suite) + " " + readable(bytes)
-                + " B";
+            list += (list.empty() ? " Heap of one keyed cipher: " : ", ") + nameOf(suite) + " " + readable(bytes) + " B";
     }
-    out.reason += list.empty() ? "" : list + "; next to a process of several megabytes that is nothing.";
+    out.reason += list.empty() ? "" : list + "; negligible beside a process of several megabytes.";
     return out;
 }
 
 } // namespace
 
-std::string_view words(Finding finding)
+std::string_view findingText(Finding finding)
 {
     switch (finding) {
     case Finding::Confirmed: return "confirmed";
@@ -177,15 +178,15 @@ std::vector<Claim> paperClaims(const Results &results, const std::function<doubl
                           "ChaCha20 needs less CPU than AES-CBC, AES-CTR and RC4: at the drone, by the agent."));
     out.push_back(memory(contextBytes));
     out.push_back(unharmed(results, place));
-    out.push_back({"Less CPU and memory save the drone's battery.", Finding::CannotBeSaid,
-                   wasMeasured(results, Metric::EnergyPerFrame)
-                       ? "What was measured (energy_per_frame) is the whole processor of this machine, idle power included; it "
-                         "is not a drone's."
-                       : "Energy was not measured, and a desktop processor's would not be a drone's."});
     out.push_back(
-        {"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
-         "No measurement of cost can show it. Here every suite is authenticated as well, which the paper's are not, so "
-         "the cost of the four classic ciphers holds that of HMAC-SHA-256."});
+        {"Less CPU and memory save the drone's battery.", Finding::CannotBeSaid,
+         wasMeasured(results, Metric::EnergyPerFrame)
+             ? "The measurement (energy_per_frame) covers the whole processor of this machine, including idle power; it "
+               "does not apply to a drone."
+             : "Energy was not measured, and that of a desktop processor would not apply to a drone."});
+    out.push_back({"Encryption with ChaCha20 guarantees confidentiality.", Finding::CannotBeSaid,
+                   "A measurement of costs cannot show it. Every suite is also authenticated here, unlike in the paper, so "
+                   "the cost of the four classic ciphers includes HMAC-SHA-256."});
     return out;
 }
 

@@ -6,21 +6,11 @@
 #include "core/experiment/sweep_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace skyseal::experiment {
 
 namespace {
-
-constexpr std::array kFigures{Metric::Packets,    Metric::Memory,        Metric::AgentMemory,      Metric::Cpu,
-                              Metric::AgentCpu,   Metric::CpuPerFrame,   Metric::AgentCpuPerFrame, Metric::FrameRate,
-                              Metric::Latency,    Metric::WirePerFrame,  Metric::OpenP50,          Metric::Loss,
-                              Metric::RecordLoss, Metric::SessionMemory, Metric::EnergyPerFrame};
-/// Of which differences are told.
-constexpr std::array kCompared{Metric::Packets, Metric::FrameRate,   Metric::Loss,        Metric::RecordLoss,
-                               Metric::Cpu,     Metric::CpuPerFrame, Metric::AgentCpu,    Metric::AgentCpuPerFrame,
-                               Metric::OpenP50, Metric::Latency,     Metric::WirePerFrame};
 
 constexpr const char *kStyle =
     "body{font-family:'DejaVu Sans',Verdana,sans-serif;font-size:14px;line-height:1.45;max-width:1180px;margin:2em auto;"
@@ -45,7 +35,7 @@ std::string armText(const SweepArm &arm)
 
 std::string placeText(const Plan &plan, std::size_t condition, std::size_t load)
 {
-    return "link " + escaped(words(plan.conditions[condition])) + "; " + std::string(name(plan.loads[load])) + " load";
+    return "link " + escaped(conditionText(plan.conditions[condition])) + "; " + std::string(name(plan.loads[load])) + " load";
 }
 
 template<typename Each> void forEachPlace(const Plan &plan, Each each)
@@ -98,7 +88,7 @@ std::string differences(const Results &results, std::size_t condition, std::size
 {
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n"
         + row({"metric", "pairs compared", "significant differences (Welch, Holm-corrected, 5 %)"}, "th");
-    for (const Metric metric : kCompared) {
+    for (const Metric metric : metricsShownIn(kDifferences)) {
         const auto pairs = compareArms(results, condition, load, metric);
         if (pairs.empty())
             continue;
@@ -119,9 +109,9 @@ std::string differences(const Results &results, std::size_t condition, std::size
     const auto &arms = results.plan.arms;
     if (std::any_of(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.suite == crypto::SuiteId::None; }))
         out +=
-            "<p>A comparison with none is one of sealing: in clear, too, the agent joins the frames of one wake-up into one "
-            "datagram. Besides the cipher there are a header and a tag on each record, look-up, replay window and counters, and "
-            "a report a second from each end.</p>\n";
+            "<p>A comparison with none shows the whole cost of sealing: in plain MAVLink, too, the agent joins the frames of one wake-up "
+            "into one datagram. Besides the cipher, sealing adds a header and a tag to each record, look-up, replay window, "
+            "counters, and one report per second from each end.</p>\n";
     return out;
 }
 
@@ -146,7 +136,7 @@ std::string noiseTable(const Results &results)
     for (const Noise &noise : noiseOf(results)) {
         const Comparison &pair = noise.comparison;
         tests += !std::isnan(pair.test.p);
-        if (std::find(kCompared.begin(), kCompared.end(), noise.metric) == kCompared.end())
+        if (!info(noise.metric).isShownIn(kDifferences))
             continue;
         const double percent = 100 * (noise.meanAgain / noise.mean - 1);
         rows += row({placeText(results.plan, noise.condition, noise.load) + ": " + escaped(info(noise.metric).title),
@@ -168,7 +158,7 @@ std::string noiseTable(const Results &results)
         + rows + "</table>\n";
 }
 
-/// Metrics in their places of which any two suites were tested.
+/// Number of combinations of metric, condition and load in which at least one pair of suites was tested.
 std::size_t familiesOf(const Results &results)
 {
     std::size_t out = 0;
@@ -190,7 +180,7 @@ std::string claimsTable(const std::vector<Claim> &claims)
         + row({"claim", "finding", "because"}, "th");
     for (const Claim &claim : claims)
         out += "<tr><td class=\"text\">" + escaped(claim.text) + "</td><td class=\"text\"><b>"
-            + std::string(words(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
+            + std::string(findingText(claim.finding)) + "</b></td><td class=\"text\">" + escaped(claim.reason) + "</td></tr>\n";
     return out + "</table>\n";
 }
 
@@ -211,8 +201,8 @@ std::string framingText(const Plan &plan)
     for (const channel::Framing framing : framingsOf(plan))
         out += std::string(out.empty() ? "" : "; ")
             + (framing == channel::Framing::Inline
-                   ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (of suites "
-                     "that are a cipher and an HMAC; a frame that cannot go so travels in a record)"
+                   ? "inline: payloads sealed in place, headers clear and authenticated, tags of 8 bytes (only suites "
+                     "that are a cipher and an HMAC; a frame that cannot be sealed in place travels in a record)"
                    : "sealed: whole frames in records, tags of 16 bytes");
     return out.empty() ? "none, plain MAVLink only" : out;
 }
@@ -232,8 +222,8 @@ std::string settingTable(const Results &results)
     for (const Condition &condition : plan.conditions)
         line("link",
              condition.clean()
-                 ? "clean, as it is"
-                 : words(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
+                 ? "clean, without impairment"
+                 : conditionText(condition) + ", in both directions, by a relay: skyseal-cli impair (" + condition.name + ")");
     for (const auto &[key, value] : results.setting)
         line(key, value);
     return out + "</table>\n";
@@ -241,10 +231,9 @@ std::string settingTable(const Results &results)
 
 std::string rawTable(const Results &results)
 {
-    constexpr std::array kRaw{Metric::Packets, Metric::Loss,    Metric::Cpu,     Metric::CpuPerFrame, Metric::AgentCpu,
-                              Metric::Memory,  Metric::OpenP50, Metric::OpenP99, Metric::Latency,     Metric::WirePerFrame};
+    const std::vector<Metric> shown = metricsShownIn(kEveryRun);
     std::vector<std::string> head{"run", "place", "suite", "framing", "repeat"};
-    for (const Metric metric : kRaw)
+    for (const Metric metric : shown)
         head.emplace_back(info(metric).key);
     std::string out = "<table border=\"1\" cellspacing=\"0\" cellpadding=\"2\">\n" + row(head, "th");
     for (const Sample &sample : results.samples) {
@@ -252,11 +241,12 @@ std::string rawTable(const Results &results)
             std::to_string(sample.order + 1), placeText(results.plan, sample.run.condition, sample.run.load),
             armText(results.plan.arms[sample.run.arm]), std::string(framingName(results.plan.arms[sample.run.arm])),
             std::to_string(sample.run.repeat + 1)};
-        for (const Metric metric : kRaw)
+        for (const Metric metric : shown)
             cells.push_back(readable(sample.values[metric]));
         out += row(cells);
         if (!sample.problem.empty())
-            out += "<tr><td colspan=\"15\" class=\"bad\">" + escaped(sample.problem) + "</td></tr>\n";
+            out += "<tr><td colspan=\"" + std::to_string(head.size()) + "\" class=\"bad\">" + escaped(sample.problem)
+                + "</td></tr>\n";
     }
     return out + "</table>\n";
 }
@@ -265,7 +255,8 @@ std::string metricList()
 {
     std::string out = "<ul>\n";
     for (const MetricInfo &metric : metrics())
-        out += "<li><b>" + escaped(metric.title) + "</b> (" + escaped(metric.key) + "): " + escaped(metric.what) + "</li>\n";
+        out += "<li><b>" + escaped(metric.title) + "</b> (" + escaped(metric.key) + "): " + escaped(metric.description)
+            + "</li>\n";
     return out + "</ul>\n";
 }
 
@@ -277,7 +268,7 @@ std::string inlined(const std::vector<Figure> &figures)
     return out;
 }
 
-/// Two beside each other, on paper.
+/// Two figures side by side, for the PDF.
 std::string inPairs(const std::vector<Figure> &figures)
 {
     std::string out;
@@ -296,7 +287,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
     for (const std::string &warning : warningsOf(results.setting))
         out += "<p class=\"bad\">" + escaped(warning) + ".</p>\n";
     if (const std::string ended = endedEarly(results); !ended.empty())
-        out += "<p class=\"bad\">This sweep was not carried out whole: it " + ended + ".</p>\n";
+        out += "<p class=\"bad\">This sweep is incomplete: it " + ended + ".</p>\n";
     if (const std::string failed = failedRuns(results); !failed.empty())
         out += "<p class=\"bad\">" + escaped(failed) + "</p>\n";
     out += "<p>Means of " + runsText(results)
@@ -311,7 +302,7 @@ std::string body(const ReportParts &parts, bool inlineFigures)
           "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
           "fewer than five runs, it cannot be said.</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
-    // On paper each begins a page, so that no head of a table stands alone at the foot of one.
+    // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";
     forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {
         out += section + "Results: " + placeText(results.plan, condition, load) + "</h2>\n<div class=\"wide\">"
@@ -330,8 +321,10 @@ std::string body(const ReportParts &parts, bool inlineFigures)
 
 std::vector<Figure> figuresOf(const Results &results)
 {
+    std::vector<Metric> shown = metricsShownIn(kFigure);
+    std::stable_partition(shown.begin(), shown.end(), [](Metric metric) { return info(metric).isShownIn(kPaperFigure); });
     std::vector<Figure> out;
-    for (const Metric metric : kFigures) {
+    for (const Metric metric : shown) {
         if (!wasMeasured(results, metric))
             continue;
         forEachPlace(results.plan, [&](std::size_t condition, std::size_t load) {

@@ -1,5 +1,5 @@
-// A sweep as a report that can stand beside a publication: figures, tables, what differs and what does not, the machine's
-// noise, the paper's claims, every raw sample, and with what all of it was measured.
+// The report of a sweep in the form that a publication needs: figures, tables, significant differences, noise of the machine,
+// claims of the paper, every sample, and the setting.
 #pragma once
 
 #include "core/experiment/claims.h"
@@ -17,8 +17,8 @@ struct Figure
     std::string svg;
 };
 
-/// The paper's three (packets, memory, CPU), then rate, latency, overhead and what a record costs; for every condition and
-/// load, without those that nothing was measured of.
+/// One figure for each metric with kFigure that was measured, condition and load; those of the paper (packets, CPU, memory)
+/// first.
 std::vector<Figure> figuresOf(const Results &results);
 
 struct ReportParts
@@ -31,7 +31,7 @@ struct ReportParts
 
 /// One self-contained page.
 std::string htmlReport(const ReportParts &parts);
-/// The same for Qt's rich text, from which the PDF is made: figures are <img src="figures/NAME.svg">.
+/// The same as rich text of Qt, for the PDF: figures are <img src="figures/NAME.svg">.
 std::string printReport(const ReportParts &parts);
 
 } // namespace skyseal::experiment

@@ -1,4 +1,5 @@
-// What is measured in each run: keys as scripts and files name them, units, and in one sentence what each one is.
+// The metrics of a run and the one table that describes them: key for scripts and files, title, unit, description, statistical
+// properties, and the places that show it. A new metric is one enumerator, its row in metric.cpp, and the code that measures it.
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace skyseal::experiment {
 
@@ -45,9 +47,9 @@ enum class Metric : std::uint8_t {
     EnergyPerFrame,
     Switch
 };
-inline constexpr std::size_t kMetrics = 30;
+inline constexpr std::size_t kMetrics = static_cast<std::size_t>(Metric::Switch) + 1;
 
-/// What an instrument cannot tell apart: differences of means within it say nothing, however often they repeat.
+/// Precision of an instrument. A difference of means within it is never significant, however often the runs are repeated.
 struct Resolution
 {
     double share = 0;       ///< of the value
@@ -55,28 +57,46 @@ struct Resolution
     bool perSecond = false; ///< the value is those frames divided by the seconds of the run
 };
 
+/// What a metric is a share of, if it is one: a value from 0 to 1, which reports print in per cent.
+enum class ShareOf : std::uint8_t { Nothing, Frames, RecordsToStation, RecordsToAgent };
+
+/// Flags: places that show a selection of the metrics. Tables of results, files and the window show all.
+enum ShownIn : unsigned {
+    kFigure = 1,          ///< a figure of the report
+    kPaperFigure = 1 | 2, ///< a figure that the paper has as well; these come first
+    kDifferences = 4,     ///< significant differences and the A/A comparison in the report
+    kEveryRun = 8,        ///< the report's table of every run
+    kTerminal = 16        ///< the tables on the terminal
+};
+
 struct MetricInfo
 {
     Metric metric{};
-    std::string_view key;   ///< "cpu_per_frame"
-    std::string_view title; ///< "CPU time per frame, station"
-    std::string_view unit;  ///< "ns"; empty for plain numbers
-    std::string_view what;  ///< where it comes from
+    std::string_view key;         ///< "cpu_per_frame"
+    std::string_view title;       ///< "CPU time per frame, station"
+    std::string_view unit = {};   ///< "ns"; empty for plain numbers
+    std::string_view description; ///< how it is measured
     Resolution resolution{};
-    /// False for what one process carries from run to run, so that no run says anything that the one before did not: no interval
-    /// can be given then, and no two suites be compared.
+    ShareOf shareOf = ShareOf::Nothing;
+    /// False if the value is carried from run to run by a process that lives through all of them. Such runs are not independent
+    /// samples: there is no confidence interval, and suites are not compared.
     bool independent = true;
-    /// What plain MAVLink has none of by definition, so that its zero is compared with nothing.
+    /// True if plain MAVLink has the value 0 by definition. It is not compared then.
     bool zeroInPlain = false;
+    bool oncePerSuite = false; ///< measured once for each suite instead of in each run
+    unsigned shownIn = 0;      ///< flags of ShownIn
+
+    bool isShare() const { return shareOf != ShareOf::Nothing; }
+    bool isShownIn(ShownIn place) const { return (shownIn & place) == place; }
 };
 
 std::span<const MetricInfo> metrics();
 const MetricInfo &info(Metric metric);
-/// Of frames or records that were lost: between 0 and 1, and people read it in per cent.
-bool isShare(Metric metric);
+/// Metrics that a place shows, in the order of the table.
+std::vector<Metric> metricsShownIn(ShownIn place);
 std::optional<Metric> metricFromKey(std::string_view key);
 
-/// One value for each metric; NaN = could not be measured, such as a record's cost without records.
+/// One value for each metric; NaN if it could not be measured, such as the cost of a record in plain MAVLink.
 class Values
 {
 public:
@@ -88,10 +108,11 @@ private:
     std::array<double, kMetrics> m_values;
 };
 
-/// A number with a sensible count of digits for people: "1,234,567", "12.3", "0.00042"; "–" when it is not finite.
+/// A number in three significant digits, or as a whole number from 1000 on: "1,234,567", "12.3", "0.00042"; "–" if not finite.
 std::string readable(double value);
-/// A mean with its interval: "21.613 ± 0.077", two digits of the half width, and the mean to the same place. "0.012 (≤ 0.034)"
-/// where the interval was cut at zero, "0.98 (≥ 0.91)" where it was cut at its upper end. The mean alone where an end is not finite.
+/// A mean with its interval: "21.613 ± 0.077", with two digits of the half width, and the mean to the same decimal place.
+/// "0.012 (≤ 0.034)" if the interval is cut off at zero, "0.98 (≥ 0.91)" if it is cut off at its upper limit. Only the mean if
+/// one end is not finite.
 std::string readable(double mean, double low, double high);
 
 } // namespace skyseal::experiment

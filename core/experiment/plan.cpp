@@ -21,8 +21,8 @@ std::uint64_t splitMix(std::uint64_t &state)
     return z ^ (z >> 31);
 }
 
-/// Fisher–Yates of our own: that of the standard library may differ from one to the other. The bias of the remainder is
-/// below 2^-56 for lists of this length.
+/// Fisher–Yates. Not std::shuffle, whose order differs between standard libraries. The bias of the remainder is below 2^-56 for
+/// lists of this length.
 void shuffle(std::vector<Run> &runs, std::uint64_t &state)
 {
     for (std::size_t i = runs.size(); i > 1; --i)
@@ -79,8 +79,8 @@ std::string_view name(Load load)
 
 std::string name(const SweepArm &arm)
 {
-    const bool said = framingName(arm) == name(Framing::Inline);
-    return std::string(crypto::suiteInfo(arm.suite).name) + (said ? " inline" : "") + (arm.again ? " (A/A)" : "");
+    const bool isInline = framingName(arm) == name(Framing::Inline);
+    return std::string(crypto::suiteInfo(arm.suite).name) + (isInline ? " inline" : "") + (arm.again ? " (A/A)" : "");
 }
 
 std::string fullName(const SweepArm &arm)
@@ -162,7 +162,7 @@ Result<Condition, InputError> parseCondition(std::string_view text)
     return out;
 }
 
-std::string words(const Condition &condition)
+std::string conditionText(const Condition &condition)
 {
     if (condition.clean())
         return condition.name;

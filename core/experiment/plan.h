@@ -1,4 +1,4 @@
-// What a sweep does: which suites, under which conditions and loads, for how long, how often, in which order.
+// The plan of a sweep: suites, framings, link conditions, loads, duration and repeats of the runs, and their random order.
 #pragma once
 
 #include "core/base/clock.h"
@@ -14,12 +14,12 @@
 
 namespace skyseal::experiment {
 
-/// How much the vehicle sends: what a station asks for as a rule, or as fast as answers come back.
+/// The traffic of the vehicle: the streams that a station usually requests, or as fast as answers come back.
 enum class Load : std::uint8_t { Natural, Saturated };
 std::string_view name(Load load);
 
-/// What is compared: a suite in a framing. `again` is the same a second time, under another name: whatever differs between
-/// the two is noise (A/A). The framing means nothing for plain MAVLink.
+/// One alternative of the comparison: a suite in a framing. `again` marks the repetition of another arm under a second name: any
+/// difference between the two is noise (A/A). The framing has no meaning for plain MAVLink.
 struct SweepArm
 {
     crypto::SuiteId suite{};
@@ -29,22 +29,22 @@ struct SweepArm
 };
 /// "aes-256-gcm"; "aes-256-ctr inline"; "aes-256-gcm (A/A)".
 std::string name(const SweepArm &arm);
-/// The same, with the framing always said: "aes-256-gcm sealed"; plain MAVLink has none: "none".
+/// The same, always with the framing: "aes-256-gcm sealed". Plain MAVLink has none: "none".
 std::string fullName(const SweepArm &arm);
 /// "sealed", "inline"; "plain" for plain MAVLink.
 std::string_view framingName(const SweepArm &arm);
 std::string_view name(channel::Framing framing);
-/// False for a suite that cannot be in this framing; such an arm is named in every report, and never run.
+/// False if the suite does not support the framing. Such an arm is listed in every report, but never run.
 bool exists(const SweepArm &arm);
 
-/// Every suite in every framing, plain MAVLink once; with `noise`, one of them again: the default suite where it is there.
+/// Every suite in every framing, plain MAVLink once. With `noise` one of them is repeated: the default suite if it is included.
 std::vector<SweepArm> armsOf(const std::vector<crypto::SuiteId> &suites, const std::vector<channel::Framing> &framings,
                              bool noise);
 
-/// Kept for comparison: a broken cipher, or none.
+/// True for research suites and for plain MAVLink.
 bool isInsecure(const SweepArm &arm);
 
-/// The link that all arms meet alike: clean, or with what an impairment does to both directions.
+/// The link that all arms share: clean, or impaired in both directions.
 struct Condition
 {
     std::string name = "clean";
@@ -56,8 +56,8 @@ struct Condition
 /// rate= (baud). The text is the condition's name.
 Result<Condition, InputError> parseCondition(std::string_view text);
 
-/// The same for people: "57,600 baud, 5 % loss, 20 ms delay"; "clean".
-std::string words(const Condition &condition);
+/// For humans: "57,600 baud, 5 % loss, 20 ms delay"; "clean".
+std::string conditionText(const Condition &condition);
 
 struct Plan
 {
@@ -65,12 +65,12 @@ struct Plan
     std::vector<Load> loads{Load::Natural};
     std::vector<Condition> conditions{Condition{}};
     Duration measure = std::chrono::seconds(5);       ///< of each run
-    Duration warmUp = std::chrono::milliseconds(300); ///< before it, dropped
+    Duration warmUp = std::chrono::milliseconds(300); ///< before each, not measured
     unsigned repeats = 3;
     std::uint64_t seed = 1;
 };
 
-/// The framings of its arms, sealed first; none when all it has is plain MAVLink.
+/// The framings of the arms, sealed first; empty if the only arm is plain MAVLink.
 std::vector<channel::Framing> framingsOf(const Plan &plan);
 
 /// Indices into the plan.
@@ -80,9 +80,9 @@ struct Run
     unsigned repeat = 0; ///< the first is 0
 };
 
-/// A randomised block design: condition by condition and load by load, since changing those restarts programs; within each,
-/// every repeat holds every arm that exists once, in an order of its own. So what drifts slowly meets all arms alike. The
-/// same seed gives the same order on every machine.
+/// A randomised block design. The blocks are the combinations of condition and load, since changing these restarts programs.
+/// Within a block, each repeat contains every existing arm once, in a random order of its own, so that slow drift affects all
+/// arms alike. The same seed gives the same order on every machine.
 std::vector<Run> schedule(const Plan &plan);
 
 } // namespace skyseal::experiment

@@ -19,7 +19,7 @@ void number(JsonWriter &json, std::string_view key, double value)
         json.null();
 }
 
-/// Null where it cannot be said.
+/// Null without a test.
 void verdict(JsonWriter &json, std::string_view key, const Comparison &comparison, bool holds)
 {
     json.key(key);
@@ -202,7 +202,7 @@ std::string csvNumber(double value)
     return {out, std::to_chars(out, out + sizeof out, value).ptr};
 }
 
-/// Conditions hold commas.
+/// Quoted, since conditions contain commas.
 std::string csvText(const std::string &text)
 {
     std::string out = "\"";
@@ -227,7 +227,7 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
     json.key("metrics").beginArray();
     for (const MetricInfo &metric : metrics()) {
         json.beginObject().field("key", metric.key).field("title", metric.title).field("unit", metric.unit);
-        json.field("what", metric.what).endObject();
+        json.field("what", metric.description).endObject();
     }
     json.endArray().key("samples").beginArray();
     for (const Sample &sample : results.samples) {

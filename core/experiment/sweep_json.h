@@ -1,5 +1,5 @@
-// sweep.json: everything that a sweep brought, for programs. README.md beside this file documents the schema; a change that
-// breaks readers raises kSweepSchemaVersion.
+// sweep.json and sweep.csv: the complete results of a sweep for programs, and the JSON lines of a running sweep. README.md beside
+// this file documents the schema; a change that breaks readers raises kSweepSchemaVersion.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -13,10 +13,10 @@ namespace skyseal::experiment {
 inline constexpr unsigned kSweepSchemaVersion = 2;
 
 std::string sweepJson(const Results &results, const std::vector<Verdict> &verdicts);
-/// The raw samples: one line a run, one column a metric; a value that could not be measured is empty.
+/// The samples: one line per run, one column per metric; empty where a value could not be measured.
 std::string sweepCsv(const Results &results);
 
-/// Lines for scripts while a sweep runs, each a JSON object with "event".
+/// JSON objects with "event" for a finished run and for a verdict, one line each.
 std::string runEvent(const Plan &plan, const Sample &sample, std::size_t runs, double remaining);
 std::string expectEvent(const Plan &plan, const Verdict &verdict);
 

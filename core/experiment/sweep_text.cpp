@@ -3,16 +3,12 @@
 #include "core/experiment/analysis.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
 namespace skyseal::experiment {
 
 namespace {
-
-constexpr std::array<Metric, 6> kShown{Metric::FrameRate, Metric::Loss,    Metric::CpuPerFrame,
-                                       Metric::AgentCpu,  Metric::OpenP50, Metric::Latency};
 
 constexpr std::size_t kNameWidth = 32, kWidth = 22;
 
@@ -29,7 +25,7 @@ std::string padded(std::string text, std::size_t width, bool right)
 std::string header()
 {
     std::string keys = padded("", kNameWidth, false), units = keys;
-    for (const Metric metric : kShown) {
+    for (const Metric metric : metricsShownIn(kTerminal)) {
         keys += padded(std::string(info(metric).key), kWidth, true);
         units += padded(std::string(info(metric).unit), kWidth, true);
     }
@@ -134,7 +130,7 @@ std::vector<std::string> sweepText(const Results &results)
                     out.push_back(line + "   " + missingText(plan.arms[arm]));
                     continue;
                 }
-                for (const Metric metric : kShown) {
+                for (const Metric metric : metricsShownIn(kTerminal)) {
                     const std::string text = meanText(results, {condition, load, arm}, metric);
                     anyOutlier = anyOutlier || text.ends_with('*');
                     anyCut = anyCut || text.find("≤") != std::string::npos;
@@ -152,13 +148,13 @@ std::vector<std::string> sweepText(const Results &results)
     return out;
 }
 
-/// Of frames, or of records where frames cannot tell.
+/// Loss of frames; of records where sequence numbers cannot count frames.
 static std::string lossText(const Values &values)
 {
     const double frames = values[Metric::Loss], records = values[Metric::RecordLoss];
     if (!std::isnan(frames))
         return readable(100 * frames) + " % lost";
-    return std::isnan(records) ? "loss not told" : readable(100 * records) + " % of the records lost";
+    return std::isnan(records) ? "loss unknown" : readable(100 * records) + " % of the records lost";
 }
 
 std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, double remaining)

@@ -1,4 +1,4 @@
-// A sweep's outcome for people at a terminal.
+// Text output of a sweep for the terminal.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -8,27 +8,27 @@
 
 namespace skyseal::experiment {
 
-/// What stands in place of a figure: "not measured", or "not in this framing" for an arm that does not exist.
+/// Shown in place of a value: "not measured", or "not in this framing" for an arm that does not exist.
 const char *missingText(const SweepArm &arm);
 
-/// "mean ± half of the 95 % interval", "–" where nothing was measured, "not in this framing" where nothing can be; an
-/// asterisk marks outliers among the samples.
+/// "mean ± half of the 95 % interval", "–" if not measured, "not in this framing" if the arm does not exist. An asterisk marks
+/// outliers among the samples.
 std::string meanText(const Results &results, const Cell &cell, Metric metric);
 
-/// "3 runs", "1 run", "1 to 3 runs": how many were measured of each arm that was measured at all; by `counts`, one an arm.
+/// "3 runs", "1 run", "1 to 3 runs": the range of the numbers of runs, one for each arm; zeros are left out.
 std::string runsText(const std::vector<std::size_t> &counts);
-/// The same of the whole sweep, by the runs that succeeded in each place.
+/// The same for the successful runs of all cells of a sweep.
 std::string runsText(const Results &results);
 
-/// "ended after 2 of 12 runs"; empty for a whole sweep.
+/// "ended after 2 of 12 runs"; empty for a complete sweep.
 std::string endedEarly(const Results &results);
-/// "2 of 72 runs failed: none (natural load): no vehicle was heard", each arm, load and reason once; empty where all is well.
+/// "2 of 72 runs failed: none (natural load): no vehicle was heard", each arm, load and reason once; empty if no run failed.
 std::string failedRuns(const Results &results);
 
-/// Tables, one for each condition and load, and what is to be said below them.
+/// One table for each condition and load, then the notes below them.
 std::vector<std::string> sweepText(const Results &results);
 
-/// One line for a run that just ended.
+/// One line for a finished run.
 std::string runText(const Plan &plan, const Sample &sample, std::size_t runs, double remaining);
 
 } // namespace skyseal::experiment

@@ -95,11 +95,11 @@ void PlanTest::conditions()
     QCOMPARE(radio->settings.reorder, 0.03);
     QCOMPARE(radio->settings.corrupt, 0.04);
     QVERIFY(!radio->clean());
-    QCOMPARE(words(*radio),
+    QCOMPARE(conditionText(*radio),
              std::string("57,600 baud, 1 % loss, 2 % duplicates, 3 % reordered, 4 % corrupted, 40 ms delay, "
                          "up to 2.5 ms jitter"));
-    QCOMPARE(words(*parseCondition("clean")), std::string("clean"));
-    QCOMPARE(words(*parseCondition("rate=115200")), std::string("115,200 baud"));
+    QCOMPARE(conditionText(*parseCondition("clean")), std::string("clean"));
+    QCOMPARE(conditionText(*parseCondition("rate=115200")), std::string("115,200 baud"));
 }
 
 void PlanTest::conditionErrors_data()

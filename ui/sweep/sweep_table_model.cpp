@@ -76,7 +76,7 @@ QVariant SweepTableModel::headerData(int section, Qt::Orientation orientation, i
     const experiment::MetricInfo &info = experiment::info(m_metrics[static_cast<std::size_t>(section - FixedColumns)]);
     if (role == Qt::DisplayRole)
         return metricText(info.metric);
-    return role == Qt::ToolTipRole ? QVariant(fromStd(info.what)) : QVariant();
+    return role == Qt::ToolTipRole ? QVariant(fromStd(info.description)) : QVariant();
 }
 
 } // namespace skyseal::ui
