@@ -64,7 +64,7 @@ int runSweep(const QStringList &arguments)
     if (const auto status = readSweepOptions(kName, arguments, options))
         return *status;
     if (!options.folder.isEmpty() && !QDir().mkpath(options.folder)) {
-        complain(kName, options.folder.toStdString() + ": the folder cannot be made");
+        complain(kName, options.folder.toStdString() + ": the folder cannot be created");
         return kCannotOpen;
     }
     experiment::HeapFigures heap; // before threads start

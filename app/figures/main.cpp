@@ -124,7 +124,7 @@ bool writePages(const QString &report, const QString &pages)
 int main(int argc, char **argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    // Qt looks there for things that nobody put there, and complains where a service or a container has no such folder.
+    // Qt warns if XDG_RUNTIME_DIR is not set, as in services and containers.
     const QTemporaryDir runtime;
     if (qEnvironmentVariableIsEmpty("XDG_RUNTIME_DIR") && runtime.isValid())
         qputenv("XDG_RUNTIME_DIR", QFile::encodeName(runtime.path()));

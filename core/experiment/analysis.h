@@ -1,5 +1,5 @@
-// What a sweep's samples say: a summary for each place of the design, which suites differ, and how much of a difference is
-// the machine's noise.
+// Statistics of a sweep: a summary for each cell of the design, the significant differences between suites, and the noise of the
+// machine (A/A). Pure functions of the results. README.md describes the methods.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -10,8 +10,8 @@
 
 namespace skyseal::experiment {
 
-/// Two arms of one condition and load, by one metric. Corrected over all pairs of arms of that metric there; left out are the
-/// repeated arm (A/A) and plain MAVLink where its value is zero by definition.
+/// Compares two arms by one metric under one condition and load. The p value is corrected over all pairs of arms of that metric,
+/// condition and load. The repeated arm (A/A) is left out, and plain MAVLink where its value is zero by definition.
 struct ArmComparison
 {
     std::size_t condition = 0, load = 0;
@@ -21,7 +21,7 @@ struct ArmComparison
     Comparison comparison;
 };
 
-/// The same suite measured twice under two names. Corrected over all such tests of the sweep.
+/// Compares an arm with its repetition (A/A). The p value is corrected over all such tests of the sweep.
 struct Noise
 {
     std::size_t condition = 0, load = 0;
@@ -32,17 +32,17 @@ struct Noise
     bool differs() const { return comparison.significant(); }
 };
 
-/// Of the samples of a cell; without an interval where the runs are not independent (MetricInfo::independent). Nothing that is
-/// measured can be negative, so intervals end at zero, and those of shares at one. Where nothing was lost in any run, Student's t
-/// knows of no spread: the interval ends at the bound by all frames or records of these runs together (boundOfNone).
+/// Summarises the samples of a cell. There is no interval if the runs are not independent (MetricInfo::independent). No metric can
+/// be negative, so intervals are cut off at zero, and those of shares at one. If nothing was lost in any run, Student's t has no
+/// variance to use: the interval ends at boundOfNone() for all frames or records of these runs together.
 Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
-/// Of every place and metric; nothing without an arm that was repeated, and for metrics that it has no two samples of.
+/// For every condition, load and metric. Empty without a repeated arm; metrics with fewer than two samples are left out.
 std::vector<Noise> noiseOf(const Results &results);
-/// Mean of an arm's samples; NaN when it was not measured.
+/// Mean of the samples of an arm; NaN if there are none.
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &arm, Metric metric);
-/// Whether any sample of the whole sweep has a value.
+/// True if any sample of the sweep has a value.
 bool wasMeasured(const Results &results, Metric metric);
 
 } // namespace skyseal::experiment

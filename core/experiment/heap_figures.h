@@ -1,6 +1,5 @@
-// What a keyed cipher and a session of each suite take of the heap. The C library counts for the whole process, so a child is
-// asked that is alone with a copy of the heap: in the program itself other threads allocate meanwhile, and their blocks would be
-// taken for a session's.
+// Heap size of a keyed cipher and of a session for each suite. The C library counts for the whole process, so a child process
+// measures them: in this process other threads allocate at the same time, and their blocks would be counted as well.
 #pragma once
 
 #include "core/crypto/suite.h"
@@ -16,14 +15,14 @@ namespace skyseal::experiment {
 class HeapFigures
 {
 public:
-    /// Makes the child, which takes some 0.1 s for all suites while this program goes on. To be called before there are
-    /// threads, keys or windows.
+    /// Forks the child, which needs about 0.1 s for all suites and runs in parallel. To be called before there are threads, keys
+    /// or windows.
     HeapFigures();
     ~HeapFigures();
     HeapFigures(const HeapFigures &) = delete;
     HeapFigures &operator=(const HeapFigures &) = delete;
 
-    /// Bytes; nullopt where the suite is not available or the C library does not tell. Waits for the child. Any thread.
+    /// Bytes; nullopt if the suite is not available or the C library has no heap statistics. Waits for the child. Any thread.
     std::optional<double> context(crypto::SuiteId suite) { return find(suite, &Figures::context); }
     std::optional<double> session(crypto::SuiteId suite) { return find(suite, &Figures::session); }
 
@@ -31,7 +30,7 @@ private:
     struct Figures
     {
         crypto::SuiteId suite{};
-        double context = 0, session = 0; ///< NaN when not known
+        double context = 0, session = 0; ///< NaN if unknown
     };
 
     [[noreturn]] static void measure(int out);
@@ -41,7 +40,7 @@ private:
     std::mutex m_mutex;
     std::map<crypto::SuiteId, Figures> m_figures;
     pid_t m_child = -1;
-    int m_in = -1; ///< what the child writes; -1 once all was read
+    int m_in = -1; ///< pipe from the child; -1 after everything was read
 };
 
 } // namespace skyseal::experiment

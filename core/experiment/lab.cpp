@@ -17,9 +17,10 @@ namespace skyseal::experiment {
 namespace {
 
 constexpr int kStopMs = 3000;
-constexpr int kFlightRate = 20; ///< so that the vehicle knows where it is within seconds; telemetry keeps its rates
+constexpr int kFlightRate =
+    20; ///< speeds up the flight, so that the vehicle has a position within seconds; telemetry keeps its rates
 
-Result<void, InputError> introduce(const QString &peersFile, const char *name, const crypto::X25519KeyPair &peer)
+Result<void, InputError> writePeers(const QString &peersFile, const char *name, const crypto::X25519KeyPair &peer)
 {
     keys::PeersFile peers;
     keys::PeerEntry entry;
@@ -30,7 +31,7 @@ Result<void, InputError> introduce(const QString &peersFile, const char *name, c
     return peers.save(peersFile.toStdString());
 }
 
-/// Three different ones: all are held until the last is found.
+/// Three different ports: all sockets stay bound until the last port is found.
 std::array<quint16, 3> freePorts()
 {
     std::array<QUdpSocket, 3> probes;
@@ -68,10 +69,10 @@ Lab::Lab(LabPrograms programs) : m_programs(std::move(programs))
     m_groundPort = ports[2];
     for (QProcess *process : {&m_simulator, &m_agent, &m_relay}) {
         process->setStandardOutputFile(QProcess::nullDevice());
-        connect(process, &QProcess::finished, this, [this, process] { tellEnd(*process); });
+        connect(process, &QProcess::finished, this, [this, process] { reportEnd(*process); });
         connect(process, &QProcess::errorOccurred, this, [this, process](QProcess::ProcessError error) {
             if (error == QProcess::FailedToStart)
-                tellEnd(*process);
+                reportEnd(*process);
         });
 #ifdef Q_OS_LINUX
         process->setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGTERM); });
@@ -84,7 +85,7 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
     for (const auto &[path, name] : {std::pair(programs.simulator, "skyseal-sim"), std::pair(programs.agent, "skyseal-air"),
                                      std::pair(programs.relay, "skyseal-cli")}) {
         if (!QFileInfo(path).isExecutable())
-            return tl::unexpected(InputError{"is neither beside this program nor on the PATH", name});
+            return tl::unexpected(InputError{"is neither in the folder of this program nor on the PATH", name});
     }
     std::unique_ptr<Lab> lab(new Lab(std::move(programs)));
     if (!lab->m_folder.isValid())
@@ -95,10 +96,10 @@ Result<std::unique_ptr<Lab>, InputError> Lab::create(LabPrograms programs, Rando
     const auto agent = keys::writeNewIdentity(lab->file("air.key").toStdString(), random);
     if (!agent)
         return tl::unexpected(agent.error());
-    if (auto told = introduce(lab->file("station.peers"), "air", *agent); !told)
-        return tl::unexpected(told.error());
-    if (auto told = introduce(lab->file("air.peers"), "station", *station); !told)
-        return tl::unexpected(told.error());
+    if (auto written = writePeers(lab->file("station.peers"), "air", *agent); !written)
+        return tl::unexpected(written.error());
+    if (auto written = writePeers(lab->file("air.peers"), "station", *station); !written)
+        return tl::unexpected(written.error());
     return lab;
 }
 
@@ -138,7 +139,7 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
 void Lab::launch(QProcess &process, const QString &program, const QStringList &arguments)
 {
     process.start(program, arguments);
-    process.waitForStarted(kStopMs); // its number is wanted; a failure is told by the signal
+    process.waitForStarted(kStopMs); // for its process id; a failure is reported by the signal
 }
 
 void Lab::stop()
@@ -156,7 +157,7 @@ void Lab::stop()
     m_stopping = false;
 }
 
-void Lab::tellEnd(const QProcess &process)
+void Lab::reportEnd(const QProcess &process)
 {
     if (m_stopping)
         return;

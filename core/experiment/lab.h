@@ -1,6 +1,6 @@
-// The far end of a sweep that was given no link: a simulated vehicle, the real agent beside it and, where the link shall be
-// bad, the relay that makes it so, each a process of its own, with fresh keys in a temporary folder. Nothing of it is part
-// of the measured process. Lives on the thread of its owner.
+// The far end of a sweep without a given link: a simulated vehicle, the real agent and, for an impaired link, a relay. Each is a
+// separate process, with fresh keys in a temporary folder, so that the measured process contains none of them. Lives on the
+// thread of its owner.
 #pragma once
 
 #include "core/base/random_source.h"
@@ -33,23 +33,23 @@ public:
     ~Lab() override;
 
     engine::KeyPaths stationKeys() const;
-    /// Where the station is to listen.
+    /// UDP port on 127.0.0.1 on which the station must listen.
     quint16 groundPort() const { return m_groundPort; }
-    /// Ends what runs and starts anew. The agent consents to plain MAVLink, inline framing and research suites: it is
-    /// our own, on loopback.
+    /// Stops the running programs and starts them again. The agent allows plain MAVLink, inline framing and research suites, since
+    /// it is reachable on loopback only.
     void start(Load load, const Condition &condition, std::uint64_t seed);
     void stop();
     qint64 agentProcess() const { return m_agent.processId(); }
 
 Q_SIGNALS:
-    /// One of the programs ended by itself or could not be started: a sentence that says why.
+    /// A program ended unexpectedly or could not be started. `problem` is a sentence with the reason.
     void ended(const QString &problem);
 
 private:
     explicit Lab(LabPrograms programs);
 
     void launch(QProcess &process, const QString &program, const QStringList &arguments);
-    void tellEnd(const QProcess &process);
+    void reportEnd(const QProcess &process);
     QString file(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
 
     LabPrograms m_programs;

@@ -17,17 +17,17 @@ engine::Protection protectionOf(const SweepArm &arm);
 class MeasuredLink
 {
 public:
-    /// A station was opened. What is known of the far end stays.
+    /// A station was opened. Knowledge about the far end is kept.
     void stationOpened();
-    /// The station is told to carry MAVLink like this from now on; nullopt: as its settings say. A session that ends because of
-    /// it does not count from now on. `snapshot`: the newest one, null before the first.
+    /// Notes the protection that the station is ordered to use; nullopt: that of its settings. A session that ends because of the
+    /// change is ignored from this call on. `snapshot`: the newest one, null before the first.
     void setProtection(std::optional<engine::Protection> protection, const engine::Snapshot *snapshot);
     void sessionUp(const channel::SessionUp &up) { m_framing = up.framing; }
     /// Remembers the suite of the first session.
     void update(const engine::Snapshot &snapshot);
     /// Reads from the live session what the far end allows. To be called once the link works in the mode that was set.
     void learnConsent(const engine::Snapshot &snapshot);
-    /// A run in plain MAVLink succeeded: later silence in plain is a matter of the link, not of consent.
+    /// A run in plain MAVLink succeeded: later silence in plain is caused by the link, not by missing consent.
     void plainSucceeded() { m_plainSucceeded = true; }
     /// No vehicle was heard in plain MAVLink.
     void plainSilent() { m_plainRefused = !m_plainSucceeded; }
@@ -36,16 +36,16 @@ public:
     bool isCarriedAs(engine::Protection protection) const { return m_protection == protection; }
     /// Suite of the first session that was seen; nullopt before.
     std::optional<crypto::SuiteId> firstSuite() const { return m_firstSuite; }
-    /// Why the far end cannot be measured like this, a sentence; empty if nothing is known against it.
+    /// The reason why the far end cannot be measured like this, a sentence; empty if none is known.
     std::string refusal(engine::Protection wanted) const;
 
     /// The live session; null without one. Points into the snapshot.
     const engine::SessionSnapshot *session(const engine::Snapshot &snapshot) const;
     /// True in plain MAVLink, or if the live session uses this suite and no switch to another one is pending.
     bool isUnder(crypto::SuiteId suite, const engine::Snapshot &snapshot) const;
-    /// True if a vehicle is heard the way that the link carries MAVLink.
+    /// True if a vehicle is heard under the protection that is set.
     bool hasVehicle(const engine::Snapshot &snapshot) const;
-    /// The same for a vehicle that knows its position. Before that it sends more, and is asked for more, than later.
+    /// The same for a vehicle that knows its position. Before that, it sends more and the station requests more than later.
     bool hasSettledVehicle(const engine::Snapshot &snapshot) const;
     /// True if a vehicle has answered TIMESYNC since setProtection(), so that both directions work.
     bool isAnswering(const engine::Snapshot &snapshot) const;

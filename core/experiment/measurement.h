@@ -28,7 +28,7 @@ struct Reading
     /// From the kernel, for runs without two reports; empty unless the agent is a known process of this machine.
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;
-    std::optional<std::uint64_t> microjoules; ///< of the whole processor, rising
+    std::optional<std::uint64_t> microjoules; ///< of the whole processor, monotonic
 };
 
 /// Returns true if MAVLink's 8-bit sequence numbers distinguish loss from reordering and duplicates on such a link. They do not

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kStation = 0, kAgent = 1;
 constexpr Duration kStep = std::chrono::milliseconds(10);
 
-channel::Policy everything()
+channel::Policy allSuites()
 {
     channel::Policy policy;
     policy.suites = channel::defaultSuites();
@@ -51,7 +51,7 @@ RecordPair::RecordPair()
         peer.key = keys[1 - end]->publicKey;
         peer.name = "peer";
         config.peers.push_back(std::move(peer));
-        config.policy = everything();
+        config.policy = allSuites();
         if (end == kAgent)
             config.announceTo.push_back(m_paths[kStation]);
         m_ends[end] = std::make_unique<channel::Endpoint>(std::move(config), m_random, m_counters[end], m_now);
@@ -71,7 +71,7 @@ bool RecordPair::connect(crypto::SuiteId suite)
         return false;
     if (!bothUse(suite))
         m_ends[kStation]->switchSuite(m_now, m_ends[kStation]->sessions().front(), suite);
-    run(std::chrono::seconds(6)); // until the previous epoch is gone as well
+    run(std::chrono::seconds(6)); // until the previous epoch has expired
     return bothUse(suite);
 }
 

@@ -1,5 +1,5 @@
-// A station's and an agent's endpoint with a session between them, in memory and on a simulated clock: what a benchmark needs
-// to time the sealing and opening of complete records.
+// A station's and an agent's endpoint with a session between them, in memory and on a simulated clock, for benchmarks of sealing
+// and opening complete records. Also the heap measurement of such objects.
 #pragma once
 
 #include "core/channel/endpoint.h"
@@ -14,17 +14,17 @@ namespace skyseal::experiment {
 class RecordPair
 {
 public:
-    /// Two ends with no session yet.
+    /// Two endpoints without a session.
     RecordPair();
-    /// A session under this suite; nullptr when it did not come up (the suite is not available).
+    /// A pair with a session under this suite; nullptr if the suite is not available.
     static std::unique_ptr<RecordPair> create(crypto::SuiteId suite);
 
-    /// Begins the session and waits until both ends have nothing but this suite; false when that was not reached.
+    /// Establishes the session and runs until both ends use only this suite; false on failure.
     bool connect(crypto::SuiteId suite);
 
-    /// The agent seals; the record's size, 0 when it failed.
+    /// Seals at the agent. Returns the size of the record, 0 on failure.
     std::size_t seal(ByteView frames, MutableByteView out);
-    /// The station opens, in place.
+    /// Opens at the station, in place.
     bool open(MutableByteView record);
 
 private:
@@ -50,12 +50,12 @@ private:
     TimePoint m_now{std::chrono::hours(1)};
 };
 
-/// Bytes of the heap that are in use now; nullopt where the C library does not tell. glibc counts as in use what it keeps in
-/// each thread's cache for the next who asks, too: up to seven freed blocks of each size.
+/// Heap bytes in use; nullopt if the C library has no heap statistics. glibc also counts the freed blocks in the thread caches, up
+/// to seven of each size.
 std::optional<std::size_t> heapInUse();
 
-/// What each of `count` things takes of the heap, by make() that makes the next one and keeps it. As many as the cache may hold
-/// blocks of a size are made before and not counted: they empty it, so that all that is counted comes out of the heap.
+/// Mean heap bytes of one of `count` objects; make() creates the next one and keeps it. Some objects are created first and not
+/// counted: they use up the freed blocks in the thread cache, so that the counted ones are taken from the heap.
 template<typename Make> std::optional<double> heapOfEach(std::size_t count, Make make)
 {
     constexpr std::size_t kCached = 8;

@@ -1,5 +1,5 @@
-// What a sweep brought: every single measurement as it was taken, and where and with what it was taken. Everything else
-// (means, figures, reports) is computed from this.
+// The results of a sweep: every sample as it was measured, the plan, and the setting of machine and programs. Means, figures and
+// reports are computed from these.
 #pragma once
 
 #include "core/channel/stats.h"
@@ -12,8 +12,8 @@
 
 namespace skyseal::experiment {
 
-/// What was counted up to a moment, since the link was opened for this and its neighbouring runs: whole numbers, so that a
-/// run's losses can be checked one by one against somebody else's account of the same link.
+/// Counters at one moment, counted since the link was opened for a block of runs. Whole numbers, so that the losses of a run can be
+/// compared with an independent record of the same link.
 struct Counted
 {
     struct Frames
@@ -22,21 +22,21 @@ struct Counted
     };
     Frames mavlink;              ///< by MAVLink's sequence numbers
     channel::ReceiveCounters rx; ///< records to the station
-    channel::ReceiveCounters tx; ///< records to the agent, as it told last
+    channel::ReceiveCounters tx; ///< records to the agent, by its newest report
 };
 
 struct Sample
 {
     Run run;
-    unsigned order = 0; ///< of all runs of the sweep, as they were made; the first is 0
+    unsigned order = 0; ///< position among all runs of the sweep, from 0
     double start = 0;   ///< seconds since the sweep began
-    double seconds = 0; ///< that were measured
+    double seconds = 0; ///< duration of the measurement
     Values values;
     Counted begin, end;  ///< at the run's edges
-    std::string problem; ///< why nothing was measured; empty when all is well
+    std::string problem; ///< reason why nothing was measured; empty on success
 };
 
-/// Names and values in the order in which they are shown: "machine", "processor", "libsodium", …
+/// Names and values in display order: "machine", "processor", "libsodium", …
 using Setting = std::vector<std::pair<std::string, std::string>>;
 
 struct Results
@@ -44,11 +44,11 @@ struct Results
     Plan plan;
     Setting setting;
     std::vector<Sample> samples;
-    bool complete = false; ///< false: cancelled, or given up
-    double seconds = 0;    ///< that the sweep took
+    bool complete = false; ///< false: cancelled or given up
+    double seconds = 0;    ///< duration of the sweep
 };
 
-/// One place of the design: all its repeats belong together.
+/// One cell of the design. Its samples are the repeats of one arm.
 struct Cell
 {
     std::size_t condition = 0, load = 0, arm = 0;
@@ -56,9 +56,9 @@ struct Cell
 };
 
 std::vector<Cell> cells(const Plan &plan);
-/// The samples of a cell in the order of their repeats, NaN where one could not be measured.
+/// The values of a cell in the order of the repeats; NaN where a value could not be measured.
 std::vector<double> valuesOf(const Results &results, const Cell &cell, Metric metric);
-/// The numbers (Sample::order) that belong to valuesOf.
+/// Sample::order of each value of valuesOf().
 std::vector<unsigned> ordersOf(const Results &results, const Cell &cell);
 
 } // namespace skyseal::experiment

@@ -28,7 +28,7 @@ public:
     /// Takes the agent's first report of the run: its costs count from there, since the report before it may hold the time of
     /// another suite. To be called with each snapshot of the run.
     void noteReport(const MeasuredLink &link, const engine::Snapshot &snapshot);
-    /// True if another session than at the beginning is alive. A session that is silent for a moment is the same.
+    /// True if the live session differs from that at the beginning. A short silence of the same session does not count.
     bool sessionChanged(const MeasuredLink &link, const engine::Snapshot &snapshot) const;
     /// Fills seconds, values and counters of the sample, or its problem: the session or the vehicle did not last through the
     /// run. Metric::Switch and Metric::SessionMemory stay as they are.

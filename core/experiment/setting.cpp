@@ -19,7 +19,7 @@ namespace skyseal::experiment {
 
 namespace {
 
-/// The value of "key : value" in /proc/cpuinfo or of KEY="value" in os-release; empty when there is none.
+/// The value of "key : value" in /proc/cpuinfo or of KEY="value" in os-release; empty if there is none.
 std::string valueIn(const char *file, std::string_view key, char separator)
 {
     std::ifstream in(file);
@@ -44,15 +44,15 @@ std::string firstLine(const char *file)
     return line;
 }
 
-/// Of all that a processor can do, what ciphers and hashes make use of.
+/// The features of the processor that ciphers and hashes use.
 std::string cryptoFeatures()
 {
     std::string flags = valueIn("/proc/cpuinfo", "flags", ':');
     if (flags.empty())
         flags = valueIn("/proc/cpuinfo", "Features", ':'); // ARM
-    std::istringstream words(flags);
+    std::istringstream in(flags);
     std::string out;
-    for (std::string word; words >> word;) {
+    for (std::string word; in >> word;) {
         for (const char *wanted : {"aes", "pclmulqdq", "sha_ni", "ssse3", "avx", "avx2", "avx512f", "vaes", "vpclmulqdq",
                                    "pmull", "sha1", "sha2", "asimd", "neon"}) {
             if (word == wanted)
@@ -78,7 +78,7 @@ std::string build()
     const std::string warning = buildWarning(SKYSEAL_BUILD_FLAGS);
     std::string out = warning.empty() ? "optimised" : warning;
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-    out += ", with sanitizers: figures of this build say nothing";
+    out += ", with sanitizers: the figures of this build are meaningless";
 #endif
     return out;
 }
@@ -96,7 +96,7 @@ std::string busyWarning(double load, long cores)
     if (!(load > static_cast<double>(cores) / 2))
         return {};
     return "the machine was busy with other work: load average " + readable(load) + " on " + std::to_string(cores)
-        + " cores at the start; figures are noisier, and may be wrong";
+        + " cores at the start; the figures are noisier and may be wrong";
 }
 
 std::string busyWarning()
@@ -107,21 +107,21 @@ std::string busyWarning()
 
 std::string buildWarning(std::string_view flags)
 {
-    std::istringstream words{std::string(flags)};
+    std::istringstream in{std::string(flags)};
     std::string level = "-O0"; // the last one counts
-    for (std::string word; words >> word;)
+    for (std::string word; in >> word;)
         level = word.starts_with("-O") ? word : level;
     if (level == "-O2" || level == "-O3" || level == "-Ofast")
         return {};
-    return level == "-O0" ? "not optimised: figures of this build say little"
-                          : "optimised by " + level + " alone, as for tests: figures are higher than a release's";
+    return level == "-O0" ? "not optimised: the figures of this build are not meaningful"
+                          : "optimised by " + level + " alone, as for tests: the figures are higher than those of a release";
 }
 
 std::optional<bool> opensslUsesAes(std::string_view cpuInfo)
 {
     // OPENSSL_ia32cap(3): bit 57 of the first word is AES-NI. On ARM, arm_arch.h: bit 2.
-    constexpr std::pair<std::string_view, unsigned> kWords[]{{"OPENSSL_ia32cap=0x", 57}, {"OPENSSL_armcap=0x", 2}};
-    for (const auto &[key, bit] : kWords) {
+    constexpr std::pair<std::string_view, unsigned> kMasks[]{{"OPENSSL_ia32cap=0x", 57}, {"OPENSSL_armcap=0x", 2}};
+    for (const auto &[key, bit] : kMasks) {
         const std::size_t at = cpuInfo.find(key);
         if (at == std::string_view::npos)
             continue;

@@ -1,4 +1,4 @@
-// Where and with what something was measured, as a publication has to state it.
+// The setting of a measurement as a publication must state it: machine, system, libraries, compiler and build.
 #pragma once
 
 #include "core/experiment/results.h"
@@ -10,24 +10,24 @@
 
 namespace skyseal::experiment {
 
-/// Machine, processor and its features, system, load, libraries, compiler and build of this program. The caller adds what
-/// only it knows: version, command line, time, seed.
+/// Machine, processor and its features, system, load, libraries, compiler and build of this program. The caller adds
+/// version, command line, time and seed.
 Setting machineSetting();
 
-/// What makes figures of a machine doubtful that is this busy as the measurement begins; empty up to half of its cores.
+/// Warning if the machine is busy when the measurement begins; empty up to a load of half the cores.
 std::string busyWarning(double load, long cores);
-/// The same of this machine now.
+/// The same for the current load of this machine.
 std::string busyWarning();
 
-/// What makes figures of a build doubtful that was compiled with these flags and no -O2 or -O3; empty for one that was.
+/// Warning if a build with these flags is not optimised by -O2 or -O3; empty otherwise.
 std::string buildWarning(std::string_view flags);
 
-/// What makes the figures of a setting doubtful, in sentences without a full stop.
+/// The warnings of a setting, sentences without a full stop.
 std::vector<std::string> warningsOf(const Setting &setting);
 
-/// Whether OpenSSL uses AES instructions in this process, by what it says itself; nothing where it does not say.
+/// True if OpenSSL uses AES instructions in this process; nullopt if it does not report that.
 std::optional<bool> opensslUsesAes();
-/// By the text of OPENSSL_CPU_INFO.
+/// The same for the text of OPENSSL_CPU_INFO.
 std::optional<bool> opensslUsesAes(std::string_view cpuInfo);
 
 } // namespace skyseal::experiment

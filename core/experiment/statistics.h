@@ -1,5 +1,5 @@
-// What repeated measurements say and what they do not: mean, deviation and 95 % confidence interval of a few samples, which
-// of them lie far from the others, and which differences between groups are more than chance. Nothing is ever dropped.
+// Statistics of repeated measurements: mean, deviation and 95 % confidence interval of a few samples, outliers, and significant
+// differences between groups. No sample is dropped.
 //
 // Intervals and tests assume roughly normal samples of unknown variance, as means over a few seconds are: Student's t for
 // one group, Welch's unequal-variances t for two (Welch 1947), Holm's step-down correction for many pairs (Holm 1979).
@@ -23,71 +23,71 @@ double studentTwoSided(double t, double degrees);
 /// 1996, the usual one of spreadsheets); NaN without samples.
 double quantile(std::span<const double> samples, double share);
 
-/// One group of samples. What cannot be said is NaN: all of it without samples, deviation and interval with only one.
+/// One group of samples. Without samples all values are NaN; with a single sample deviation and interval are NaN.
 struct Summary
 {
     std::size_t count = 0;
     double mean = 0;
     double deviation = 0; ///< of the samples (n − 1)
     double halfWidth = 0; ///< of the 95 % confidence interval: mean ± halfWidth
-    /// What the mean can be: the interval ends there.
+    /// Range of the quantity: the interval is cut off there.
     double least = -std::numeric_limits<double>::infinity(), most = std::numeric_limits<double>::infinity();
     double min = 0, max = 0, median = 0;
     /// Indices of samples more than 1.5 interquartile ranges outside the quartiles (Tukey's fences); empty below five
-    /// samples, where the fences mean nothing. They are counted in all of the above.
+    /// samples, where the fences are meaningless. Outliers are included in all values above.
     std::vector<std::size_t> outliers;
 
     double low() const { return mean - halfWidth < least ? least : mean - halfWidth; }
     double high() const { return mean + halfWidth > most ? most : mean + halfWidth; }
 };
 
-/// Samples that are not finite are left out: they stand for "could not be measured".
+/// Samples that are not finite could not be measured and are left out.
 Summary summarise(std::span<const double> samples);
 
-/// What the share of something may be at most (95 %) that was seen in none of `trials`, each on its own: 1 − 0.05^(1/n), about
-/// 3/n (Hanley and Lippman-Hand 1983); 1 without any trial.
+/// Upper 95 % bound of the probability of an event that occurred in none of `trials` independent trials: 1 − 0.05^(1/n), about 3/n
+/// (Hanley and Lippman-Hand 1983); 1 without trials.
 double boundOfNone(double trials);
 
-/// Whether two groups have different means.
+/// Tests whether two groups have different means.
 ///
-/// It cannot be said, and there is no test, of fewer than two samples in a group, nor where neither group varies and one has fewer
-/// than five: a count that came out alike two or three times may well vary by one, and the test would take that for certain.
+/// There is no test (NaN) if a group has fewer than two samples, or if neither group varies and one has fewer than five: a count
+/// that was the same two or three times may still vary by one, and the test would rule that out.
 struct WelchTest
 {
-    double difference = 0;                               ///< mean of the second less that of the first
-    double t = std::numeric_limits<double>::quiet_NaN(); ///< NaN when it cannot be said; infinite where neither group varies
-    double degrees = std::numeric_limits<double>::quiet_NaN(); ///< Welch–Satterthwaite; NaN when it cannot be said
-    double p = std::numeric_limits<double>::quiet_NaN();       ///< two-sided; NaN when it cannot be said
+    double difference = 0;                                     ///< mean of the second less that of the first
+    double t = std::numeric_limits<double>::quiet_NaN();       ///< NaN without a test; infinite if neither group varies
+    double degrees = std::numeric_limits<double>::quiet_NaN(); ///< Welch–Satterthwaite; NaN without a test
+    double p = std::numeric_limits<double>::quiet_NaN();       ///< two-sided; NaN without a test
     double error = 0;                                          ///< standard error of the difference
 
-    /// Half of the difference's confidence interval, for 0 < `confidence` < 1; infinite when it cannot be said. Where all of the
-    /// 90 % interval lies within a margin, two one-sided tests at 5 % say that the groups are alike but for the margin
+    /// Half width of the confidence interval of the difference, for 0 < `confidence` < 1; infinite without a test. If the whole
+    /// 90 % interval lies within a margin, the groups are equivalent within that margin by two one-sided tests at 5 %
     /// (Schuirmann 1987).
     double halfWidth(double confidence) const;
 };
 WelchTest welch(std::span<const double> first, std::span<const double> second);
 
-/// The p values as Holm's method raises them, so that among all of them together the chance of one false alarm stays what a
-/// single one claims. Same order as given; NaN is no test, and stays.
+/// Corrects p values by Holm's method, so that the probability of any false positive among all of them is that of a single test.
+/// Same order as given; NaN (no test) stays NaN.
 std::vector<double> holm(std::span<const double> p);
 
-/// A statement about one pair of groups.
+/// The comparison of one pair of groups.
 struct Comparison
 {
     std::size_t first = 0, second = 0; ///< indices of the groups
     WelchTest test;
     double adjusted = 1; ///< p after Holm's correction over all pairs
-    double step = 0;     ///< a difference up to this is within what the instrument can tell apart, and so is none
+    double step = 0;     ///< resolution of the instrument; a difference up to this is not significant
 
     bool beyondStep() const { return std::abs(test.difference) > step; }
     bool significant() const { return adjusted < 0.05 && beyondStep(); }
-    /// The same by its own p, as if no other pair were compared.
+    /// The same without the correction, as if no other pair were compared.
     bool significantAlone() const { return test.p < 0.05 && beyondStep(); }
-    /// False where whether they differ cannot be said, as there is no test.
+    /// False if nothing can be said, since there is no test.
     bool known() const { return !std::isnan(test.p) || !beyondStep(); }
 };
 
-/// Every pair of groups that can be compared (two samples in each), corrected together.
+/// Compares every pair of groups with at least two samples each, with a common correction.
 std::vector<Comparison> compareAll(std::span<const std::vector<double>> groups);
 
 } // namespace skyseal::experiment

@@ -319,7 +319,7 @@ void SweepRunner::handleTimeout()
         if (!m_link.isPlain())
             return giveUp("no sealed session with a vehicle came up");
         m_link.plainSilent();
-        endRun("no vehicle was heard in clear; do both ends consent to it?");
+        endRun("no vehicle was heard in plain MAVLink; do both ends allow it?");
         break;
     case Stage::Restoring: closeStation(); break;
     default: endRun("the link fell silent");

@@ -1,5 +1,5 @@
-// Carries out the plan of a sweep: schedules the runs, brings the link into the state that each of them needs, has them
-// measured, and restores the link at the end. Decides from the station's snapshots alone, whose counters and clock are read at
+// Carries out the plan of a sweep: schedules the runs, brings the link into the state that each of them needs, measures them,
+// and restores the link at the end. Decides from the station's snapshots alone, whose counters and clock are read at
 // one moment. Lives on the station's thread.
 //
 //   Connecting → Settling → Switching → WarmingUp → Measuring → (next run: Connecting or Switching)
@@ -50,7 +50,7 @@ public:
     double remaining() const { return m_queue.remaining(); }
 
 Q_SIGNALS:
-    /// The link is brought into the state of this run, which is measured then.
+    /// A run began: the link is brought into its state, then it is measured.
     void runBegan(const skyseal::experiment::Run &run);
     void sampleTaken(const skyseal::experiment::Sample &sample);
     /// `problem` is a sentence if the plan was not carried out completely; `opened` is false if no link could be opened.
@@ -108,7 +108,7 @@ private:
     bool m_fresh = false;      ///< the station was opened for this run
     bool m_opened = false;     ///< a link worked at least once
     unsigned m_failedRuns = 0; ///< in a row
-    std::string m_problem;     ///< why the sweep ends early
+    std::string m_problem;     ///< reason why the sweep ends early
     QTimer m_tick{this};
 };
 

@@ -1,4 +1,4 @@
-// The station that a sweep measures on: one of its own, made anew for each block of runs, or one that is borrowed from a
+// The station that a sweep measures on: its own one, created for each block of runs, or one that is borrowed from the
 // window. A borrowed station keeps its links and vehicles and carries MAVLink as before when it is given back. Lives on the
 // station's thread.
 #pragma once
@@ -20,9 +20,9 @@ public:
 
     bool isOpen() const { return m_station != nullptr; }
     bool isBorrowed() const { return m_borrowed != nullptr; }
-    /// Takes the borrowed station, or makes one whose link carries MAVLink like this from the start.
+    /// Takes the borrowed station, or creates one with this protection from the start.
     Result<void, InputError> open(engine::Protection first);
-    /// Ends in closed(), later. `resume`: the suite that the next session of a borrowed station goes over to.
+    /// closed() follows. `resume`: the suite to which the next session of a borrowed station switches.
     void close(std::optional<crypto::SuiteId> resume);
     /// Gives a borrowed station back at once, without closed().
     void giveBack(std::optional<crypto::SuiteId> resume);

@@ -1,5 +1,5 @@
-// How long a sweep will still take, from what its runs have taken so far. The first run of a block takes longer than the
-// others, since programs start for it and settle; that is counted for each block to come, not for each run.
+// Estimates the remaining time of a sweep from the durations of its runs so far. The first run of a block takes longer, since
+// programs are started for it; this extra time is added once for each remaining block.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@ namespace skyseal::experiment {
 class TimeLeft
 {
 public:
-    /// `planned`: seconds that a run takes at the least.
+    /// `planned`: least duration of a run in seconds.
     explicit TimeLeft(double planned) : m_planned(planned) {}
 
-    /// A run took so many seconds, since the end of the one before it.
+    /// `seconds`: from the end of the previous run to the end of this one.
     void runEnded(double seconds, bool firstOfBlock);
-    /// Seconds, for so many runs in so many blocks that begin with one of them.
+    /// Seconds for the remaining runs, of which `blocks` are the first of a block.
     double of(std::size_t runs, std::size_t blocks) const;
 
 private:

@@ -33,7 +33,7 @@ Result<void, InputError> fits(const Expectation &expectation, const Plan &plan)
 
 namespace {
 
-/// Whether any run succeeded there.
+/// True if any run of the cell succeeded.
 bool ran(const Results &results, const Cell &cell)
 {
     return std::any_of(results.samples.begin(), results.samples.end(), [&](const Sample &sample) {
@@ -41,12 +41,12 @@ bool ran(const Results &results, const Cell &cell)
     });
 }
 
-/// Under one condition; `load` is what metrics without one stand for where the assertion is for each load.
+/// Under one condition. `load` is used for metrics that name none, if the assertion is checked for each load.
 std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &results, std::size_t condition,
                              std::optional<std::size_t> load)
 {
     const Plan &plan = results.plan;
-    bool allRan = true; // wherever it looked
+    bool allRan = true; // every cell that was looked up
     const auto lookup = [&](Metric metric, crypto::SuiteId suite, std::optional<Framing> framing, std::optional<Load> named) {
         const auto at = std::find(plan.loads.begin(), plan.loads.end(), named.value_or(plan.loads[load.value_or(0)]));
         const auto arm = std::find_if(plan.arms.begin(), plan.arms.end(), [&](const SweepArm &one) {
@@ -63,9 +63,9 @@ std::vector<Verdict> judgeAt(const Expectation &expectation, const Results &resu
         return {{expectation.text(), condition, {}, load, expectation.check({}, lookup)}};
     std::vector<Verdict> each, without;
     for (const SweepArm &arm : plan.arms) {
-        const Framing asked = expectation.onlyFraming().value_or(arm.framing);
-        const bool meant = arm.suite == crypto::SuiteId::None || asked == arm.framing;
-        if (arm.again || !meant || !exists(arm))
+        const Framing wanted = expectation.onlyFraming().value_or(arm.framing);
+        const bool included = arm.suite == crypto::SuiteId::None || wanted == arm.framing;
+        if (arm.again || !included || !exists(arm))
             continue;
         allRan = true;
         Verdict verdict{expectation.text(), condition, name(arm), load, expectation.check(arm, lookup)};
