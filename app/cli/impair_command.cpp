@@ -53,7 +53,7 @@ impair::Settings readSettings(Options &options)
     return out;
 }
 
-std::string inWords(const link::Impairer &impairer)
+std::string summaryText(const link::Impairer &impairer)
 {
     const auto direction = [&impairer](const char *arrow, link::Impairer::Direction which) {
         const impair::Counters counters = impairer.totals(which).counters;
@@ -135,7 +135,7 @@ int runImpair(const QStringList &arguments)
     if (status == kDone && json)
         report("summary");
     else if (status == kDone)
-        remark(inWords(impairer));
+        remark(summaryText(impairer));
     impairer.close();
     return status;
 }

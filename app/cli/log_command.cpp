@@ -17,7 +17,7 @@ unsigned long long count(std::uint64_t n)
     return n;
 }
 
-void printInWords(const tlog::LogSummary &summary)
+void printSummary(const tlog::LogSummary &summary)
 {
     printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.bytes),
                      count(summary.frames), count(summary.signedFrames), count(summary.version1Frames),
@@ -65,7 +65,7 @@ int summarizeFile(const QString &name, const QStringList &arguments, bool verify
                                     : format("damaged: %llu bad spots, time runs back %llu times; %llu good frames",
                                              count(summary.badSpots), count(summary.backwardSteps), count(summary.frames)));
     } else {
-        printInWords(summary);
+        printSummary(summary);
     }
     return verify && !summary.isSound() ? kNotReached : kDone;
 }

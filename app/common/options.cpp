@@ -59,9 +59,9 @@ std::string shortText(double number)
 
 } // namespace
 
-void complain(const QString &program, const std::string &words)
+void complain(const QString &program, const std::string &text)
 {
-    remark(program.toStdString() + ": " + words);
+    remark(program.toStdString() + ": " + text);
 }
 
 Options::Options(QString name, const QString &description) : m_name(std::move(name))

@@ -70,6 +70,6 @@ private:
 };
 
 /// Prints "skyseal-air: message", one line on stderr.
-void complain(const QString &program, const std::string &words);
+void complain(const QString &program, const std::string &text);
 
 } // namespace skyseal::app

@@ -63,9 +63,9 @@ PairingPrompt::PairingPrompt(Settings settings, QObject *parent) : QObject(paren
     connect(m_input.get(), &QSocketNotifier::activated, this, &PairingPrompt::hear);
 }
 
-void PairingPrompt::say(const std::string &words) const
+void PairingPrompt::say(const std::string &text) const
 {
-    remark(words);
+    remark(text);
 }
 
 void PairingPrompt::take(PairingStatus status)
@@ -195,11 +195,11 @@ bool PairingPrompt::mayBeObserver() const
     return m_settings.decidesRole && !m_asked->knownKey && role() == channel::PeerRole::Pilot;
 }
 
-void PairingPrompt::refuse(const std::string &words)
+void PairingPrompt::refuse(const std::string &text)
 {
     m_asked.reset();
     Q_EMIT refused();
-    say(words);
+    say(text);
 }
 
 void PairingPrompt::confirm(channel::PeerRole role)

@@ -61,9 +61,9 @@ private:
     void answer(const std::string &line);
     channel::PeerRole role() const;
     bool mayBeObserver() const;
-    void refuse(const std::string &words);
+    void refuse(const std::string &text);
     void confirm(channel::PeerRole role);
-    void say(const std::string &words) const;
+    void say(const std::string &text) const;
 
     Settings m_settings;
     std::unique_ptr<QSocketNotifier> m_input;

@@ -16,18 +16,18 @@ namespace {
 
 using State = PairingStatus::State;
 
-struct StateWord
+struct StateName
 {
     State state;
     std::string_view word;
 };
-constexpr std::array kWords{
-    StateWord{State::Open, "open"},     StateWord{State::Seen, "seen"},   StateWord{State::Confirmed, "confirmed"},
-    StateWord{State::Gone, "gone"},     StateWord{State::Other, "other"}, StateWord{State::Differs, "passphrase-differs"},
-    StateWord{State::Paired, "paired"}, StateWord{State::Over, "over"},   StateWord{State::Refused, "refused"},
+constexpr std::array kStateNames{
+    StateName{State::Open, "open"},     StateName{State::Seen, "seen"},   StateName{State::Confirmed, "confirmed"},
+    StateName{State::Gone, "gone"},     StateName{State::Other, "other"}, StateName{State::Differs, "passphrase-differs"},
+    StateName{State::Paired, "paired"}, StateName{State::Over, "over"},   StateName{State::Refused, "refused"},
 };
 
-const char *words(channel::PairingGone reason)
+const char *reasonText(channel::PairingGone reason)
 {
     switch (reason) {
     case channel::PairingGone::Silent: return "it stopped responding";
@@ -37,7 +37,7 @@ const char *words(channel::PairingGone reason)
     return "";
 }
 
-const char *words(channel::PairingEnd reason)
+const char *reasonText(channel::PairingEnd reason)
 {
     switch (reason) {
     case channel::PairingEnd::Paired: return "";
@@ -94,11 +94,11 @@ std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const 
     return std::visit(Overloaded{
                           [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
                           [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed, ""); },
-                          [&](const channel::PairingPeerGone &e) { return plain(State::Gone, words(e.reason)); },
+                          [&](const channel::PairingPeerGone &e) { return plain(State::Gone, reasonText(e.reason)); },
                           [&](const channel::PairingOtherTried &e) { return Out(about(State::Other, e.peer)); },
                           [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs, ""); },
                           [&](const channel::Paired &) { return Out(); },
-                          [&](const channel::PairingOver &e) { return plain(State::Over, words(e.reason)); },
+                          [&](const channel::PairingOver &e) { return plain(State::Over, reasonText(e.reason)); },
                       },
                       event);
 }
@@ -107,7 +107,7 @@ std::string PairingStatus::toJson() const
 {
     JsonWriter json;
     json.beginObject().field("event", "pairing");
-    for (const StateWord &word : kWords) {
+    for (const StateName &word : kStateNames) {
         if (word.state == state)
             json.field("state", word.word);
     }
@@ -131,7 +131,7 @@ std::optional<PairingStatus> PairingStatus::fromJson(const QByteArray &line)
 {
     const QJsonObject object = QJsonDocument::fromJson(line).object();
     const std::string word = object[QLatin1String("state")].toString().toStdString();
-    for (const StateWord &candidate : kWords) {
+    for (const StateName &candidate : kStateNames) {
         if (candidate.word != word)
             continue;
         PairingStatus status;

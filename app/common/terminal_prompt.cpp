@@ -52,10 +52,10 @@ public:
 
     bool isReady() const { return m_changed; }
     int descriptor() const { return m_descriptor; }
-    void say(const std::string &words) const
+    void say(const std::string &text) const
     {
         // A terminal that cannot be written to shows no question.
-        [[maybe_unused]] const ssize_t written = ::write(m_descriptor, words.data(), words.size());
+        [[maybe_unused]] const ssize_t written = ::write(m_descriptor, text.data(), text.size());
     }
 
 private:

@@ -97,11 +97,11 @@ void Application::tellLeftOut(const keys::PeersInForce &peers)
 void Application::tellKeyProblem()
 {
     const auto facts = keys::readIdentityFacts(m_keys.identity);
-    const QString words = tr("No sealed links: %1").arg(m_keyProblem);
+    const QString text = tr("No sealed links: %1").arg(m_keyProblem);
     if (facts && facts->sealed)
-        m_window->reportProblem(words, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
+        m_window->reportProblem(text, tr("Enter the passphrase"), [this] { tryKeysAgain(); });
     else
-        m_window->reportProblem(words);
+        m_window->reportProblem(text);
 }
 
 void Application::tryKeysAgain()

@@ -91,10 +91,10 @@ void Demo::start(quint16 groundPort)
         for (QProcess *process : {&m_simulator, &m_agent}) {
             const QString name = process == &m_simulator ? kSimulator : kAgent;
             process->setStandardOutputFile(QProcess::nullDevice());
-            connect(process, &QProcess::finished, this, [this, name, process] { tellEnd(name, *process); });
+            connect(process, &QProcess::finished, this, [this, name, process] { reportEnd(name, *process); });
             connect(process, &QProcess::errorOccurred, this, [this, name, process](QProcess::ProcessError error) {
                 if (error == QProcess::FailedToStart)
-                    tellEnd(name, *process);
+                    reportEnd(name, *process);
             });
         }
     }
@@ -145,16 +145,16 @@ void Demo::stop(QProcess &process)
     }
 }
 
-void Demo::tellEnd(const QString &name, QProcess &process)
+void Demo::reportEnd(const QString &name, QProcess &process)
 {
     if (m_stopping)
         return;
-    const QStringList words =
+    const QStringList lines =
         QString::fromLocal8Bit(process.readAllStandardError()).split(QLatin1Char('\n'), Qt::SkipEmptyParts);
     const QString how = process.error() == QProcess::FailedToStart ? process.errorString()
         : process.exitStatus() == QProcess::CrashExit              ? tr("it was killed or crashed")
-        : words.isEmpty()                                          ? tr("exit status %1").arg(process.exitCode())
-                                                                   : words.last();
+        : lines.isEmpty()                                          ? tr("exit status %1").arg(process.exitCode())
+                                                                   : lines.last();
     Q_EMIT ended(tr("%1 of the demo ended: %2").arg(name, how));
 }
 

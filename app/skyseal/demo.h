@@ -43,7 +43,7 @@ private:
 
     void launch(QProcess &process, const QString &name, const QStringList &arguments);
     void stop(QProcess &process);
-    void tellEnd(const QString &name, QProcess &process);
+    void reportEnd(const QString &name, QProcess &process);
 
     QTemporaryDir m_folder;
     QProcess m_simulator, m_agent;

@@ -68,8 +68,8 @@ public:
 
     void remember(const std::string &file, const crypto::Passphrase &passphrase) override
     {
-        const ByteView words = passphrase.view();
-        const QByteArray bytes(reinterpret_cast<const char *>(words.data()), static_cast<qsizetype>(words.size()));
+        const ByteView view = passphrase.view();
+        const QByteArray bytes(reinterpret_cast<const char *>(view.data()), static_cast<qsizetype>(view.size()));
         auto *job = new QKeychain::WritePasswordJob(kService, this);
         job->setKey(entryOf(file));
         job->setBinaryData(bytes);

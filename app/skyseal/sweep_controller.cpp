@@ -15,13 +15,13 @@ SweepController::~SweepController()
         m_thread->quit(); // which deletes the worker
         m_thread->wait();
     } else {
-        delete m_bench;
+        delete m_worker;
     }
     if (m_writer)
         m_writer->wait();
 }
 
-QString SweepController::whyNoOwnVehicle() const
+QString SweepController::ownVehicleDisabledReason() const
 {
     const bool all = Demo::isAvailable() && !programPath(QStringLiteral("skyseal-cli")).isEmpty();
     return all ? QString() : tr("skyseal-sim, skyseal-air or skyseal-cli is not installed");
@@ -29,7 +29,7 @@ QString SweepController::whyNoOwnVehicle() const
 
 void SweepController::start(const ui::SweepOrder &order)
 {
-    if (m_bench)
+    if (m_worker)
         return;
     if (!order.ownVehicle && !m_station.isRunning()) {
         auto nothing = std::make_shared<experiment::Results>();
@@ -37,33 +37,33 @@ void SweepController::start(const ui::SweepOrder &order)
         Q_EMIT finished(std::move(nothing), tr("the station is not running"));
         return;
     }
-    m_bench = new SweepWorker(order.plan, order.ownVehicle ? nullptr : &m_station.station(), m_heap.get());
+    m_worker = new SweepWorker(order.plan, order.ownVehicle ? nullptr : &m_station.station(), m_heap.get());
     follow();
     if (order.ownVehicle) {
         m_thread = std::make_unique<QThread>();
         m_thread->setObjectName(QStringLiteral("skyseal-sweep"));
-        m_bench->moveToThread(m_thread.get());
-        connect(m_thread.get(), &QThread::finished, m_bench, &QObject::deleteLater);
+        m_worker->moveToThread(m_thread.get());
+        connect(m_thread.get(), &QThread::finished, m_worker, &QObject::deleteLater);
         m_thread->start();
     }
-    QMetaObject::invokeMethod(m_bench, &SweepWorker::begin, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(m_worker, &SweepWorker::begin, Qt::QueuedConnection);
 }
 
 void SweepController::follow()
 {
-    connect(m_bench, &SweepWorker::runBegan, this, &SweepController::runBegan);
-    connect(m_bench, &SweepWorker::sampleTaken, this, &SweepController::sampleTaken);
+    connect(m_worker, &SweepWorker::runBegan, this, &SweepController::runBegan);
+    connect(m_worker, &SweepWorker::sampleTaken, this, &SweepController::sampleTaken);
     connect(
-        m_bench, &SweepWorker::finished, this,
+        m_worker, &SweepWorker::finished, this,
         [this](const std::shared_ptr<const experiment::Results> &results, const QString &problem) {
             if (m_thread) {
                 m_thread->quit(); // the worker is done
                 m_thread->wait();
                 m_thread.reset();
             } else {
-                m_bench->deleteLater();
+                m_worker->deleteLater();
             }
-            m_bench = nullptr;
+            m_worker = nullptr;
             Q_EMIT finished(results, problem);
         },
         Qt::QueuedConnection);
@@ -71,8 +71,8 @@ void SweepController::follow()
 
 void SweepController::cancel()
 {
-    if (m_bench)
-        QMetaObject::invokeMethod(m_bench, &SweepWorker::cancel, Qt::QueuedConnection);
+    if (m_worker)
+        QMetaObject::invokeMethod(m_worker, &SweepWorker::cancel, Qt::QueuedConnection);
 }
 
 void SweepController::save(const experiment::Results &results, const QString &folder)

@@ -22,7 +22,7 @@ public:
     /// Ends a running sweep; its link is switched back to the previous suite.
     ~SweepController() override;
 
-    QString whyNoOwnVehicle() const override;
+    QString ownVehicleDisabledReason() const override;
     void start(const ui::SweepOrder &order) override;
     void cancel() override;
     void save(const experiment::Results &results, const QString &folder) override;
@@ -33,7 +33,7 @@ private:
     StationAdapter &m_station;
     const std::shared_ptr<experiment::HeapFigures> m_heap;
     std::unique_ptr<QThread> m_thread; ///< for a sweep with its own vehicle
-    SweepWorker *m_bench = nullptr;    ///< lives on that thread, or on ours
+    SweepWorker *m_worker = nullptr;   ///< lives on that thread, or on the GUI thread
     std::unique_ptr<QThread> m_writer;
 };
 

@@ -14,9 +14,9 @@ namespace {
 using Action = decltype(FlightStep::action);
 using StepResult = Result<Action, InputError>;
 
-tl::unexpected<InputError> fail(const ScriptTokens &words, std::string expected)
+tl::unexpected<InputError> fail(const ScriptTokens &tokens, std::string expected)
 {
-    return tl::make_unexpected(words.error(std::move(expected)));
+    return tl::make_unexpected(tokens.error(std::move(expected)));
 }
 
 /// A step without arguments.
@@ -25,72 +25,72 @@ template<typename T> StepResult parsePlain(ScriptTokens &)
     return Action(VehicleCommand(T{}));
 }
 
-template<typename T> StepResult parseArming(ScriptTokens &words)
+template<typename T> StepResult parseArming(ScriptTokens &tokens)
 {
     T out;
-    if (!words.atEnd()) {
-        if (!equalIgnoringCase(words.peek(), "force"))
-            return fail(words, "'force' or the end of the step");
-        words.take();
+    if (!tokens.atEnd()) {
+        if (!equalIgnoringCase(tokens.peek(), "force"))
+            return fail(tokens, "'force' or the end of the step");
+        tokens.take();
         out.force = true;
     }
     return Action(VehicleCommand(out));
 }
 
-StepResult parseMode(ScriptTokens &words)
+StepResult parseMode(ScriptTokens &tokens)
 {
-    if (words.atEnd())
-        return fail(words, "a mode's name");
-    return Action(VehicleCommand(SetMode{std::string(words.take())}));
+    if (tokens.atEnd())
+        return fail(tokens, "a mode's name");
+    return Action(VehicleCommand(SetMode{std::string(tokens.take())}));
 }
 
-StepResult parseTakeOff(ScriptTokens &words)
+StepResult parseTakeOff(ScriptTokens &tokens)
 {
-    const auto altitude = words.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000);
+    const auto altitude = tokens.number("an altitude in metres above home, over 0 and up to 10000", 0.01, 10000);
     if (!altitude)
         return tl::make_unexpected(altitude.error());
     return Action(VehicleCommand(TakeOff{*altitude}));
 }
 
-StepResult parseGoTo(ScriptTokens &words)
+StepResult parseGoTo(ScriptTokens &tokens)
 {
-    const auto latitude = words.number("a latitude in degrees, -90 to 90", -90, 90);
+    const auto latitude = tokens.number("a latitude in degrees, -90 to 90", -90, 90);
     if (!latitude)
         return tl::make_unexpected(latitude.error());
-    const auto longitude = words.number("a longitude in degrees, -180 to 180", -180, 180);
+    const auto longitude = tokens.number("a longitude in degrees, -180 to 180", -180, 180);
     if (!longitude)
         return tl::make_unexpected(longitude.error());
-    const auto altitude = words.number("an altitude in metres above home, -500 to 10000", -500, 10000);
+    const auto altitude = tokens.number("an altitude in metres above home, -500 to 10000", -500, 10000);
     if (!altitude)
         return tl::make_unexpected(altitude.error());
     return Action(VehicleCommand(GoTo{*latitude, *longitude, *altitude}));
 }
 
-StepResult parseSpeed(ScriptTokens &words)
+StepResult parseSpeed(ScriptTokens &tokens)
 {
-    const auto speed = words.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000);
+    const auto speed = tokens.number("a speed in metres a second, over 0 and up to 1000", 0.01, 1000);
     if (!speed)
         return tl::make_unexpected(speed.error());
     return Action(VehicleCommand(ChangeSpeed{*speed}));
 }
 
-StepResult parseItem(ScriptTokens &words)
+StepResult parseItem(ScriptTokens &tokens)
 {
-    const auto index = words.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535);
+    const auto index = tokens.wholeNumber("the number of a mission item, 0 to 65535", 0, 65535);
     if (!index)
         return tl::make_unexpected(index.error());
     return Action(VehicleCommand(SetCurrentMissionItem{static_cast<std::uint16_t>(*index)}));
 }
 
-StepResult parseRaw(ScriptTokens &words)
+StepResult parseRaw(ScriptTokens &tokens)
 {
     RawCommand out;
-    const auto number = words.wholeNumber("the number of a MAV_CMD, 0 to 65535", 0, 65535);
+    const auto number = tokens.wholeNumber("the number of a MAV_CMD, 0 to 65535", 0, 65535);
     if (!number)
         return tl::make_unexpected(number.error());
     out.command = static_cast<std::uint16_t>(*number);
-    for (std::size_t i = 0; i < std::size(out.parameters) && !words.atEnd(); ++i) {
-        const auto value = words.number("a parameter, a number", -3.4e38, 3.4e38);
+    for (std::size_t i = 0; i < std::size(out.parameters) && !tokens.atEnd(); ++i) {
+        const auto value = tokens.number("a parameter, a number", -3.4e38, 3.4e38);
         if (!value)
             return tl::make_unexpected(value.error());
         out.parameters[i] = static_cast<float>(*value);
@@ -98,21 +98,21 @@ StepResult parseRaw(ScriptTokens &words)
     return Action(VehicleCommand(out));
 }
 
-StepResult parseSleep(ScriptTokens &words)
+StepResult parseSleep(ScriptTokens &tokens)
 {
-    const auto time = words.duration("a time in seconds, 0 to 86400");
+    const auto time = tokens.duration("a time in seconds, 0 to 86400");
     if (!time)
         return tl::make_unexpected(time.error());
     return Action(Sleep{*time});
 }
 
-StepResult parseParam(ScriptTokens &words)
+StepResult parseParam(ScriptTokens &tokens)
 {
-    const std::string_view name = words.peek();
+    const std::string_view name = tokens.peek();
     if (name.empty() || name.size() > 16)
-        return fail(words, "a parameter's name, up to 16 characters");
-    words.take();
-    const auto value = words.number("the parameter's value, a number", -3.4e38, 3.4e38);
+        return fail(tokens, "a parameter's name, up to 16 characters");
+    tokens.take();
+    const auto value = tokens.number("the parameter's value, a number", -3.4e38, 3.4e38);
     if (!value)
         return tl::make_unexpected(value.error());
     return Action(WriteParameter{std::string(name), *value});
@@ -123,45 +123,45 @@ constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
     {">=", Comparison::AtLeast},  {"<=", Comparison::AtMost}, {"==", Comparison::Equal},
     {"!=", Comparison::NotEqual}, {">", Comparison::Greater}, {"<", Comparison::Less}};
 
-StepResult parseWait(ScriptTokens &words)
+StepResult parseWait(ScriptTokens &tokens)
 {
     WaitUntil out;
-    const std::string_view name = words.peekName();
+    const std::string_view name = tokens.peekName();
     out.field = findStateField(name);
     if (!out.field) {
         std::string names;
         for (const StateField &field : stateFields())
             names += (names.empty() ? "" : ", ") + std::string(field.name);
-        return fail(words, "a field's name (" + names + ")");
+        return fail(tokens, "a field's name (" + names + ")");
     }
-    words.skip(name.size());
+    tokens.skip(name.size());
     bool found = false;
     for (const auto &[sign, comparison] : kComparisons) {
-        if (!found && words.takeIf(sign)) {
+        if (!found && tokens.takeIf(sign)) {
             out.comparison = comparison;
             found = true;
         }
     }
     if (!found)
-        return fail(words, "one of >= <= > < == !=");
+        return fail(tokens, "one of >= <= > < == !=");
     const bool isText = out.field->kind == StateField::Kind::Text;
     if (isText) {
         if (out.comparison != Comparison::Equal && out.comparison != Comparison::NotEqual)
-            return tl::make_unexpected(words.errorBefore("== or !=, since " + std::string(name) + " is a text"));
-        if (words.atEnd())
-            return fail(words, "a value to compare " + std::string(name) + " with");
-        out.text = std::string(words.take());
+            return tl::make_unexpected(tokens.errorBefore("== or !=, since " + std::string(name) + " is a text"));
+        if (tokens.atEnd())
+            return fail(tokens, "a value to compare " + std::string(name) + " with");
+        out.text = std::string(tokens.take());
     } else if (out.field->kind == StateField::Kind::Flag
-               && (equalIgnoringCase(words.peek(), "true") || equalIgnoringCase(words.peek(), "false"))) {
-        out.number = equalIgnoringCase(words.take(), "true");
+               && (equalIgnoringCase(tokens.peek(), "true") || equalIgnoringCase(tokens.peek(), "false"))) {
+        out.number = equalIgnoringCase(tokens.take(), "true");
     } else {
-        const auto value = words.number("a number to compare " + std::string(name) + " with", -1e300, 1e300);
+        const auto value = tokens.number("a number to compare " + std::string(name) + " with", -1e300, 1e300);
         if (!value)
             return tl::make_unexpected(value.error());
         out.number = *value;
     }
-    if (!words.atEnd()) {
-        const auto timeout = words.duration("a time-out in seconds, 0 to 86400, or the end of the step");
+    if (!tokens.atEnd()) {
+        const auto timeout = tokens.duration("a time-out in seconds, 0 to 86400, or the end of the step");
         if (!timeout)
             return tl::make_unexpected(timeout.error());
         out.timeout = *timeout;
@@ -186,46 +186,46 @@ constexpr std::pair<std::string_view, StepResult (*)(ScriptTokens &)> kVerbs[] =
                                                                                   {"command", parseRaw}};
 
 /// Takes "12:" off the front when it is there.
-Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &words)
+Result<std::optional<std::uint8_t>, InputError> parsePrefix(ScriptTokens &tokens)
 {
-    const std::size_t digits = words.digitsBeforeColon();
+    const std::size_t digits = tokens.digitsBeforeColon();
     if (digits == 0)
         return std::optional<std::uint8_t>();
     unsigned number = 0;
-    const std::string_view text = words.rest().substr(0, digits);
+    const std::string_view text = tokens.rest().substr(0, digits);
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
     if (parsed.ec != std::errc() || number < 1 || number > 255)
-        return fail(words, "a system id from 1 to 255 before the colon");
-    words.skip(digits);
-    words.takeIf(":");
+        return fail(tokens, "a system id from 1 to 255 before the colon");
+    tokens.skip(digits);
+    tokens.takeIf(":");
     return std::optional<std::uint8_t>(static_cast<std::uint8_t>(number));
 }
 
-Result<FlightStep, InputError> parseStep(ScriptTokens &words)
+Result<FlightStep, InputError> parseStep(ScriptTokens &tokens)
 {
     FlightStep step;
-    const auto prefix = parsePrefix(words);
+    const auto prefix = parsePrefix(tokens);
     if (!prefix)
         return tl::make_unexpected(prefix.error());
     step.systemId = *prefix;
-    step.column = words.column();
-    step.text = std::string(words.rest());
+    step.column = tokens.column();
+    step.text = std::string(tokens.rest());
     for (const auto &[verb, parse] : kVerbs) {
-        if (!equalIgnoringCase(words.peek(), verb))
+        if (!equalIgnoringCase(tokens.peek(), verb))
             continue;
-        words.take();
-        StepResult action = parse(words);
+        tokens.take();
+        StepResult action = parse(tokens);
         if (!action)
             return tl::make_unexpected(action.error());
-        if (!words.atEnd())
-            return fail(words, "the end of the step");
+        if (!tokens.atEnd())
+            return fail(tokens, "the end of the step");
         step.action = std::move(*action);
         return step;
     }
     std::string verbs;
     for (const auto &entry : kVerbs)
         verbs += (verbs.empty() ? "" : ", ") + std::string(entry.first);
-    return fail(words, "one of " + verbs);
+    return fail(tokens, "one of " + verbs);
 }
 
 } // namespace
@@ -239,13 +239,13 @@ Result<std::vector<FlightStep>, InputError> parseFlightScript(std::string_view s
     std::size_t begin = 0;
     while (begin <= script.size()) {
         const std::size_t end = std::min(script.find(';', begin), script.size());
-        ScriptTokens words(script.substr(begin, end - begin), begin + 1, steps.size() + 1);
+        ScriptTokens tokens(script.substr(begin, end - begin), begin + 1, steps.size() + 1);
         begin = end + 1;
-        if (words.atEnd())
+        if (tokens.atEnd())
             continue;
         if (steps.size() == kMaxScriptSteps)
-            return tl::make_unexpected(words.error("no more than " + std::to_string(kMaxScriptSteps) + " steps"));
-        auto step = parseStep(words);
+            return tl::make_unexpected(tokens.error("no more than " + std::to_string(kMaxScriptSteps) + " steps"));
+        auto step = parseStep(tokens);
         if (!step)
             return tl::make_unexpected(step.error());
         steps.push_back(std::move(*step));

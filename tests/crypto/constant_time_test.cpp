@@ -38,7 +38,7 @@ private:
     static constexpr int kCaught = 99;
     int probe(const QStringList &arguments, const QString &mask);
     QString m_valgrind;
-    QByteArray m_words;
+    QByteArray m_output;
 };
 
 void ConstantTimeTest::initTestCase()
@@ -66,7 +66,7 @@ int ConstantTimeTest::probe(const QStringList &arguments, const QString &mask)
                               QStringLiteral(SKYSEAL_PROBE)}
                       + arguments);
     const bool ended = process.waitForFinished(100000) && process.exitStatus() == QProcess::NormalExit;
-    m_words = process.readAll();
+    m_output = process.readAll();
     return ended ? process.exitCode() : -1;
 }
 
@@ -94,7 +94,7 @@ void ConstantTimeTest::keysDecideNothing()
     if (!mask.isEmpty() && !kCanBeMasked)
         QSKIP("masking CPU instructions for OpenSSL is supported on x86-64 only");
     const int status = probe(arguments, mask);
-    QVERIFY2(status == 0 && m_words.contains("done"), m_words.constData());
+    QVERIFY2(status == 0 && m_output.contains("done"), m_output.constData());
 }
 
 void ConstantTimeTest::secretBranchIsCaught_data()
@@ -118,7 +118,7 @@ void ConstantTimeTest::secretBranchIsCaught()
     if (!mask.isEmpty() && !kCanBeMasked)
         QSKIP("masking CPU instructions for OpenSSL is supported on x86-64 only");
     QCOMPARE(probe(arguments, mask), kCaught);
-    QVERIFY2(m_words.contains("ninitialised value"), m_words.constData());
+    QVERIFY2(m_output.contains("ninitialised value"), m_output.constData());
 }
 
 SKYSEAL_TEST(ConstantTimeTest)

@@ -126,7 +126,7 @@ private Q_SLOTS:
         QVERIFY(m_station->commands.empty());
     }
 
-    void buttonsSayWhyNotInWholeSentences()
+    void buttonsShowReasonsInWholeSentences()
     {
         engine::Snapshot snapshot = sealedSnapshot(1);
         snapshot.vehicles.front().state.modes.clear();
@@ -142,7 +142,7 @@ private Q_SLOTS:
     void nothingIsSentOneWay_data()
     {
         QTest::addColumn<bool>("recorded");
-        QTest::addColumn<QString>("whyNot");
+        QTest::addColumn<QString>("reason");
         QTest::addColumn<QString>("title");
         QTest::newRow("recording") << true << QStringLiteral("it is a replay") << QStringLiteral("Replay");
         QTest::newRow("stream that is never sent to")
@@ -152,7 +152,7 @@ private Q_SLOTS:
     void nothingIsSentOneWay()
     {
         QFETCH(bool, recorded);
-        QFETCH(QString, whyNot);
+        QFETCH(QString, reason);
         QFETCH(QString, title);
         engine::Snapshot snapshot = plainSnapshot(1);
         if (recorded)
@@ -162,7 +162,7 @@ private Q_SLOTS:
         m_station->show(snapshot);
         for (const char *name : {"armButton", "landButton", "missionSend", "missionRead", "parameterFetch"}) {
             const auto *button = find<QPushButton>(name);
-            QVERIFY2(!button->isEnabled() && button->toolTip().contains(whyNot), name);
+            QVERIFY2(!button->isEnabled() && button->toolTip().contains(reason), name);
         }
         QCOMPARE(find<QLabel>("secureTitle")->text(), title);
         QCOMPARE(find<StripItem>("stripLock")->text(), title);

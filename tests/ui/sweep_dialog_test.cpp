@@ -139,7 +139,7 @@ private:
     {
         m_view = view;
         m_suites.showViewState(m_view);
-        m_dialog = std::make_unique<SweepDialog>(SweepSurroundings{m_view, m_suites, false, {}});
+        m_dialog = std::make_unique<SweepDialog>(SweepContext{m_view, m_suites, false, {}});
         m_dialog->show();
         return *m_dialog;
     }

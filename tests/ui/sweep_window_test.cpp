@@ -63,7 +63,7 @@ class SweepWindowTest : public QObject
 private Q_SLOTS:
     void initTestCase();
     void nothingConnected();
-    void saysWhyNot();
+    void showsDisabledReason();
     void showsWhatItSaves();
     void cancelGoesBack();
     void overARadio();
@@ -191,7 +191,7 @@ void SweepWindowTest::beginWith(SuiteId wanted)
     QTRY_COMPARE_WITH_TIMEOUT(suite(), wanted, 10'000);
 }
 
-void SweepWindowTest::saysWhyNot()
+void SweepWindowTest::showsDisabledReason()
 {
     m_sim = std::make_unique<Program>(q("skyseal-sim"), m_flight.simArguments());
     m_window->addLink(q("udpin:127.0.0.1:%1").arg(m_flight.groundPort));

@@ -15,11 +15,11 @@ ChartCursor::ChartCursor(QWidget *chart) : QWidget(chart)
     hide();
 }
 
-void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &words, const std::vector<QPointF> &curves)
+void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &lines, const std::vector<QPointF> &curves)
 {
     m_x = x;
     m_plot = plot;
-    m_words = words;
+    m_lines = lines;
     placeBox(curves);
     show();
     update();
@@ -27,18 +27,18 @@ void ChartCursor::showAt(qreal x, const QRectF &plot, const QStringList &words, 
 
 void ChartCursor::clear()
 {
-    m_words.clear();
+    m_lines.clear();
     m_place = 0;
     hide();
 }
 
-QSizeF ChartCursor::wordsSize() const
+QSizeF ChartCursor::textSize() const
 {
     const QFontMetricsF metrics(font());
     qreal wide = 0;
-    for (const QString &line : m_words)
+    for (const QString &line : m_lines)
         wide = std::max(wide, metrics.horizontalAdvance(line));
-    return {wide + 2 * kHalfGrid + 4, metrics.height() * static_cast<qreal>(m_words.size()) + kHalfGrid};
+    return {wide + 2 * kHalfGrid + 4, metrics.height() * static_cast<qreal>(m_lines.size()) + kHalfGrid};
 }
 
 /// Chooses the place that covers the fewest points of the curves: beside the line or at an end of the plot, above or below. The
@@ -46,7 +46,7 @@ QSizeF ChartCursor::wordsSize() const
 void ChartCursor::placeBox(const std::vector<QPointF> &curves)
 {
     constexpr std::ptrdiff_t kOutsideThePlot = 10'000, kOverTheLine = 1'000'000, kClearly = 4;
-    const QSizeF size = wordsSize();
+    const QSizeF size = textSize();
     const qreal tops[] = {m_plot.top(), m_plot.bottom() - size.height()};
     const qreal lefts[] = {std::min(m_x + kGrid, width() - size.width()), std::max(0.0, m_x - kGrid - size.width()),
                            m_plot.right() - size.width(), m_plot.left()};
@@ -74,7 +74,7 @@ void ChartCursor::paintEvent(QPaintEvent *)
     const StateColors &colors = stateColors(palette());
     painter.setPen(QPen(colors.dim, 1));
     painter.drawLine(QPointF(m_x, m_plot.top()), QPointF(m_x, m_plot.bottom()));
-    if (m_words.isEmpty())
+    if (m_lines.isEmpty())
         return;
     const QRectF &frame = m_box;
     QColor back = palette().color(QPalette::ToolTipBase);
@@ -83,7 +83,7 @@ void ChartCursor::paintEvent(QPaintEvent *)
     painter.setPen(colors.line);
     painter.drawRect(frame);
     painter.setPen(palette().color(QPalette::ToolTipText));
-    painter.drawText(frame.adjusted(kHalfGrid + 2, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, m_words.join(QLatin1Char('\n')));
+    painter.drawText(frame.adjusted(kHalfGrid + 2, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, m_lines.join(QLatin1Char('\n')));
 }
 
 } // namespace skyseal::ui

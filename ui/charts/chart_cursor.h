@@ -18,9 +18,9 @@ public:
     explicit ChartCursor(QWidget *chart);
 
     /// All coordinates are pixels of the chart: the line at `x` within `plot`; the box avoids the points in `curves`.
-    void showAt(qreal x, const QRectF &plot, const QStringList &words, const std::vector<QPointF> &curves);
+    void showAt(qreal x, const QRectF &plot, const QStringList &lines, const std::vector<QPointF> &curves);
     void clear();
-    const QStringList &words() const { return m_words; }
+    const QStringList &lines() const { return m_lines; }
     /// The rectangle of the text.
     const QRectF &box() const { return m_box; }
 
@@ -28,12 +28,12 @@ protected:
     void paintEvent(QPaintEvent *) override;
 
 private:
-    QSizeF wordsSize() const;
+    QSizeF textSize() const;
     void placeBox(const std::vector<QPointF> &curves);
 
     qreal m_x = -1;
     QRectF m_plot, m_box;
-    QStringList m_words;
+    QStringList m_lines;
     std::size_t m_place = 0; ///< index among the places that placeBox() compares
 };
 

@@ -61,11 +61,11 @@ void ChartView::drawForeground(QPainter *painter, const QRectF &)
     drawBars(*painter, area);
     drawMarks(*painter, area);
     if (!m_anyRun) {
-        const QString &words = m_nothing;
-        const QRectF place = painter->boundingRect(area, Qt::AlignCenter, words);
+        const QString &text = m_emptyText;
+        const QRectF place = painter->boundingRect(area, Qt::AlignCenter, text);
         painter->fillRect(place.adjusted(-kHalfGrid, 0, kHalfGrid, 0), palette().color(QPalette::Window));
         painter->setPen(stateColors(palette()).dim);
-        painter->drawText(place, Qt::AlignCenter, words);
+        painter->drawText(place, Qt::AlignCenter, text);
     }
     if (m_pressed >= 0 && m_frame.time != ChartTime::InUse) {
         QColor wash = palette().color(QPalette::Highlight);

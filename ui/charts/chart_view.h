@@ -22,7 +22,7 @@ public:
     const ChartContent &frame() const { return m_frame; }
     void setUnit(const QString &unit) { m_unit = unit; }
     /// Sets the text of an empty plot.
-    void setWordsForNothing(const QString &words) { m_nothing = words; }
+    void setEmptyText(const QString &text) { m_emptyText = text; }
     /// Returns the time in seconds at this pixel, limited to the plot.
     double timeAt(qreal x) const;
     qreal placeOf(double time) const;
@@ -61,7 +61,7 @@ private:
 
     ChartContent m_frame; ///< without runs
     QString m_unit;
-    QString m_nothing = tr("nothing measured yet");
+    QString m_emptyText = tr("nothing measured yet");
     ChartCursor *m_cursor;
     bool m_anyRun = false;
     int m_bars = -1; ///< number of bars for which the plot area was computed

@@ -67,7 +67,7 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_view = new ChartView(m_chart, this);
     m_view->setUnit(title.unit);
     if (!title.remark.isEmpty())
-        m_view->setWordsForNothing(title.remark);
+        m_view->setEmptyText(title.remark);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -162,7 +162,7 @@ void QtTimeSeriesChart::showCursor(std::optional<double> x)
 
 QStringList QtTimeSeriesChart::cursorText() const
 {
-    return m_view->cursorLayer()->words();
+    return m_view->cursorLayer()->lines();
 }
 
 void QtTimeSeriesChart::applyColors()

@@ -20,13 +20,13 @@ bool isHoldKey(int key)
 HoldButton::HoldButton(const QString &text, QWidget *parent) : QPushButton(text, parent)
 {
     setAccessibleDescription(tr("Hold for half a second to confirm; Escape aborts"));
-    setWhyNot({});
+    setDisabledReason({});
     setAutoDefault(false);
     m_ticker.setInterval(16);
     connect(&m_ticker, &QTimer::timeout, this, &HoldButton::tick);
 }
 
-void HoldButton::setWhyNot(const QString &sentence)
+void HoldButton::setDisabledReason(const QString &sentence)
 {
     setEnabled(sentence.isEmpty());
     const QString tip = sentence.isEmpty() ? tr("Hold to confirm (mouse, Space or Enter); Esc aborts") : sentence;

@@ -18,7 +18,7 @@ public:
     explicit HoldButton(const QString &text, QWidget *parent = nullptr);
 
     /// Disables the button with this sentence as its tool tip; enables it if the sentence is empty.
-    void setWhyNot(const QString &sentence);
+    void setDisabledReason(const QString &sentence);
     /// Returns the progress of the hold, 0 … 1; 0 if the button is not held.
     double progress() const { return m_progress; }
     bool isHeld() const { return m_ticker.isActive(); }

@@ -50,9 +50,9 @@ TakeOffDialog::TakeOffDialog(VehicleCommands &commands, UnitSystem units, QWidge
     column->addLayout(buttons);
     setMinimumWidth(44 * kGrid);
 
-    const auto permit = [go](const QString &reason) { go->setWhyNot(nothingCanBeSent(reason)); };
-    permit(commands.whyNot());
-    connect(&commands, &VehicleCommands::whyNotChanged, go, permit);
+    const auto permit = [go](const QString &reason) { go->setDisabledReason(nothingCanBeSent(reason)); };
+    permit(commands.disabledReason());
+    connect(&commands, &VehicleCommands::disabledReasonChanged, go, permit);
     connect(go, &HoldButton::confirmed, this, [this, &commands, altitude, systemId] {
         commands.setTakeOffAltitude(altitude->metres());
         commands.send(systemId, vehicle::TakeOff{altitude->metres()});

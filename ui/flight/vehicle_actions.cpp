@@ -106,22 +106,22 @@ void VehicleActions::endHolds(const std::vector<HoldButton *> &buttons, const QS
 
 void VehicleActions::showPermit(const ViewState &view)
 {
-    const QString reason = whyNoCommands(view);
+    const QString reason = commandsDisabledReason(view);
     for (HoldButton *button : {m_arm, m_takeOff, m_land, m_return})
-        button->setWhyNot(nothingCanBeSent(reason));
+        button->setDisabledReason(nothingCanBeSent(reason));
     const bool noModes = reason.isEmpty() && m_knownModes.empty();
-    m_setMode->setWhyNot(noModes ? tr("The modes of this vehicle are not known") : nothingCanBeSent(reason));
+    m_setMode->setDisabledReason(noModes ? tr("The modes of this vehicle are not known") : nothingCanBeSent(reason));
     m_altitude->setEnabled(reason.isEmpty());
     m_modes->setEnabled(m_setMode->isEnabled());
     // Without a vehicle, the line stays empty.
     const QString line = view.vehicle ? nothingCanBeSent(reason) : QString();
-    if (line == m_whyNot)
+    if (line == m_disabledReason)
         return;
     if (!line.isEmpty())
         say(line, false);
-    else if (m_result->text() == m_whyNot)
+    else if (m_result->text() == m_disabledReason)
         say({}, true);
-    m_whyNot = line;
+    m_disabledReason = line;
 }
 
 void VehicleActions::showModes(const std::vector<std::string> &modes, const std::string &current)

@@ -38,7 +38,7 @@ private:
     AltitudeBox *m_altitude;
     QLabel *m_result;
     std::vector<std::string> m_knownModes;
-    QString m_whyNot; ///< reason why commands cannot be sent, as shown in the result line
+    QString m_disabledReason; ///< reason why commands cannot be sent, as shown in the result line
     std::uint8_t m_systemId = 0;
     bool m_armed = false;
 };

@@ -16,29 +16,29 @@ void VehicleCommands::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
     m_severalVehicles = view.snapshot && view.snapshot->vehicles.size() > 1;
-    const QString reason = whyNoCommands(view);
-    if (reason == m_whyNot)
+    const QString reason = commandsDisabledReason(view);
+    if (reason == m_disabledReason)
         return;
-    m_whyNot = reason;
-    Q_EMIT whyNotChanged(reason);
+    m_disabledReason = reason;
+    Q_EMIT disabledReasonChanged(reason);
 }
 
 void VehicleCommands::send(std::uint8_t systemId, const vehicle::VehicleCommand &command)
 {
     if (systemId == 0)
         return;
-    const QString words = commandText(command);
+    const QString text = commandText(command);
     if (m_systemId != 0 && systemId != m_systemId) {
-        Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is no longer selected").arg(words).arg(systemId), false);
+        Q_EMIT resultReported(tr("%1: not sent: vehicle %2 is no longer selected").arg(text).arg(systemId), false);
         return;
     }
-    if (!m_whyNot.isEmpty()) {
-        Q_EMIT resultReported(tr("%1: not sent: %2").arg(words, m_whyNot), false);
+    if (!m_disabledReason.isEmpty()) {
+        Q_EMIT resultReported(tr("%1: not sent: %2").arg(text, m_disabledReason), false);
         return;
     }
     const vehicle::RequestId id = m_station.perform(systemId, command);
-    m_asked.insert(static_cast<quint32>(id), words);
-    Q_EMIT resultReported(tr("%1: requested …").arg(words), true);
+    m_asked.insert(static_cast<quint32>(id), text);
+    Q_EMIT resultReported(tr("%1: requested …").arg(text), true);
 }
 
 void VehicleCommands::setTakeOffAltitude(double metres)

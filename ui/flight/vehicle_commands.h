@@ -20,7 +20,7 @@ public:
 
     void showViewState(const ViewState &view);
     /// Returns the reason why commands cannot be sent; empty if they can.
-    const QString &whyNot() const { return m_whyNot; }
+    const QString &disabledReason() const { return m_disabledReason; }
     /// System id of the selected vehicle; 0 without one.
     std::uint8_t systemId() const { return m_systemId; }
     /// True if there are several vehicles, so that a question must name the vehicle.
@@ -36,7 +36,7 @@ public:
 
 Q_SIGNALS:
     void takeOffAltitudeChanged(double metres);
-    void whyNotChanged(const QString &reason);
+    void disabledReasonChanged(const QString &reason);
     /// One line for the operator; `ok` is false if the vehicle refused or did not answer.
     void resultReported(const QString &line, bool ok);
 
@@ -44,7 +44,7 @@ private:
     StationInterface &m_station;
     std::uint8_t m_systemId = 0;
     bool m_severalVehicles = false;
-    QString m_whyNot;
+    QString m_disabledReason;
     double m_takeOffAltitude = 10;
     QHash<quint32, QString> m_asked;
 };

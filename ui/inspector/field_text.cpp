@@ -11,7 +11,7 @@ using mavlink::FieldType;
 
 namespace {
 
-QString enumWords(const mavlink::EnumInfo &info, std::uint64_t value)
+QString enumText(const mavlink::EnumInfo &info, std::uint64_t value)
 {
     if (!info.bitmask) {
         const std::string_view name = info.nameOf(value);
@@ -30,12 +30,12 @@ QString fieldText(const mavlink::FieldInfo &field, ByteView payload, const mavli
 {
     if (field.type == FieldType::Char && field.arrayLength)
         return fromStd(mavlink::fieldText(payload, field));
-    const mavlink::EnumInfo *words = field.enumName.empty() ? nullptr : dialect.enumeration(field.enumName);
+    const mavlink::EnumInfo *names = field.enumName.empty() ? nullptr : dialect.enumeration(field.enumName);
     QStringList parts;
     for (std::size_t i = 0; i < field.elements(); ++i) {
         const mavlink::FieldValue value = mavlink::fieldValue(payload, field, i);
         const QString number = fromStd(mavlink::toText(value));
-        const QString name = words ? enumWords(*words, value.bits()) : QString();
+        const QString name = names ? enumText(*names, value.bits()) : QString();
         parts << (name.isEmpty() ? number : QStringLiteral("%1 (%2)").arg(number, name));
     }
     return parts.join(QLatin1Char(' '));

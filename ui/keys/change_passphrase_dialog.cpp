@@ -71,13 +71,13 @@ ChangePassphraseDialog::ChangePassphraseDialog(KeyringInterface &keyring, QWidge
     check();
 }
 
-void ChangePassphraseDialog::notify(const QString &words, bool isProblem)
+void ChangePassphraseDialog::notify(const QString &text, bool isProblem)
 {
     QPalette colors = palette();
     if (isProblem)
         colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
     m_problem->setPalette(colors);
-    m_problem->setText(words);
+    m_problem->setText(text);
 }
 
 void ChangePassphraseDialog::check()

@@ -27,7 +27,7 @@ public:
 private:
     void check();
     void finish(const QString &problem);
-    void notify(const QString &words, bool isProblem);
+    void notify(const QString &text, bool isProblem);
 
     KeyringInterface &m_keyring;
     PassphraseField *m_present, *m_next, *m_again;

@@ -20,10 +20,10 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     setBackgroundRole(QPalette::AlternateBase);
     m_icon = new QLabel(this);
     m_icon->setPixmap(iconPixmap(QStringLiteral("warning"), 3 * kGrid, stateColors(palette()).alarm, devicePixelRatioF()));
-    m_words = new QLabel(this);
-    m_words->setObjectName(QStringLiteral("changedKeyText"));
-    m_words->setTextFormat(Qt::PlainText);
-    m_words->setWordWrap(true);
+    m_text = new QLabel(this);
+    m_text->setObjectName(QStringLiteral("changedKeyText"));
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setWordWrap(true);
     m_known = fixedWidthLabel({}, "knownFingerprint", tr("Fingerprint known until now"), this);
     m_offered = fixedWidthLabel({}, "offeredFingerprint", tr("Fingerprint of the new key"), this);
     m_accept = new QCheckBox(tr("I compared the new fingerprint at the device itself: &replace the key"), this);
@@ -33,7 +33,7 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
     grid->setHorizontalSpacing(2 * kGrid);
     grid->setVerticalSpacing(kGrid);
     grid->addWidget(m_icon, 0, 0, Qt::AlignTop);
-    grid->addWidget(m_words, 0, 1, 1, 2);
+    grid->addWidget(m_text, 0, 1, 1, 2);
     grid->addWidget(new QLabel(tr("known until now"), this), 1, 1, Qt::AlignTop);
     grid->addWidget(m_known, 1, 2);
     grid->addWidget(new QLabel(tr("new"), this), 2, 1, Qt::AlignTop);
@@ -46,9 +46,9 @@ ChangedKeyWarning::ChangedKeyWarning(QWidget *parent) : QFrame(parent)
 
 void ChangedKeyWarning::showKeys(const QString &name, const channel::PublicKey &known, const channel::PublicKey &offered)
 {
-    m_words->setText(tr("The key of %1 has changed. Either a new key was made there, or another device pretends to be "
-                        "%1.")
-                         .arg(name));
+    m_text->setText(tr("The key of %1 has changed. Either a new key was made there, or another device pretends to be "
+                       "%1.")
+                        .arg(name));
     m_known->setText(fingerprintLines(known));
     m_offered->setText(fingerprintLines(offered));
     show();

@@ -27,7 +27,7 @@ Q_SIGNALS:
     void acceptedChanged();
 
 private:
-    QLabel *m_icon, *m_words, *m_known, *m_offered;
+    QLabel *m_icon, *m_text, *m_known, *m_offered;
     QCheckBox *m_accept;
     struct Case
     {

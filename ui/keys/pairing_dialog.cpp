@@ -37,8 +37,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
         out->setWordWrap(true);
         return out;
     };
-    m_words = label("pairingText");
-    m_words->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text = label("pairingText");
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_time = label("pairingTime");
     m_time->setForegroundRole(QPalette::PlaceholderText);
     m_problem = label("pairingProblem");
@@ -82,7 +82,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    column->addWidget(m_words);
+    column->addWidget(m_text);
     column->addLayout(m_form);
     column->addWidget(m_warning);
     column->addWidget(m_problem);
@@ -93,7 +93,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(&pairing, &PairingInterface::seen, this, &PairingDialog::showQuestion);
     connect(&pairing, &PairingInterface::confirmedThere, this, [this] {
         if (m_step == Step::Comparing)
-            m_words->setText(tr("The agent's side has confirmed. Compare both fingerprints with those that the agent shows."));
+            m_text->setText(tr("The agent's side has confirmed. Compare both fingerprints with those that the agent shows."));
     });
     connect(&pairing, &PairingInterface::gone, this, [this](const QString &reason) {
         m_question.reset();
@@ -157,10 +157,10 @@ void PairingDialog::applyPassphrase()
         begin();
 }
 
-void PairingDialog::showStep(Step step, const QString &words)
+void PairingDialog::showStep(Step step, const QString &text)
 {
     m_step = step;
-    m_words->setText(words);
+    m_text->setText(text);
     const bool comparing = step == Step::Comparing;
     const bool hasPeer = comparing || step == Step::Confirmed;
     for (QWidget *widget :

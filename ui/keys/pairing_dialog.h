@@ -33,7 +33,7 @@ private:
 
     void begin();
     void applyPassphrase();
-    void showStep(Step step, const QString &words);
+    void showStep(Step step, const QString &text);
     void showQuestion(const PairingQuestion &question);
     void showTime();
     void check();
@@ -46,7 +46,7 @@ private:
     QElapsedTimer m_clock;
     QTimer m_tick;
     bool m_passphraseTyped = false; ///< edited since the pairing window was opened
-    QLabel *m_words, *m_time, *m_theirs, *m_problem;
+    QLabel *m_text, *m_time, *m_theirs, *m_problem;
     QFormLayout *m_form;
     QLineEdit *m_name;
     PassphraseField *m_passphrase;

@@ -150,9 +150,9 @@ QString PeerDialog::problem(KnownPeer &out) const
     out.name = m_name->text().trimmed();
     out.role = static_cast<channel::PeerRole>(m_role->currentData().toInt());
     QString wrong;
-    const auto note = [&wrong](const std::string &words) {
+    const auto note = [&wrong](const std::string &text) {
         if (wrong.isEmpty())
-            wrong = fromStd(words);
+            wrong = fromStd(text);
     };
     if (!m_changing) {
         const auto key = keys::publicKeyFromText(m_key->text().toStdString());

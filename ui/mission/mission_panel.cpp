@@ -93,7 +93,7 @@ void MissionPanel::askAndSave()
 void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
 {
     const QString otherVehicle = systemId == m_systemId || m_systemId == 0 ? QString() : tr("another vehicle is selected");
-    if (const QString reason = otherVehicle.isEmpty() ? m_whyNot : otherVehicle; !reason.isEmpty()) {
+    if (const QString reason = otherVehicle.isEmpty() ? m_disabledReason : otherVehicle; !reason.isEmpty()) {
         say(tr("Not sent: %1").arg(reason));
         return;
     }
@@ -124,10 +124,10 @@ void MissionPanel::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
     m_mission = view.vehicle ? view.vehicle->mission : nullptr;
-    m_whyNot = whyNoCommands(view);
+    m_disabledReason = commandsDisabledReason(view);
     for (QPushButton *button : {m_read, m_send}) {
-        button->setEnabled(m_whyNot.isEmpty());
-        button->setToolTip(m_whyNot);
+        button->setEnabled(m_disabledReason.isEmpty());
+        button->setToolTip(m_disabledReason);
     }
     m_save->setEnabled(m_mission && !m_mission->empty());
     m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);

@@ -35,7 +35,7 @@ private:
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
     QLabel *m_result;
-    QString m_whyNot; ///< reason why nothing can be sent to the vehicle
+    QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
 };
 

@@ -65,10 +65,10 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
 
     connect(m_fetch, &QPushButton::clicked, this, [this] { m_station.perform(m_systemId, vehicle::ReadParameters{}); });
     connect(&m_model, &ParameterModel::writeRequested, this, [this](const QString &name, double value) {
-        if (m_whyNot.isEmpty())
+        if (m_disabledReason.isEmpty())
             m_station.perform(m_systemId, vehicle::WriteParameter{name.toStdString(), value});
         else
-            m_model.written({name.toStdString(), value}, false, m_whyNot);
+            m_model.written({name.toStdString(), value}, false, m_disabledReason);
     });
     connect(&station, &StationInterface::eventOccurred, this, &ParametersPanel::handleEvent);
     showViewState({});
@@ -77,9 +77,9 @@ ParametersPanel::ParametersPanel(StationInterface &station, QWidget *parent) : D
 void ParametersPanel::showViewState(const ViewState &view)
 {
     m_systemId = view.vehicle ? view.vehicle->state.systemId : 0;
-    m_whyNot = whyNoCommands(view);
-    m_fetch->setEnabled(m_whyNot.isEmpty());
-    m_fetch->setToolTip(m_whyNot);
+    m_disabledReason = commandsDisabledReason(view);
+    m_fetch->setEnabled(m_disabledReason.isEmpty());
+    m_fetch->setToolTip(m_disabledReason);
     m_model.setParameters(view.vehicle ? view.vehicle->parameters : nullptr);
     const int have = m_model.rowCount();
     const int all = view.vehicle ? static_cast<int>(view.vehicle->parametersExpected) : 0;

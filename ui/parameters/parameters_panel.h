@@ -29,7 +29,7 @@ private:
     QProgressBar *m_progress;
     QLabel *m_count;
     std::uint8_t m_systemId = 0;
-    QString m_whyNot; ///< reason why nothing can be sent to the vehicle
+    QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
 };
 
 } // namespace skyseal::ui

@@ -47,7 +47,7 @@ std::optional<SuiteId> SuiteActions::pending() const
     return m_info ? m_info->pending : std::nullopt;
 }
 
-QString SuiteActions::whyNot(SuiteId suite) const
+QString SuiteActions::disabledReason(SuiteId suite) const
 {
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
@@ -66,14 +66,14 @@ QString SuiteActions::whyNot(SuiteId suite) const
 
 void SuiteActions::choose(SuiteId suite)
 {
-    if (m_info && suite != m_info->suite && whyNot(suite).isEmpty()) {
+    if (m_info && suite != m_info->suite && disabledReason(suite).isEmpty()) {
         m_asked = suite;
         m_station.switchSuite(m_info->session, suite);
     }
     refresh(); // the mark returns to the suite in use
 }
 
-QString SuiteActions::whyNoFreshKeys() const
+QString SuiteActions::freshKeysDisabledReason() const
 {
     if (!m_info)
         return m_plain ? tr("the link is not sealed") : tr("no sealed link yet");
@@ -84,7 +84,7 @@ QString SuiteActions::whyNoFreshKeys() const
 
 void SuiteActions::changeKeys()
 {
-    if (!whyNoFreshKeys().isEmpty())
+    if (!freshKeysDisabledReason().isEmpty())
         return;
     m_keysAsked = true;
     m_station.switchSuite(m_info->session, m_info->suite); // a switch to the suite in use makes new keys
@@ -178,7 +178,7 @@ void SuiteActions::refresh()
         const SuiteId suite = m_suites[i];
         QAction *action = m_actions[i];
         const bool inUse = m_info && m_info->suite == suite;
-        const QString why = whyNot(suite);
+        const QString why = disabledReason(suite);
         QString text = suiteName(suite);
         if (underWay == suite && !inUse)
             text += QStringLiteral(" · ") + tr("switching…");
@@ -203,7 +203,7 @@ void SuiteActions::refresh()
 
 void SuiteActions::refreshChangeKeys()
 {
-    const QString why = whyNoFreshKeys();
+    const QString why = freshKeysDisabledReason();
     const QString text = tr("Change keys &now");
     m_changeKeys->setText(m_info && !why.isEmpty() ? text + QStringLiteral(" · ") + why : text);
     m_changeKeys->setToolTip(why.isEmpty() ? tr("New keys for the suite in use, without interrupting the link") : why);

@@ -39,7 +39,7 @@ public:
     void setHeld(bool held);
 
     /// Returns the reason why `suite` cannot be chosen; empty if it can.
-    QString whyNot(crypto::SuiteId suite) const;
+    QString disabledReason(crypto::SuiteId suite) const;
     /// The suite of the switch in progress.
     std::optional<crypto::SuiteId> pending() const;
     /// Result of the last switch in one line; empty before the first.
@@ -53,7 +53,7 @@ Q_SIGNALS:
 private:
     void choose(crypto::SuiteId suite);
     void changeKeys();
-    QString whyNoFreshKeys() const;
+    QString freshKeysDisabledReason() const;
     void refresh();
     void refreshChangeKeys();
     void setNote(const QString &note, bool problem);

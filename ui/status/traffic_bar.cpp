@@ -60,10 +60,10 @@ void TrafficBar::showViewState(const ViewState &view)
         m_links->setText(links);
         m_links->setToolTip(parts.join(QLatin1Char('\n')));
         m_links->setMinimumWidth(1); // shortens instead of widening the window
-        QPalette words = palette();
+        QPalette colored = palette();
         if (problem)
-            words.setColor(QPalette::WindowText, colors.warning);
-        m_links->setPalette(words);
+            colored.setColor(QPalette::WindowText, colors.warning);
+        m_links->setPalette(colored);
     }
     m_rx->setFigure(QStringLiteral("rx ") + rateText(rx));
     m_tx->setFigure(QStringLiteral("tx ") + rateText(tx));

@@ -56,7 +56,7 @@ LinkConditions::LinkConditions(QWidget *parent) : QGroupBox(parent)
     for (const Preset &preset : m_presets)
         connect(preset.box, &QCheckBox::toggled, this, &LinkConditions::changed);
     connect(m_own, &QCheckBox::toggled, this, &LinkConditions::changed);
-    setWhyNot({});
+    setDisabledReason({});
 }
 
 void LinkConditions::addFields(QHBoxLayout &row)
@@ -96,9 +96,9 @@ void LinkConditions::addFields(QHBoxLayout &row)
         connect(box, &QSpinBox::valueChanged, this, &LinkConditions::changed);
 }
 
-void LinkConditions::setWhyNot(const QString &reason)
+void LinkConditions::setDisabledReason(const QString &reason)
 {
-    m_whyNot = reason;
+    m_disabledReason = reason;
     setEnabled(reason.isEmpty());
     setTitle(reason.isEmpty() ? tr("Link between the agent and the station") : tr("Link · %1").arg(reason));
 }
@@ -119,7 +119,7 @@ QString LinkConditions::ownText() const
 
 std::vector<Condition> LinkConditions::conditions() const
 {
-    if (!m_whyNot.isEmpty())
+    if (!m_disabledReason.isEmpty())
         return {Condition{}};
     std::vector<Condition> out;
     const auto add = [&out](const QString &text) {

@@ -23,7 +23,7 @@ public:
     explicit LinkConditions(QWidget *parent = nullptr);
 
     /// Disables the choice: the title shows the reason and conditions() is the clean link. Empty: enables it.
-    void setWhyNot(const QString &reason);
+    void setDisabledReason(const QString &reason);
     /// Empty if nothing is chosen.
     std::vector<experiment::Condition> conditions() const;
 
@@ -45,7 +45,7 @@ private:
     QCheckBox *m_own;
     QDoubleSpinBox *m_loss;
     QSpinBox *m_delay, *m_jitter, *m_rate;
-    QString m_whyNot;
+    QString m_disabledReason;
 };
 
 } // namespace skyseal::ui

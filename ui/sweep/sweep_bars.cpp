@@ -56,12 +56,12 @@ void SweepBars::showChart(experiment::BarChart chart, QStringList labels)
 {
     m_chart = std::move(chart);
     m_labels = std::move(labels);
-    QStringList words{fromStd(m_chart.axis)};
+    QStringList lines{fromStd(m_chart.axis)};
     for (std::size_t i = 0; i < m_chart.bars.size(); ++i)
-        words << m_labels.at(static_cast<qsizetype>(i)) + QStringLiteral(": ")
+        lines << m_labels.at(static_cast<qsizetype>(i)) + QStringLiteral(": ")
                 + (std::isfinite(m_chart.bars[i].mean) ? valueText(m_chart.bars[i]) : fromStd(m_chart.bars[i].missing));
-    setAccessibleName(words.first());
-    setAccessibleDescription(words.join(QStringLiteral("; ")));
+    setAccessibleName(lines.first());
+    setAccessibleDescription(lines.join(QStringLiteral("; ")));
     setMinimumHeight(sizeHint().height());
     update();
 }

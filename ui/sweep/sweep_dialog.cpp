@@ -31,8 +31,8 @@ constexpr double kBetweenRuns = 0.3; ///< seconds, approximate time of a switch
 
 } // namespace
 
-SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
-    : QDialog(parent), m_around(around), m_link(new LinkConditions(this)), m_warning(new QLabel(this)),
+SweepDialog::SweepDialog(const SweepContext &context, QWidget *parent)
+    : QDialog(parent), m_context(context), m_link(new LinkConditions(this)), m_warning(new QLabel(this)),
       m_summary(new QLabel(this)), m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this))
 {
     setObjectName(QStringLiteral("sweepDialog"));
@@ -43,45 +43,45 @@ SweepDialog::SweepDialog(const SweepSurroundings &around, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
-    column->addWidget(makeWhere());
+    column->addWidget(makeTargetGroup());
     column->addWidget(m_link);
-    column->addWidget(makeWhat());
-    column->addWidget(makeHow());
+    column->addWidget(makeArmsGroup());
+    column->addWidget(makeRunsGroup());
     column->addStretch(1);
     column->addWidget(m_warning);
     column->addWidget(m_summary);
     column->addWidget(m_buttons);
     connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(m_link, &LinkConditions::changed, this, &SweepDialog::sumUp);
+    connect(m_link, &LinkConditions::changed, this, &SweepDialog::updateSummary);
     m_warning->setMinimumWidth(72 * kGrid);
-    offer();
+    updateChoices();
 }
 
-QWidget *SweepDialog::makeWhere()
+QWidget *SweepDialog::makeTargetGroup()
 {
     auto *box = new QGroupBox(tr("Measure on"), this);
     m_connected = named(new QRadioButton(box), "sweepConnected", tr("The connected link"));
     m_own = named(new QRadioButton(tr("A simulated &vehicle of its own, on this machine"), box), "sweepOwn",
                   tr("A simulated vehicle of its own"));
-    const QString notConnected = whyNoConnectedLink(m_around);
-    const QString peer = m_around.view.session ? fromStd(m_around.view.session->info.peerName) : QString();
+    const QString notConnected = connectedLinkDisabledReason(m_context);
+    const QString peer = m_context.view.session ? fromStd(m_context.view.session->info.peerName) : QString();
     m_connected->setText(notConnected.isEmpty() ? tr("The &connected link, to %1").arg(peer)
                                                 : tr("The &connected link · %1").arg(notConnected));
     m_connected->setEnabled(notConnected.isEmpty());
-    m_own->setEnabled(m_around.noOwnVehicle.isEmpty());
-    if (!m_around.noOwnVehicle.isEmpty())
-        m_own->setText(m_own->text() + QStringLiteral(" · ") + m_around.noOwnVehicle);
+    m_own->setEnabled(m_context.noOwnVehicle.isEmpty());
+    if (!m_context.noOwnVehicle.isEmpty())
+        m_own->setText(m_own->text() + QStringLiteral(" · ") + m_context.noOwnVehicle);
     (m_connected->isEnabled() ? m_connected : m_own)->setChecked(true);
     auto *column = new QVBoxLayout(box);
     column->addWidget(m_connected);
     column->addWidget(smallPrint(tr("The suites change on the live link. At the end the current suite is restored."), box));
     column->addWidget(m_own);
-    connect(m_own, &QRadioButton::toggled, this, &SweepDialog::offer);
+    connect(m_own, &QRadioButton::toggled, this, &SweepDialog::updateChoices);
     return box;
 }
 
-QWidget *SweepDialog::makeWhat()
+QWidget *SweepDialog::makeArmsGroup()
 {
     auto *box = new QGroupBox(tr("Suites, framing and load"), this);
     auto *suites = new QVBoxLayout;
@@ -93,7 +93,7 @@ QWidget *SweepDialog::makeWhat()
         const QString name = fromStd(crypto::suiteInfo(choice.suite).name);
         named(choice.box, "", suiteName(choice.suite))->setObjectName(QStringLiteral("sweep_") + name);
         choice.box->setIcon(suiteDot(choice.suite));
-        connect(choice.box, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+        connect(choice.box, &QCheckBox::toggled, this, &SweepDialog::updateSummary);
         suites->addWidget(choice.box);
     }
     m_sealed = named(new QCheckBox(tr("Sealed: whole frames in records"), box), "sweepSealed", tr("Sealed framing"));
@@ -107,7 +107,7 @@ QWidget *SweepDialog::makeWhat()
     others->setSpacing(kHalfGrid);
     for (QCheckBox *choice : {m_sealed, m_inline}) {
         others->addWidget(choice);
-        connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+        connect(choice, &QCheckBox::toggled, this, &SweepDialog::updateSummary);
     }
     others->addWidget(
         smallPrint(tr("Inline is the framing that the MAVSec paper measured: payloads are encrypted in place, headers "
@@ -117,7 +117,7 @@ QWidget *SweepDialog::makeWhat()
     others->addSpacing(kGrid);
     for (QCheckBox *choice : {m_natural, m_saturated}) {
         others->addWidget(choice);
-        connect(choice, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+        connect(choice, &QCheckBox::toggled, this, &SweepDialog::updateSummary);
     }
     others->addStretch(1);
     auto *row = new QHBoxLayout(box);
@@ -127,7 +127,7 @@ QWidget *SweepDialog::makeWhat()
     return box;
 }
 
-QWidget *SweepDialog::makeHow()
+QWidget *SweepDialog::makeRunsGroup()
 {
     auto *box = new QGroupBox(tr("Duration"), this);
     m_seconds = named(new QDoubleSpinBox(box), "sweepSeconds", tr("Length of each run"));
@@ -155,10 +155,10 @@ QWidget *SweepDialog::makeHow()
     row->setSpacing(3 * kGrid);
     row->addLayout(left, 1);
     row->addLayout(right, 1);
-    connect(m_seconds, &QDoubleSpinBox::valueChanged, this, &SweepDialog::sumUp);
-    connect(m_repeats, &QSpinBox::valueChanged, this, &SweepDialog::sumUp);
-    connect(m_seed, &QLineEdit::textChanged, this, &SweepDialog::sumUp);
-    connect(m_noise, &QCheckBox::toggled, this, &SweepDialog::sumUp);
+    connect(m_seconds, &QDoubleSpinBox::valueChanged, this, &SweepDialog::updateSummary);
+    connect(m_repeats, &QSpinBox::valueChanged, this, &SweepDialog::updateSummary);
+    connect(m_seed, &QLineEdit::textChanged, this, &SweepDialog::updateSummary);
+    connect(m_noise, &QCheckBox::toggled, this, &SweepDialog::updateSummary);
     return box;
 }
 
@@ -167,36 +167,36 @@ bool SweepDialog::ownVehicle() const
     return m_own->isChecked();
 }
 
-void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &whyNot)
+void SweepDialog::permit(QCheckBox *box, const QString &text, const QString &reason)
 {
-    box->setEnabled(whyNot.isEmpty());
+    box->setEnabled(reason.isEmpty());
     // The remedy in brackets is shown only in the tool tip.
-    const QString brief = whyNot.section(QStringLiteral(" ("), 0, 0);
-    box->setText(whyNot.isEmpty() ? text : text + QStringLiteral(" · ") + brief);
-    box->setToolTip(whyNot);
-    if (!whyNot.isEmpty())
+    const QString brief = reason.section(QStringLiteral(" ("), 0, 0);
+    box->setText(reason.isEmpty() ? text : text + QStringLiteral(" · ") + brief);
+    box->setToolTip(reason);
+    if (!reason.isEmpty())
         box->setChecked(false);
 }
 
 /// Enables the choices that are possible; on the connected link, plain MAVLink must be chosen explicitly.
-void SweepDialog::offer()
+void SweepDialog::updateChoices()
 {
     const bool own = ownVehicle();
     for (const Choice &choice : m_suites) {
-        const QString whyNot = whyNotSuite(m_around, own, choice.suite);
-        permit(choice.box, suiteName(choice.suite), whyNot);
-        choice.box->setChecked(whyNot.isEmpty() && (own || choice.suite != SuiteId::None));
+        const QString reason = suiteDisabledReason(m_context, own, choice.suite);
+        permit(choice.box, suiteName(choice.suite), reason);
+        choice.box->setChecked(reason.isEmpty() && (own || choice.suite != SuiteId::None));
     }
-    permit(m_inline, tr("Inline: payloads sealed in place"), whyNotInline(m_around, own));
-    const QString notSaturated = whyNotSaturated(own);
+    permit(m_inline, tr("Inline: payloads sealed in place"), inlineDisabledReason(m_context, own));
+    const QString notSaturated = saturatedDisabledReason(own);
     permit(m_saturated, notSaturated.isEmpty() ? tr("Saturated load: as much as the link carries") : tr("Saturated load"),
            notSaturated);
     m_saturated->setChecked(own);
-    m_link->setWhyNot(whyNotOtherLink(own));
-    sumUp();
+    m_link->setDisabledReason(otherLinkDisabledReason(own));
+    updateSummary();
 }
 
-void SweepDialog::sumUp()
+void SweepDialog::updateSummary()
 {
     const experiment::Plan plan = order().plan;
     const std::size_t runs = experiment::schedule(plan).size();

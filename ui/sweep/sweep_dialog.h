@@ -26,8 +26,8 @@ class SweepDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// `around` must outlive it.
-    SweepDialog(const SweepSurroundings &around, QWidget *parent = nullptr);
+    /// `context` must outlive it.
+    SweepDialog(const SweepContext &context, QWidget *parent = nullptr);
 
     SweepOrder order() const;
 
@@ -38,15 +38,15 @@ private:
         QCheckBox *box = nullptr;
     };
 
-    QWidget *makeWhere();
-    QWidget *makeWhat();
-    QWidget *makeHow();
-    void offer();
-    void sumUp();
+    QWidget *makeTargetGroup();
+    QWidget *makeArmsGroup();
+    QWidget *makeRunsGroup();
+    void updateChoices();
+    void updateSummary();
     bool ownVehicle() const;
-    static void permit(QCheckBox *box, const QString &text, const QString &whyNot);
+    static void permit(QCheckBox *box, const QString &text, const QString &reason);
 
-    SweepSurroundings m_around;
+    SweepContext m_context;
     LinkConditions *m_link;
     QRadioButton *m_connected, *m_own;
     std::vector<Choice> m_suites;

@@ -33,7 +33,7 @@ public:
     using QObject::QObject;
 
     /// Returns the reason why there can be no simulated vehicle; empty if there can.
-    virtual QString whyNoOwnVehicle() const = 0;
+    virtual QString ownVehicleDisabledReason() const = 0;
     virtual void start(const SweepOrder &order) = 0;
     /// Restores the suite of the link, then finished() follows.
     virtual void cancel() = 0;

@@ -67,10 +67,10 @@ QString linkText(const experiment::Condition &link)
 
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load)
 {
-    const QString words = loadText(plan.loads[load]);
+    const QString text = loadText(plan.loads[load]);
     if (std::ranges::all_of(plan.conditions, &experiment::Condition::clean))
-        return words;
-    return linkText(plan.conditions[condition]) + QStringLiteral(" · ") + words;
+        return text;
+    return linkText(plan.conditions[condition]) + QStringLiteral(" · ") + text;
 }
 
 QString aboutTime(double seconds)

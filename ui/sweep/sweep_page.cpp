@@ -171,12 +171,12 @@ void SweepPage::finish(std::shared_ptr<const experiment::Results> results, const
     const std::size_t runs = m_results->samples.size();
     const auto hasFailed = [](const experiment::Sample &sample) { return !sample.problem.empty(); };
     const auto failed = std::ranges::count_if(m_results->samples, hasFailed);
-    QString words = m_results->complete ? (runs == 1 ? tr("One run in %1") : tr("%1 runs in %2").arg(runs))
-                                              .arg(aboutTime(m_results->seconds).section(QLatin1Char(' '), 1))
-                                        : tr("Incomplete, %1 of %2 runs: %3").arg(runs).arg(m_progress.runs).arg(problem);
+    QString text = m_results->complete ? (runs == 1 ? tr("One run in %1") : tr("%1 runs in %2").arg(runs))
+                                             .arg(aboutTime(m_results->seconds).section(QLatin1Char(' '), 1))
+                                       : tr("Incomplete, %1 of %2 runs: %3").arg(runs).arg(m_progress.runs).arg(problem);
     if (const auto first = std::ranges::find_if(m_results->samples, hasFailed); failed > 0)
-        words += tr("; %1 failed: %2").arg(failed).arg(fromStd(first->problem));
-    setStatus(words, !m_results->complete || failed > 0);
+        text += tr("; %1 failed: %2").arg(failed).arg(fromStd(first->problem));
+    setStatus(text, !m_results->complete || failed > 0);
 }
 
 void SweepPage::showSaving()

@@ -24,9 +24,9 @@ bool isArmed(const ViewState &view)
 
 } // namespace
 
-QString whyNoConnectedLink(const SweepSurroundings &around)
+QString connectedLinkDisabledReason(const SweepContext &context)
 {
-    const ViewState &view = around.view;
+    const ViewState &view = context.view;
     if (!view.snapshot || (!view.vehicle && !view.session))
         return Text::tr("nothing is connected");
     if (!view.session)
@@ -39,40 +39,40 @@ QString whyNoConnectedLink(const SweepSurroundings &around)
     return {};
 }
 
-QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, SuiteId suite)
+QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, SuiteId suite)
 {
     if (!crypto::suiteAvailable(suite) && suite != SuiteId::None)
         return Text::tr("missing on this machine");
     if (ownVehicle)
         return {};
     if (suite != SuiteId::None)
-        return around.suites.whyNot(suite);
-    if (around.requireSealed)
+        return context.suites.disabledReason(suite);
+    if (context.requireSealed)
         return Text::tr("the settings require sealing");
-    if (!around.view.session)
+    if (!context.view.session)
         return Text::tr("no sealed link yet");
-    const auto &offered = around.view.session->info.peerOffered;
+    const auto &offered = context.view.session->info.peerOffered;
     if (std::ranges::find(offered, SuiteId::None) == offered.end())
         return Text::tr("the agent does not allow it (skyseal-air --allow-plain)");
-    if (isArmed(around.view))
+    if (isArmed(context.view))
         return Text::tr("not while the vehicle is armed");
     return {};
 }
 
-QString whyNotInline(const SweepSurroundings &around, bool ownVehicle)
+QString inlineDisabledReason(const SweepContext &context, bool ownVehicle)
 {
     // It needs a new session, during which no commands can be sent.
-    if (!ownVehicle && around.view.snapshot && isArmed(around.view))
+    if (!ownVehicle && context.view.snapshot && isArmed(context.view))
         return Text::tr("not while the vehicle is armed");
     return {};
 }
 
-QString whyNotOtherLink(bool ownVehicle)
+QString otherLinkDisabledReason(bool ownVehicle)
 {
     return ownVehicle ? QString() : Text::tr("the connected link is measured as it is");
 }
 
-QString whyNotSaturated(bool ownVehicle)
+QString saturatedDisabledReason(bool ownVehicle)
 {
     return ownVehicle ? QString() : Text::tr("the load of a connected vehicle cannot be changed");
 }

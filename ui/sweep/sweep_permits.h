@@ -10,7 +10,7 @@ namespace skyseal::ui {
 
 class SuiteActions;
 
-struct SweepSurroundings
+struct SweepContext
 {
     const ViewState &view;
     const SuiteActions &suites;
@@ -19,10 +19,10 @@ struct SweepSurroundings
 };
 
 /// Each returns the reason; empty if the choice is possible.
-QString whyNoConnectedLink(const SweepSurroundings &around);
-QString whyNotSuite(const SweepSurroundings &around, bool ownVehicle, crypto::SuiteId suite);
-QString whyNotInline(const SweepSurroundings &around, bool ownVehicle);
-QString whyNotSaturated(bool ownVehicle);
-QString whyNotOtherLink(bool ownVehicle);
+QString connectedLinkDisabledReason(const SweepContext &context);
+QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, crypto::SuiteId suite);
+QString inlineDisabledReason(const SweepContext &context, bool ownVehicle);
+QString saturatedDisabledReason(bool ownVehicle);
+QString otherLinkDisabledReason(bool ownVehicle);
 
 } // namespace skyseal::ui

@@ -37,7 +37,7 @@ void SweepPresenter::ask(const ViewState &view, bool requireSealed)
 {
     if (isRunning())
         return;
-    auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.whyNoOwnVehicle()}, &m_window);
+    auto *dialog = new SweepDialog({view, m_suites, requireSealed, m_port.ownVehicleDisabledReason()}, &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { start(dialog->order()); });
     dialog->open();

@@ -16,14 +16,14 @@ struct Text
 
 } // namespace
 
-QString whyNoCommands(const ViewState &view)
+QString commandsDisabledReason(const ViewState &view)
 {
     if (view.pendingApproval && !view.session)
         return Text::tr("it is not sealed, and plain MAVLink is not allowed");
     if (!view.vehicle)
         return Text::tr("no vehicle");
     if (const auto oneWay = oneWayOf(view))
-        return oneWay->whyNot;
+        return oneWay->disabledReason;
     const auto ended = linkEndedOf(view);
     return ended ? ended->title : QString();
 }

@@ -9,7 +9,7 @@ namespace skyseal::ui {
 
 /// Returns the reason in a few words; empty if commands can be sent. A silent link is not a reason, because commands may still
 /// arrive at the vehicle.
-QString whyNoCommands(const ViewState &view);
+QString commandsDisabledReason(const ViewState &view);
 /// The same as a sentence: "Nothing can be sent: no vehicle"; empty for an empty reason.
 QString nothingCanBeSent(const QString &reason);
 

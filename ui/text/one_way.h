@@ -12,7 +12,7 @@ struct OneWay
 {
     QString title; ///< a few words
     QString advice;
-    QString whyNot; ///< reason why commands cannot be sent, in a few words
+    QString disabledReason; ///< reason why commands cannot be sent, in a few words
     bool recorded = false;
 };
 

@@ -45,9 +45,9 @@ void addItems(QMenu &menu, const MenuItems &items)
             menu.addSection(item.text);
         else {
             QAction *action = item.submenu ? addSubmenu(menu, item) : addAction(menu, item);
-            if (item.whyDisabled)
-                QObject::connect(&menu, &QMenu::aboutToShow, action, [action, whyDisabled = item.whyDisabled] {
-                    const QString reason = whyDisabled();
+            if (item.disabledReason)
+                QObject::connect(&menu, &QMenu::aboutToShow, action, [action, disabledReason = item.disabledReason] {
+                    const QString reason = disabledReason();
                     action->setEnabled(reason.isEmpty());
                     action->setToolTip(reason); // empty: QAction shows its text
                     action->setStatusTip(reason);
@@ -63,7 +63,7 @@ void addMenus(QMenuBar &bar, const std::vector<Menu> &menus)
     for (const Menu &table : menus) {
         QMenu *menu = bar.addMenu(table.title);
         menu->setObjectName(table.id);
-        menu->setToolTipsVisible(std::ranges::any_of(table.items, [](const MenuItem &item) { return !!item.whyDisabled; }));
+        menu->setToolTipsVisible(std::ranges::any_of(table.items, [](const MenuItem &item) { return !!item.disabledReason; }));
         addItems(*menu, table.items);
     }
 }

@@ -20,14 +20,14 @@ using MenuItems = std::vector<MenuItem>;
 /// One line of a menu. An item with neither id, text nor action is a separator; one with a text alone is a section title.
 struct MenuItem
 {
-    QString id = {};                           ///< object name of the action, or of the submenu
-    QString text = {};                         ///< with its mnemonic
-    std::function<void()> trigger = {};        ///< called when the item is chosen
-    QKeySequence shortcut = {};                ///< active in the whole window
-    std::function<QString()> whyDisabled = {}; ///< read when the menu opens: the reason shown in tips, empty if enabled
-    std::optional<bool> checked = {};          ///< set: the item is checkable
-    std::function<MenuItems()> submenu = {};   ///< set: the item is a submenu, filled each time it opens
-    QAction *action = nullptr;                 ///< set: this existing action is shown; the other fields are unused
+    QString id = {};                              ///< object name of the action, or of the submenu
+    QString text = {};                            ///< with its mnemonic
+    std::function<void()> trigger = {};           ///< called when the item is chosen
+    QKeySequence shortcut = {};                   ///< active in the whole window
+    std::function<QString()> disabledReason = {}; ///< read when the menu opens: the reason shown in tips, empty if enabled
+    std::optional<bool> checked = {};             ///< set: the item is checkable
+    std::function<MenuItems()> submenu = {};      ///< set: the item is a submenu, filled each time it opens
+    QAction *action = nullptr;                    ///< set: this existing action is shown; the other fields are unused
 };
 
 struct Menu

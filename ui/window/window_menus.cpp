@@ -107,13 +107,13 @@ MenuItems vehicleItems(const MenuTargets &on)
 
 Menu vehicleMenu(const MenuTargets &on)
 {
-    const auto whyNoCommand = [on] { return whyNoCommands(on.selection.view()); };
+    const auto commandDisabledReason = [on] { return commandsDisabledReason(on.selection.view()); };
     const auto command = [&](const QString &text, const QString &id, const QString &question,
                              const vehicle::VehicleCommand &order) {
         return MenuItem{.id = id,
                         .text = text,
                         .trigger = [on, question, order] { confirmAndSend(on, question, order); },
-                        .whyDisabled = whyNoCommand};
+                        .disabledReason = commandDisabledReason};
     };
     return {QStringLiteral("menuVehicle"),
             Text::tr("&Vehicle"),
@@ -124,7 +124,7 @@ Menu vehicleMenu(const MenuTargets &on)
              {.id = QStringLiteral("actionTakeOff"),
               .text = Text::tr("&Take off …"),
               .trigger = [on] { on.dialogs.openTakeOff(); },
-              .whyDisabled = whyNoCommand},
+              .disabledReason = commandDisabledReason},
              command(Text::tr("&Land …"), QStringLiteral("actionLand"), Text::tr("Land here?"), vehicle::Land{}),
              command(Text::tr("&Return to launch (RTL) …"), QStringLiteral("actionReturn"),
                      Text::tr("Return to launch and land there?"), vehicle::ReturnToLaunch{}),
@@ -133,12 +133,12 @@ Menu vehicleMenu(const MenuTargets &on)
              {},
              {.id = QStringLiteral("menuMode"),
               .text = Text::tr("&Mode"),
-              .whyDisabled = whyNoCommand,
+              .disabledReason = commandDisabledReason,
               .submenu = [on] { return modeItems(on); }},
              {},
              {.id = QStringLiteral("menuChooseVehicle"),
               .text = Text::tr("S&how"),
-              .whyDisabled = [on] { return on.selection.view().vehicle ? QString() : Text::tr("No vehicle"); },
+              .disabledReason = [on] { return on.selection.view().vehicle ? QString() : Text::tr("No vehicle"); },
               .submenu = [on] { return vehicleItems(on); }}}};
 }
 
@@ -162,7 +162,7 @@ Menu securityMenu(const MenuTargets &on)
     items.push_back({.action = on.suites.changeKeysAction()});
     items.push_back({.id = QStringLiteral("menuAllowPlain"),
                      .text = Text::tr("Allow &plain MAVLink"),
-                     .whyDisabled =
+                     .disabledReason =
                          [on] {
                              const auto &snapshot = on.selection.view().snapshot;
                              const bool any = snapshot && !snapshot->pendingApproval.empty();

@@ -38,9 +38,9 @@ constexpr Subcommand kPeers[] = {
     {"revoke", removePeer, "peers revoke --peers FILE NAME      the same: running programs end the session at once"},
 };
 
-int usage(const std::string &words)
+int usage(const std::string &text)
 {
-    complain(QStringLiteral("skyseal-cli keys"), words);
+    complain(QStringLiteral("skyseal-cli keys"), text);
     return kUsage;
 }
 

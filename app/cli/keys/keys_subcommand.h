@@ -13,9 +13,9 @@ namespace skyseal::app {
 class KeysSubcommand
 {
 public:
-    /// `words`: the subcommand, as after "skyseal-cli keys".
-    KeysSubcommand(const char *words, const char *help)
-        : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(words)), options(m_name, QString::fromUtf8(help))
+    /// `subcommand`: as written after "skyseal-cli keys".
+    KeysSubcommand(const char *subcommand, const char *help)
+        : m_name(QStringLiteral("skyseal-cli keys ") + QLatin1String(subcommand)), options(m_name, QString::fromUtf8(help))
     {}
 
     /// Declares another positional argument; all are mandatory.
@@ -44,13 +44,13 @@ public:
         return kCannotOpen;
     }
     /// The files are valid, but the request is refused. The message may have several lines.
-    int refuse(const std::string &words) const
+    int refuse(const std::string &message) const
     {
-        const std::size_t end = words.find('\n');
-        complain(m_name, words.substr(0, end));
+        const std::size_t end = message.find('\n');
+        complain(m_name, message.substr(0, end));
         for (std::size_t begin = end; begin != std::string::npos;) {
-            const std::size_t next = words.find('\n', begin + 1);
-            remark(words.substr(begin + 1, next == std::string::npos ? next : next - begin - 1));
+            const std::size_t next = message.find('\n', begin + 1);
+            remark(message.substr(begin + 1, next == std::string::npos ? next : next - begin - 1));
             begin = next;
         }
         return kNotReached;

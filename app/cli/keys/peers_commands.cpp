@@ -70,14 +70,14 @@ std::optional<std::vector<std::uint8_t>> readSystems(Options &options, const std
 /// Texts of a subcommand that changes one property of a peer.
 struct PeerChange
 {
-    const char *words, *help;        ///< the subcommand
+    const char *subcommand, *help;
     const char *argument, *whatItIs; ///< the argument after the peer's name
 };
 
 /// `read` parses the argument, or records a problem and returns nothing; `put` writes the value into the entry.
 template<typename Read, typename Put> int changePeer(const QStringList &arguments, const PeerChange &change, Read read, Put put)
 {
-    KeysSubcommand command(change.words, change.help);
+    KeysSubcommand command(change.subcommand, change.help);
     command.addArgument("NAME", "The peer's name.");
     command.addArgument(change.argument, change.whatItIs);
     command.addPeersOption();
