@@ -318,11 +318,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Mission cleared</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mission not sent: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Mission not read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission not cleared: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Parameters not read: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2053,6 +2065,14 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>Not read: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cleared on the vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not cleared: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

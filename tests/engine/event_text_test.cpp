@@ -47,6 +47,8 @@ private Q_SLOTS:
     void eachAgentEventHasASentence();
     void channelEventsReadTheSameAtBothEnds();
     void eachReasonHasItsOwnText();
+    void eachMissionTransferHasItsOwnTexts();
+    void failedReadOfParametersHasNoName();
     void vehicleThatWaitsForApprovalIsNotCalledRefused();
     void systemOfAnotherPeerNamesItsOwner();
     void vehicleIsNamedInALine();
@@ -99,6 +101,30 @@ void EventTextTest::eachReasonHasItsOwnText()
     QVERIFY(distinct(channel::SwitchFailure::SessionEnded, switchFailureText));
     QVERIFY(distinct(channel::RefusalReason::Flood, refusalText));
     QVERIFY(distinct(LinkPhase::Failed, linkPhaseText));
+}
+
+void EventTextTest::eachMissionTransferHasItsOwnTexts()
+{
+    using vehicle::MissionTransfer;
+    const auto sentence = [](MissionTransfer transfer, bool ok) {
+        return eventText(vehicle::MissionResult{.systemId = 1, .transfer = transfer, .ok = ok, .reason = "denied"}, {})
+            .sentence;
+    };
+    QCOMPARE(sentence(MissionTransfer::Upload, true), QStringLiteral("Mission sent"));
+    QCOMPARE(sentence(MissionTransfer::Download, true), QStringLiteral("Mission read"));
+    QCOMPARE(sentence(MissionTransfer::Clear, true), QStringLiteral("Mission cleared"));
+    QCOMPARE(sentence(MissionTransfer::Upload, false), QStringLiteral("Mission not sent: denied"));
+    QCOMPARE(sentence(MissionTransfer::Download, false), QStringLiteral("Mission not read: denied"));
+    QCOMPARE(sentence(MissionTransfer::Clear, false), QStringLiteral("Mission not cleared: denied"));
+}
+
+void EventTextTest::failedReadOfParametersHasNoName()
+{
+    QCOMPARE(eventText(vehicle::ParameterResult{.systemId = 1, .reason = "no answer"}, {}).sentence,
+             QStringLiteral("Parameters not read: no answer"));
+    QCOMPARE(eventText(vehicle::ParameterResult{.systemId = 1, .parameter = {.name = "SYSID_MYGCS"}, .reason = "no answer"}, {})
+                 .sentence,
+             QStringLiteral("Parameter SYSID_MYGCS not written: no answer"));
 }
 
 void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()

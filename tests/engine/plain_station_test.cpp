@@ -31,6 +31,7 @@ private Q_SLOTS:
     void heartbeatStopsWithItsReader();
     void noTargetWithoutAHeartbeat();
     void announcementsAreNoGarbage();
+    void requestToAnUnknownVehicleFails();
 };
 
 void PlainStationTest::plainVehicleIsShownAsPlain()
@@ -245,6 +246,39 @@ void PlainStationTest::announcementsAreNoGarbage()
     const auto &newest = station.newest;
     QTRY_VERIFY_WITH_TIMEOUT(newest && !newest->links.empty() && newest->links[0].rxDatagrams == 4, 10000);
     QCOMPARE(newest->channel.rx.malformed, std::uint64_t(1));
+}
+
+/// Every kind of request ends in its own result, with the id that perform() returned.
+void PlainStationTest::requestToAnUnknownVehicleFails()
+{
+    FlightRig rig;
+    Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
+    const std::vector<vehicle::Request> requests{vehicle::VehicleCommand(vehicle::Land{}),
+                                                 vehicle::ReadParameters{},
+                                                 vehicle::WriteParameter{"RTL_ALT", 30},
+                                                 vehicle::ReadMission{},
+                                                 vehicle::WriteMission{},
+                                                 vehicle::ClearMission{}};
+    QCOMPARE(requests.size(), std::variant_size_v<vehicle::Request>);
+    std::vector<vehicle::RequestId> ids;
+    for (const vehicle::Request &request : requests)
+        ids.push_back(ground.station->perform(7, request));
+    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<vehicle::MissionResult>().size(), std::size_t(3),
+                              30000); // in order, so the last
+    const std::string reason = "no vehicle with system id 7";
+    const auto commands = ground.ears->all<vehicle::CommandResult>();
+    QCOMPARE(commands.size(), std::size_t(1));
+    QVERIFY(commands[0].id == ids[0] && commands[0].outcome == vehicle::CommandOutcome::Refused);
+    QCOMPARE(commands[0].reason, reason);
+    const auto parameters = ground.ears->all<vehicle::ParameterResult>();
+    QCOMPARE(parameters.size(), std::size_t(2));
+    for (std::size_t i = 0; i < parameters.size(); ++i)
+        QVERIFY(parameters[i].id == ids[1 + i] && !parameters[i].ok && parameters[i].reason == reason);
+    QCOMPARE(parameters[1].parameter.name, std::string("RTL_ALT"));
+    const auto missions = ground.ears->all<vehicle::MissionResult>();
+    for (std::size_t i = 0; i < missions.size(); ++i)
+        QVERIFY(missions[i].id == ids[3 + i] && !missions[i].ok && missions[i].reason == reason);
+    QCOMPARE(int(missions[2].transfer), int(vehicle::MissionTransfer::Clear));
 }
 
 SKYSEAL_TEST(PlainStationTest)

@@ -139,10 +139,14 @@ void MissionPanel::handleEvent(const engine::Event &event)
     if (!done || done->systemId != m_systemId)
         return;
     const QString reason = fromStd(done->reason);
-    if (done->transfer == vehicle::MissionTransfer::Upload)
-        say(done->ok ? tr("Mission written to the vehicle") : tr("Not sent: %1").arg(reason));
-    else
-        say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));
+    switch (done->transfer) {
+    case vehicle::MissionTransfer::Upload:
+        return say(done->ok ? tr("Mission written to the vehicle") : tr("Not sent: %1").arg(reason));
+    case vehicle::MissionTransfer::Download:
+        return say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));
+    case vehicle::MissionTransfer::Clear:
+        return say(done->ok ? tr("Cleared on the vehicle") : tr("Not cleared: %1").arg(reason));
+    }
 }
 
 } // namespace skyseal::ui

@@ -1,5 +1,7 @@
 #include "core/engine/station/station_core.h"
 
+#include "core/vehicle/request_failure.h"
+
 #include <algorithm>
 
 namespace skyseal::engine {
@@ -159,8 +161,10 @@ void StationCore::perform(vehicle::RequestId id, std::uint8_t systemId, const ve
     if (vehicle::Vehicle *vehicle = m_fleet.find(systemId)) {
         vehicle->perform(steadyNow(), id, request);
         finishWake();
-    } else if (std::holds_alternative<vehicle::VehicleCommand>(request)) {
-        m_sinks.event(vehicle::CommandResult{id, systemId, vehicle::CommandOutcome::Refused, 0, "no such vehicle"});
+    } else {
+        const std::string reason = "no vehicle with system id " + std::to_string(systemId);
+        std::visit([this](auto &&failure) { m_sinks.event(std::forward<decltype(failure)>(failure)); },
+                   vehicle::failureOf(id, systemId, request, reason));
     }
 }
 

@@ -65,7 +65,7 @@ public:
     void cancelPairing();
 
     // Vehicles.
-    /// Starts a request; its result arrives as an event with this id. A command to an unknown vehicle is refused.
+    /// Starts a request; its result arrives as an event with this id, at once if the vehicle is unknown.
     void perform(vehicle::RequestId id, std::uint8_t systemId, const vehicle::Request &request);
 
     // Measurements; see SecuritySettings.

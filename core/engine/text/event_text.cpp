@@ -87,16 +87,14 @@ public:
     }
     EventText operator()(const vehicle::MissionResult &e) const
     {
-        if (e.ok)
-            return {e.transfer == vehicle::MissionTransfer::Upload ? tr("Mission sent") : tr("Mission read"), kInfo,
-                    e.systemId};
-        return {(e.transfer == vehicle::MissionTransfer::Upload ? tr("Mission not sent: %1") : tr("Mission not read: %1"))
-                    .arg(qt(e.reason)),
-                kError, e.systemId};
+        return e.ok ? EventText{missionDone(e.transfer), kInfo, e.systemId}
+                    : EventText{missionFailed(e.transfer).arg(qt(e.reason)), kError, e.systemId};
     }
     EventText operator()(const vehicle::ParameterResult &e) const
     {
         const QString name = qt(e.parameter.name);
+        if (name.isEmpty())
+            return {tr("Parameters not read: %1").arg(qt(e.reason)), kError, e.systemId};
         return e.ok ? EventText{tr("Parameter %1 is now %2").arg(name, QString::number(e.parameter.value)), kInfo, e.systemId}
                     : EventText{tr("Parameter %1 not written: %2").arg(name, qt(e.reason)), kError, e.systemId};
     }
@@ -177,6 +175,24 @@ public:
     }
 
 private:
+    static QString missionDone(vehicle::MissionTransfer transfer)
+    {
+        switch (transfer) {
+        case vehicle::MissionTransfer::Upload: return tr("Mission sent");
+        case vehicle::MissionTransfer::Download: return tr("Mission read");
+        case vehicle::MissionTransfer::Clear: break;
+        }
+        return tr("Mission cleared");
+    }
+    static QString missionFailed(vehicle::MissionTransfer transfer)
+    {
+        switch (transfer) {
+        case vehicle::MissionTransfer::Upload: return tr("Mission not sent: %1");
+        case vehicle::MissionTransfer::Download: return tr("Mission not read: %1");
+        case vehicle::MissionTransfer::Clear: break;
+        }
+        return tr("Mission not cleared: %1");
+    }
     QString peer(channel::SessionId session) const
     {
         const std::string name = m_names.of(session);
