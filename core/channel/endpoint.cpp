@@ -15,9 +15,9 @@ struct Endpoint::State
         : core(std::move(config), random, counters), now(start)
     {
         if (core.config.role == Role::Station)
-            station.emplace(core);
+            stationHandshakes.emplace(core);
         else
-            agent.emplace(core, now);
+            agentHandshakes.emplace(core, now);
         refresh(now);
     }
 
@@ -30,8 +30,8 @@ struct Endpoint::State
     void handleHandshake(TimePoint at, const Path &from, ByteView datagram);
 
     EndpointCore core;
-    std::optional<StationHandshakes> station;
-    std::optional<AgentHandshakes> agent;
+    std::optional<StationHandshakes> stationHandshakes; ///< of a station's endpoint
+    std::optional<AgentHandshakes> agentHandshakes;     ///< of an agent's endpoint
     TimePoint deadline = kNever;
     TimePoint now; ///< of the last input or command
 };
@@ -40,7 +40,7 @@ void Endpoint::State::refresh(TimePoint at)
 {
     now = at;
     core.endFinished(now);
-    deadline = station ? station->deadline(now) : agent->deadline(now);
+    deadline = stationHandshakes ? stationHandshakes->deadline(now) : agentHandshakes->deadline(now);
     core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up)
             deadline = std::min(deadline, entry.session->deadline());
@@ -55,10 +55,10 @@ void Endpoint::State::handleDeadline(TimePoint at)
             entry.session->handleDeadline(now);
     });
     core.endFinished(now);
-    if (station)
-        station->handleDeadline(now);
+    if (stationHandshakes)
+        stationHandshakes->handleDeadline(now);
     else
-        agent->handleDeadline(now);
+        agentHandshakes->handleDeadline(now);
     refresh(now);
 }
 
@@ -77,7 +77,7 @@ std::optional<Delivery> Endpoint::State::handleRecord(TimePoint at, const Path &
         return delivery;
     }
     const auto opened = entry->session->open(now, from, *header, datagram, delivery);
-    if (opened.authentic && !entry->up && !agent->confirm(now, *entry)) {
+    if (opened.authentic && !entry->up && !agentHandshakes->confirm(now, *entry)) {
         delivery.reset();
         return delivery;
     }
@@ -103,8 +103,8 @@ std::optional<Delivery> Endpoint::State::handleInlineFrame(TimePoint at, const P
 
 void Endpoint::State::afterOpening(const SessionTable::Entry &entry, const Session::Opened &opened)
 {
-    if (opened.authentic && station && !station->idle())
-        station->sessionLives(entry.session->peer().key);
+    if (opened.authentic && stationHandshakes && !stationHandshakes->idle())
+        stationHandshakes->sessionLives(entry.session->peer().key);
     if (!opened.routine)
         handleDeadline(now);
 }
@@ -113,20 +113,20 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
 {
     now = at;
     const auto message = static_cast<HandshakeMessage>(datagram[0] & 3);
-    if (message == HandshakeMessage::First && agent && datagram.size() == kFirstLength) {
-        if (!agent->handleFirst(now, from, datagram))
+    if (message == HandshakeMessage::First && agentHandshakes && datagram.size() == kFirstLength) {
+        if (!agentHandshakes->handleFirst(now, from, datagram))
             return; // refused, perhaps one of a flood: no timer has changed
-    } else if (message == HandshakeMessage::Answer && station) {
-        if (!station->handleAnswer(now, from, datagram))
+    } else if (message == HandshakeMessage::Answer && stationHandshakes) {
+        if (!stationHandshakes->handleAnswer(now, from, datagram))
             return;
-    } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kCookieLength) {
-        station->handleCookie(now, from, datagram);
+    } else if (message == HandshakeMessage::Cookie && stationHandshakes && datagram.size() == kCookieLength) {
+        stationHandshakes->handleCookie(now, from, datagram);
         return; // no timer has changed
-    } else if (message == HandshakeMessage::Cookie && station && datagram.size() == kNumberLength) {
-        if (!station->handleNumber(now, from, datagram))
+    } else if (message == HandshakeMessage::Cookie && stationHandshakes && datagram.size() == kNumberLength) {
+        if (!stationHandshakes->handleNumber(now, from, datagram))
             return;
-    } else if (message == HandshakeMessage::Announcement && station) {
-        station->handleAnnouncement(now, from, datagram);
+    } else if (message == HandshakeMessage::Announcement && stationHandshakes) {
+        stationHandshakes->handleAnnouncement(now, from, datagram);
     } else {
         ++core.unmatched.malformed;
         return;
@@ -172,7 +172,7 @@ std::optional<SessionStats> Endpoint::stats(SessionId session) const
 
 std::vector<Unanswered> Endpoint::unanswered() const
 {
-    return m_state->station ? m_state->station->unanswered() : std::vector<Unanswered>();
+    return m_state->stationHandshakes ? m_state->stationHandshakes->unanswered() : std::vector<Unanswered>();
 }
 
 const ReceiveCounters &Endpoint::unmatched() const
@@ -335,10 +335,10 @@ void Endpoint::setPeers(TimePoint now, std::vector<Peer> peers)
         else if (entry.up)
             state.core.end(now, *entry.session, peer ? DownReason::Closed : DownReason::Revoked);
     });
-    if (state.station)
-        state.station->peersChanged();
+    if (state.stationHandshakes)
+        state.stationHandshakes->peersChanged();
     else
-        state.agent->peersChanged();
+        state.agentHandshakes->peersChanged();
     state.refresh(now);
 }
 
@@ -351,8 +351,8 @@ void Endpoint::setPolicy(TimePoint now, Policy policy)
         if (entry.up)
             entry.session->policyChanged(now);
     });
-    if (state.station)
-        state.station->policyChanged();
+    if (state.stationHandshakes)
+        state.stationHandshakes->policyChanged();
     state.refresh(now);
 }
 
