@@ -132,11 +132,11 @@ void addAgent(Values &out, const Reading &begin, const Reading &end, double time
 
 } // namespace
 
-std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session)
+std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &session)
 {
     if (!session.stats.peerCosts)
         return std::nullopt;
-    return AgentReport{session.stats.peerStamp, *session.stats.peerCosts};
+    return AgentCostReport{session.stats.peerStamp, *session.stats.peerCosts};
 }
 
 bool sequenceNumbersCountLoss(const impair::Settings &link, Load load)

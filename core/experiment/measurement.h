@@ -12,19 +12,19 @@
 namespace skyseal::experiment {
 
 /// The agent's costs in its newest report over the sealed link.
-struct AgentReport
+struct AgentCostReport
 {
     std::uint32_t stamp = 0; ///< microseconds of the agent's clock, modulo 2^32
     channel::EndCosts costs;
 };
 /// nullopt before the first report.
-std::optional<AgentReport> agentReport(const engine::SessionSnapshot &session);
+std::optional<AgentCostReport> agentCostReport(const engine::SessionSnapshot &session);
 
 /// State of all counters at one edge of a run.
 struct Reading
 {
     std::shared_ptr<const engine::Snapshot> station; ///< with a probe
-    std::optional<AgentReport> agent;                ///< made during the run
+    std::optional<AgentCostReport> agent;            ///< made during the run
     /// From the kernel, for runs without two reports; empty unless the agent is a known process of this machine.
     std::optional<Duration> agentCpu;
     std::optional<std::uint64_t> agentMemory;

@@ -4,10 +4,10 @@ namespace skyseal::experiment {
 
 namespace {
 
-std::optional<AgentReport> reportIn(const MeasuredLink &link, const engine::Snapshot &snapshot)
+std::optional<AgentCostReport> reportIn(const MeasuredLink &link, const engine::Snapshot &snapshot)
 {
     const engine::SessionSnapshot *up = link.session(snapshot);
-    return up ? agentReport(*up) : std::nullopt;
+    return up ? agentCostReport(*up) : std::nullopt;
 }
 
 } // namespace
