@@ -8,7 +8,7 @@
 #include "core/engine/agent/agent_event.h"
 #include "core/engine/agent/agent_snapshot.h"
 #include "core/engine/agent/armed_vehicles.h"
-#include "core/engine/agent/clear_packet.h"
+#include "core/engine/agent/clear_frame_coalescer.h"
 #include "core/engine/agent/command_gate.h"
 #include "core/engine/agent/ground_sessions.h"
 #include "core/engine/agent/node_heartbeat.h"
@@ -110,7 +110,7 @@ private:
     PairingDriver m_pairing;
     CommandGate m_gate;
     GroundSessions m_sessions;
-    ClearPacket m_clear; ///< to the ground
+    ClearFrameCoalescer m_clear; ///< to the ground
     VehicleRoutes m_routes;
     ArmedVehicles m_armed;
     NodeHeartbeat m_node;

@@ -11,12 +11,12 @@
 
 namespace skyseal::engine {
 
-class ClearPacket
+class ClearFrameCoalescer
 {
 public:
     static constexpr std::size_t kRoom = channel::kMaxRecordPayload;
 
-    ClearPacket(LinkPool &links, const Path &to) : m_links(links), m_to(to) {}
+    ClearFrameCoalescer(LinkPool &links, const Path &to) : m_links(links), m_to(to) {}
 
     /// Adds a whole frame of at most kRoom bytes.
     void add(ByteView frame)
