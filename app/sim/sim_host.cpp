@@ -43,9 +43,9 @@ void SimHost::start()
 void SimHost::makeVehicles(TimePoint now)
 {
     const sim::AutopilotConfig first;
-    const sim::LocalFrame field(first.start);
+    const sim::GeoFrame field(first.start);
     for (int i = 0; i < m_settings.vehicles; ++i) {
-        sim::VehicleConfig config;
+        sim::SimulatedVehicleConfig config;
         config.systemId = static_cast<std::uint8_t>(m_settings.systemId + i);
         config.autopilot.seed = m_settings.seed + static_cast<std::uint64_t>(i);
         // In rows of ten.

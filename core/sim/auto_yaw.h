@@ -22,7 +22,7 @@ public:
         m_heading = {wrapPi(heading), rate};
     }
 
-    Yaw towards(const Situation &s, const GoTo &place)
+    Yaw towards(const Situation &s, const HoldPosition &place)
     {
         const double north = place.north - s.estimate.position.x;
         const double east = place.east - s.estimate.position.y;

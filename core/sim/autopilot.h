@@ -67,7 +67,7 @@ public:
     const Battery &battery() const { return m_battery; }
     const BatteryWatch &batteryWatch() const { return m_batteryWatch; }
     const GpsReport &gps() const { return m_gps.report(); }
-    const LocalFrame &world() const { return m_world; }
+    const GeoFrame &world() const { return m_world; }
     const Wind &wind() const { return m_wind; }
     const std::optional<Vector3> &home() const { return m_home; }
     double heightAboveHome() const { return situation().heightAboveHome(); }
@@ -91,7 +91,7 @@ private:
     Parameters m_parameters;
     FlightSettings m_settings;
     unsigned m_settingsRevision = ~0u;
-    LocalFrame m_world;
+    GeoFrame m_world;
     Wind m_wind;
     Airframe m_airframe;
     Battery m_battery;

@@ -20,7 +20,7 @@ std::uint32_t index(float value)
 
 } // namespace
 
-void CommandServer::handle(TimePoint now, const Peer &peer, const Command &command)
+void CommandServer::handle(TimePoint now, const FrameSender &peer, const Command &command)
 {
     CommandAck out;
     out.command = command.id;

@@ -4,9 +4,9 @@
 
 #include "core/sim/autopilot.h"
 #include "core/sim/frame_queue.h"
-#include "core/sim/peer.h"
+#include "core/sim/frame_sender.h"
 #include "core/sim/stream_scheduler.h"
-#include "core/sim/telemetry.h"
+#include "core/sim/telemetry_sender.h"
 
 namespace skyseal::sim {
 
@@ -24,11 +24,11 @@ struct Command
 class CommandServer
 {
 public:
-    CommandServer(Autopilot &autopilot, StreamScheduler &streams, Telemetry &telemetry, FrameQueue &outbox)
+    CommandServer(Autopilot &autopilot, StreamScheduler &streams, TelemetrySender &telemetry, FrameQueue &outbox)
         : m_autopilot(autopilot), m_streams(streams), m_telemetry(telemetry), m_outbox(outbox)
     {}
 
-    void handle(TimePoint now, const Peer &peer, const Command &command);
+    void handle(TimePoint now, const FrameSender &peer, const Command &command);
 
     /// Returns true if a reboot was requested and accepted since the last call.
     bool takeReboot() { return std::exchange(m_reboot, false); }
@@ -56,7 +56,7 @@ private:
 
     Autopilot &m_autopilot;
     StreamScheduler &m_streams;
-    Telemetry &m_telemetry;
+    TelemetrySender &m_telemetry;
     FrameQueue &m_outbox;
     bool m_reboot = false;
 };

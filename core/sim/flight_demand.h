@@ -8,7 +8,7 @@
 namespace skyseal::sim {
 
 /// Fly to, and stay over, a place.
-struct GoTo
+struct HoldPosition
 {
     double north = 0; ///< m from the origin
     double east = 0;
@@ -26,7 +26,7 @@ struct Lean
     double roll = 0;
     double pitch = 0;
 };
-using Horizontal = std::variant<Lean, Velocity, GoTo>;
+using Horizontal = std::variant<Lean, Velocity, HoldPosition>;
 
 /// Reach and hold a height over the origin, m, with the limits in m/s.
 struct HoldAltitude

@@ -11,7 +11,7 @@ namespace skyseal::sim {
 class FlightModes
 {
 public:
-    explicit FlightModes(const LocalFrame &world) : m_auto(world) {}
+    explicit FlightModes(const GeoFrame &world) : m_auto(world) {}
 
     FlightMode current() const { return m_current; }
     /// Enters a mode. Returns nullptr, or ArduCopter's reason for staying in the present mode.
@@ -32,7 +32,7 @@ private:
     Loiter m_loiter;
     Brake m_brake;
     Landing m_landing;
-    ReturnToLaunch m_return;
+    ReturnFlight m_return;
     MissionRunner m_auto;
 };
 

@@ -24,12 +24,12 @@ void FrameRouter::route(TimePoint now, const mavlink::Frame &frame) const
 {
     if (!isForUs(frame))
         return;
-    const Peer peer{frame.systemId(), frame.componentId(), frame.version()};
+    const FrameSender peer{frame.systemId(), frame.componentId(), frame.version()};
     routeCommand(now, peer, frame) || routeMission(now, peer, frame) || routeParameter(now, frame) || control.handle(now, frame)
         || routeLink(now, peer, frame);
 }
 
-bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+bool FrameRouter::routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
 {
     if (frame.messageId() == mavlink::CommandLong::kId) {
         const auto in = mavlink::CommandLong::decode(frame.payload());
@@ -51,7 +51,7 @@ bool FrameRouter::routeCommand(TimePoint now, const Peer &peer, const mavlink::F
     return false;
 }
 
-bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+bool FrameRouter::routeMission(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
 {
     using namespace mavlink;
     switch (frame.messageId()) {
@@ -62,8 +62,8 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     }
     case MissionItemInt::kId: {
         const auto in = MissionItemInt::decode(frame.payload());
-        const sim::MissionItem item{
-            in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4}, in.x, in.y, in.z};
+        const StoredItem item{in.frame, in.command, in.autocontinue != 0, {in.param1, in.param2, in.param3, in.param4}, in.x,
+                              in.y,     in.z};
         if (in.current >= 2)
             flyTo(peer, item, in.current);
         else
@@ -73,13 +73,13 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     case mavlink::MissionItem::kId: {
         const auto in = mavlink::MissionItem::decode(frame.payload());
         const double scale = in.command < MAV_CMD_NAV_LAST ? 1e7 : 1;
-        const sim::MissionItem item{in.frame,
-                                    in.command,
-                                    in.autocontinue != 0,
-                                    {in.param1, in.param2, in.param3, in.param4},
-                                    scaled<std::int32_t>(static_cast<double>(in.x), scale),
-                                    scaled<std::int32_t>(static_cast<double>(in.y), scale),
-                                    in.z};
+        const StoredItem item{in.frame,
+                              in.command,
+                              in.autocontinue != 0,
+                              {in.param1, in.param2, in.param3, in.param4},
+                              scaled<std::int32_t>(static_cast<double>(in.x), scale),
+                              scaled<std::int32_t>(static_cast<double>(in.y), scale),
+                              in.z};
         if (in.current >= 2)
             flyTo(peer, item, in.current);
         else
@@ -106,7 +106,7 @@ bool FrameRouter::routeMission(TimePoint now, const Peer &peer, const mavlink::F
     }
 }
 
-void FrameRouter::flyTo(const Peer &peer, const MissionItem &item, std::uint8_t kind) const
+void FrameRouter::flyTo(const FrameSender &peer, const StoredItem &item, std::uint8_t kind) const
 {
     auto place = CommandServer::place(autopilot, item.frame, item.x * 1e-7, item.y * 1e-7, static_cast<double>(item.z));
     if (place && kind == 3) { // only the height
@@ -137,7 +137,7 @@ bool FrameRouter::routeParameter(TimePoint now, const mavlink::Frame &frame) con
     }
 }
 
-bool FrameRouter::routeLink(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const
+bool FrameRouter::routeLink(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const
 {
     switch (frame.messageId()) {
     case mavlink::Heartbeat::kId:

@@ -26,12 +26,12 @@ struct FrameRouter
 
 private:
     bool isForUs(const mavlink::Frame &frame) const;
-    bool routeMission(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
+    bool routeMission(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     bool routeParameter(TimePoint now, const mavlink::Frame &frame) const;
-    bool routeCommand(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
-    bool routeLink(TimePoint now, const Peer &peer, const mavlink::Frame &frame) const;
+    bool routeCommand(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
+    bool routeLink(TimePoint now, const FrameSender &peer, const mavlink::Frame &frame) const;
     /// An item outside a mission, by its `current` field: 2 = fly there, 3 = change height.
-    void flyTo(const Peer &peer, const MissionItem &item, std::uint8_t kind) const;
+    void flyTo(const FrameSender &peer, const StoredItem &item, std::uint8_t kind) const;
 };
 
 } // namespace skyseal::sim

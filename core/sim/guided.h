@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sim/auto_yaw.h"
-#include "core/sim/take_off.h"
+#include "core/sim/take_off_climb.h"
 
 #include <optional>
 
@@ -26,7 +26,7 @@ public:
     AutoYaw &yaw() { return m_yaw; }
 
     bool takingOff() const { return m_phase == Phase::TakeOff; }
-    const GoTo &place() const { return m_place; }
+    const HoldPosition &place() const { return m_place; }
     double altitude() const { return m_altitude; }
 
 private:
@@ -34,8 +34,8 @@ private:
     void hold(const Situation &s);
 
     Phase m_phase = Phase::Waiting;
-    TakeOff m_takeOff;
-    GoTo m_place;
+    TakeOffClimb m_takeOff;
+    HoldPosition m_place;
     double m_altitude = 0;
     Vector3 m_velocity;
     double m_velocityLeft = 0; ///< s

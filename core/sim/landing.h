@@ -9,7 +9,7 @@ class Landing
 {
 public:
     void begin(const Situation &s) { begin(s, stoppingPoint(s)); }
-    void begin(const Situation &s, const GoTo &place)
+    void begin(const Situation &s, const HoldPosition &place)
     {
         m_place = place;
         m_heading = {s.estimate.attitude.euler().yaw, 0};
@@ -18,7 +18,7 @@ public:
     FlightDemand update(const Situation &s) const;
 
 private:
-    GoTo m_place;
+    HoldPosition m_place;
     Heading m_heading;
 };
 

@@ -18,7 +18,7 @@ public:
     FlightDemand update(const Situation &s);
 
 private:
-    std::optional<GoTo> m_place;
+    std::optional<HoldPosition> m_place;
 };
 
 class Brake
@@ -28,7 +28,7 @@ public:
     FlightDemand update(const Situation &s);
 
 private:
-    std::optional<GoTo> m_place; ///< once it is nearly at rest
+    std::optional<HoldPosition> m_place; ///< once it is nearly at rest
     double m_altitude = 0;
     Heading m_heading;
 };

@@ -27,7 +27,7 @@ bool hasPlace(std::uint16_t command)
 
 } // namespace
 
-std::optional<ItemError> checkItem(const MissionItem &item)
+std::optional<ItemError> checkItem(const StoredItem &item)
 {
     using namespace mavlink;
     switch (item.command) {
@@ -60,12 +60,12 @@ std::optional<ItemError> checkItem(const MissionItem &item)
     return std::nullopt;
 }
 
-bool isNavigation(const MissionItem &item)
+bool isNavigation(const StoredItem &item)
 {
     return item.command < mavlink::MAV_CMD_NAV_LAST;
 }
 
-Vector3 placeOf(const MissionItem &item, const LocalFrame &world, const Vector3 &home, const Vector3 &here)
+Vector3 placeOf(const StoredItem &item, const GeoFrame &world, const Vector3 &home, const Vector3 &here)
 {
     Vector3 place = here;
     if (item.x != 0 || item.y != 0)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/mavlink/enums.h"
-#include "core/sim/geodesy.h"
+#include "core/sim/geo_frame.h"
 
 #include <array>
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace skyseal::sim {
 
-/// One MISSION_ITEM_INT without its addressing.
-struct MissionItem
+/// An item as the vehicle stores it: MISSION_ITEM_INT without its addressing.
+struct StoredItem
 {
     std::uint8_t frame = 0;    ///< MAV_FRAME
     std::uint16_t command = 0; ///< MAV_CMD
@@ -22,7 +22,7 @@ struct MissionItem
     std::int32_t y = 0; ///< longitude in 1e-7 degrees, or a parameter
     float z = 0;        ///< altitude in m, in the item's frame, or a parameter
 
-    bool operator==(const MissionItem &) const = default;
+    bool operator==(const StoredItem &) const = default;
 };
 
 /// Why an item cannot be part of a mission, numbered as MAV_MISSION_RESULT.
@@ -36,16 +36,16 @@ enum class ItemError : std::uint8_t {
 };
 
 /// nullopt when the vehicle can fly it.
-std::optional<ItemError> checkItem(const MissionItem &item);
+std::optional<ItemError> checkItem(const StoredItem &item);
 
 /// Whether the item is a place to be at, rather than something to do on the way.
-bool isNavigation(const MissionItem &item);
+bool isNavigation(const StoredItem &item);
 
 /// Where an item lies. Zero latitude and longitude mean "here", as ArduPilot reads them; heights are above sea level in
 /// the global frames and above home in the relative ones.
-Vector3 placeOf(const MissionItem &item, const LocalFrame &world, const Vector3 &home, const Vector3 &here);
+Vector3 placeOf(const StoredItem &item, const GeoFrame &world, const Vector3 &home, const Vector3 &here);
 
-using Mission = std::vector<MissionItem>;
+using Mission = std::vector<StoredItem>;
 inline constexpr std::size_t kMostMissionItems = 724;
 
 } // namespace skyseal::sim

@@ -85,7 +85,7 @@ FlightDemand MissionRunner::update(double dt, const Situation &s)
     if (m_finished)
         return hold(s);
 
-    const MissionItem &item = m_mission[m_current];
+    const StoredItem &item = m_mission[m_current];
     if (item.command == MAV_CMD_NAV_TAKEOFF)
         return m_takeOff.update(dt, s);
     if (item.command == MAV_CMD_NAV_RETURN_TO_LAUNCH)
@@ -106,7 +106,7 @@ void MissionRunner::startItem(const Situation &s)
             m_current = static_cast<std::uint16_t>(m_mission.empty() ? 0 : m_mission.size() - 1);
             return;
         }
-        const MissionItem item = m_mission[m_current];
+        const StoredItem item = m_mission[m_current];
         if (execute(item, s)) {
             m_entered = true;
             return;
@@ -116,7 +116,7 @@ void MissionRunner::startItem(const Situation &s)
 }
 
 /// True when the item takes time; otherwise it is done and `m_current` is the next.
-bool MissionRunner::execute(const MissionItem &item, const Situation &s)
+bool MissionRunner::execute(const StoredItem &item, const Situation &s)
 {
     m_arrived = false;
     m_timeAtPlace = 0;
@@ -170,10 +170,10 @@ bool MissionRunner::nearPlace(const Situation &s) const
 
 bool MissionRunner::itemDone(double dt, const Situation &s)
 {
-    const MissionItem &item = m_mission[m_current];
+    const StoredItem &item = m_mission[m_current];
     switch (item.command) {
     case MAV_CMD_NAV_TAKEOFF: return m_takeOff.done(s);
-    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return m_return.phase() == ReturnToLaunch::Phase::Land && s.landed;
+    case MAV_CMD_NAV_RETURN_TO_LAUNCH: return m_return.phase() == ReturnFlight::Phase::Land && s.landed;
     case MAV_CMD_NAV_LAND:
         if (!m_arrived && nearPlace(s)) {
             m_arrived = true;
@@ -200,7 +200,7 @@ void MissionRunner::advance(const Situation &s)
 
 FlightDemand MissionRunner::hold(const Situation &s)
 {
-    const GoTo place{m_place.x, m_place.y, m_speed.value_or(s.settings.speed)};
+    const HoldPosition place{m_place.x, m_place.y, m_speed.value_or(s.settings.speed)};
     FlightDemand demand;
     demand.horizontal = place;
     demand.vertical = HoldAltitude{-m_place.z, m_climb.value_or(s.settings.climb), m_descent.value_or(s.settings.descent)};

@@ -3,8 +3,8 @@
 
 #include "core/sim/auto_yaw.h"
 #include "core/sim/mission.h"
-#include "core/sim/return_to_launch.h"
-#include "core/sim/take_off.h"
+#include "core/sim/return_flight.h"
+#include "core/sim/take_off_climb.h"
 
 #include <map>
 #include <utility>
@@ -14,7 +14,7 @@ namespace skyseal::sim {
 class MissionRunner
 {
 public:
-    explicit MissionRunner(const LocalFrame &world) : m_world(world) {}
+    explicit MissionRunner(const GeoFrame &world) : m_world(world) {}
 
     const Mission &mission() const { return m_mission; }
     void load(Mission mission);
@@ -46,12 +46,12 @@ public:
 private:
     void startItem(const Situation &s);
     void advance(const Situation &s);
-    bool execute(const MissionItem &item, const Situation &s);
+    bool execute(const StoredItem &item, const Situation &s);
     bool itemDone(double dt, const Situation &s);
     bool nearPlace(const Situation &s) const;
     FlightDemand hold(const Situation &s);
 
-    const LocalFrame m_world;
+    const GeoFrame m_world;
     Mission m_mission;
     std::uint16_t m_current = 0;
     bool m_started = false;
@@ -64,9 +64,9 @@ private:
     double m_timeAtPlace = 0; ///< s
     bool m_arrived = false;
     std::optional<double> m_speed, m_climb, m_descent;
-    TakeOff m_takeOff;
+    TakeOffClimb m_takeOff;
     Landing m_landing;
-    ReturnToLaunch m_return;
+    ReturnFlight m_return;
     AutoYaw m_yaw;
 };
 

@@ -21,7 +21,7 @@ bool isMission(std::uint8_t type)
 
 } // namespace
 
-void MissionServer::handleCount(TimePoint now, const Peer &peer, std::uint16_t count, std::uint8_t type)
+void MissionServer::handleCount(TimePoint now, const FrameSender &peer, std::uint16_t count, std::uint8_t type)
 {
     if (type != MAV_MISSION_TYPE_MISSION)
         return acknowledge(peer, MAV_MISSION_UNSUPPORTED, type);
@@ -61,7 +61,7 @@ void MissionServer::askFor(TimePoint now)
     }
 }
 
-void MissionServer::handleItem(TimePoint now, const Peer &peer, std::uint16_t sequence, const MissionItem &item,
+void MissionServer::handleItem(TimePoint now, const FrameSender &peer, std::uint16_t sequence, const StoredItem &item,
                                std::uint8_t type)
 {
     if (type != MAV_MISSION_TYPE_MISSION)
@@ -101,7 +101,7 @@ void MissionServer::finish(std::uint8_t result)
     acknowledge(m_sender, result);
 }
 
-void MissionServer::handleRequestList(const Peer &peer, std::uint8_t type)
+void MissionServer::handleRequestList(const FrameSender &peer, std::uint8_t type)
 {
     MissionCount out;
     out.target_system = peer.system;
@@ -112,7 +112,7 @@ void MissionServer::handleRequestList(const Peer &peer, std::uint8_t type)
     m_outbox.send(out);
 }
 
-void MissionServer::handleRequest(const Peer &peer, std::uint16_t sequence, std::uint8_t type, bool asInt)
+void MissionServer::handleRequest(const FrameSender &peer, std::uint16_t sequence, std::uint8_t type, bool asInt)
 {
     if (!isMission(type))
         return acknowledge(peer, MAV_MISSION_UNSUPPORTED, type);
@@ -120,7 +120,7 @@ void MissionServer::handleRequest(const Peer &peer, std::uint16_t sequence, std:
     if (sequence >= mission.size())
         return acknowledge(peer, MAV_MISSION_INVALID_SEQUENCE, type);
     mavlink::MissionItemInt whole;
-    const sim::MissionItem &item = mission[sequence];
+    const StoredItem &item = mission[sequence];
     whole.frame = item.frame;
     whole.command = item.command;
     whole.x = item.x;
@@ -162,7 +162,7 @@ void MissionServer::handleRequest(const Peer &peer, std::uint16_t sequence, std:
     m_outbox.send(out);
 }
 
-void MissionServer::handleClear(const Peer &peer, std::uint8_t type)
+void MissionServer::handleClear(const FrameSender &peer, std::uint8_t type)
 {
     if (!isMission(type))
         return acknowledge(peer, MAV_MISSION_ACCEPTED, type); // there never is a fence or rally point to keep
@@ -187,13 +187,13 @@ void MissionServer::handleSetCurrent(std::uint16_t sequence)
     }
 }
 
-void MissionServer::handleAck(const Peer &peer, std::uint8_t result)
+void MissionServer::handleAck(const FrameSender &peer, std::uint8_t result)
 {
     if (m_receiving && m_sender.sameSender(peer) && result != MAV_MISSION_ACCEPTED)
         m_receiving = false;
 }
 
-void MissionServer::acknowledge(const Peer &peer, std::uint8_t result, std::uint8_t type)
+void MissionServer::acknowledge(const FrameSender &peer, std::uint8_t result, std::uint8_t type)
 {
     MissionAck out;
     out.target_system = peer.system;

@@ -89,7 +89,7 @@ Vector3 PositionController::wantedVelocity(const FlightDemand &demand, const Est
                                            const FlightSettings &settings) const
 {
     Vector3 wanted = estimate.velocity; // uncontrolled axes follow the estimate, so that control starts without a jump
-    if (const auto *place = std::get_if<GoTo>(&demand.horizontal)) {
+    if (const auto *place = std::get_if<HoldPosition>(&demand.horizontal)) {
         const Vector3 way{place->north - estimate.position.x, place->east - estimate.position.y, 0};
         const double distance = way.horizontal();
         const double speed = std::min(approach(distance, settings.positionP, settings.acceleration * 0.5), place->speed);

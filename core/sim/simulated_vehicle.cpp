@@ -21,7 +21,7 @@ constexpr Duration kLook = std::chrono::milliseconds(50);  // texts, failsafes a
 /// Everything that a reboot makes anew.
 struct SimulatedVehicle::Parts
 {
-    Parts(const VehicleConfig &config, std::uint8_t systemId, TimePoint now)
+    Parts(const SimulatedVehicleConfig &config, std::uint8_t systemId, TimePoint now)
         : autopilot(config.autopilot), outbox(systemId), telemetry(autopilot, outbox, config.autopilot.seed), streams(now),
           commands(autopilot, streams, telemetry, outbox), control(autopilot), missions(autopilot, outbox),
           parameters(autopilot.parameters(), outbox, autopilot.texts()), last(now), look(now)
@@ -34,7 +34,7 @@ struct SimulatedVehicle::Parts
 
     Autopilot autopilot;
     FrameQueue outbox;
-    Telemetry telemetry;
+    TelemetrySender telemetry;
     StreamScheduler streams;
     CommandServer commands;
     ControlServer control;
@@ -48,7 +48,7 @@ struct SimulatedVehicle::Parts
     bool actedOnSilence = false; ///< of the station, in this flight
 };
 
-SimulatedVehicle::SimulatedVehicle(const VehicleConfig &config, TimePoint now)
+SimulatedVehicle::SimulatedVehicle(const SimulatedVehicleConfig &config, TimePoint now)
     : m_config(config), m_boot(now), m_parts(std::make_unique<Parts>(config, config.systemId, now))
 {
     Autopilot &autopilot = m_parts->autopilot;

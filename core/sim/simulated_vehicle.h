@@ -16,7 +16,7 @@
 
 namespace skyseal::sim {
 
-struct VehicleConfig
+struct SimulatedVehicleConfig
 {
     std::uint8_t systemId = 1;
     AutopilotConfig autopilot;
@@ -27,7 +27,7 @@ struct VehicleConfig
 class SimulatedVehicle
 {
 public:
-    SimulatedVehicle(const VehicleConfig &config, TimePoint now);
+    SimulatedVehicle(const SimulatedVehicleConfig &config, TimePoint now);
     ~SimulatedVehicle();
     SimulatedVehicle(SimulatedVehicle &&) noexcept;
     SimulatedVehicle &operator=(SimulatedVehicle &&) noexcept;
@@ -56,7 +56,7 @@ private:
     struct Parts;
     void reboot(TimePoint now);
 
-    VehicleConfig m_config;
+    SimulatedVehicleConfig m_config;
     TimePoint m_boot;
     std::unique_ptr<Parts> m_parts;
 };

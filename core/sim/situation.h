@@ -20,7 +20,7 @@ struct Situation
 };
 
 /// Where the vehicle comes to rest when it brakes now.
-inline GoTo stoppingPoint(const Situation &s)
+inline HoldPosition stoppingPoint(const Situation &s)
 {
     const Vector3 &v = s.estimate.velocity;
     const double lead = 0.5 + v.horizontal() / (2 * std::max(s.settings.acceleration, 0.5));

@@ -1,4 +1,4 @@
-// Status texts that wait to be sent.
+// Status texts of the autopilot that wait to be sent.
 #pragma once
 
 #include "core/mavlink/enums.h"
@@ -22,7 +22,7 @@ enum class Severity : std::uint8_t {
     Debug = mavlink::MAV_SEVERITY_DEBUG
 };
 
-struct StatusText
+struct PendingText
 {
     Severity severity = Severity::Info;
     std::string text;
@@ -41,17 +41,17 @@ public:
         m_waiting.push_back({severity, std::move(text)});
     }
 
-    std::optional<StatusText> take()
+    std::optional<PendingText> take()
     {
         if (m_waiting.empty())
             return std::nullopt;
-        StatusText first = std::move(m_waiting.front());
+        PendingText first = std::move(m_waiting.front());
         m_waiting.pop_front();
         return first;
     }
 
 private:
-    std::deque<StatusText> m_waiting;
+    std::deque<PendingText> m_waiting;
 };
 
 } // namespace skyseal::sim

@@ -9,9 +9,9 @@ namespace skyseal::test {
 
 namespace {
 
-sim::VehicleConfig vehicleConfig(std::uint8_t systemId)
+sim::SimulatedVehicleConfig vehicleConfig(std::uint8_t systemId)
 {
-    sim::VehicleConfig config;
+    sim::SimulatedVehicleConfig config;
     config.systemId = systemId;
     return config;
 }

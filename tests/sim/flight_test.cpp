@@ -202,10 +202,10 @@ void SimFlightTest::losesGpsAndLands()
 
 namespace {
 
-MissionItem item(std::uint16_t command, const Autopilot &a, double north, double east, float height)
+StoredItem item(std::uint16_t command, const Autopilot &a, double north, double east, float height)
 {
     const GeoPoint place = a.world().toGeo({north, east, 0});
-    MissionItem out;
+    StoredItem out;
     out.frame = 3;
     out.command = command;
     out.x = static_cast<std::int32_t>(std::lround(place.latitude * 1e7));
@@ -222,9 +222,9 @@ void SimFlightTest::fliesAMission()
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     QVERIFY(flight.until([&] { return a.estimate().positionOk; }, 10) >= 0);
-    MissionItem fast = item(MAV_CMD_DO_CHANGE_SPEED, a, 0, 0, 0);
+    StoredItem fast = item(MAV_CMD_DO_CHANGE_SPEED, a, 0, 0, 0);
     fast.parameters = {1, 8, -1, 0};
-    MissionItem wait = item(MAV_CMD_NAV_LOITER_TIME, a, 40, 20, 12);
+    StoredItem wait = item(MAV_CMD_NAV_LOITER_TIME, a, 40, 20, 12);
     wait.parameters[0] = 3;
     a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_TAKEOFF, a, 0, 0, 12), fast,
                               item(MAV_CMD_NAV_WAYPOINT, a, 40, 0, 12), wait, item(MAV_CMD_NAV_LAND, a, 10, 10, 0)});
@@ -268,9 +268,9 @@ void SimFlightTest::jumpsEnd()
     TestFlight flight;
     Autopilot &a = flight.autopilot;
     QVERIFY(flight.airborne(10));
-    MissionItem twice = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
+    StoredItem twice = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
     twice.parameters = {1, 2, 0, 0};
-    MissionItem forever = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
+    StoredItem forever = item(MAV_CMD_DO_JUMP, a, 0, 0, 0);
     forever.parameters = {3, -1, 0, 0};
     a.modes().mission().load({item(MAV_CMD_NAV_WAYPOINT, a, 0, 0, 0), item(MAV_CMD_NAV_WAYPOINT, a, 0, 5, 10), twice, forever});
     QVERIFY(!a.enterMode(FlightMode::Auto));

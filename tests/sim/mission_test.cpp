@@ -267,7 +267,7 @@ void SimMissionTest::lostAcknowledgementIsRepeated()
 
 void SimMissionTest::fliesAndReports()
 {
-    VehicleConfig config;
+    SimulatedVehicleConfig config;
     config.rate = 4;
     TestStation station(config);
     station.run(3);

@@ -3,7 +3,7 @@
 #include "core/sim/battery.h"
 #include "core/sim/flight_settings.h"
 #include "core/sim/gcs_watch.h"
-#include "core/sim/geodesy.h"
+#include "core/sim/geo_frame.h"
 #include "core/sim/noise.h"
 #include "core/sim/parameters.h"
 #include "core/sim/pilot_input.h"
@@ -55,7 +55,7 @@ void SimPartsTest::anglesSurviveTheQuaternion()
 void SimPartsTest::placesSurviveTheFrame()
 {
     QVERIFY(rc::check("local to global and back", [] {
-        const LocalFrame frame({*rc::gen::inRange(-80, 80) + 0.5, *rc::gen::inRange(-180, 180) + 0.25, 100});
+        const GeoFrame frame({*rc::gen::inRange(-80, 80) + 0.5, *rc::gen::inRange(-180, 180) + 0.25, 100});
         const Vector3 in{*rc::gen::inRange(-9000, 9000) * 1.0, *rc::gen::inRange(-9000, 9000) * 1.0,
                          *rc::gen::inRange(-500, 50) * 1.0};
         RC_ASSERT((frame.toLocal(frame.toGeo(in)) - in).length() < 0.01);

@@ -235,7 +235,7 @@ void SimTelemetryTest::rebootKeepsParameters()
 
 void SimTelemetryTest::hurriedFlightKeepsTheLinksTime()
 {
-    VehicleConfig config;
+    SimulatedVehicleConfig config;
     config.rate = 10;
     TestStation station(config);
     station.run(1);
@@ -254,7 +254,7 @@ void SimTelemetryTest::hurriedFlightKeepsTheLinksTime()
 void SimTelemetryTest::sameSeedSameBytes()
 {
     const auto fly = [](std::uint64_t seed, Duration step) {
-        VehicleConfig config;
+        SimulatedVehicleConfig config;
         config.autopilot.seed = seed;
         TestStation station(config);
         station.step = step;

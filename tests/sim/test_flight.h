@@ -40,11 +40,11 @@ struct TestFlight
     bool said(std::string_view words) const
     {
         return std::any_of(texts.begin(), texts.end(),
-                           [&](const StatusText &t) { return t.text.find(words) != std::string::npos; });
+                           [&](const PendingText &t) { return t.text.find(words) != std::string::npos; });
     }
 
     Autopilot autopilot;
-    std::vector<StatusText> texts;
+    std::vector<PendingText> texts;
     double highest = 0; ///< m above home
     bool finite = true; ///< every state so far was made of numbers
 

@@ -15,7 +15,7 @@ namespace skyseal::sim {
 class TestStation
 {
 public:
-    explicit TestStation(const VehicleConfig &config = {}, double loss = 0, std::uint64_t seed = 1)
+    explicit TestStation(const SimulatedVehicleConfig &config = {}, double loss = 0, std::uint64_t seed = 1)
         : vehicle(config, TimePoint{}), m_loss(loss), m_dice(seed, 99)
     {}
 

@@ -38,7 +38,7 @@ public:
     World(double loss, unsigned seed, std::uint8_t vehicles = 1) : m_random(seed), m_lost(loss)
     {
         for (std::uint8_t id = 1; id <= vehicles; ++id) {
-            sim::VehicleConfig config;
+            sim::SimulatedVehicleConfig config;
             config.systemId = id;
             config.autopilot.seed = seed + id;
             m_sims.emplace_back(config, now);

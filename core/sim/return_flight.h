@@ -6,7 +6,7 @@
 
 namespace skyseal::sim {
 
-class ReturnToLaunch
+class ReturnFlight
 {
 public:
     void begin(const Situation &s);
@@ -15,7 +15,7 @@ public:
     enum class Phase { Climb, Return, Wait, Descend, Land };
     Phase phase() const { return m_phase; }
     /// Where it is heading for now.
-    const GoTo &place() const { return m_place; }
+    const HoldPosition &place() const { return m_place; }
 
 private:
     void enter(Phase phase, const Situation &s);
@@ -24,7 +24,7 @@ private:
     Phase m_phase = Phase::Climb;
     double m_height = 0; ///< m above home, of the way back
     double m_waited = 0; ///< s
-    GoTo m_place;
+    HoldPosition m_place;
     AutoYaw m_yaw;
     Landing m_landing;
 };

@@ -1,8 +1,8 @@
-#include "core/sim/return_to_launch.h"
+#include "core/sim/return_flight.h"
 
 namespace skyseal::sim {
 
-void ReturnToLaunch::begin(const Situation &s)
+void ReturnFlight::begin(const Situation &s)
 {
     const FlightSettings &settings = s.settings;
     const double height = s.heightAboveHome();
@@ -15,7 +15,7 @@ void ReturnToLaunch::begin(const Situation &s)
     enter(Phase::Climb, s);
 }
 
-void ReturnToLaunch::enter(Phase phase, const Situation &s)
+void ReturnFlight::enter(Phase phase, const Situation &s)
 {
     m_phase = phase;
     if (phase == Phase::Climb)
@@ -26,12 +26,12 @@ void ReturnToLaunch::enter(Phase phase, const Situation &s)
         m_landing.begin(s, m_place);
 }
 
-bool ReturnToLaunch::reached(const Situation &s) const
+bool ReturnFlight::reached(const Situation &s) const
 {
     return std::hypot(m_place.north - s.estimate.position.x, m_place.east - s.estimate.position.y) < s.settings.waypointRadius;
 }
 
-FlightDemand ReturnToLaunch::update(double dt, const Situation &s)
+FlightDemand ReturnFlight::update(double dt, const Situation &s)
 {
     switch (m_phase) {
     case Phase::Climb:

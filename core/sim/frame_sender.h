@@ -5,13 +5,13 @@
 
 namespace skyseal::sim {
 
-struct Peer
+struct FrameSender
 {
     std::uint8_t system = 0;
     std::uint8_t component = 0;
     int version = 2; ///< MAVLink version of the frame
 
-    bool sameSender(const Peer &other) const { return system == other.system && component == other.component; }
+    bool sameSender(const FrameSender &other) const { return system == other.system && component == other.component; }
 };
 
 } // namespace skyseal::sim

@@ -1,9 +1,8 @@
-// The telemetry messages about the vehicle's health, power, radio and identity.
-#include "core/sim/telemetry.h"
-#include "core/sim/wire_units.h"
+#include "core/sim/telemetry_sender.h"
 
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
+#include "core/sim/wire_units.h"
 
 #include <cstring>
 
@@ -26,16 +25,17 @@ std::uint16_t pulse(double thrust, const Parameters &parameters)
 
 } // namespace
 
-Telemetry::Telemetry(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
-    : m_autopilot(autopilot), m_outbox(outbox), m_noise(seed, 4), m_serial(Noise(seed, 5).next())
+TelemetrySender::TelemetrySender(const Autopilot &autopilot, FrameQueue &outbox, std::uint64_t seed)
+    : m_autopilot(autopilot), m_outbox(outbox), m_noise(seed, 4), m_serial(Noise(seed, 5).next()),
+      m_motion(autopilot, outbox, m_noise)
 {}
 
-bool Telemetry::send(std::uint32_t message)
+bool TelemetrySender::send(std::uint32_t message)
 {
-    return sendMotion(message) || sendSystem(message);
+    return m_motion.send(message) || sendSystem(message);
 }
 
-bool Telemetry::sendSystem(std::uint32_t message)
+bool TelemetrySender::sendSystem(std::uint32_t message)
 {
     switch (message) {
     case mavlink::Heartbeat::kId: heartbeat(); return true;
@@ -74,7 +74,7 @@ bool Telemetry::sendSystem(std::uint32_t message)
     case mavlink::SystemTime::kId: {
         mavlink::SystemTime out;
         out.time_unix_usec = static_cast<std::uint64_t>(m_wallTime.time_since_epoch().count());
-        out.time_boot_ms = bootMilliseconds();
+        out.time_boot_ms = bootMilliseconds(m_autopilot);
         m_outbox.send(out);
         return true;
     }
@@ -124,7 +124,7 @@ bool Telemetry::sendSystem(std::uint32_t message)
     }
 }
 
-void Telemetry::heartbeat()
+void TelemetrySender::heartbeat()
 {
     const FlightMode mode = m_autopilot.modes().current();
     mavlink::Heartbeat out;
@@ -145,7 +145,7 @@ void Telemetry::heartbeat()
     m_outbox.send(out);
 }
 
-void Telemetry::systemStatus()
+void TelemetrySender::systemStatus()
 {
     using namespace mavlink;
     constexpr std::uint32_t always = MAV_SYS_STATUS_SENSOR_3D_GYRO | MAV_SYS_STATUS_SENSOR_3D_ACCEL
@@ -188,7 +188,7 @@ void Telemetry::systemStatus()
     m_outbox.send(out);
 }
 
-void Telemetry::batteryStatus()
+void TelemetrySender::batteryStatus()
 {
     const Battery &battery = m_autopilot.battery();
     mavlink::BatteryStatus out;
@@ -207,7 +207,7 @@ void Telemetry::batteryStatus()
     m_outbox.send(out);
 }
 
-void Telemetry::gpsRaw()
+void TelemetrySender::gpsRaw()
 {
     const GpsReport &gps = m_autopilot.gps();
     mavlink::GpsRawInt out;
@@ -231,7 +231,7 @@ void Telemetry::gpsRaw()
     m_outbox.send(out);
 }
 
-void Telemetry::servos()
+void TelemetrySender::servos()
 {
     mavlink::ServoOutputRaw out;
     out.time_usec = static_cast<std::uint32_t>(m_autopilot.time());
@@ -250,11 +250,11 @@ void Telemetry::servos()
     m_outbox.send(out);
 }
 
-void Telemetry::radioChannels()
+void TelemetrySender::radioChannels()
 {
     const PilotInput::Channels channels = m_autopilot.pilot().channels();
     mavlink::RcChannels out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     out.chancount = 8;
     out.chan1_raw = channels[0];
     out.chan2_raw = channels[1];
@@ -268,7 +268,7 @@ void Telemetry::radioChannels()
     m_outbox.send(out);
 }
 
-bool Telemetry::homePosition()
+bool TelemetrySender::homePosition()
 {
     if (!m_autopilot.home())
         return false;
@@ -286,7 +286,7 @@ bool Telemetry::homePosition()
     return true;
 }
 
-void Telemetry::extendedState()
+void TelemetrySender::extendedState()
 {
     const FlightMode mode = m_autopilot.modes().current();
     mavlink::ExtendedSysState out;
@@ -301,7 +301,7 @@ void Telemetry::extendedState()
     m_outbox.send(out);
 }
 
-void Telemetry::version()
+void TelemetrySender::version()
 {
     using namespace mavlink;
     AutopilotVersion out;
@@ -318,7 +318,7 @@ void Telemetry::version()
     m_outbox.send(out);
 }
 
-void Telemetry::sendText(const StatusText &text)
+void TelemetrySender::sendText(const PendingText &text)
 {
     mavlink::Statustext out;
     out.severity = static_cast<std::uint8_t>(text.severity);

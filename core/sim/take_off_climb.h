@@ -5,7 +5,7 @@
 
 namespace skyseal::sim {
 
-class TakeOff
+class TakeOffClimb
 {
 public:
     /// `height` in m above home.
@@ -17,7 +17,7 @@ public:
 private:
     double m_height = 0;
     double m_spooling = 0; ///< s since the rotors were asked to spin up
-    GoTo m_place;
+    HoldPosition m_place;
     Heading m_heading;
 };
 

@@ -13,10 +13,10 @@ struct GeoPoint
 };
 
 /// North, east, down in metres around an origin; good for some tens of kilometres.
-class LocalFrame
+class GeoFrame
 {
 public:
-    explicit LocalFrame(const GeoPoint &origin) : m_origin(origin) {}
+    explicit GeoFrame(const GeoPoint &origin) : m_origin(origin) {}
 
     const GeoPoint &origin() const { return m_origin; }
 

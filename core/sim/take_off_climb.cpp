@@ -1,8 +1,8 @@
-#include "core/sim/take_off.h"
+#include "core/sim/take_off_climb.h"
 
 namespace skyseal::sim {
 
-void TakeOff::begin(const Situation &s, double height)
+void TakeOffClimb::begin(const Situation &s, double height)
 {
     m_height = height;
     m_spooling = 0;
@@ -10,7 +10,7 @@ void TakeOff::begin(const Situation &s, double height)
     m_heading = {s.estimate.attitude.euler().yaw, 0};
 }
 
-FlightDemand TakeOff::update(double dt, const Situation &s)
+FlightDemand TakeOffClimb::update(double dt, const Situation &s)
 {
     m_spooling += dt;
     FlightDemand demand;

@@ -1,8 +1,7 @@
-// The telemetry messages about motion: attitude, position, velocity, and the inertial sensors.
-#include "core/sim/telemetry.h"
-#include "core/sim/wire_units.h"
+#include "core/sim/motion_messages.h"
 
 #include "core/mavlink/messages.h"
+#include "core/sim/wire_units.h"
 
 namespace skyseal::sim {
 
@@ -20,24 +19,12 @@ double heading(const Estimate &estimate) // degrees, [0, 360)
 
 } // namespace
 
-bool Telemetry::sendMotion(std::uint32_t message)
+bool MotionMessages::send(std::uint32_t message)
 {
     switch (message) {
     case mavlink::Attitude::kId: attitude(); return true;
     case mavlink::GlobalPositionInt::kId: globalPosition(); return true;
-    case mavlink::LocalPositionNed::kId: {
-        const Estimate &e = m_autopilot.estimate();
-        mavlink::LocalPositionNed out;
-        out.time_boot_ms = bootMilliseconds();
-        out.x = static_cast<float>(e.position.x);
-        out.y = static_cast<float>(e.position.y);
-        out.z = static_cast<float>(e.position.z);
-        out.vx = static_cast<float>(e.velocity.x);
-        out.vy = static_cast<float>(e.velocity.y);
-        out.vz = static_cast<float>(e.velocity.z);
-        m_outbox.send(out);
-        return true;
-    }
+    case mavlink::LocalPositionNed::kId: localPosition(); return true;
     case mavlink::PositionTargetGlobalInt::kId: return positionTarget();
     case mavlink::RawImu::kId: rawImu(); return true;
     case mavlink::ScaledImu2::kId: scaledImu(); return true;
@@ -49,12 +36,12 @@ bool Telemetry::sendMotion(std::uint32_t message)
     }
 }
 
-void Telemetry::attitude()
+void MotionMessages::attitude()
 {
     const Estimate &e = m_autopilot.estimate();
     const Euler angles = e.attitude.euler();
     mavlink::Attitude out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     out.roll = static_cast<float>(angles.roll);
     out.pitch = static_cast<float>(angles.pitch);
     out.yaw = static_cast<float>(angles.yaw);
@@ -64,12 +51,12 @@ void Telemetry::attitude()
     m_outbox.send(out);
 }
 
-void Telemetry::globalPosition()
+void MotionMessages::globalPosition()
 {
     const Estimate &e = m_autopilot.estimate();
     const GeoPoint here = place(e.position);
     mavlink::GlobalPositionInt out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     if (m_autopilot.home()) { // before the first fix the place is not known, and ArduPilot sends zeros
         out.lat = scaled<std::int32_t>(here.latitude, 1e7);
         out.lon = scaled<std::int32_t>(here.longitude, 1e7);
@@ -83,14 +70,28 @@ void Telemetry::globalPosition()
     m_outbox.send(out);
 }
 
-bool Telemetry::positionTarget()
+void MotionMessages::localPosition()
+{
+    const Estimate &e = m_autopilot.estimate();
+    mavlink::LocalPositionNed out;
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
+    out.x = static_cast<float>(e.position.x);
+    out.y = static_cast<float>(e.position.y);
+    out.z = static_cast<float>(e.position.z);
+    out.vx = static_cast<float>(e.velocity.x);
+    out.vy = static_cast<float>(e.velocity.y);
+    out.vz = static_cast<float>(e.velocity.z);
+    m_outbox.send(out);
+}
+
+bool MotionMessages::positionTarget()
 {
     const auto target = m_autopilot.modes().place(m_autopilot.situation());
     if (!target || !m_autopilot.armed())
         return false;
     const GeoPoint there = place(*target);
     mavlink::PositionTargetGlobalInt out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     out.coordinate_frame = 5; // global, integers
     out.type_mask = 0xfff8;   // only the position means something
     out.lat_int = scaled<std::int32_t>(there.latitude, 1e7);
@@ -100,7 +101,7 @@ bool Telemetry::positionTarget()
     return true;
 }
 
-Telemetry::Inertial Telemetry::inertial()
+MotionMessages::Inertial MotionMessages::inertial()
 {
     const BodyState &truth = m_autopilot.truth();
     const double lift = (truth.rotors[0] + truth.rotors[1] + truth.rotors[2] + truth.rotors[3]) / 4;
@@ -112,7 +113,7 @@ Telemetry::Inertial Telemetry::inertial()
             noisy(truth.attitude.toBody(kEarthField), 1.5)};
 }
 
-template<typename Message> void Telemetry::writeInertial(const Inertial &read, Message &out)
+template<typename Message> void MotionMessages::writeInertial(const Inertial &read, Message &out)
 {
     out.xacc = scaled<std::int16_t>(read.acceleration.x, kMilligravity);
     out.yacc = scaled<std::int16_t>(read.acceleration.y, kMilligravity);
@@ -125,7 +126,7 @@ template<typename Message> void Telemetry::writeInertial(const Inertial &read, M
     out.zmag = scaled<std::int16_t>(read.field.z);
 }
 
-void Telemetry::rawImu()
+void MotionMessages::rawImu()
 {
     mavlink::RawImu out;
     out.time_usec = m_autopilot.time();
@@ -134,20 +135,20 @@ void Telemetry::rawImu()
     m_outbox.send(out);
 }
 
-void Telemetry::scaledImu()
+void MotionMessages::scaledImu()
 {
     mavlink::ScaledImu2 out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     writeInertial(inertial(), out);
     out.temperature = 4480;
     m_outbox.send(out);
 }
 
-void Telemetry::pressure()
+void MotionMessages::pressure()
 {
     const double altitude = m_autopilot.world().origin().altitude - m_autopilot.truth().position.z;
     mavlink::ScaledPressure out;
-    out.time_boot_ms = bootMilliseconds();
+    out.time_boot_ms = bootMilliseconds(m_autopilot);
     // The international standard atmosphere, below 11 km.
     out.press_abs = static_cast<float>(kStandardPressure * std::pow(std::max(1 - altitude * 2.25577e-5, 0.2), 5.25588)
                                        + m_noise.normal(0.012));
@@ -155,7 +156,7 @@ void Telemetry::pressure()
     m_outbox.send(out);
 }
 
-void Telemetry::hud()
+void MotionMessages::hud()
 {
     const Estimate &e = m_autopilot.estimate();
     mavlink::VfrHud out;
@@ -170,7 +171,7 @@ void Telemetry::hud()
     m_outbox.send(out);
 }
 
-void Telemetry::navigation()
+void MotionMessages::navigation()
 {
     const Situation now = m_autopilot.situation();
     const Euler &target = m_autopilot.attitudeController().target();
@@ -187,7 +188,7 @@ void Telemetry::navigation()
     m_outbox.send(out);
 }
 
-void Telemetry::vibration()
+void MotionMessages::vibration()
 {
     const Rotors &rotors = m_autopilot.truth().rotors;
     const double lift = (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4;
