@@ -6,15 +6,8 @@ namespace skyseal::sim {
 
 namespace {
 
-constexpr double kIdleCommand = 0.05;
 constexpr std::uint64_t kBatteryWatch = 100'000; // µs
-
-BodyState standing(double heading)
-{
-    BodyState state;
-    state.attitude = Attitude::fromEuler({0, 0, wrapPi(radians(heading))});
-    return state;
-}
+constexpr int kAllChecks = 1, kBatteryCheck = 256, kRcCheck = 64;
 
 std::string format(const char *pattern, double a, double b = 0)
 {
@@ -26,10 +19,9 @@ std::string format(const char *pattern, double a, double b = 0)
 } // namespace
 
 Autopilot::Autopilot(const AutopilotConfig &config)
-    : m_world(config.start), m_wind(config.seed), m_airframe(AirframeModel{}, standing(config.heading)),
-      m_gps(config.seed, config.firstFix), m_estimator(config.seed), m_modes(m_world)
+    : m_world(config.start), m_physics(config.seed, config.heading, config.firstFix), m_modes(m_world)
 {
-    m_battery.replace(static_cast<double>(m_parameters.value("SIM_BATT_CAP_AH")) * 1000, 1);
+    m_physics.battery().replace(static_cast<double>(m_parameters.value("SIM_BATT_CAP_AH")) * 1000, 1);
 }
 
 Situation Autopilot::situation() const
@@ -45,34 +37,11 @@ void Autopilot::step()
         m_settings = flightSettings(m_parameters);
         m_settingsRevision = m_parameters.revision();
     }
-    control(dt);
-    m_wind.step(dt, m_settings.windSpeed, m_settings.windFrom);
-    m_airframe.step(dt, m_commands, m_battery.supply(), m_wind.velocity(), m_wind.torque());
-    const Rotors &rotors = truth().rotors;
-    m_battery.step(dt, (rotors[0] + rotors[1] + rotors[2] + rotors[3]) / 4, m_armed);
-    m_gps.step(dt, m_time, truth(), m_settings.gpsDisabled);
-    m_estimator.step(dt, truth(), gps());
-    m_landDetector.step(dt, truth().onGround, m_idle, m_armed);
+    m_rotors.update(dt, m_armed, m_armed ? m_modes.update(dt, situation()) : FlightDemand{}, estimate(), m_settings);
+    m_physics.step(dt, m_time, m_settings, m_rotors.commands(), m_armed);
+    m_landDetector.step(dt, truth().onGround, m_rotors.idle(), m_armed);
     m_pilot.setFlying(!landed());
     watch();
-}
-
-void Autopilot::control(double dt)
-{
-    FlightDemand demand;
-    if (m_armed)
-        demand = m_modes.update(dt, situation());
-    m_idle = !m_armed || demand.idle;
-    if (m_idle) {
-        m_commands.fill(m_armed ? kIdleCommand : 0);
-        m_thrust = 0;
-        m_position.reset(estimate());
-        m_attitude.reset({0, 0, estimate().attitude.euler().yaw});
-        return;
-    }
-    const AttitudeDemand attitude = m_position.update(dt, demand, estimate(), m_settings);
-    m_thrust = std::clamp(attitude.thrust, 0.0, 1.0);
-    m_commands = m_attitude.update(dt, attitude, estimate().attitude, estimate().rates, m_settings);
 }
 
 void Autopilot::watch()
@@ -81,7 +50,7 @@ void Autopilot::watch()
         m_aligned = true;
         m_texts.say(Severity::Info, "EKF3 IMU0 tilt alignment complete");
     }
-    if (const double impact = m_airframe.takeImpact(); impact > 1)
+    if (const double impact = m_physics.takeImpact(); impact > 1)
         m_texts.say(Severity::Critical, format("SIM Hit ground at %.1f m/s", impact));
     m_flown = m_armed && (m_flown || !landed());
     watchPosition();
@@ -95,14 +64,14 @@ void Autopilot::watch()
 
 void Autopilot::watchBattery()
 {
-    switch (m_batteryWatch.step(kBatteryWatch * 1e-6, m_battery, m_parameters)) {
+    switch (m_batteryWatch.step(kBatteryWatch * 1e-6, battery(), m_parameters)) {
     case BatteryLevel::Good: break;
     case BatteryLevel::Low:
     case BatteryLevel::Critical: {
         const bool critical = m_batteryWatch.level() == BatteryLevel::Critical;
         m_texts.say(Severity::Warning,
                     format(critical ? "Battery 1 is critical %.2fV used %.0f mAh" : "Battery 1 is low %.2fV used %.0f mAh",
-                           m_battery.voltage(), m_battery.consumed()));
+                           battery().voltage(), battery().consumed()));
         const int action = m_parameters.integer(critical ? "BATT_FS_CRT_ACT" : "BATT_FS_LOW_ACT");
         if (action != 0 && m_armed)
             failsafe("Battery", action == 1 ? FlightMode::Land : FlightMode::Rtl);
@@ -157,6 +126,167 @@ void Autopilot::failsafe(std::string_view cause, FlightMode action)
         action = FlightMode::Land;
     m_texts.say(Severity::Critical, std::string(cause) + " Failsafe - " + std::string(name(action)));
     m_modes.enter(action, now);
+}
+
+// Requests: the conditions of each and the texts of its refusals.
+
+Autopilot::Refusal Autopilot::preArm() const
+{
+    const int checks = m_parameters.integer("ARMING_CHECK");
+    const auto checked = [&](int bit) { return (checks & (kAllChecks | bit)) != 0; };
+
+    if (!estimate().attitudeOk)
+        return "AHRS: waiting for tilt alignment";
+    if (needsPosition(m_modes.current())) { // cannot be switched off: the mode could not be flown
+        if (!gps().fixed)
+            return "GPS 1: Bad fix";
+        if (!estimate().positionOk)
+            return "Need Position Estimate";
+    }
+    if (checked(kBatteryCheck)) {
+        if (m_batteryWatch.level() != BatteryLevel::Good)
+            return "Battery 1 low voltage failsafe";
+        if (battery().voltage() < static_cast<double>(m_parameters.value("BATT_ARM_VOLT")))
+            return "Battery 1 below minimum arming voltage";
+    }
+    if (checked(kRcCheck) && hasManualThrottle(m_modes.current()) && m_pilot.sticks().throttle > 0.1)
+        return "Throttle too high";
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::arm(bool force)
+{
+    if (m_armed)
+        return std::nullopt;
+    if (!force) {
+        if (!allowsArming(m_modes.current(), m_parameters.integer("AUTO_OPTIONS")))
+            return "Arm: " + std::string(name(m_modes.current())) + " mode not armable";
+        if (const Refusal reason = preArm())
+            return "PreArm: " + *reason;
+        if (!landed())
+            return "Arm: not landed";
+    }
+    m_armed = true;
+    m_flown = false;
+    m_inFailsafe = false;
+    m_landDetector.resetIdle();
+    if (estimate().positionOk && landed() && !m_homeLocked)
+        m_home = Vector3{estimate().position.x, estimate().position.y, estimate().position.z};
+    m_texts.say(Severity::Info, "Arming motors");
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::disarm(bool force)
+{
+    if (!m_armed)
+        return std::nullopt;
+    const bool stickDown = m_modes.current() == FlightMode::Stabilize && m_pilot.sticks().throttle <= 0.0;
+    if (!force && !landed() && !stickDown)
+        return "Disarm: not landed";
+    disarmNow();
+    return std::nullopt;
+}
+
+void Autopilot::disarmNow()
+{
+    m_armed = false;
+    m_inFailsafe = false;
+    m_texts.say(Severity::Info, "Disarming motors");
+}
+
+Autopilot::Refusal Autopilot::enterMode(FlightMode mode)
+{
+    if (const char *reason = m_modes.enter(mode, situation()))
+        return "Mode change to " + std::string(name(mode)) + " failed: " + reason;
+    m_landDetector.resetIdle();
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::takeOff(double height)
+{
+    if (m_modes.current() != FlightMode::Guided)
+        return "Takeoff: needs GUIDED";
+    if (!m_armed)
+        return "Takeoff: not armed";
+    if (!landed())
+        return "Takeoff: already flying";
+    if (!(height >= 0.5) || height > 1000)
+        return "Takeoff: bad altitude";
+    m_landDetector.resetIdle();
+    m_modes.guided().takeOff(situation(), height);
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::goTo(const Vector3 &place)
+{
+    if (m_modes.current() != FlightMode::Guided)
+        return "Goto: needs GUIDED";
+    if (!place.finite() || place.length() > 1e5)
+        return "Goto: too far away";
+    m_modes.guided().goTo(situation(), place.x, place.y, -place.z);
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::move(const Vector3 &velocity)
+{
+    if (m_modes.current() != FlightMode::Guided)
+        return "Velocity: needs GUIDED";
+    if (!velocity.finite() || velocity.length() > 100)
+        return "Velocity: out of range";
+    m_modes.guided().move(velocity, static_cast<double>(m_parameters.value("GUID_TIMEOUT")));
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::face(double heading, double rate)
+{
+    if (!std::isfinite(heading) || !std::isfinite(rate))
+        return "Yaw: bad angle";
+    if (m_modes.current() == FlightMode::Guided)
+        m_modes.guided().yaw().fix(heading, std::clamp(std::abs(rate), 0.0, 3.0));
+    else if (m_modes.current() == FlightMode::Auto)
+        m_modes.mission().yaw().fix(heading, std::clamp(std::abs(rate), 0.0, 3.0));
+    else
+        return "Yaw: needs GUIDED or AUTO";
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::changeSpeed(SpeedKind kind, double speed)
+{
+    if (!(speed > 0) || speed > 30)
+        return "Speed: out of range";
+    const auto set = [&](auto &mode) {
+        switch (kind) {
+        case SpeedKind::Ground: mode.setSpeed(speed); break;
+        case SpeedKind::Climb: mode.setClimb(speed); break;
+        case SpeedKind::Descent: mode.setDescent(speed); break;
+        }
+    };
+    if (m_modes.current() == FlightMode::Guided)
+        set(m_modes.guided());
+    else if (m_modes.current() == FlightMode::Auto)
+        set(m_modes.mission());
+    else
+        return "Speed: needs GUIDED or AUTO";
+    return std::nullopt;
+}
+
+Autopilot::Refusal Autopilot::startMission()
+{
+    if (!m_armed)
+        return "Mission: not armed";
+    if (const Refusal reason = enterMode(FlightMode::Auto))
+        return reason;
+    m_modes.mission().start();
+    return std::nullopt;
+}
+
+bool Autopilot::setHome(const Vector3 &place)
+{
+    if (!place.finite() || !estimate().positionOk || place.horizontal() > 5e4)
+        return false;
+    m_home = place;
+    m_homeLocked = true;
+    return true;
 }
 
 } // namespace skyseal::sim

@@ -2,15 +2,13 @@
 // 2.5 ms. Independent of MAVLink: every request is a method, every refusal a sentence.
 #pragma once
 
-#include "core/sim/airframe.h"
 #include "core/sim/battery_watch.h"
-#include "core/sim/estimator.h"
 #include "core/sim/flight_modes.h"
+#include "core/sim/flight_physics.h"
 #include "core/sim/land_detector.h"
 #include "core/sim/parameters.h"
-#include "core/sim/position_controller.h"
+#include "core/sim/rotor_control.h"
 #include "core/sim/status_texts.h"
-#include "core/sim/wind.h"
 
 namespace skyseal::sim {
 
@@ -58,17 +56,17 @@ public:
     Refusal preArm() const;
 
     Situation situation() const;
-    const Estimate &estimate() const { return m_estimator.estimate(); }
-    const Estimator &estimator() const { return m_estimator; }
-    const BodyState &truth() const { return m_airframe.state(); }
-    const Rotors &rotorCommands() const { return m_commands; }
-    double throttle() const { return m_thrust; }
-    const AttitudeController &attitudeController() const { return m_attitude; }
-    const Battery &battery() const { return m_battery; }
+    const Estimate &estimate() const { return m_physics.estimate(); }
+    const Estimator &estimator() const { return m_physics.estimator(); }
+    const BodyState &truth() const { return m_physics.truth(); }
+    const Rotors &rotorCommands() const { return m_rotors.commands(); }
+    double throttle() const { return m_rotors.thrust(); }
+    const AttitudeController &attitudeController() const { return m_rotors.attitude(); }
+    const Battery &battery() const { return m_physics.battery(); }
     const BatteryWatch &batteryWatch() const { return m_batteryWatch; }
-    const GpsReport &gps() const { return m_gps.report(); }
+    const GpsReport &gps() const { return m_physics.gps(); }
     const GeoFrame &world() const { return m_world; }
-    const Wind &wind() const { return m_wind; }
+    const Wind &wind() const { return m_physics.wind(); }
     const std::optional<Vector3> &home() const { return m_home; }
     double heightAboveHome() const { return situation().heightAboveHome(); }
 
@@ -81,7 +79,6 @@ public:
     StatusTexts &texts() { return m_texts; }
 
 private:
-    void control(double dt);
     void watch();
     void watchBattery();
     void watchPosition();
@@ -92,23 +89,15 @@ private:
     FlightSettings m_settings;
     unsigned m_settingsRevision = ~0u;
     GeoFrame m_world;
-    Wind m_wind;
-    Airframe m_airframe;
-    Battery m_battery;
-    Gps m_gps;
-    Estimator m_estimator;
+    FlightPhysics m_physics;
     PilotInput m_pilot;
     FlightModes m_modes;
-    PositionController m_position;
-    AttitudeController m_attitude;
+    RotorControl m_rotors;
     LandDetector m_landDetector;
     BatteryWatch m_batteryWatch;
     StatusTexts m_texts;
 
     std::uint64_t m_time = 0;
-    Rotors m_commands{};
-    double m_thrust = 0;
-    bool m_idle = true;
     bool m_armed = false;
     bool m_flown = false; ///< since it was armed
     bool m_inFailsafe = false;

@@ -1,12 +1,14 @@
 // The small parts on their own: attitude mathematics, places, the battery, parameters, the pilot's channels and the stream
 // schedule.
 #include "core/sim/battery.h"
+#include "core/sim/flight_physics.h"
 #include "core/sim/flight_settings.h"
 #include "core/sim/gcs_watch.h"
 #include "core/sim/geo_frame.h"
 #include "core/sim/noise.h"
 #include "core/sim/parameters.h"
 #include "core/sim/pilot_input.h"
+#include "core/sim/rotor_control.h"
 #include "core/sim/stream_scheduler.h"
 #include "tests/support/test_runner.h"
 
@@ -34,6 +36,8 @@ private Q_SLOTS:
     void streamRatesAreExact();
     void singleIntervalsOverrideGroups();
     void silenceOfTheStationIsToldOnce();
+    void rotorsFollowArmingAndDemand();
+    void physicsLiftsAVehicle();
 };
 
 void SimPartsTest::anglesSurviveTheQuaternion()
@@ -205,6 +209,43 @@ void SimPartsTest::silenceOfTheStationIsToldOnce()
     QVERIFY(watch.update(start + 107s, 5s) == None);
     watch.heartbeat(start + 108s);
     QVERIFY(watch.update(start + 108s, 5s) == Back);
+}
+
+void SimPartsTest::rotorsFollowArmingAndDemand()
+{
+    const Estimate level;
+    const FlightSettings settings;
+    RotorControl rotors;
+    FlightDemand climb;
+    climb.idle = false;
+    climb.vertical = Climb{2};
+    rotors.update(0.0025, false, climb, level, settings);
+    QVERIFY(rotors.idle());
+    QCOMPARE(rotors.commands(), Rotors{});
+    FlightDemand idle;
+    idle.idle = true;
+    rotors.update(0.0025, true, idle, level, settings);
+    QVERIFY(rotors.idle());
+    QVERIFY(rotors.commands()[0] > 0 && rotors.commands()[0] < 0.1 && rotors.thrust() == 0);
+    for (int i = 0; i < 400; ++i)
+        rotors.update(0.0025, true, climb, level, settings);
+    QVERIFY(!rotors.idle());
+    QVERIFY2(rotors.thrust() > settings.hoverThrottle, qPrintable(QString::number(rotors.thrust())));
+}
+
+void SimPartsTest::physicsLiftsAVehicle()
+{
+    FlightPhysics physics(1, 90, 0);
+    physics.battery().replace(5000, 1);
+    QVERIFY(physics.truth().onGround);
+    QVERIFY(std::abs(physics.truth().attitude.euler().yaw - radians(90)) < 1e-9);
+    const FlightSettings settings;
+    constexpr double kStep = 0.0025;
+    std::uint64_t time = 0;
+    for (int i = 0; i < 800; ++i)
+        physics.step(kStep, time += 2500, settings, {1, 1, 1, 1}, true);
+    QVERIFY(!physics.truth().onGround && physics.truth().position.z < -1);
+    QVERIFY(physics.battery().consumed() > 0);
 }
 
 SKYSEAL_TEST_APPLESS(SimPartsTest)
