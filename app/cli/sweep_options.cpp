@@ -36,9 +36,10 @@ void declare(Options &options)
     options.addValue("out", "DIR",
                      "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF if skyseal-figures is "
                      "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");
-    options.addValue("expect", "TEXT",
-                     "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Without a suite or load it "
-                     "must hold for each. May be given several times.");
+    options.addValue(
+        "expect", "TEXT",
+        "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Each side is a number or a "
+        "metric with an optional factor. Without a suite or load it must hold for each. May be given several times.");
     options.addFlag("json", "One JSON object per line on stdout.");
 }
 
