@@ -82,6 +82,7 @@ class End:
             now = time.monotonic()
             if self._flood:
                 self._flood.aim(address, now)
+                self._flood.tick(now)  # ahead of the reply, also if this program was held up
             if self._flood is None or self._flood.is_on():
                 self._end.receive(datagram, address, now)
                 self._flush()
