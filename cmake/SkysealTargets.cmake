@@ -127,7 +127,7 @@ endfunction()
 function(skyseal_test_entry name program)
   cmake_parse_arguments(arg "" "TIMEOUT" "ARGUMENTS;LABELS;ENVIRONMENT" ${ARGN})
   if(NOT arg_TIMEOUT)
-    set(arg_TIMEOUT 120)
+    set(arg_TIMEOUT 240) # so that a test can report its own deadline (tests/support/eventually.h) before it is killed
   endif()
   add_test(NAME ${name} COMMAND ${program} ${arg_ARGUMENTS})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${arg_TIMEOUT}

@@ -4,6 +4,7 @@
 #include "core/crypto/system_random.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
+#include "tests/support/eventually.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
@@ -110,8 +111,8 @@ void SecrecyTest::noKeyInAnyOutput()
                         m_flight->monitorArguments({QStringLiteral("--record"), path("logs"), QStringLiteral("--switch-to"),
                                                     allSuites(), QStringLiteral("--switch-every"), QStringLiteral("1"),
                                                     QStringLiteral("--duration"), QStringLiteral("9")}));
-        QVERIFY2(!monitor.waitFor(QStringLiteral("session"), 10000).isEmpty(), monitor.errors().constData());
-        QCOMPARE(monitor.waitForExit(30000), 0);
+        QVERIFY2(!monitor.waitFor(QStringLiteral("session")).isEmpty(), monitor.errors().constData());
+        QCOMPARE(monitor.waitForExit(), 0);
         QCOMPARE(air.terminate(), 0);
         for (Program *program : {&sim, &air, &monitor}) {
             said += program->errors() + program->otherLines().join('\n');
@@ -173,7 +174,7 @@ void SecrecyTest::coreFilesAreForbidden()
     const auto forbidden = [&] {
         return QString::fromLatin1(contentsOf(QStringLiteral("/proc/%1/limits").arg(program.pid()))).contains(kNone);
     };
-    QTRY_VERIFY_WITH_TIMEOUT(forbidden() || !program.running(), 20000);
+    EVENTUALLY(forbidden() || !program.running());
     QVERIFY2(program.running(), program.errors().constData());
     QVERIFY(forbidden());
 }

@@ -117,6 +117,7 @@ private Q_SLOTS:
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
     void testsDoNotSleep();
+    void testsHaveNoTightDeadlines();
 };
 
 void LayersTest::arrowsGoDown()
@@ -221,6 +222,18 @@ void LayersTest::testsDoNotSleep()
             continue;
         for (const QString &line : file.lines)
             QVERIFY2(!kSleep.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
+}
+
+/// Tests wait for a condition (tests/support/eventually.h); a bound on the time fails on a busy machine.
+void LayersTest::testsHaveNoTightDeadlines()
+{
+    static const QRegularExpression kBound(QStringLiteral("QTRY_(VERIFY|COMPARE)2?\\(|QVERIFY2?\\(.*elapsed\\(\\) *<"));
+    for (const SourceFile &file : sources({QStringLiteral("tests")})) {
+        if (file.path == QLatin1String("tests/arch/layers_test.cpp"))
+            continue;
+        for (const QString &line : file.lines)
+            QVERIFY2(!kBound.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
     }
 }
 

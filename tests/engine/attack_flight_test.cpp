@@ -5,6 +5,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
 #include "tests/support/clear_frames.h"
+#include "tests/support/eventually.h"
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
@@ -77,7 +78,7 @@ private Q_SLOTS:
 void AttackFlightTest::injectionReachesNoAutopilot()
 {
     AttackedFlight flight;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty());
     const std::uint64_t before = flight.rig.agent->snapshot().counters.clearRefused;
     // In clear, under the station's own system id and others, and inside what looks like a record of this session.
     QByteArray record;
@@ -95,8 +96,7 @@ void AttackFlightTest::injectionReachesNoAutopilot()
                 ++sent, ++forged;
             }
         }
-        QTRY_VERIFY_WITH_TIMEOUT(flight.rig.agent->snapshot().counters.clearRefused - before == sent || !flight.untouched(),
-                                 10000);
+        EVENTUALLY(flight.rig.agent->snapshot().counters.clearRefused - before == sent || !flight.untouched());
         if (!flight.untouched())
             break;
     }
@@ -107,20 +107,20 @@ void AttackFlightTest::injectionReachesNoAutopilot()
     QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
     // And the station's own command still arrives.
     flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
-    QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
+    EVENTUALLY(flight.mode() == sim::FlightMode::AltHold);
 }
 
 void AttackFlightTest::observerCommandsNothing()
 {
     AttackedFlight flight(channel::PeerRole::Observer);
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(flight.flying());
+    EVENTUALLY(!flight.ground.ears->snapshot->vehicles.empty());
     const auto refused = [&] { return flight.rig.agent->snapshot().counters.observerRefused; };
     const std::uint64_t before = refused();
     flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
     flight.ground.station->perform(1, vehicle::Arm{true});
     // The commands are repeated; heartbeats are refused among them, and harmless questions are not.
-    QTRY_VERIFY_WITH_TIMEOUT(!flight.untouched() || refused() >= before + 10, 30000);
+    EVENTUALLY(!flight.untouched() || refused() >= before + 10);
     HOLDS(flight.untouched(), "an observer moves nothing");
 }
 
@@ -144,12 +144,10 @@ void AttackFlightTest::nobodySpeaksAsAnother()
             return config;
         },
         bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(
-        flight.rig.agent->snapshot().counters.spoofRefused > 0 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
+    EVENTUALLY(flight.flying());
+    EVENTUALLY(flight.rig.agent->snapshot().counters.spoofRefused > 0 || flight.rig.agent->snapshot().counters.toVehicle > 0);
     flight.ground.station->perform(1, vehicle::Arm{true});
-    QTRY_VERIFY_WITH_TIMEOUT(
-        flight.rig.agent->snapshot().counters.spoofRefused > 3 || flight.rig.agent->snapshot().counters.toVehicle > 0, 10000);
+    EVENTUALLY(flight.rig.agent->snapshot().counters.spoofRefused > 3 || flight.rig.agent->snapshot().counters.toVehicle > 0);
     HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");
     QVERIFY(flight.untouched());
 }
@@ -157,7 +155,7 @@ void AttackFlightTest::nobodySpeaksAsAnother()
 void AttackFlightTest::spoofedTelemetryIsNotShown()
 {
     AttackedFlight flight;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty());
     const std::uint64_t before = flight.ground.ears->snapshot->plaintextRefused;
     mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
                                  .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA,
@@ -170,7 +168,7 @@ void AttackFlightTest::spoofedTelemetryIsNotShown()
         }
     }
     const auto shown = [&] { return flight.ground.ears->snapshot->vehicles.size() != 1; };
-    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->plaintextRefused - before == 120 || shown(), 10000);
+    EVENTUALLY(flight.ground.ears->snapshot->plaintextRefused - before == 120 || shown());
     HOLDS(!shown(), "the list of vehicles is unchanged");
     QVERIFY(!flight.ground.ears->snapshot->vehicles[0].state.armed);
     QVERIFY(!flight.ground.ears->all<engine::PlaintextRefused>().empty()); // published, not only counted
@@ -195,14 +193,14 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
     VehicleOnUdp vehicle(rig.vehicleAddress());
     VehicleOnUdp impostor(ground.ears->listening(), 1);
     const auto shown = [&] { return !ground.ears->snapshot->vehicles.empty(); };
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 20 || shown(), 20000);
+    EVENTUALLY(ground.ears->snapshot->plaintextRefused > 20 || shown());
     HOLDS(!shown(), "no telemetry without an explicit act");
     ground.station->perform(1, vehicle::Arm{true});
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<vehicle::CommandResult>().empty());
     QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Refused));
     QVERIFY(!impostor.vehicle.autopilot().armed());
     // The agent does not give in either: what its vehicle says stays here.
-    QTRY_VERIFY_WITH_TIMEOUT(rig.agent->snapshot().counters.undelivered > 20, 10000);
+    EVENTUALLY(rig.agent->snapshot().counters.undelivered > 20);
     for (const UdpAttacker::Seen &seen : attacker.seen)
         QCOMPARE(framesIn(seen.bytes), std::size_t(0));
     // A person may take what is held back, but not what the list says is sealed.
@@ -211,7 +209,7 @@ void AttackFlightTest::blockedHandshakesOpenNoClearWay()
     if (bound)
         QVERIFY(!QTest::qWaitFor(shown, 2500));
     else
-        QTRY_VERIFY_WITH_TIMEOUT(shown(), 10000);
+        EVENTUALLY(shown());
 }
 
 void AttackFlightTest::nothingReadableOnTheWire()
@@ -222,8 +220,8 @@ void AttackFlightTest::nothingReadableOnTheWire()
         config.preferredSuite = crypto::SuiteId::Aes256Ctr;
         return config;
     });
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty(), 10000);
-    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->channel.suite == crypto::SuiteId::Aes256Ctr, 10000);
+    EVENTUALLY(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty());
+    EVENTUALLY(flight.ground.ears->snapshot->channel.suite == crypto::SuiteId::Aes256Ctr);
     flight.attacker.seen.clear();
     flight.attacker.toGround(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_GCS}, 42));
     flight.ground.station->perform(1, vehicle::ReadParameters{});
@@ -235,9 +233,9 @@ void AttackFlightTest::nothingReadableOnTheWire()
         mission[i].altitude = 20;
     }
     flight.ground.station->perform(1, vehicle::WriteMission{mission});
-    QTRY_VERIFY_WITH_TIMEOUT(!flight.ground.ears->all<vehicle::MissionResult>().empty(), 20000);
+    EVENTUALLY(!flight.ground.ears->all<vehicle::MissionResult>().empty());
     QVERIFY(flight.ground.ears->all<vehicle::MissionResult>()[0].ok);
-    QTRY_VERIFY_WITH_TIMEOUT(flight.attacker.seen.size() > 400, 20000);
+    EVENTUALLY(flight.attacker.seen.size() > 400);
 
     const auto coordinate = [](std::int32_t value) { return QByteArray(reinterpret_cast<const char *>(&value), 4); };
     const QByteArrayList known{coordinate(-353632610),

@@ -7,6 +7,7 @@
 #include "core/mavlink/stream_parser.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
@@ -65,7 +66,7 @@ struct ObservedFlight
     }
     template<typename Until> bool wait(Until until)
     {
-        return QTest::qWaitFor([&] { return observer.pump(), until(); }, 20000);
+        return eventually([&] { return observer.pump(), until(); });
     }
     /// All that reaches the autopilot until this does.
     std::vector<Bytes> arrivedUntil(const Bytes &last)

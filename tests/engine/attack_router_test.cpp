@@ -2,6 +2,7 @@
 // to him is sealed, nothing that he sends is accepted, and delivery continues.
 #include "core/base/weakness.h"
 #include "tests/engine/ground.h"
+#include "tests/support/eventually.h"
 #include "tests/support/holds.h"
 #include "tests/support/mavlink_hub.h"
 #include "tests/support/router_spoofers.h"
@@ -65,7 +66,7 @@ private Q_SLOTS:
 void AttackRouterTest::copiesAreSealed()
 {
     RoutedFlight flight;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    EVENTUALLY(flight.flying());
     std::size_t copies = 0, readable = 0;
     flight.spoofers.onCopy = [&](const mavlink::Frame &frame) {
         const mavlink::Tunnel copy = mavlink::Tunnel::decode(frame.payload());
@@ -73,7 +74,7 @@ void AttackRouterTest::copiesAreSealed()
         readable += framesIn(QByteArray(reinterpret_cast<const char *>(copy.payload.data()), copy.payload_length));
     };
     flight.ground.station->perform(1, vehicle::ReadParameters{});
-    QTRY_VERIFY_WITH_TIMEOUT(copies > 150, 20000);
+    EVENTUALLY(copies > 150);
     HOLDS(readable == 0, "he gets nothing but what is sealed");
     QVERIFY(!flight.spoofers.more);
     // The same search finds what an unsealed part would carry.
@@ -83,13 +84,13 @@ void AttackRouterTest::copiesAreSealed()
 void AttackRouterTest::spoofedHeartbeatsAreNotTaken()
 {
     RoutedFlight flight;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    EVENTUALLY(flight.flying());
     const auto taken = [&] {
         const auto &vehicles = flight.ground.ears->snapshot->vehicles;
         return vehicles.size() != 1 || vehicles[0].state.armed;
     };
     const std::uint64_t before = flight.ground.ears->snapshot->plaintextRefused;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.ground.ears->snapshot->plaintextRefused > before + 30 || taken(), 20000);
+    EVENTUALLY(flight.ground.ears->snapshot->plaintextRefused > before + 30 || taken());
     HOLDS(!taken(), "the vehicle is shown as it is");
     QVERIFY(!flight.vehicle->vehicle.autopilot().armed());
 }
@@ -98,7 +99,7 @@ void AttackRouterTest::forgedTunnelsDivertNothing()
 {
     // From an address of his own he repeats each copy as a newer record; a receiver that accepted it would send to him.
     RoutedFlight flight;
-    QTRY_VERIFY_WITH_TIMEOUT(flight.flying(), 10000);
+    EVENTUALLY(flight.flying());
     QUdpSocket forger;
     join(forger, flight.hub, 5);
     constexpr std::uint8_t kForger = 42;
@@ -113,13 +114,13 @@ void AttackRouterTest::forgedTunnelsDivertNothing()
     const auto station = [&] { return flight.ground.ears->snapshot->channel.rx; };
     const auto agent = [&] { return flight.rig.agent->snapshot().channel.rx; };
     const auto lost = [&] { return station().lost + agent().lost; };
-    QTRY_VERIFY_WITH_TIMEOUT(agent().forged + station().forged > 0, 10000);
+    EVENTUALLY(agent().forged + station().forged > 0);
     const std::uint64_t good = station().good;
-    const bool arrive = QTest::qWaitFor([&] { return station().good > good + 60; }, 10000);
+    const bool arrive = eventually([&] { return station().good > good + 60; });
     HOLDS(arrive && lost() == 0, "delivery goes on");
     QVERIFY(station().forged > 20);
     flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
-    QTRY_VERIFY_WITH_TIMEOUT(flight.mode() == sim::FlightMode::AltHold, 10000);
+    EVENTUALLY(flight.mode() == sim::FlightMode::AltHold);
     QCOMPARE(lost(), std::uint64_t(0));
     QCOMPARE(flight.ground.ears->all<channel::SessionUp>().size(), std::size_t(1));
 }

@@ -4,6 +4,7 @@
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QCoreApplication>
@@ -39,18 +40,16 @@ public:
         for (const ByteView frame : frames)
             wanted += frame.size();
         std::vector<Bytes> out;
-        const bool all = QTest::qWaitFor(
-            [&] {
-                for (std::size_t count = m_ground.receive(), i = 0; i < count; ++i) {
-                    const MutableByteView datagram = m_ground.received(i);
-                    if (datagram.empty() || datagram[0] != mavlink::kMagic2)
-                        continue;
-                    out.emplace_back(datagram.begin(), datagram.end());
-                    got += datagram.size();
-                }
-                return got >= wanted;
-            },
-            10000);
+        const bool all = eventually([&] {
+            for (std::size_t count = m_ground.receive(), i = 0; i < count; ++i) {
+                const MutableByteView datagram = m_ground.received(i);
+                if (datagram.empty() || datagram[0] != mavlink::kMagic2)
+                    continue;
+                out.emplace_back(datagram.begin(), datagram.end());
+                got += datagram.size();
+            }
+            return got >= wanted;
+        });
         return all ? out : std::vector<Bytes>();
     }
 

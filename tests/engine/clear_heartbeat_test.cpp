@@ -4,6 +4,7 @@
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/flight_rig.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtNetwork/QNetworkDatagram>
@@ -96,7 +97,7 @@ void ClearHeartbeatTest::whoKnowsNoAgentBeats()
     QVERIFY(keys::PeersFile().save(config.keys.peers));
     Middle middle;
     CallingStation ground(config, middle);
-    QTRY_VERIFY_WITH_TIMEOUT(middle.heartbeats >= 2, 10000);
+    EVENTUALLY(middle.heartbeats >= 2);
 }
 
 void ClearHeartbeatTest::noneBesideASessionOrAfterIt()
@@ -105,11 +106,11 @@ void ClearHeartbeatTest::noneBesideASessionOrAfterIt()
     Middle middle;
     CallingStation ground(rig.stationConfig(engine::SecureMode::Preferred), middle);
     // A router learns where the station is without a heartbeat.
-    QTRY_VERIFY_WITH_TIMEOUT(middle.greetings >= 2, 10000);
+    EVENTUALLY(middle.greetings >= 2);
     QCOMPARE(middle.heartbeats, 0);
     rig.startAgent(middle.address());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::VehicleFound>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<engine::VehicleFound>().empty());
     QVERIFY(ground.ears->all<engine::VehicleFound>()[0].sealed);
     QVERIFY(!beatsWithin(middle));
     // The sealed link dies: the autopilot, which may hear the router as well, has to notice.
@@ -122,14 +123,14 @@ void ClearHeartbeatTest::vehicleThatIsTakenGetsThem()
     FlightRig rig;
     Middle middle;
     CallingStation ground(rig.stationConfig(engine::SecureMode::Preferred), middle);
-    QTRY_VERIFY_WITH_TIMEOUT(middle.greetings >= 1, 10000);
+    EVENTUALLY(middle.greetings >= 1);
     VehicleOnUdp vehicle(middle.address());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
     QVERIFY(!beatsWithin(middle));
     const int before = middle.heartbeats;
     ground.station->allowPlaintext(1);
-    QTRY_VERIFY_WITH_TIMEOUT(middle.heartbeats > before, 10000);
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    EVENTUALLY(middle.heartbeats > before);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles.size(), std::size_t(1));
 }
 
 SKYSEAL_TEST(ClearHeartbeatTest)

@@ -7,6 +7,7 @@
 #include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QTimer>
@@ -94,7 +95,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
         floodTold = floodTold || (refused && refused->reason == channel::RefusalReason::Flood);
     });
     agent.start();
-    QTRY_COMPARE_WITH_TIMEOUT(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected), 10000);
+    EVENTUALLY_EQUAL(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected));
     const std::uint16_t port = portOf(agent.snapshot().ground.localAddress);
 
     // Each host has a share of two a second; sixty of them want more than the fifty that there are.
@@ -111,14 +112,15 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     const auto allHaveCookies = [&] {
         return std::all_of(hosts.begin(), hosts.end(), [](const auto &host) { return host->hasCookie(); });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(allHaveCookies() && floodTold, 20000);
+    EVENTUALLY(allHaveCookies() && floodTold);
     const std::size_t exhausted = next + 1500; // the shares that they had at once are used up by then
-    QTRY_VERIFY_WITH_TIMEOUT(next >= exhausted, 20000);
+    EVENTUALLY(next >= exhausted);
 
-    const TimePoint start = steadyNow();
-    QVERIFY(QTest::qWaitFor([&] { return station.pump(), station.up() && agentUp; }, 3000));
-    qInfo("the station's session is up after %.3f s beside %zu messages of the flood", seconds(steadyNow() - start),
-          next - exhausted);
+    // Counted in messages of the flood, which slows down with the machine: these take 3 s at full pace. Without a share of its
+    // own the station's attempts would have to find one of the few that the flood leaves.
+    QVERIFY(eventually([&] { return station.pump(), station.up() && agentUp; }));
+    qInfo("the station's session is up beside %zu messages of the flood", next - exhausted);
+    QVERIFY(next - exhausted < 15'000);
 }
 
 SKYSEAL_TEST(ExpectedHostTest)

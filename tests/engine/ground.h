@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/engine/flight_rig.h"
+#include "tests/support/eventually.h"
 
 #include <QtTest/QTest>
 
@@ -17,7 +18,7 @@ struct Ground
         station = std::move(*made);
         ears = std::make_unique<StationEars>(*station);
         station->addLink(urlOf("udpin:127.0.0.1:0"));
-        if (!QTest::qWaitFor([this] { return !ears->listening().empty(); }, 10000))
+        if (!eventually([this] { return !ears->listening().empty(); }))
             qFatal("no link");
     }
     quint16 port() const { return portOf(ears->listening()); }

@@ -1,6 +1,7 @@
 // A run without a window ends in an orderly way: a switch that is in progress may finish within its usual time.
 #include "core/engine/headless/headless_run.h"
 #include "tests/engine/ground.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;
@@ -56,7 +57,7 @@ void HeadlessRunTest::switchUnderWayIsLetFinish()
     connect(&run, &engine::HeadlessRun::finished, this, [&](engine::RunOutcome reached) { outcome = reached; });
     run.start();
     rig.startAgent(ground.ears->listening());
-    QTRY_VERIFY_WITH_TIMEOUT(outcome, 20000);
+    EVENTUALLY(outcome);
     QCOMPARE(listener.switches.size(), std::size_t(1));
     QCOMPARE(int(listener.switches[0].failure), int(channel::SwitchFailure::NotConfirmed));
     QCOMPARE(int(*outcome), int(engine::RunOutcome::SuiteNotReached));

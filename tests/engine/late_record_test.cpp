@@ -7,6 +7,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
 #include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -37,7 +38,7 @@ void sayLate(BareEnd &end, ByteView frame)
 
 bool waitFor(BareEnd &end, const std::function<bool()> &until)
 {
-    return QTest::qWaitFor([&] { return end.pump(), until(); }, 20000);
+    return eventually([&] { return end.pump(), until(); });
 }
 
 } // namespace
@@ -96,8 +97,7 @@ void LateRecordTest::stationTakesIt()
         config, keys.secrets(channel::Role::Station),
         {[&](auto next) { snapshot = std::move(next); }, [&](engine::Event event) { told.push_back(std::move(event)); }});
     station.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
-    QVERIFY(QTest::qWaitFor([&] { return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty(); },
-                            10000));
+    QVERIFY(eventually([&] { return snapshot && !snapshot->links.empty() && !snapshot->links[0].localAddress.empty(); }));
     BareEnd air(keys, channel::Role::Agent, kPolicy, portOf(snapshot->links[0].localAddress));
     QVERIFY(waitFor(air, [&] { return air.up() && !snapshot->sessions.empty(); }));
     QVERIFY(snapshot->vehicles.empty());

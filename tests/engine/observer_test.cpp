@@ -9,6 +9,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/flight_rig.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -136,7 +137,7 @@ struct AgentWithOneStation
 
     bool wait(const std::function<bool()> &until)
     {
-        return QTest::qWaitFor([&] { return ground.pump(), until(); }, 20000);
+        return eventually([&] { return ground.pump(), until(); });
     }
     void send(const Frames &frames)
     {

@@ -4,6 +4,7 @@
 #include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
+#include "tests/support/eventually.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/test_runner.h"
 
@@ -44,13 +45,13 @@ void PlainStationTest::plainVehicleIsShownAsPlain()
     QVERIFY(station);
     StationEars ears(**station);
     (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
-    QTRY_VERIFY_WITH_TIMEOUT(!ears.listening().empty(), 10000);
+    EVENTUALLY(!ears.listening().empty());
     VehicleOnUdp vehicle(ears.listening());
-    QTRY_VERIFY_WITH_TIMEOUT(!ears.all<engine::VehicleFound>().empty(), 10000);
+    EVENTUALLY(!ears.all<engine::VehicleFound>().empty());
     QVERIFY(!ears.all<engine::VehicleFound>()[0].sealed);
-    QTRY_COMPARE_WITH_TIMEOUT(int(ears.snapshot->security), int(engine::Security::Plain), 10000);
+    EVENTUALLY_EQUAL(int(ears.snapshot->security), int(engine::Security::Plain));
     // It hears us, too: streams start only when they were asked for.
-    QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
+    EVENTUALLY(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll));
 }
 
 void PlainStationTest::plainVehicleWaitsForAPerson()
@@ -61,9 +62,9 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QVERIFY(station);
     StationEars ears(**station);
     (*station)->addLink(urlOf("udpin:127.0.0.1:0"));
-    QTRY_VERIFY_WITH_TIMEOUT(!ears.listening().empty(), 10000);
+    EVENTUALLY(!ears.listening().empty());
     VehicleOnUdp vehicle(ears.listening());
-    QTRY_COMPARE_WITH_TIMEOUT(ears.snapshot->pendingApproval.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ears.snapshot->pendingApproval.size(), std::size_t(1));
     const engine::PendingVehicle held = ears.snapshot->pendingApproval[0];
     QCOMPARE(int(held.systemId), 1);
     QCOMPARE(held.mayBe, std::string("air-1"));
@@ -77,7 +78,7 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     (*station)->allowPlaintext(2);
     QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 1500));
     (*station)->allowPlaintext(1);
-    QTRY_VERIFY_WITH_TIMEOUT(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll), 10000);
+    EVENTUALLY(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll));
     QVERIFY(ears.snapshot->pendingApproval.empty());
     QVERIFY(!ears.snapshot->vehicles[0].session);
 }
@@ -89,14 +90,14 @@ void PlainStationTest::recordingReleasesNobody()
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     QUdpSocket vehicle;
     vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
     QTemporaryDir folder;
     QFile log(folder.filePath(QStringLiteral("flight.tlog")));
     QVERIFY(log.open(QIODevice::WriteOnly));
     QVERIFY(log.write(recordedHeartbeats(1, 10)) > 0);
     log.close();
     ground.station->addLink(urlOf("tlog:" + log.fileName().toStdString()));
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles.size(), std::size_t(1));
     QCOMPARE(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
 }
 
@@ -107,13 +108,13 @@ void PlainStationTest::pendingVehicleIsNoAttacker()
     QUdpSocket vehicle;
     for (int i = 0; i < 20; ++i)
         vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused, std::uint64_t(20), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->plaintextRefused, std::uint64_t(20));
     const auto newest = [&] {
         const auto &samples = ground.ears->snapshot->samples;
         return samples.empty() ? 0 : samples.back().number;
     };
     const std::uint64_t before = newest();
-    QTRY_VERIFY_WITH_TIMEOUT(newest() > before + 1, 10000);
+    EVENTUALLY(newest() > before + 1);
     QCOMPARE(ground.ears->snapshot->samples.back().refused, std::uint64_t(0));
     QCOMPARE(ground.ears->snapshot->channel.rx.plaintextDropped, std::uint64_t(0));
 }
@@ -125,14 +126,14 @@ void PlainStationTest::noVehicleNeedsApprovalWithoutPeers()
     Ground ground(config);
     QUdpSocket vehicle;
     vehicle.writeDatagram(clearHeartbeat(1, 1, false), QHostAddress::LocalHost, ground.port());
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->pendingApproval.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
     QVERIFY(keys::PeersFile().save(config.keys.peers));
     QVERIFY(ground.station->reloadPeers());
     const auto stillNamed = [&] {
         const auto &pendingApproval = ground.ears->snapshot->pendingApproval;
         return std::ranges::any_of(pendingApproval, [](const engine::PendingVehicle &one) { return !one.mayBe.empty(); });
     };
-    QTRY_VERIFY_WITH_TIMEOUT(!stillNamed(), 10000);
+    EVENTUALLY(!stillNamed());
     QVERIFY(ground.ears->snapshot->pendingApproval.empty()); // nor shown as an impostor of ""
 }
 
@@ -145,7 +146,7 @@ void PlainStationTest::takenPortIsNamed()
     auto second = engine::Station::create(config);
     StationEars firstEars(**first), secondEars(**second);
     (*first)->addLink(urlOf("udpin:127.0.0.1:0"));
-    QTRY_VERIFY_WITH_TIMEOUT(!firstEars.listening().empty(), 10000);
+    EVENTUALLY(!firstEars.listening().empty());
     const std::string address = firstEars.listening();
     (*second)->addLink(urlOf("udpin:" + address));
     const auto failed = [&secondEars] {
@@ -155,7 +156,7 @@ void PlainStationTest::takenPortIsNamed()
         }
         return engine::LinkSnapshot{};
     };
-    QTRY_VERIFY_WITH_TIMEOUT(failed().addressInUse, 10000);
+    EVENTUALLY(failed().addressInUse);
     const std::string port = ":" + std::to_string(portOf(address));
     QVERIFY2(failed().problem.find(port) != std::string::npos, failed().problem.c_str());
 }
@@ -191,7 +192,7 @@ struct ListeningCore
     ListeningCore()
     {
         core.addLink(LinkId{1}, urlOf("udpin:127.0.0.1:0"));
-        if (!QTest::qWaitFor([this] { return link.phase == engine::LinkPhase::Listening; }, 10000))
+        if (!eventually([this] { return link.phase == engine::LinkPhase::Listening; }))
             qFatal("no link");
     }
     quint16 port() const { return portOf(link.localAddress); }
@@ -216,12 +217,12 @@ void PlainStationTest::heartbeatStopsWithItsReader()
     engine::StationCore core(offConfig(), nullptr, {[](const auto &) {}, [](const auto &) {}});
     core.addLink(LinkId{1}, urlOf("udpout:127.0.0.1:" + std::to_string(remote.localPort())));
     int heard = 0;
-    QVERIFY(QTest::qWaitFor([&] { return (heard += gcsHeartbeats(remote)) >= 2; }, 10000));
+    QVERIFY(eventually([&] { return (heard += gcsHeartbeats(remote)) >= 2; }));
     core.setReaderAlive(false);
     gcsHeartbeats(remote);
     QVERIFY(!QTest::qWaitFor([&] { return gcsHeartbeats(remote) > 0; }, 2500));
     core.setReaderAlive(true);
-    QVERIFY(QTest::qWaitFor([&] { return gcsHeartbeats(remote) > 0; }, 10000));
+    QVERIFY(eventually([&] { return gcsHeartbeats(remote) > 0; }));
 }
 
 void PlainStationTest::noTargetWithoutAHeartbeat()
@@ -244,7 +245,7 @@ void PlainStationTest::announcementsAreNoGarbage()
         agent.writeDatagram(announcement, QHostAddress::LocalHost, station.port());
     agent.writeDatagram(announcement.chopped(1), QHostAddress::LocalHost, station.port()); // none of any version
     const auto &newest = station.newest;
-    QTRY_VERIFY_WITH_TIMEOUT(newest && !newest->links.empty() && newest->links[0].rxDatagrams == 4, 10000);
+    EVENTUALLY(newest && !newest->links.empty() && newest->links[0].rxDatagrams == 4);
     QCOMPARE(newest->channel.rx.malformed, std::uint64_t(1));
 }
 

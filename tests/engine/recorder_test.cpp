@@ -2,6 +2,7 @@
 #include "core/engine/station/recorder.h"
 #include "core/base/hex.h"
 #include "core/log/log_summary.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QDir>
@@ -116,7 +117,7 @@ void RecorderTest::fullBufferDropsAndCounts()
         recorder.record(timeOf(i), kFrame);
     const RecordingSnapshot at = recorder.snapshot();
     QVERIFY(at.dropped > 0);
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.snapshot().frames + recorder.snapshot().dropped, std::uint64_t(1000), 10000);
+    EVENTUALLY_EQUAL(recorder.snapshot().frames + recorder.snapshot().dropped, std::uint64_t(1000));
 }
 
 void RecorderTest::unwritableFolderIsAProblemAndNoMore()
@@ -124,12 +125,12 @@ void RecorderTest::unwritableFolderIsAProblemAndNoMore()
     Recorder recorder("/dev/null/flights");
     recorder.record(timeOf(0), kFrame);
     std::optional<RecordingSnapshot> problem;
-    QVERIFY(QTest::qWaitFor([&] { return (problem = recorder.takeProblem()).has_value(); }, 10000));
+    QVERIFY(test::eventually([&] { return (problem = recorder.takeProblem()).has_value(); }));
     QVERIFY(problem->file.find("/dev/null/flights") == 0);
     QVERIFY(!problem->problem.empty());
     QVERIFY(!recorder.takeProblem()); // reported once
     recorder.record(timeOf(1), kFrame);
-    QTRY_COMPARE_WITH_TIMEOUT(recorder.snapshot().dropped, std::uint64_t(2), 10000);
+    EVENTUALLY_EQUAL(recorder.snapshot().dropped, std::uint64_t(2));
 }
 
 void RecorderTest::noFrameNoFile()

@@ -1,13 +1,13 @@
 // Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, returns after a
 // restart, and passes only what is allowed.
 #include "tests/engine/ground.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
 #include "tests/support/heartbeat.h"
 
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
 #include <QtNetwork/QUdpSocket>
@@ -21,7 +21,7 @@ class SealedStationTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void sessionIsUpWithinASecond();
+    void sessionComesUp();
     void carriesEverythingWhileSuitesChange();
     void comesBackAfterTheAgentWasKilled();
     void clearFramesOfAPinnedVehicleAreRefused();
@@ -35,17 +35,14 @@ private Q_SLOTS:
     void lastSnapshotKeepsTheCounts();
 };
 
-void SealedStationTest::sessionIsUpWithinASecond()
+void SealedStationTest::sessionComesUp()
 {
     FlightRig rig;
     Ground ground(rig.stationConfig());
-    QElapsedTimer since;
-    since.start();
     rig.startAgent(ground.ears->listening());
-    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
-    QVERIFY2(since.elapsed() <= 1000, qPrintable(QString::number(since.elapsed())));
+    EVENTUALLY(ground.up());
     QCOMPARE(ground.ears->all<channel::SessionUp>()[0].peerName, std::string("air-1"));
-    QTRY_COMPARE(int(ground.ears->snapshot->security), int(engine::Security::Sealed));
+    EVENTUALLY_EQUAL(int(ground.ears->snapshot->security), int(engine::Security::Sealed));
 }
 
 void SealedStationTest::carriesEverythingWhileSuitesChange()
@@ -55,9 +52,9 @@ void SealedStationTest::carriesEverythingWhileSuitesChange()
     config.streamRate = 50;
     Ground ground(std::move(config));
     rig.startAgent(ground.ears->listening());
-    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
+    EVENTUALLY(ground.up());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
 
     const channel::SessionId session = ground.ears->all<channel::SessionUp>()[0].session;
     std::size_t switches = 0;
@@ -67,12 +64,12 @@ void SealedStationTest::carriesEverythingWhileSuitesChange()
                 continue;
             ground.station->switchSuite(session, info.id);
             ++switches;
-            QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<channel::SwitchDone>().size(), switches, 10000);
+            EVENTUALLY_EQUAL(ground.ears->all<channel::SwitchDone>().size(), switches);
             const channel::SwitchDone done = ground.ears->all<channel::SwitchDone>().back();
             QCOMPARE(int(done.to), int(info.id));
             QCOMPARE(int(done.failure), int(channel::SwitchFailure::None));
             const std::uint64_t frames = ground.ears->snapshot->mavlink.frames;
-            QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > frames + 20, 10000);
+            EVENTUALLY(ground.ears->snapshot->mavlink.frames > frames + 20);
         }
     }
     const engine::Snapshot &seen = *ground.ears->snapshot;
@@ -89,22 +86,19 @@ void SealedStationTest::comesBackAfterTheAgentWasKilled()
     FlightRig rig;
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
-    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 10000);
+    EVENTUALLY(ground.up());
     const std::string vehicleAddress = rig.vehicleAddress();
     VehicleOnUdp vehicle(vehicleAddress);
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
 
     const std::uint64_t before = ground.ears->snapshot->channel.rx.good;
     QVERIFY(before > 0);
     rig.killAgent();
-    QElapsedTimer since;
-    since.start();
     rig.startAgent(ground.ears->listening());
     QCOMPARE(rig.vehicleAddress(), vehicleAddress);
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<channel::SessionUp>().size(), std::size_t(2), 10000);
-    QVERIFY2(since.elapsed() <= 3000, qPrintable(QString::number(since.elapsed())));
+    EVENTUALLY_EQUAL(ground.ears->all<channel::SessionUp>().size(), std::size_t(2));
     const std::uint64_t frames = ground.ears->snapshot->mavlink.frames;
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > frames, 10000);
+    EVENTUALLY(ground.ears->snapshot->mavlink.frames > frames);
     // What was received before the restart is not forgotten.
     QVERIFY(ground.ears->snapshot->channel.rx.good > before);
 }
@@ -114,15 +108,15 @@ void SealedStationTest::clearFramesOfAPinnedVehicleAreRefused()
     FlightRig rig(channel::PeerRole::Pilot, {1});
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     VehicleOnUdp impostor(ground.ears->listening(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::PlaintextRefused>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<engine::PlaintextRefused>().empty());
     QCOMPARE(int(ground.ears->all<engine::PlaintextRefused>()[0].systemId), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->plaintextRefused > 0, 10000);
+    EVENTUALLY(ground.ears->snapshot->plaintextRefused > 0);
     QVERIFY(ground.ears->snapshot->vehicles.empty());
     QVERIFY(ground.ears->snapshot->channel.rx.plaintextDropped > 0);
 
     // Another vehicle, whose system id is not bound to a key, is shown as plain.
     VehicleOnUdp other(ground.ears->listening(), 2);
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<engine::VehicleFound>().size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->all<engine::VehicleFound>().size(), std::size_t(1));
     QCOMPARE(int(ground.ears->all<engine::VehicleFound>()[0].systemId), 2);
     QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
 }
@@ -134,18 +128,18 @@ void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
         Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
         rig.startAgent(ground.ears->listening());
         VehicleOnUdp vehicle(rig.vehicleAddress());
-        QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+        EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
         QVERIFY(ground.ears->all<engine::VehicleFound>()[0].sealed);
         std::shared_ptr<const engine::Snapshot> last;
         connect(ground.station.get(), &engine::Station::stopped, this,
                 [&last](const std::shared_ptr<const engine::Snapshot> &snapshot) { last = snapshot; });
         ground.station->stop();
-        QTRY_VERIFY_WITH_TIMEOUT(last, 10000);
+        EVENTUALLY(last);
     }
     rig.killAgent();
     Ground again(rig.stationConfig(engine::SecureMode::Preferred));
     VehicleOnUdp impostor(again.ears->listening(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!again.ears->all<engine::PlaintextRefused>().empty(), 10000);
+    EVENTUALLY(!again.ears->all<engine::PlaintextRefused>().empty());
     QVERIFY(again.ears->snapshot->vehicles.empty());
 }
 
@@ -161,24 +155,24 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
 
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     ground.station->addLink(urlOf("tlog:" + log.toStdString()));
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles.size(), std::size_t(1));
     QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
 
     // While the vehicle itself is there, a recording is not mixed into what it says.
     Ground flying(rig.stationConfig(engine::SecureMode::Preferred));
     rig.startAgent(flying.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->vehicles.size(), std::size_t(1), 10000);
+    EVENTUALLY_EQUAL(flying.ears->snapshot->vehicles.size(), std::size_t(1));
     flying.station->addLink(urlOf("tlog:" + log.toStdString()));
-    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused, std::uint64_t(600), 10000);
+    EVENTUALLY_EQUAL(flying.ears->snapshot->plaintextRefused, std::uint64_t(600));
     QVERIFY(flying.ears->all<engine::VehicleFound>()[0].sealed);
 
     // Nor does one take the place of what it last said, and of the word that its session was lost.
     rig.agent->stop();
-    QTRY_VERIFY_WITH_TIMEOUT(flying.ears->snapshot->vehicles[0].ended, 10000);
+    EVENTUALLY(flying.ears->snapshot->vehicles[0].ended);
     const std::uint64_t messages = flying.ears->snapshot->vehicles[0].state.sequence.frames;
     flying.station->addLink(urlOf("tlog:" + log.toStdString()));
-    QTRY_COMPARE_WITH_TIMEOUT(flying.ears->snapshot->plaintextRefused, std::uint64_t(1200), 10000);
+    EVENTUALLY_EQUAL(flying.ears->snapshot->plaintextRefused, std::uint64_t(1200));
     QVERIFY(flying.ears->snapshot->vehicles[0].ended);
     QVERIFY(flying.ears->snapshot->vehicles[0].session);
     QCOMPARE(flying.ears->snapshot->vehicles[0].state.sequence.frames, messages);
@@ -203,23 +197,23 @@ void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
     Ground ground(config);
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<engine::SystemRefused>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<engine::SystemRefused>().empty());
     const engine::SystemRefused told = ground.ears->all<engine::SystemRefused>()[0];
     QCOMPARE(int(told.systemId), 1);
     QCOMPARE(told.peer, std::string("air-1"));
     QCOMPARE(told.owner, std::string("air-0"));
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->spoofed > 20, 10000);
+    EVENTUALLY(ground.ears->snapshot->spoofed > 20);
     QVERIFY(ground.ears->snapshot->vehicles.empty());
     // A refusal just before the end of its session is published with the same names.
     rig.agent->stop();
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::SessionDown>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<channel::SessionDown>().empty());
     const auto frames = [&ground] {
         std::uint64_t out = 0;
         for (const engine::SystemRefused &refused : ground.ears->all<engine::SystemRefused>())
             out += refused.frames;
         return out;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(frames() > 1 && frames() == ground.ears->snapshot->spoofed, 10000);
+    EVENTUALLY(frames() > 1 && frames() == ground.ears->snapshot->spoofed);
     for (const engine::SystemRefused &refused : ground.ears->all<engine::SystemRefused>()) {
         QCOMPARE(refused.peer, told.peer);
         QCOMPARE(refused.owner, told.owner);
@@ -232,15 +226,15 @@ void SealedStationTest::observerCannotCommand()
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
     ground.station->perform(1, vehicle::SetMode{"GUIDED"});
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
+    EVENTUALLY(!ground.ears->all<vehicle::CommandResult>().empty());
     const vehicle::CommandResult result = ground.ears->all<vehicle::CommandResult>()[0];
     QCOMPARE(int(result.outcome), int(vehicle::CommandOutcome::TimedOut));
     QVERIFY2(result.reason.starts_with("no answer to 5 attempts; ") && result.reason.find("observer") != std::string::npos,
              result.reason.c_str());
     ground.station->perform(1, vehicle::WriteParameter{"FS_GCS_ENABLE", 0});
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::ParameterResult>().empty(), 30000);
+    EVENTUALLY(!ground.ears->all<vehicle::ParameterResult>().empty());
     const vehicle::ParameterResult written = ground.ears->all<vehicle::ParameterResult>()[0];
     QVERIFY2(!written.ok && written.reason.find("observer") != std::string::npos, written.reason.c_str());
     const engine::AgentSnapshot agent = rig.agent->snapshot();
@@ -254,12 +248,12 @@ void SealedStationTest::pilotCanCommand()
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->snapshot->vehicles.empty(), 10000);
+    EVENTUALLY(!ground.ears->snapshot->vehicles.empty());
     const vehicle::RequestId id = ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<vehicle::CommandResult>().empty(), 30000);
+    EVENTUALLY(!ground.ears->all<vehicle::CommandResult>().empty());
     QCOMPARE(int(ground.ears->all<vehicle::CommandResult>()[0].outcome), int(vehicle::CommandOutcome::Accepted));
     QVERIFY(ground.ears->all<vehicle::CommandResult>()[0].id == id);
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->snapshot->vehicles[0].state.mode, std::string("ALT_HOLD"), 10000);
+    EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles[0].state.mode, std::string("ALT_HOLD"));
 }
 
 void SealedStationTest::unknownStationGetsNothing()
@@ -268,15 +262,15 @@ void SealedStationTest::unknownStationGetsNothing()
     Ground ground(stranger.stationConfig()); // knows other keys
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(!ground.ears->all<channel::HandshakeRefused>().empty(), 10000);
+    EVENTUALLY(!ground.ears->all<channel::HandshakeRefused>().empty());
     QVERIFY(!ground.up());
     QVERIFY(ground.ears->snapshot->vehicles.empty());
     // It keeps announcing itself, which snapshots show and one event reports.
     const auto unknown = [&ground] { return ground.ears->snapshot->unknownAgents; };
-    QTRY_COMPARE(unknown().size(), std::size_t(1));
+    EVENTUALLY_EQUAL(unknown().size(), std::size_t(1));
     QVERIFY(unknown()[0].remoteAddress.starts_with("127.0.0.1:"));
     const double then = ground.ears->snapshot->time;
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->time > then + 3.5, 10000);
+    EVENTUALLY(ground.ears->snapshot->time > then + 3.5);
     QCOMPARE(ground.ears->all<channel::HandshakeRefused>().size(), std::size_t(1));
     QCOMPARE(unknown().size(), std::size_t(1));
     QCOMPARE(rig.agent->snapshot().counters.toGround, std::uint64_t(0));
@@ -289,11 +283,11 @@ void SealedStationTest::agentThatDoesNotKnowUsIsNamed()
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
     const auto told = [&ground] { return ground.ears->all<engine::AgentUnanswering>(); };
-    QTRY_VERIFY_WITH_TIMEOUT(!told().empty(), 20000);
+    EVENTUALLY(!told().empty());
     QVERIFY(!told()[0].over);
     QCOMPARE(told()[0].agent.peerName, std::string("air-1"));
     QVERIFY(told()[0].agent.remoteAddress.starts_with("127.0.0.1:"));
-    QTRY_COMPARE(ground.ears->snapshot->unanswering.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(ground.ears->snapshot->unanswering.size(), std::size_t(1));
     // The fingerprint is the one that the agent itself said when it refused us.
     QVERIFY(std::any_of(rig.agentEvents.begin(), rig.agentEvents.end(), [&](const engine::AgentEvent &event) {
         const auto *channelEvent = std::get_if<channel::Event>(&event);
@@ -303,8 +297,8 @@ void SealedStationTest::agentThatDoesNotKnowUsIsNamed()
     rig.introduceStation(true);
     rig.killAgent();
     rig.startAgent(ground.ears->listening());
-    QTRY_VERIFY_WITH_TIMEOUT(ground.up(), 20000);
-    QTRY_VERIFY(ground.ears->snapshot->unanswering.empty());
+    EVENTUALLY(ground.up());
+    EVENTUALLY(ground.ears->snapshot->unanswering.empty());
     QCOMPARE(told().size(), std::size_t(2));
     QVERIFY(told()[1].over);
 }
@@ -315,12 +309,12 @@ void SealedStationTest::lastSnapshotKeepsTheCounts()
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    QTRY_VERIFY_WITH_TIMEOUT(ground.ears->snapshot->mavlink.frames > 5, 10000);
+    EVENTUALLY(ground.ears->snapshot->mavlink.frames > 5);
     std::shared_ptr<const engine::Snapshot> last;
     connect(ground.station.get(), &engine::Station::stopped, this,
             [&last](const std::shared_ptr<const engine::Snapshot> &snapshot) { last = snapshot; });
     ground.station->stop();
-    QTRY_VERIFY_WITH_TIMEOUT(last, 10000);
+    EVENTUALLY(last);
     QVERIFY(last->mavlink.frames > 5);
     QVERIFY(last->channel.rx.good > 5);
     QVERIFY(last->channel.up);
@@ -333,7 +327,7 @@ void SealedStationTest::lastSnapshotKeepsTheCounts()
         }
         return false;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(goodbye(), 10000);
+    EVENTUALLY(goodbye());
 }
 
 SKYSEAL_TEST(SealedStationTest)

@@ -432,9 +432,9 @@ void SweepTest::cancelOnALinkRestoresTheSuite()
                            "--allow-research --suites rc4 --seconds 1 --repeats 50 --no-noise "
                            "--json")
                         + QStringList{q("--out"), folder.path()});
-    QVERIFY2(!process.waitFor(q("run"), 40000).isEmpty(), process.errors().constData());
+    QVERIFY2(!process.waitFor(q("run")).isEmpty(), process.errors().constData());
     process.terminate();
-    QCOMPARE(process.waitForExit(20000), 1);
+    QCOMPARE(process.waitForExit(), 1);
     QVERIFY(process.errors().contains("cancelled"));
     QTRY_COMPARE_WITH_TIMEOUT(air.last(q("switch"))[QLatin1String("from")].toString(), q("rc4"), 5000);
     QCOMPARE(air.last(q("switch"))[QLatin1String("to")].toString(), q("chacha20-poly1305"));
@@ -455,7 +455,7 @@ void SweepTest::refusalsAreTold()
                     onLink(flight,
                            "--allow-plain --suites none,aes-256-ctr --framing both --seconds 0.5 "
                            "--repeats 1 --seed 3 --json"));
-    QCOMPARE(process.waitForExit(60000), 1);
+    QCOMPARE(process.waitForExit(), 1);
     QHash<QString, QString> problems;
     for (const QJsonObject &sample : process.events(q("run")))
         problems[sample[QLatin1String("suite")].toString() + QLatin1Char(' ') + sample[QLatin1String("framing")].toString()] =
@@ -475,7 +475,7 @@ void SweepTest::agentTellsItsCosts()
     Program sim(q("skyseal-sim"), flight.simArguments({q("--saturate")}));
     Program air(q("skyseal-air"), flight.airArguments());
     Program process(q("skyseal-cli"), onLink(flight, "--suites aes-256-gcm --seconds 4 --repeats 1 --no-noise --json"));
-    QCOMPARE(process.waitForExit(60000), 0);
+    QCOMPARE(process.waitForExit(), 0);
     QFile statm(q("/proc/%1/statm").arg(air.pid()));
     QVERIFY(statm.open(QIODevice::ReadOnly));
     const double resident = statm.readAll().split(' ')[1].toDouble() * static_cast<double>(sysconf(_SC_PAGESIZE));

@@ -3,6 +3,7 @@
 //
 // ARDUPILOT_SITL names the arducopter program (waf's build/sitl/bin/arducopter, or any prebuilt one); without it the test is skipped.
 #include "core/mavlink/stream_parser.h"
+#include "tests/support/eventually.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
@@ -19,7 +20,7 @@ using namespace skyseal::test;
 
 namespace {
 
-/// What a simulated vehicle needs to arm: a frame, calibrated sensors, sticks in the middle.
+/// Parameters that let a simulated vehicle arm: frame class, calibrated sensors, centered sticks.
 const char kParameters[] =
     "FRAME_CLASS 1\nFRAME_TYPE 0\nBATT_MONITOR 4\nEK2_ENABLE 1\nFS_THR_ENABLE 1\n"
     "RC1_MAX 2000\nRC1_MIN 1000\nRC1_TRIM 1500\nRC2_MAX 2000\nRC2_MIN 1000\nRC2_TRIM 1500\n"
@@ -110,12 +111,11 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
     Program monitor(QStringLiteral("skyseal-cli"),
                     {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(udpPort),
                      QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json")});
-    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("link")).isEmpty());
 
-    // This SITL speaks TCP only: whole frames are carried to UDP here, as sim_vehicle.py has MAVProxy do.
+    // This SITL supports TCP only: whole frames are forwarded to UDP here, as MAVProxy does for sim_vehicle.py.
     QTcpSocket autopilot;
-    QTRY_VERIFY_WITH_TIMEOUT((autopilot.connectToHost(QStringLiteral("127.0.0.1"), tcpPort), autopilot.waitForConnected(500)),
-                             20000);
+    EVENTUALLY((autopilot.connectToHost(QStringLiteral("127.0.0.1"), tcpPort), autopilot.waitForConnected(500)));
     QUdpSocket station;
     QVERIFY(station.bind(QHostAddress::LocalHost, 0));
     mavlink::StreamParser parser(mavlink::Dialect::builtin());
@@ -135,10 +135,9 @@ void ArduPilotTest::plainOnUdpIsShownAsNotSealed()
             autopilot.write(datagram);
         }
     });
-    QTRY_VERIFY_WITH_TIMEOUT(!monitor.events(QStringLiteral("vehicle")).empty(), 30000);
-    QTRY_VERIFY_WITH_TIMEOUT(!monitor.events(QStringLiteral("stats")).empty()
-                                 && !monitor.last(QStringLiteral("stats"))[QLatin1String("vehicles")].toArray().isEmpty(),
-                             15000);
+    EVENTUALLY(!monitor.events(QStringLiteral("vehicle")).empty());
+    EVENTUALLY(!monitor.events(QStringLiteral("stats")).empty()
+               && !monitor.last(QStringLiteral("stats"))[QLatin1String("vehicles")].toArray().isEmpty());
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
 }
 

@@ -1,4 +1,4 @@
-// The time of day jumps by ten years: in flight, and back again before a handshake. Nobody may notice.
+// The time of day jumps by ten years, in flight and back before a handshake, without any effect.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
@@ -46,7 +46,7 @@ void ClockTest::initTestCase()
     Program date(kEnv,
                  {QStringLiteral("LD_PRELOAD=" SKYSEAL_CLOCK_SHIFT), QStringLiteral("CLOCK_SHIFT=%1").arg(kTenYears),
                   QStringLiteral("/bin/date"), QStringLiteral("+{\"event\":\"date\",\"now\":%s}")});
-    const qint64 then = date.waitFor(QStringLiteral("date"), 10000)[QLatin1String("now")].toInteger();
+    const qint64 then = date.waitFor(QStringLiteral("date"))[QLatin1String("now")].toInteger();
     QVERIFY(qAbs(then - QDateTime::currentSecsSinceEpoch() - kTenYears) < 60);
 }
 
@@ -57,10 +57,10 @@ void ClockTest::tenYearsInFlight()
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(kEnv, shifted(QStringLiteral("skyseal-air"), flight.airArguments(), kTenYears, 3));
     Program monitor(kEnv, shifted(QStringLiteral("skyseal-cli"), flight.monitorArguments(), -kTenYears, 5));
-    QVERIFY2(!monitor.waitFor(QStringLiteral("session"), 10000).isEmpty(), monitor.errors().constData());
+    QVERIFY2(!monitor.waitFor(QStringLiteral("session")).isEmpty(), monitor.errors().constData());
     QJsonObject stats;
     for (int second = 0; second < 8; ++second) {
-        stats = monitor.waitFor(QStringLiteral("stats"), 5000);
+        stats = monitor.waitFor(QStringLiteral("stats"));
         QVERIFY(!stats.isEmpty());
     }
     QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
@@ -75,7 +75,7 @@ void ClockTest::tenYearsBackBeforeAHandshake()
     for (const qint64 by : {kTenYears, -kTenYears, qint64(0)}) {
         Program air(kEnv, shifted(QStringLiteral("skyseal-air"), flight.airArguments(), -by, 0));
         Program monitor(kEnv, shifted(QStringLiteral("skyseal-cli"), flight.monitorArguments(), by, 0));
-        const QJsonObject session = monitor.waitFor(QStringLiteral("session"), 10000);
+        const QJsonObject session = monitor.waitFor(QStringLiteral("session"));
         QVERIFY2(session[QLatin1String("state")].toString() == QLatin1String("up"), monitor.errors().constData());
     }
 }

@@ -1,5 +1,6 @@
 // Two hundred times kill -9 of an agent or its station in traffic, with an ear on the wire: no life repeats a key of
 // another, and no counter is sealed twice under one.
+#include "tests/support/eventually.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
@@ -48,9 +49,9 @@ void KillTest::everyLifeHasKeysOfItsOwn()
             victim->kill();
             victim = life % 2 ? startAir() : startMonitor();
         }
-        QTRY_VERIFY2_WITH_TIMEOUT(count(true, 0x5a) > answers, qPrintable(QStringLiteral("life %1").arg(life)), 20000);
-        QTRY_VERIFY2_WITH_TIMEOUT(count(true, 0x50) > fromAir + 5 && count(false, 0x50) > fromGround + 2,
-                                  qPrintable(QStringLiteral("life %1").arg(life)), 20000);
+        EVENTUALLY2(count(true, 0x5a) > answers, qPrintable(QStringLiteral("life %1").arg(life)));
+        EVENTUALLY2(count(true, 0x50) > fromAir + 5 && count(false, 0x50) > fromGround + 2,
+                    qPrintable(QStringLiteral("life %1").arg(life)));
     }
 
     // A session's keys come from the ephemeral key in its answer and in the first message that was answered.

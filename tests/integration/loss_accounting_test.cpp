@@ -1,7 +1,8 @@
-// What station and agent say about lost, late and repeated frames is what the relay between them did to each single one: the
-// relay's own log, replayed in the order in which its datagrams left, gives the same numbers at every moment at which
-// anybody reported them. Both directions, records, frames sealed in place, and clear MAVLink; the live counters and a sweep.
+// The counters of lost, late and repeated frames at station and agent agree exactly with the treatment of each datagram by the
+// relay between them: the relay's log, replayed in the order of sending, gives the same numbers for every report. Covers both
+// directions, records, frames sealed in place and clear MAVLink, in the live counters and in a sweep.
 #include "tests/support/flight.h"
+#include "tests/support/record_counters.h"
 #include "tests/support/relay_ledger.h"
 #include "tests/support/test_runner.h"
 
@@ -33,21 +34,12 @@ RelayLedger::Sealed sealedOf(const QJsonValue &counters)
     return {number(counters, "good"), number(counters, "lost"), number(counters, "late"), number(counters, "replayed")};
 }
 
-/// What a live report says of its sessions' records: handshakes that came twice belong to none.
-QJsonObject recordsIn(const QJsonValue &channel)
-{
-    QJsonObject out = channel[QLatin1String("rx")].toObject();
-    for (const char *counter : {"replayed", "forged", "malformed"})
-        out[QLatin1String(counter)] = number(out, counter) - number(channel[QLatin1String("unmatched")], counter);
-    return out;
-}
-
 RelayLedger::Frames framesOf(const QJsonValue &counters)
 {
     return {number(counters, "frames"), number(counters, "lost"), number(counters, "late"), number(counters, "duplicate")};
 }
 
-/// One report held against the books: which report, and what differs; empty when all is as the relay's log says.
+/// Compares a report with the ledger. Returns a description of the difference, empty if there is none.
 QString difference(const QJsonValue &counters, const std::vector<RelayLedger::Sealed> &books)
 {
     const RelayLedger::Sealed said = sealedOf(counters);
@@ -124,10 +116,10 @@ QStringList LossAccountingTest::relayArguments(quint16 relay, quint16 ground, co
 void LossAccountingTest::drain(Program &impair, Program &monitor)
 {
     for (int i = 0; i < 2; ++i) {
-        impair.skipWhatCame();
-        monitor.skipWhatCame();
-        QVERIFY(!impair.waitFor(q("stats"), 5000).isEmpty());
-        QVERIFY(!monitor.waitFor(q("stats"), 5000).isEmpty());
+        impair.skipReceivedEvents();
+        monitor.skipReceivedEvents();
+        QVERIFY(!impair.waitFor(q("stats")).isEmpty());
+        QVERIFY(!monitor.waitFor(q("stats")).isEmpty());
     }
 }
 
@@ -151,9 +143,9 @@ void LossAccountingTest::liveCountersAreExact()
                         words(inPlace ? "--framing inline --stream-rate 20 --no-record" : "--stream-rate 20 --no-record")));
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, inPlace ? words("--allow-inline") : QStringList()));
-    QVERIFY2(!monitor.waitFor(q("session"), 20000).isEmpty(), monitor.errors().constData());
+    QVERIFY2(!monitor.waitFor(q("session")).isEmpty(), monitor.errors().constData());
     for (int second = 0; second < 6; ++second)
-        QVERIFY(!monitor.waitFor(q("stats"), 10000).isEmpty());
+        QVERIFY(!monitor.waitFor(q("stats")).isEmpty());
     QCOMPARE(sim.terminate(), 0);
     drain(impair, monitor);
     QCOMPARE(monitor.terminate(), 0);
@@ -168,14 +160,14 @@ void LossAccountingTest::liveCountersAreExact()
     int reports = 0;
     for (const QJsonObject &stats : monitor.events(q("stats"))) {
         const QJsonValue channel = stats[QLatin1String("channel")];
-        AGREES(recordsIn(channel), down.sealed());
-        AGREES(channel[QLatin1String("tx")], up.sealed()); // as the agent told over the link
+        AGREES(receivedRecords(channel), down.sealed());
+        AGREES(channel[QLatin1String("tx")], up.sealed()); // as the agent reported over the link
         if (inPlace)
             AGREES(stats[QLatin1String("mavlink")], down.frames());
         ++reports;
     }
     for (const QJsonObject &stats : air.events(q("stats")))
-        AGREES(recordsIn(stats[QLatin1String("channel")]), up.sealed());
+        AGREES(receivedRecords(stats[QLatin1String("channel")]), up.sealed());
     QVERIFY(reports >= 8);
     const RelayLedger::Sealed last = sealedOf(monitor.last(q("stats"))[QLatin1String("channel")][QLatin1String("rx")]);
     qInfo("to the station at last: %s", qPrintable(words(last)));
@@ -193,13 +185,13 @@ void LossAccountingTest::plainFramesAreCountedExactly()
     Program monitor(q("skyseal-cli"),
                     QStringList{q("monitor"), q("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort)}
                         + words("--secure off --stream-rate 20 --no-record --json"));
-    // What the relay sends to a port that nobody listens on yet is lost behind its back.
-    QVERIFY2(!monitor.waitFor(q("link"), 20000).isEmpty(), monitor.errors().constData());
+    // Otherwise the relay would send to a port that is not open yet, a loss that its log does not show.
+    QVERIFY2(!monitor.waitFor(q("link")).isEmpty(), monitor.errors().constData());
     Program sim(q("skyseal-sim"), flight.simArguments());
     Program air(q("skyseal-air"), flight.airArguments(relay, words("--allow-plain")));
-    QVERIFY2(!monitor.waitFor(q("vehicle"), 20000).isEmpty(), monitor.errors().constData());
+    QVERIFY2(!monitor.waitFor(q("vehicle")).isEmpty(), monitor.errors().constData());
     for (int second = 0; second < 6; ++second)
-        QVERIFY(!monitor.waitFor(q("stats"), 10000).isEmpty());
+        QVERIFY(!monitor.waitFor(q("stats")).isEmpty());
     QCOMPARE(sim.terminate(), 0);
     drain(impair, monitor);
     QCOMPARE(monitor.terminate(), 0);
@@ -235,7 +227,7 @@ void LossAccountingTest::sweepsLossIsExact()
     arguments << flight.path(q("ground.key")) << q("--peers") << flight.path(q("ground.peers")) << q("--link")
               << QStringLiteral("udpin:127.0.0.1:%1").arg(flight.groundPort);
     Program sweep(q("skyseal-cli"), arguments);
-    QCOMPARE(sweep.waitForExit(120000), 0);
+    QCOMPARE(sweep.waitForExit(2 * kDeadlineMs), 0);
     QCOMPARE(impair.terminate(), 0);
 
     const RelayLedger down(impair.events(), q("forward")), up(impair.events(), q("backward"));
@@ -248,14 +240,14 @@ void LossAccountingTest::sweepsLossIsExact()
             AGREES(edge[QLatin1String("rx")], down.sealed());
             AGREES(edge[QLatin1String("tx")], up.sealed());
         }
-        // And the share that is reported is made of these very counts.
+        // The reported share is computed from these counts.
         const auto checkShare = [&](const char *direction, const char *metric) {
             const auto from = sealedOf(begin[QLatin1String(direction)]), to = sealedOf(end[QLatin1String(direction)]);
             const auto lost = static_cast<double>(std::max<qint64>(0, to.lost - from.lost)),
                        good = static_cast<double>(to.good - from.good);
             const double share = run[QLatin1String("values")][QLatin1String(metric)].toDouble(-1);
             QVERIFY2(lost + good > 0 ? std::abs(share - lost / (lost + good)) < 1e-12
-                                     : share == -1, // the agent told nothing new
+                                     : share == -1, // no new report of the agent
                      qPrintable(QStringLiteral("%1: %2").arg(q(metric)).arg(share)));
         };
         checkShare("rx", "record_loss");

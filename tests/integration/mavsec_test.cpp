@@ -3,6 +3,7 @@
 #include "core/base/hex.h"
 #include "core/mavlink/crc.h"
 #include "core/mavlink/frame_scanner.h"
+#include "tests/support/eventually.h"
 #include "tests/support/program.h"
 #include "tests/support/test_runner.h"
 
@@ -33,7 +34,7 @@ QByteArray bytesOf(const char *hex)
     return QByteArray::fromHex(hex);
 }
 
-/// What the openssl program makes of a frame's payload, with the checksum over it.
+/// The frame with its payload encrypted by the openssl program, and the checksum over the result.
 QByteArray encrypted(const QByteArray &frame, const QString &cipher, const QString &iv)
 {
     const int header = static_cast<std::uint8_t>(frame[0]) == 0xfd ? 10 : 6;
@@ -61,7 +62,7 @@ QByteArray encrypted(const QByteArray &frame, const QString &cipher, const QStri
 QList<QJsonObject> messages(Program &decode)
 {
     QList<QJsonObject> out;
-    if (decode.waitForExit(20000) != 0)
+    if (decode.waitForExit() != 0)
         return out;
     for (const QJsonObject &event : decode.events())
         out.append(event);
@@ -174,7 +175,7 @@ void MavsecTest::keyFilesAreForTheirOwner()
     Program decode(QStringLiteral("skyseal-cli"),
                    {QStringLiteral("decode"), writeFile("nothing.bin", {}), QStringLiteral("--framing"),
                     QStringLiteral("mavsec2019"), QStringLiteral("--key-file"), key});
-    QCOMPARE(decode.waitForExit(10000), 3);
+    QCOMPARE(decode.waitForExit(), 3);
     QVERIFY2(decode.errors().contains("open.hex"), decode.errors().constData());
     QVERIFY(!decode.errors().contains(kKey.toLatin1()));
 }
@@ -208,7 +209,7 @@ void MavsecTest::monitorReadsAndNeverSends()
     if (!how.counter.isEmpty())
         arguments << QStringLiteral("--counter") << how.counter;
     Program monitor(QStringLiteral("skyseal-cli"), arguments);
-    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link")).isEmpty(), monitor.errors().constData());
 
     QUdpSocket vehicle;
     QVERIFY(vehicle.bind(QHostAddress::LocalHost, 0));
@@ -226,12 +227,12 @@ void MavsecTest::monitorReadsAndNeverSends()
         }
         return false;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(turned(), 15000);
+    EVENTUALLY(turned());
     QCOMPARE(monitor.events(QStringLiteral("vehicle")).front()[QLatin1String("type")].toInt(), 2);
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
     // Longer than a station goes without a heartbeat or a request of its own.
     const std::size_t seconds = monitor.events(QStringLiteral("stats")).size();
-    QTRY_VERIFY_WITH_TIMEOUT(monitor.events(QStringLiteral("stats")).size() >= seconds + 4, 15000);
+    EVENTUALLY(monitor.events(QStringLiteral("stats")).size() >= seconds + 4);
     QCOMPARE(monitor.terminate(), 0);
     QVERIFY(!vehicle.hasPendingDatagrams());
     QVERIFY(monitor.errors().contains("INSECURE"));
@@ -245,16 +246,16 @@ void MavsecTest::neverSendsOverTcp()
                     {QStringLiteral("monitor"), QStringLiteral("--link"),
                      QStringLiteral("tcp:127.0.0.1:%1").arg(autopilot.serverPort()), QStringLiteral("--framing"),
                      QStringLiteral("mavsec2019"), QStringLiteral("--json"), QStringLiteral("--no-record")});
-    QTRY_VERIFY_WITH_TIMEOUT(autopilot.hasPendingConnections(), 10000);
+    EVENTUALLY(autopilot.hasPendingConnections());
     QTcpSocket *link = autopilot.nextPendingConnection();
     QTimer pace;
     connect(&pace, &QTimer::timeout, this, [&] { // as the published ChaCha20 makes it
         link->write(QByteArray::fromHex("fd090000070101000000264f51f3421888e52c611b"));
     });
     pace.start(100);
-    QTRY_VERIFY_WITH_TIMEOUT(!monitor.events(QStringLiteral("vehicle")).empty(), 15000);
+    EVENTUALLY(!monitor.events(QStringLiteral("vehicle")).empty());
     const std::size_t seconds = monitor.events(QStringLiteral("stats")).size();
-    QTRY_VERIFY_WITH_TIMEOUT(monitor.events(QStringLiteral("stats")).size() >= seconds + 4, 15000);
+    EVENTUALLY(monitor.events(QStringLiteral("stats")).size() >= seconds + 4);
     QCOMPARE(monitor.terminate(), 0);
     QCOMPARE(link->bytesAvailable(), 0);
 }

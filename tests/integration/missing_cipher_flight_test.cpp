@@ -60,17 +60,17 @@ void MissingCipherFlightTest::oneEndLacksRc4()
     {
         const WithoutModules without(inTheAir);
         air.emplace(QStringLiteral("skyseal-air"), flight.airArguments());
-        QVERIFY2(!air->waitFor(QStringLiteral("link"), 10000).isEmpty(), air->errors().constData());
+        QVERIFY2(!air->waitFor(QStringLiteral("link")).isEmpty(), air->errors().constData());
     }
     {
         const WithoutModules without(!inTheAir);
         monitor.emplace(QStringLiteral("skyseal-cli"),
                         flight.monitorArguments({QStringLiteral("--switch-to"), QStringLiteral("rc4,aes-256-gcm"),
                                                  QStringLiteral("--switch-every"), QStringLiteral("1")}));
-        QVERIFY2(!monitor->waitFor(QStringLiteral("session"), 10000).isEmpty(), monitor->errors().constData());
+        QVERIFY2(!monitor->waitFor(QStringLiteral("session")).isEmpty(), monitor->errors().constData());
     }
     const auto result = [&](const char *suite) {
-        const QJsonObject event = monitor->waitFor(QStringLiteral("switch"), 15000, [suite](const QJsonObject &done) {
+        const QJsonObject event = monitor->waitFor(QStringLiteral("switch"), [suite](const QJsonObject &done) {
             return done[QLatin1String("to")].toString() == QLatin1String(suite);
         });
         const QString reason = event[QLatin1String("reason")].toString();

@@ -1,7 +1,8 @@
-// An independent peer: the npm package node-mavlink plays a vehicle over UDP, plain and signed; the monitor reports what it
-// sends, and it understands what the monitor commands.
+// An independent peer: the npm package node-mavlink simulates a vehicle over UDP, plain and signed. The monitor reports its
+// messages, and it decodes the commands of the monitor.
 //
 // Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
+#include "tests/support/eventually.h"
 #include "tests/support/program.h"
 #include "tests/support/test_runner.h"
 
@@ -61,10 +62,10 @@ void NodeMavlinkTest::monitorReportsItsTelemetry()
     if (isSigned)
         nodeArguments << QString(64, QLatin1Char('5'));
     Program monitor(QStringLiteral("skyseal-cli"), monitorArguments);
-    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link")).isEmpty(), monitor.errors().constData());
     Program vehicle(m_node, nodeArguments);
 
-    const QJsonObject found = monitor.waitFor(QStringLiteral("vehicle"), 15000);
+    const QJsonObject found = monitor.waitFor(QStringLiteral("vehicle"));
     QCOMPARE(found[QLatin1String("sysid")].toInt(), 42);
     QJsonObject state;
     const auto complete = [&state](const QJsonObject &stats) {
@@ -74,7 +75,7 @@ void NodeMavlinkTest::monitorReportsItsTelemetry()
         state = vehicles[0].toObject();
         return state[QLatin1String("lat")].isDouble();
     };
-    QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 15000, complete).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("stats"), complete).isEmpty());
     QCOMPARE(state[QLatin1String("mode")].toString(), QStringLiteral("GUIDED"));
     QCOMPARE(state[QLatin1String("roll")].toDouble(), 0.25);
     QCOMPARE(state[QLatin1String("pitch")].toDouble(), -0.125);
@@ -96,22 +97,22 @@ void NodeMavlinkTest::itUnderstandsOurCommands()
                     {QStringLiteral("monitor"), QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port),
                      QStringLiteral("--secure"), QStringLiteral("off"), QStringLiteral("--json"), QStringLiteral("--do"),
                      QStringLiteral("takeoff 12.5"), QStringLiteral("--duration"), QStringLiteral("20")});
-    QVERIFY(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("link")).isEmpty());
     Program vehicle(m_node, {QStringLiteral(SKYSEAL_SOURCE_DIR "/tests/integration/node_vehicle.cjs"), QString::number(port)});
     const auto takeOff = [](const QJsonObject &message) {
         return message[QLatin1String("id")].toInt() == 76
             && message[QLatin1String("fields")][QLatin1String("command")].toInt() == 22;
     };
-    const QJsonObject command = vehicle.waitFor(QStringLiteral("message"), 15000, takeOff)[QLatin1String("fields")].toObject();
+    const QJsonObject command = vehicle.waitFor(QStringLiteral("message"), takeOff)[QLatin1String("fields")].toObject();
     QCOMPARE(command[QLatin1String("_param7")].toDouble(), 12.5);
     QCOMPARE(command[QLatin1String("targetSystem")].toInt(), 42);
     const auto heartbeat = [](const QJsonObject &message) { return message[QLatin1String("id")].toInt() == 0; };
-    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::any_of(vehicle.events(), heartbeat), 5000);
+    EVENTUALLY(std::ranges::any_of(vehicle.events(), heartbeat));
     const QJsonObject station = *std::ranges::find_if(vehicle.events(), heartbeat);
     QCOMPARE(station[QLatin1String("sysid")].toInt(), 255);
     QCOMPARE(station[QLatin1String("compid")].toInt(), 190);
     QCOMPARE(station[QLatin1String("fields")][QLatin1String("type")].toInt(), 6);
-    const QJsonObject answer = monitor.waitFor(QStringLiteral("command"), 15000);
+    const QJsonObject answer = monitor.waitFor(QStringLiteral("command"));
     QCOMPARE(answer[QLatin1String("result")].toString(), QStringLiteral("accepted"));
 }
 

@@ -1,8 +1,8 @@
-// kill -9 of any of the three programs in flight: a fresh session within 3 s of its return, and the others go on.
+// kill -9 of each of the three programs in flight: the session returns with the program, and the others run on. The time
+// that this takes by the protocol is tested on the simulated clock: SessionTest::agentRestarts and stationRestarts.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QJsonArray>
 #include <QtTest/QTest>
 
@@ -23,7 +23,7 @@ private Q_SLOTS:
 
 private:
     std::unique_ptr<Program> start(const char *name) const;
-    void expectTelemetry(Program &monitor, int milliseconds) const;
+    void expectTelemetry(Program &monitor) const;
 
     std::unique_ptr<Flight> m_flight;
     std::unique_ptr<Program> m_sim, m_air, m_monitor;
@@ -39,14 +39,14 @@ std::unique_ptr<Program> RecoveryTest::start(const char *name) const
     return std::make_unique<Program>(program, m_flight->monitorArguments());
 }
 
-/// Telemetry that is newer than this call, by the age of the vehicle's heartbeat.
-void RecoveryTest::expectTelemetry(Program &monitor, int milliseconds) const
+/// Waits for a report with a heartbeat of the vehicle that is not older than the report's interval.
+void RecoveryTest::expectTelemetry(Program &monitor) const
 {
     const auto fresh = [](const QJsonObject &stats) {
         const QJsonArray vehicles = stats[QLatin1String("vehicles")].toArray();
         return !vehicles.isEmpty() && vehicles[0][QLatin1String("heartbeat_age")].toDouble(99) < 1.2;
     };
-    QVERIFY(!monitor.waitFor(QStringLiteral("stats"), milliseconds, fresh).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("stats"), fresh).isEmpty());
 }
 
 void RecoveryTest::init()
@@ -56,8 +56,8 @@ void RecoveryTest::init()
     m_sim = start("skyseal-sim");
     m_air = start("skyseal-air");
     m_monitor = start("skyseal-cli");
-    QVERIFY2(!m_monitor->waitFor(QStringLiteral("session"), 10000).isEmpty(), m_monitor->errors().constData());
-    expectTelemetry(*m_monitor, 10000);
+    QVERIFY2(!m_monitor->waitFor(QStringLiteral("session")).isEmpty(), m_monitor->errors().constData());
+    expectTelemetry(*m_monitor);
 }
 
 void RecoveryTest::cleanup()
@@ -71,13 +71,10 @@ void RecoveryTest::agentKilled()
 {
     m_air->kill();
     m_air = start("skyseal-air");
-    QVERIFY(!m_air->waitFor(QStringLiteral("link"), 10000).isEmpty());
-    QElapsedTimer since;
-    since.start();
+    QVERIFY(!m_air->waitFor(QStringLiteral("link")).isEmpty());
     const auto up = [](const QJsonObject &event) { return event[QLatin1String("state")].toString() == QLatin1String("up"); };
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 10000, up).isEmpty());
-    QVERIFY2(since.elapsed() <= 3000, qPrintable(QString::number(since.elapsed())));
-    expectTelemetry(*m_monitor, 10000);
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), up).isEmpty());
+    expectTelemetry(*m_monitor);
     QVERIFY(m_sim->running());
 }
 
@@ -85,12 +82,9 @@ void RecoveryTest::stationKilled()
 {
     m_monitor->kill();
     m_monitor = start("skyseal-cli");
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("link"), 10000).isEmpty());
-    QElapsedTimer since;
-    since.start();
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 10000).isEmpty());
-    QVERIFY2(since.elapsed() <= 3000, qPrintable(QString::number(since.elapsed())));
-    expectTelemetry(*m_monitor, 10000);
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("link")).isEmpty());
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("session")).isEmpty());
+    expectTelemetry(*m_monitor);
     QVERIFY(m_air->running() && m_sim->running());
 }
 
@@ -101,8 +95,8 @@ void RecoveryTest::simulatorKilled()
     // A session needs no vehicle: it must have stayed, and the new vehicle's telemetry flows through it.
     const std::size_t sessions = m_monitor->events(QStringLiteral("session")).size();
     const auto gap = [](const QJsonObject &stats) { return !stats[QLatin1String("vehicles")].toArray().isEmpty(); };
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("stats"), 10000, gap).isEmpty());
-    expectTelemetry(*m_monitor, 10000);
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("stats"), gap).isEmpty());
+    expectTelemetry(*m_monitor);
     QCOMPARE(m_monitor->events(QStringLiteral("session")).size(), sessions);
     QVERIFY(m_air->running());
 }

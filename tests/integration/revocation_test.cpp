@@ -1,9 +1,8 @@
-// The file of known peers changes while real programs fly with it: who is removed loses the session at once, at either end,
-// roles are obeyed at once, and a bad edit changes nothing.
+// The peers file changes while real programs use it: a removed peer loses its session at once, at either end, changed roles
+// apply at once, and an invalid edit changes nothing. That the session ends without delay: HandshakeTest::revokedPeerIsOut.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QFile>
 #include <QtTest/QTest>
 
@@ -43,7 +42,7 @@ private:
     {
         Program program(QStringLiteral("skyseal-cli"),
                         QStringList{QStringLiteral("keys"), QStringLiteral("peers")} + arguments);
-        return program.waitForExit(10000);
+        return program.waitForExit();
     }
     int revoke(const char *file, const char *name) const
     {
@@ -62,7 +61,7 @@ private:
         QVERIFY(out.open(QIODevice::WriteOnly | QIODevice::Truncate));
         out.write(content);
     }
-    QJsonObject stats() const { return m_monitor->waitFor(QStringLiteral("stats"), 5000); }
+    QJsonObject stats() const { return m_monitor->waitFor(QStringLiteral("stats")); }
 
     std::unique_ptr<Flight> m_flight;
     std::unique_ptr<Program> m_sim, m_air, m_monitor;
@@ -75,8 +74,8 @@ void RevocationTest::init()
     m_sim = std::make_unique<Program>(QStringLiteral("skyseal-sim"), m_flight->simArguments());
     m_air = std::make_unique<Program>(QStringLiteral("skyseal-air"), m_flight->airArguments());
     m_monitor = std::make_unique<Program>(QStringLiteral("skyseal-cli"), m_flight->monitorArguments());
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 10000, sessionIs("up")).isEmpty());
-    QVERIFY(!m_air->waitFor(QStringLiteral("session"), 10000, sessionIs("up")).isEmpty());
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), sessionIs("up")).isEmpty());
+    QVERIFY(!m_air->waitFor(QStringLiteral("session"), sessionIs("up")).isEmpty());
 }
 
 void RevocationTest::cleanup()
@@ -89,18 +88,14 @@ void RevocationTest::cleanup()
 
 void RevocationTest::revokedByTheAgent()
 {
-    QElapsedTimer clock;
     QCOMPARE(revoke("air.peers", "ground"), 0);
-    clock.start();
-    const QJsonObject down = m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down"));
+    const QJsonObject down = m_air->waitFor(QStringLiteral("session"), sessionIs("down"));
     QVERIFY2(is(down, "reason", "revoked"), m_air->errors().constData());
-    QVERIFY2(clock.elapsed() < 1000, qPrintable(QString::number(clock.elapsed())));
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
-    // It asks again and is refused; nothing of the vehicle reaches it any more.
-    QVERIFY(
-        !m_air->waitFor(QStringLiteral("refused"), 10000, [](const QJsonObject &e) { return is(e, "reason", "unknown-peer"); })
-             .isEmpty());
-    m_monitor->skipWhatCame();
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), sessionIs("down")).isEmpty());
+    // The station tries again and is refused, and receives no more frames of the vehicle.
+    QVERIFY(!m_air->waitFor(QStringLiteral("refused"), [](const QJsonObject &e) { return is(e, "reason", "unknown-peer"); })
+                 .isEmpty());
+    m_monitor->skipReceivedEvents();
     const QJsonObject before = stats();
     const auto frames = [](const QJsonObject &event) {
         return event[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger();
@@ -113,25 +108,25 @@ void RevocationTest::revokedByTheAgent()
 void RevocationTest::revokedByTheStation()
 {
     QCOMPARE(revoke("ground.peers", "air-1"), 0);
-    QVERIFY(is(m_monitor->waitFor(QStringLiteral("session"), 3000, sessionIs("down")), "reason", "revoked"));
-    QVERIFY(!m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
+    QVERIFY(is(m_monitor->waitFor(QStringLiteral("session"), sessionIs("down")), "reason", "revoked"));
+    QVERIFY(!m_air->waitFor(QStringLiteral("session"), sessionIs("down")).isEmpty());
 }
 
 void RevocationTest::backAgainWhenAddedAgain()
 {
     const QByteArray known = read("air.peers");
     QCOMPARE(revoke("air.peers", "ground"), 0);
-    QVERIFY(!m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
-    m_monitor->skipWhatCame();
+    QVERIFY(!m_air->waitFor(QStringLiteral("session"), sessionIs("down")).isEmpty());
+    m_monitor->skipReceivedEvents();
     write("air.peers", known);
-    QVERIFY(!m_air->waitFor(QStringLiteral("session"), 15000, sessionIs("up")).isEmpty());
-    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), 15000, sessionIs("up")).isEmpty());
+    QVERIFY(!m_air->waitFor(QStringLiteral("session"), sessionIs("up")).isEmpty());
+    QVERIFY(!m_monitor->waitFor(QStringLiteral("session"), sessionIs("up")).isEmpty());
 }
 
 void RevocationTest::badEditChangesNothing()
 {
     write("air.peers", "ground captain any skyseal:nonsense\n");
-    const QJsonObject refused = m_air->waitFor(QStringLiteral("peers"), 3000);
+    const QJsonObject refused = m_air->waitFor(QStringLiteral("peers"));
     const QString problem = refused[QLatin1String("problem")].toString();
     QVERIFY2(problem.contains(QLatin1String("air.peers:1: ")) && problem.contains(QLatin1String("captain")),
              qPrintable(problem));
@@ -140,7 +135,7 @@ void RevocationTest::badEditChangesNothing()
 
     QFile::setPermissions(m_flight->path(QStringLiteral("ground.peers")),
                           QFile::ReadOwner | QFile::WriteOwner | QFile::WriteOther);
-    QVERIFY(m_monitor->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("problem")].toString().contains(
+    QVERIFY(m_monitor->waitFor(QStringLiteral("peers"))[QLatin1String("problem")].toString().contains(
         QLatin1String("other users")));
     QCOMPARE(m_monitor->events(QStringLiteral("session")).size(), std::size_t(1));
 }
@@ -148,22 +143,22 @@ void RevocationTest::badEditChangesNothing()
 void RevocationTest::missingFileChangesNothing()
 {
     QVERIFY(QFile::remove(m_flight->path(QStringLiteral("air.peers"))));
-    const QString problem = m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("problem")].toString();
+    const QString problem = m_air->waitFor(QStringLiteral("peers"))[QLatin1String("problem")].toString();
     QVERIFY2(problem.contains(QLatin1String("does not exist")), qPrintable(problem));
     QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
-    // It is noticed when it comes back, as an empty list.
+    // The agent notices that the file is there again, as an empty list.
     write("air.peers", "");
-    QVERIFY(!m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")).isEmpty());
-    QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(-1), 0);
+    QVERIFY(!m_air->waitFor(QStringLiteral("session"), sessionIs("down")).isEmpty());
+    QCOMPARE(m_air->waitFor(QStringLiteral("peers"))[QLatin1String("count")].toInt(-1), 0);
 }
 
 void RevocationTest::unusablePresharedKeyKeepsNobodyElse()
 {
-    // The other peer's pre-shared key is not there. Who is revoked loses the session all the same.
+    // The other peer's pre-shared key file is missing. A revoked peer loses its session all the same.
     QByteArray other = read("ground.peers").trimmed();
     other.replace("air-1 ", "other ");
     write("air.peers", read("air.peers") + other + " psk=missing.psk\n");
-    const QJsonObject added = m_air->waitFor(QStringLiteral("peers"), 3000);
+    const QJsonObject added = m_air->waitFor(QStringLiteral("peers"));
     QCOMPARE(added[QLatin1String("count")].toInt(), 1);
     const QString problem = added[QLatin1String("problem")].toString();
     QVERIFY2(problem.contains(QLatin1String("missing.psk")) && problem.contains(QLatin1String("\"other\"")),
@@ -171,8 +166,8 @@ void RevocationTest::unusablePresharedKeyKeepsNobodyElse()
     QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
 
     QCOMPARE(revoke("air.peers", "ground"), 0);
-    QVERIFY(is(m_air->waitFor(QStringLiteral("session"), 3000, sessionIs("down")), "reason", "revoked"));
-    QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(-1), 0);
+    QVERIFY(is(m_air->waitFor(QStringLiteral("session"), sessionIs("down")), "reason", "revoked"));
+    QCOMPARE(m_air->waitFor(QStringLiteral("peers"))[QLatin1String("count")].toInt(-1), 0);
 }
 
 void RevocationTest::roleIsObeyedAtOnce()
@@ -183,9 +178,9 @@ void RevocationTest::roleIsObeyedAtOnce()
     QCOMPARE(peers({QStringLiteral("role"), QStringLiteral("--peers"), m_flight->path(QStringLiteral("air.peers")),
                     QStringLiteral("ground"), QStringLiteral("observer")}),
              0);
-    QCOMPARE(m_air->waitFor(QStringLiteral("peers"), 3000)[QLatin1String("count")].toInt(), 1);
-    // The station's heartbeats are the first that do not pass any more; its session stays.
-    QVERIFY(!m_air->waitFor(QStringLiteral("stats"), 5000, refused).isEmpty());
+    QCOMPARE(m_air->waitFor(QStringLiteral("peers"))[QLatin1String("count")].toInt(), 1);
+    // The station's heartbeats are dropped, and its session stays up.
+    QVERIFY(!m_air->waitFor(QStringLiteral("stats"), refused).isEmpty());
     QCOMPARE(m_air->events(QStringLiteral("session")).size(), std::size_t(1));
 }
 

@@ -1,9 +1,9 @@
-// The sealed link between real programs: simulator, agent and monitor find each other, walk through all suites and lose
-// nothing of their own doing, over a clean and over a bad channel.
+// The sealed link between real programs: simulator, agent and monitor connect, switch through all suites and lose only what
+// the channel between them drops. The time that connecting may take: SessionTest::comesUpWithinASecond.
 #include "tests/support/flight.h"
+#include "tests/support/record_counters.h"
 #include "tests/support/test_runner.h"
 
-#include <QtCore/QElapsedTimer>
 #include <QtCore/QSet>
 #include <QtTest/QTest>
 
@@ -33,26 +33,23 @@ class SealedLinkTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void sessionIsUpWithinASecond();
+    void sessionComesUp();
     void walksThroughAllSuitesAndLosesNothing();
     void losesOnlyWhatTheChannelDropped();
 };
 
-void SealedLinkTest::sessionIsUpWithinASecond()
+void SealedLinkTest::sessionComesUp()
 {
     Flight flight;
     QVERIFY(flight.ready());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments());
-    QVERIFY(!air.waitFor(QStringLiteral("link"), 10000).isEmpty());
+    QVERIFY(!air.waitFor(QStringLiteral("link")).isEmpty());
     Program monitor(QStringLiteral("skyseal-cli"), flight.monitorArguments());
-    QVERIFY2(!monitor.waitFor(QStringLiteral("link"), 10000).isEmpty(), monitor.errors().constData());
-    QElapsedTimer since;
-    since.start();
-    const QJsonObject session = monitor.waitFor(QStringLiteral("session"), 10000);
+    QVERIFY2(!monitor.waitFor(QStringLiteral("link")).isEmpty(), monitor.errors().constData());
+    const QJsonObject session = monitor.waitFor(QStringLiteral("session"));
     QCOMPARE(session[QLatin1String("state")].toString(), QStringLiteral("up"));
     QCOMPARE(session[QLatin1String("peer")].toString(), QStringLiteral("air-1"));
     QCOMPARE(session[QLatin1String("suite")].toString(), QStringLiteral("chacha20-poly1305"));
-    QVERIFY2(since.elapsed() <= 1000, qPrintable(QString::number(since.elapsed())));
 }
 
 void SealedLinkTest::walksThroughAllSuitesAndLosesNothing()
@@ -65,11 +62,11 @@ void SealedLinkTest::walksThroughAllSuitesAndLosesNothing()
                     flight.monitorArguments({QStringLiteral("--switch-to"), allSuites(), QStringLiteral("--switch-every"),
                                              QStringLiteral("1"), QStringLiteral("--stream-rate"), QStringLiteral("50"),
                                              QStringLiteral("--duration"), QString::number(kSwitchingSeconds)}));
-    QCOMPARE(monitor.waitForExit((kSwitchingSeconds + 30) * 1000), 0);
+    QCOMPARE(monitor.waitForExit(kSwitchingSeconds * 1000 + kDeadlineMs), 0);
 
     const QJsonObject summary = monitor.last(QStringLiteral("summary"));
     const QJsonObject mavlink = summary[QLatin1String("mavlink")].toObject();
-    const QJsonObject received = within(summary, "channel", "rx");
+    const QJsonObject received = receivedRecords(summary[QLatin1String("channel")]);
     QVERIFY(number(mavlink, "frames") > 50 * (kSwitchingSeconds - 3));
     QCOMPARE(number(mavlink, "lost"), 0);
     QCOMPARE(number(mavlink, "duplicate"), 0);
@@ -102,17 +99,17 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(QStringLiteral("skyseal-air"), flight.airArguments(relay));
 
-    QVERIFY(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty());
+    QVERIFY(!monitor.waitFor(QStringLiteral("session")).isEmpty());
     for (int second = 0; second < kSwitchingSeconds; ++second)
-        QVERIFY(!monitor.waitFor(QStringLiteral("stats"), 10000).isEmpty());
+        QVERIFY(!monitor.waitFor(QStringLiteral("stats")).isEmpty());
 
-    // The sender stops first; what is still in the air arrives before the receiver is asked.
+    // Stop the sender first, so that everything in flight arrives before the receiver is asked.
     QCOMPARE(air.terminate(), 0);
     const auto drained = [](const QJsonObject &stats) {
         return stats[QLatin1String("forward")][QLatin1String("waiting")].toInt() == 0;
     };
-    impair.skipWhatCame();
-    QVERIFY(!impair.waitFor(QStringLiteral("stats"), 5000, drained).isEmpty());
+    impair.skipReceivedEvents();
+    QVERIFY(!impair.waitFor(QStringLiteral("stats"), drained).isEmpty());
     QCOMPARE(monitor.terminate(), 0);
     QCOMPARE(impair.terminate(), 0);
 
@@ -124,7 +121,7 @@ void SealedLinkTest::losesOnlyWhatTheChannelDropped()
     QCOMPARE(number(received, "good"), sent - dropped);
     QCOMPARE(number(received, "forged"), 0);
     QCOMPARE(number(received, "malformed"), 0);
-    QVERIFY(number(received, "replayed") > 0); // the channel's duplicates, each refused
+    QVERIFY(number(received, "replayed") > 0); // the duplicates of the channel
     QCOMPARE(number(monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject(), "duplicate"), 0);
 }
 

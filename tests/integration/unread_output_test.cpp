@@ -1,4 +1,4 @@
-// An agent whose lines nobody reads: a pipe that is full must not stop the link.
+// An agent whose output is not read: a full pipe must not stop the link.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
@@ -26,8 +26,8 @@ void UnreadOutputTest::linkGoesOn()
                       + flight.airArguments());
     Program monitor(QStringLiteral("skyseal-cli"),
                     flight.monitorArguments({QStringLiteral("--duration"), QStringLiteral("4")}));
-    QVERIFY2(!monitor.waitFor(QStringLiteral("session"), 15000).isEmpty(), monitor.errors() + agent.errors());
-    QCOMPARE(monitor.waitForExit(30000), 0);
+    QVERIFY2(!monitor.waitFor(QStringLiteral("session")).isEmpty(), monitor.errors() + agent.errors());
+    QCOMPARE(monitor.waitForExit(), 0);
     const QJsonObject mavlink = monitor.last(QStringLiteral("summary"))[QLatin1String("mavlink")].toObject();
     QVERIFY(mavlink[QLatin1String("frames")].toInt() > 50);
 }

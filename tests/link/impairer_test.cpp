@@ -1,6 +1,7 @@
 // The relay with real sockets on both sides: its log and counters match the arrivals exactly.
 #include "core/link/impairer.h"
 #include "tests/link/recorder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -65,10 +66,10 @@ void ImpairerTest::perfectRelayCarriesBothWays()
     Setup setup{{}};
     setup.agent->send({}, asBytes("to the station"));
     setup.agent->flush();
-    QTRY_COMPARE(setup.stationHeard.stream(), std::string("to the station"));
+    EVENTUALLY_EQUAL(setup.stationHeard.stream(), std::string("to the station"));
     setup.station->send(setup.stationHeard.blocks[0].path.remote, asBytes("to the agent"));
     setup.station->flush();
-    QTRY_COMPARE(setup.agentHeard.stream(), std::string("to the agent"));
+    EVENTUALLY_EQUAL(setup.agentHeard.stream(), std::string("to the agent"));
     QCOMPARE(setup.agentHeard.blocks[0].path.remote, *setup.relay.listenLink().localEndpoint());
     QCOMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.delivered, std::uint64_t(1));
     QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.deliveredBytes, std::uint64_t(12));
@@ -89,12 +90,12 @@ void ImpairerTest::arrivalsMatchTheLog()
         setup.agent->send({}, numbered(i));
         if (i % 50 == 49) {
             setup.agent->flush();
-            QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(i + 1));
+            EVENTUALLY_EQUAL(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(i + 1));
         }
     }
     const auto counters = [&] { return setup.relay.totals(Impairer::Direction::Forward).counters; };
-    QTRY_COMPARE(counters().waiting, std::uint64_t(0));
-    QTRY_COMPARE(setup.stationHeard.blocks.size(), std::size_t(counters().delivered));
+    EVENTUALLY_EQUAL(counters().waiting, std::uint64_t(0));
+    EVENTUALLY_EQUAL(setup.stationHeard.blocks.size(), std::size_t(counters().delivered));
     QCOMPARE(counters().offered, std::uint64_t(kCount));
     QCOMPARE(counters().offered + counters().duplicated, counters().dropped() + counters().delivered);
     QVERIFY(counters().lost > 300 && counters().lost < 500);
@@ -130,10 +131,10 @@ void ImpairerTest::sameSeedDropsTheSame()
         for (std::uint32_t i = 0; i < 200; ++i)
             setup.agent->send({}, numbered(i));
         setup.agent->flush();
-        [&] { QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(200)); }();
+        [&] { EVENTUALLY_EQUAL(setup.relay.totals(Impairer::Direction::Forward).counters.offered, std::uint64_t(200)); }();
         [&] {
-            QTRY_COMPARE(setup.stationHeard.blocks.size(),
-                         std::size_t(setup.relay.totals(Impairer::Direction::Forward).counters.delivered));
+            EVENTUALLY_EQUAL(setup.stationHeard.blocks.size(),
+                             std::size_t(setup.relay.totals(Impairer::Direction::Forward).counters.delivered));
         }();
         std::vector<std::uint32_t> out;
         for (const Recorder::Block &block : setup.stationHeard.blocks)
@@ -153,14 +154,14 @@ void ImpairerTest::relaysTcp()
     Impairer relay(*LinkUrl::parse("tcpin:127.0.0.1:0"), *LinkUrl::parse("tcp:" + server->localAddress()), {});
     relay.open();
     const auto client = openLink("tcp:" + relay.listenLink().localAddress(), station);
-    QTRY_COMPARE(client->state(), LinkState::Connected);
-    QTRY_COMPARE(relay.toLink().state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(client->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(relay.toLink().state(), LinkState::Connected);
     client->send({}, asBytes("up"));
     client->flush();
-    QTRY_COMPARE(vehicle.stream(), std::string("up"));
+    EVENTUALLY_EQUAL(vehicle.stream(), std::string("up"));
     server->send({}, asBytes("down"));
     server->flush();
-    QTRY_COMPARE(station.stream(), std::string("down"));
+    EVENTUALLY_EQUAL(station.stream(), std::string("down"));
 }
 
 void ImpairerTest::blocksWithoutAPeerAreNotOffered()
@@ -171,7 +172,7 @@ void ImpairerTest::blocksWithoutAPeerAreNotOffered()
     loopback.port = setup.relay.toLink().localEndpoint()->port;
     setup.station->send(loopback, asBytes("early"));
     setup.station->flush();
-    QTRY_COMPARE(setup.relay.totals(Impairer::Direction::Backward).unroutable, std::uint64_t(1));
+    EVENTUALLY_EQUAL(setup.relay.totals(Impairer::Direction::Backward).unroutable, std::uint64_t(1));
     QCOMPARE(setup.relay.totals(Impairer::Direction::Backward).counters.offered, std::uint64_t(0));
 }
 

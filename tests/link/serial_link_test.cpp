@@ -1,6 +1,7 @@
 // The serial link on a pseudo-terminal whose other end the test holds: both directions, a missing device, and a device that is
 // unplugged and plugged in again.
 #include "tests/link/recorder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
@@ -89,10 +90,10 @@ void SerialLinkTest::carriesBothWays()
     QCOMPARE(link->localAddress(), radio.device() + ":57600");
     QCOMPARE(recorder.joined, (std::vector<Path>{{LinkId{5}, {}}}));
     QVERIFY(radio.write("from the radio"));
-    QTRY_COMPARE(recorder.stream(), std::string("from the radio"));
+    EVENTUALLY_EQUAL(recorder.stream(), std::string("from the radio"));
     link->send({}, asBytes("to the radio"));
     link->flush();
-    QTRY_COMPARE(radio.read(), std::string("to the radio"));
+    EVENTUALLY_EQUAL(radio.read(), std::string("to the radio"));
     link->close();
     QCOMPARE(recorder.left, recorder.joined);
 }
@@ -106,10 +107,10 @@ void SerialLinkTest::bytesPassUnchanged()
     for (int i = 0; i < 256; ++i)
         all.push_back(static_cast<char>(i));
     QVERIFY(radio.write(all));
-    QTRY_COMPARE(recorder.stream(), all);
+    EVENTUALLY_EQUAL(recorder.stream(), all);
     link->send({}, asBytes(all));
     link->flush();
-    QTRY_COMPARE(radio.read(), all);
+    EVENTUALLY_EQUAL(radio.read(), all);
 }
 
 void SerialLinkTest::missingDeviceIsReportedAndRetried()
@@ -123,9 +124,9 @@ void SerialLinkTest::missingDeviceIsReportedAndRetried()
     QCOMPARE(link->error().sentence(), "there is no device " + name.toStdString());
     PseudoTerminal radio;
     QVERIFY(QFile::link(QString::fromStdString(radio.device()), name));
-    QTRY_COMPARE(link->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Connected);
     QVERIFY(radio.write("here"));
-    QTRY_COMPARE(recorder.stream(), std::string("here"));
+    EVENTUALLY_EQUAL(recorder.stream(), std::string("here"));
 }
 
 void SerialLinkTest::unpluggedDeviceIsReported()
@@ -135,7 +136,7 @@ void SerialLinkTest::unpluggedDeviceIsReported()
     const auto link = openLink("serial:" + radio->device() + ":57600", recorder, quick());
     QCOMPARE(link->state(), LinkState::Connected);
     radio.reset();
-    QTRY_COMPARE(link->state(), LinkState::Waiting);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Waiting);
     QCOMPARE(link->error().code, LinkErrorCode::DeviceMissing);
     QCOMPARE(recorder.left.size(), std::size_t(1));
     link->send({}, asBytes("lost"));

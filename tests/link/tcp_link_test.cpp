@@ -3,6 +3,7 @@
 #include "core/link/tcp_link.h"
 #include "core/link/tcp_server_link.h"
 #include "tests/link/recorder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtNetwork/QNetworkProxy>
@@ -55,8 +56,8 @@ void TcpLinkTest::carriesBothWays()
     QVERIFY(in->isStream());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick(), LinkId{4});
     QCOMPARE(out->state(), LinkState::Opening);
-    QTRY_COMPARE(out->state(), LinkState::Connected);
-    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(server.joined.size(), std::size_t(1));
     QCOMPARE(client.joined, (std::vector<Path>{{LinkId{4}, *in->localEndpoint()}}));
     QCOMPARE(server.joined[0], (Path{LinkId{3}, *out->localEndpoint()}));
     QCOMPARE(toText(out->remote()), in->localAddress());
@@ -64,10 +65,10 @@ void TcpLinkTest::carriesBothWays()
     out->send({}, asBytes("up"));
     out->send({}, asBytes("link"));
     out->flush();
-    QTRY_COMPARE(server.stream(), std::string("uplink"));
+    EVENTUALLY_EQUAL(server.stream(), std::string("uplink"));
     in->send(server.joined[0].remote, asBytes("down"));
     in->flush();
-    QTRY_COMPARE(client.stream(), std::string("down"));
+    EVENTUALLY_EQUAL(client.stream(), std::string("down"));
     QCOMPARE(out->counters().txBlocks, std::uint64_t(2));
     QCOMPARE(out->counters().txBytes, std::uint64_t(6));
     QCOMPARE(in->counters().rxBytes, std::uint64_t(6));
@@ -79,7 +80,7 @@ void TcpLinkTest::bulkArrivesCompleteAndInOrder()
     Recorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     std::string expected;
     for (int i = 0; i < 20'000; ++i) {
         const std::string line = "frame " + std::to_string(i) + "\n";
@@ -87,7 +88,7 @@ void TcpLinkTest::bulkArrivesCompleteAndInOrder()
         out->send({}, asBytes(line));
         if (i % 1000 == 999) {
             out->flush();
-            QTRY_COMPARE(in->counters().rxBytes, std::uint64_t(expected.size()));
+            EVENTUALLY_EQUAL(in->counters().rxBytes, std::uint64_t(expected.size()));
         }
     }
     QVERIFY(server.stream() == expected);
@@ -102,12 +103,12 @@ void TcpLinkTest::retriesUntilTheServerListens()
     const std::string address = in->localAddress();
     in->close();
     const auto out = openLink("tcp:" + address, client, quick());
-    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Waiting);
     QCOMPARE(out->error().code, LinkErrorCode::Refused);
     QCOMPARE(out->error().sentence(), address + " refuses the connection (nothing listens there)");
     in = openLink("tcpin:" + address, server, quick());
     QCOMPARE(in->state(), LinkState::Listening);
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     QCOMPARE(out->error().code, LinkErrorCode::None);
 }
 
@@ -118,8 +119,8 @@ void TcpLinkTest::closedPeerIsReportedAndReconnects()
     auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const std::string address = in->localAddress();
     const auto out = openLink("tcp:" + address, client, quick());
-    QTRY_COMPARE(out->state(), LinkState::Connected);
-    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(server.joined.size(), std::size_t(1));
     std::vector<LinkState> states;
     std::vector<LinkErrorCode> reasons;
     connect(out.get(), &Link::stateChanged, this, [&](LinkState state) {
@@ -127,19 +128,19 @@ void TcpLinkTest::closedPeerIsReportedAndReconnects()
         reasons.push_back(out->error().code);
     });
     in->close();
-    QTRY_COMPARE(client.left.size(), std::size_t(1));
-    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    EVENTUALLY_EQUAL(client.left.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(out->state(), LinkState::Waiting);
     QCOMPARE(reasons.front(), LinkErrorCode::PeerClosed);
     out->send({}, asBytes("lost"));
     QCOMPARE(out->counters().txDropped, std::uint64_t(1));
 
     in = openLink("tcpin:" + address, server, quick());
     QCOMPARE(in->state(), LinkState::Listening);
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     QCOMPARE(client.joined.size(), std::size_t(2));
     out->send({}, asBytes("again"));
     out->flush();
-    QTRY_COMPARE(server.stream(), std::string("again"));
+    EVENTUALLY_EQUAL(server.stream(), std::string("again"));
 }
 
 void TcpLinkTest::bytesBeforeTheEndAreDelivered()
@@ -151,7 +152,7 @@ void TcpLinkTest::bytesBeforeTheEndAreDelivered()
     QVERIFY(socket.waitForConnected());
     socket.write("last words");
     socket.disconnectFromHost();
-    QTRY_COMPARE(server.left.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(server.left.size(), std::size_t(1));
     QCOMPARE(server.stream(), std::string("last words"));
     QCOMPARE(server.left, server.joined);
     QCOMPARE(in->state(), LinkState::Listening);
@@ -165,14 +166,14 @@ void TcpLinkTest::serverKeepsClientsApart()
     std::vector<std::unique_ptr<Link>> links;
     for (Recorder &client : clients) {
         links.push_back(openLink("tcp:" + in->localAddress(), client, quick()));
-        QTRY_COMPARE(links.back()->state(), LinkState::Connected);
-        QTRY_COMPARE(server.joined.size(), links.size());
+        EVENTUALLY_EQUAL(links.back()->state(), LinkState::Connected);
+        EVENTUALLY_EQUAL(server.joined.size(), links.size());
     }
     for (std::size_t i = 0; i < links.size(); ++i) {
         links[i]->send({}, asBytes(std::to_string(i)));
         links[i]->flush();
     }
-    QTRY_COMPARE(server.blocks.size(), std::size_t(3));
+    EVENTUALLY_EQUAL(server.blocks.size(), std::size_t(3));
     for (const Recorder::Block &block : server.blocks) {
         const auto index = static_cast<std::size_t>(std::stoi(std::string(asText(block.bytes))));
         QCOMPARE(block.path.remote, *links[index]->localEndpoint());
@@ -181,15 +182,15 @@ void TcpLinkTest::serverKeepsClientsApart()
     in->send({}, asBytes(" and all"));
     in->flush();
     for (std::size_t i = 0; i < links.size(); ++i)
-        QTRY_COMPARE(clients[i].stream(), "to " + std::to_string(i) + " and all");
+        EVENTUALLY_EQUAL(clients[i].stream(), "to " + std::to_string(i) + " and all");
 
     links[1]->close();
-    QTRY_COMPARE(server.left, (std::vector<Path>{server.joined[1]}));
+    EVENTUALLY_EQUAL(server.left, (std::vector<Path>{server.joined[1]}));
     in->send(server.joined[1].remote, asBytes("gone"));
     QCOMPARE(in->counters().txDropped, std::uint64_t(1));
     links[2]->send({}, asBytes("still here"));
     links[2]->flush();
-    QTRY_COMPARE(asText(server.blocks.back().bytes), std::string_view("still here"));
+    EVENTUALLY_EQUAL(asText(server.blocks.back().bytes), std::string_view("still here"));
 }
 
 void TcpLinkTest::serverRefusesTooManyClients()
@@ -202,7 +203,7 @@ void TcpLinkTest::serverRefusesTooManyClients()
         sockets.back()->connectToHost(QHostAddress(QHostAddress::LocalHost), in->localEndpoint()->port);
         QVERIFY(sockets.back()->waitForConnected());
     }
-    QTRY_COMPARE(sockets.back()->state(), QAbstractSocket::UnconnectedState);
+    EVENTUALLY_EQUAL(sockets.back()->state(), QAbstractSocket::UnconnectedState);
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients);
     QCOMPARE(sockets.front()->state(), QAbstractSocket::ConnectedState);
 }
@@ -235,7 +236,7 @@ void TcpLinkTest::uselessClientsAreReplaced()
     const auto add = [&] {
         sockets.push_back(clientOf(*in));
         QVERIFY(sockets.back());
-        QTRY_COMPARE(server.joined.size(), sockets.size());
+        EVENTUALLY_EQUAL(server.joined.size(), sockets.size());
     };
     for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i)
         add();
@@ -251,17 +252,17 @@ void TcpLinkTest::uselessClientsAreReplaced()
     for (const std::size_t gone : {5u, 20u}) {
         add();
         in->noteUse(server.joined.back().remote);
-        QTRY_VERIFY(isOut(*sockets[gone]));
+        EVENTUALLY(isOut(*sockets[gone]));
         QCOMPARE(server.left.back(), server.joined[gone]);
     }
     add();
-    QTRY_VERIFY(isOut(*sockets[10]));
+    EVENTUALLY(isOut(*sockets[10]));
     QCOMPARE(server.left.back(), server.joined[10]);
     QCOMPARE(server.left.size(), std::size_t(3));
     QCOMPARE(static_cast<const TcpServerLink &>(*in).clients(), TcpServerLink::kMostClients);
     sockets.back()->write("here"); // the new clients are served
     sockets.back()->flush();
-    QTRY_COMPARE(server.stream(), std::string("here"));
+    EVENTUALLY_EQUAL(server.stream(), std::string("here"));
 }
 
 void TcpLinkTest::oneHostCannotTakeAllPlaces()
@@ -272,17 +273,17 @@ void TcpLinkTest::oneHostCannotTakeAllPlaces()
     for (std::size_t i = 0; i < TcpServerLink::kMostClients; ++i) {
         sockets.push_back(clientOf(*in));
         QVERIFY(sockets.back());
-        QTRY_COMPARE(server.joined.size(), sockets.size());
+        EVENTUALLY_EQUAL(server.joined.size(), sockets.size());
         in->noteUse(server.joined.back().remote); // all of them are useful
     }
     const auto other = clientOf(*in, "127.0.0.2");
     QVERIFY(other);
-    QTRY_VERIFY(isOut(*sockets.front()));
+    EVENTUALLY(isOut(*sockets.front()));
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
     // A further client of the first host is refused.
     const auto again = clientOf(*in);
     QVERIFY(again);
-    QTRY_VERIFY(isOut(*again));
+    EVENTUALLY(isOut(*again));
     QCOMPARE(server.joined.size(), TcpServerLink::kMostClients + 1);
     QVERIFY(!isOut(*other) && !isOut(*sockets.back()));
     // Clients of other hosts are accepted until the first host is down to its share.
@@ -292,7 +293,7 @@ void TcpLinkTest::oneHostCannotTakeAllPlaces()
     const auto firstsLeft = [&] {
         return std::count_if(sockets.begin(), sockets.end(), [](const auto &socket) { return !isOut(*socket); });
     };
-    QTRY_COMPARE(firstsLeft(), TcpServerLink::kShareOfHost);
+    EVENTUALLY_EQUAL(firstsLeft(), TcpServerLink::kShareOfHost);
 }
 
 void TcpLinkTest::portInUseFails()
@@ -313,7 +314,7 @@ void TcpLinkTest::unknownHostIsReported()
 {
     Recorder client;
     const auto out = openLink("tcp:no-such-host.invalid:5760", client, quick());
-    QTRY_COMPARE_WITH_TIMEOUT(out->state(), LinkState::Waiting, 30'000);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Waiting);
     QCOMPARE(out->error().code, LinkErrorCode::HostUnknown);
     QCOMPARE(out->error().sentence(), std::string("the host name \"no-such-host.invalid\" is not known"));
 }
@@ -326,17 +327,17 @@ void TcpLinkTest::fullQueueDropsWholeBlocks()
     small.streamQueueBytes = 1000;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, small);
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     const std::string block(300, 'x');
     for (int i = 0; i < 5; ++i)
         out->send({}, asBytes(block));
     QCOMPARE(out->counters().txBlocks, std::uint64_t(3));
     QCOMPARE(out->counters().txDropped, std::uint64_t(2));
     out->flush();
-    QTRY_COMPARE(server.stream().size(), std::size_t(900));
+    EVENTUALLY_EQUAL(server.stream().size(), std::size_t(900));
     out->send({}, asBytes(block));
     out->flush();
-    QTRY_COMPARE(server.stream().size(), std::size_t(1200));
+    EVENTUALLY_EQUAL(server.stream().size(), std::size_t(1200));
 }
 
 void TcpLinkTest::listenerMayCloseEitherEnd()
@@ -345,22 +346,22 @@ void TcpLinkTest::listenerMayCloseEitherEnd()
     Recorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
-    QTRY_COMPARE(server.joined.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(server.joined.size(), std::size_t(1));
     client.onReceived = [](Link &link) { link.close(); };
     in->send({}, asBytes("stop"));
     in->flush();
-    QTRY_COMPARE(out->state(), LinkState::Closed);
-    QTRY_COMPARE(server.left.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(out->state(), LinkState::Closed);
+    EVENTUALLY_EQUAL(server.left.size(), std::size_t(1));
 
     client.onReceived = {};
     out->open();
-    QTRY_COMPARE(server.joined.size(), std::size_t(2));
+    EVENTUALLY_EQUAL(server.joined.size(), std::size_t(2));
     server.onReceived = [](Link &link) { link.close(); };
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     out->send({}, asBytes("stop"));
     out->flush();
-    QTRY_COMPARE(in->state(), LinkState::Closed);
-    QTRY_COMPARE(out->state(), LinkState::Waiting);
+    EVENTUALLY_EQUAL(in->state(), LinkState::Closed);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Waiting);
     out->close();
     QCOMPARE(client.joined.size(), client.left.size());
     QCOMPARE(server.joined.size(), server.left.size());
@@ -372,10 +373,10 @@ void TcpLinkTest::closeSendsWhatWasQueued()
     Recorder client;
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     out->send({}, asBytes("goodbye"));
     out->close();
-    QTRY_COMPARE(server.left.size(), std::size_t(1));
+    EVENTUALLY_EQUAL(server.left.size(), std::size_t(1));
     QCOMPARE(server.stream(), std::string("goodbye"));
 }
 
@@ -390,10 +391,10 @@ void TcpLinkTest::desktopProxyIsIgnored()
     const auto in = openLink("tcpin:127.0.0.1:0", server, quick());
     QCOMPARE(in->state(), LinkState::Listening);
     const auto out = openLink("tcp:" + in->localAddress(), client, quick());
-    QTRY_COMPARE(out->state(), LinkState::Connected);
+    EVENTUALLY_EQUAL(out->state(), LinkState::Connected);
     out->send({}, asBytes("hello"));
     out->flush();
-    QTRY_COMPARE(server.stream(), std::string("hello"));
+    EVENTUALLY_EQUAL(server.stream(), std::string("hello"));
     QVERIFY(!proxy.hasPendingConnections());
 }
 

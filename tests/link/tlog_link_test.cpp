@@ -1,6 +1,7 @@
 // Replay of recordings that the test writes: every frame in order, at the recorded pace, and errors for unreadable files.
 #include "core/log/tlog_writer.h"
 #include "tests/link/recorder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QElapsedTimer>
@@ -72,7 +73,7 @@ void TlogLinkTest::playsEveryFrameInOrder()
     const auto link = openLink("tlog:" + record(1000, std::chrono::seconds(1)), recorder, fast, LinkId{9});
     QCOMPARE(link->state(), LinkState::Connected);
     QVERIFY(recorder.blocks.empty());
-    QTRY_COMPARE(link->state(), LinkState::Ended);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(link->error().code, LinkErrorCode::EndOfFile);
     QCOMPARE(recorder.blocks.size(), std::size_t(1000));
     for (int i = 0; i < 1000; ++i) {
@@ -99,7 +100,7 @@ void TlogLinkTest::keepsTheRecordedPace()
         if (clock.elapsed() < expected)
             ++lastEarly;
     };
-    QTRY_COMPARE(link->state(), LinkState::Ended);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(recorder.blocks.size(), std::size_t(21));
     QCOMPARE(lastEarly, qint64(0));
     QVERIFY(clock.elapsed() >= 500);
@@ -111,13 +112,13 @@ void TlogLinkTest::playsAgainAfterTheEnd()
     fast.replayFactor = 0;
     Recorder recorder;
     const auto link = openLink("tlog:" + record(5, std::chrono::seconds(1)), recorder, fast);
-    QTRY_COMPARE(link->state(), LinkState::Ended);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     link->open();
-    QTRY_COMPARE(link->state(), LinkState::Ended);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(recorder.blocks.size(), std::size_t(10));
     recorder.onReceived = [](Link &playing) { playing.close(); };
     link->open();
-    QTRY_COMPARE(link->state(), LinkState::Closed);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Closed);
 }
 
 void TlogLinkTest::damageIsSkipped()
@@ -126,7 +127,7 @@ void TlogLinkTest::damageIsSkipped()
     fast.replayFactor = 0;
     Recorder recorder;
     const auto link = openLink("tlog:" + record(20, std::chrono::seconds(1), "not a frame at all"), recorder, fast);
-    QTRY_COMPARE(link->state(), LinkState::Ended);
+    EVENTUALLY_EQUAL(link->state(), LinkState::Ended);
     QCOMPARE(recorder.blocks.size(), std::size_t(20));
     QVERIFY(link->counters().rxErrors > 0);
 }

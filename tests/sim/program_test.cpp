@@ -2,6 +2,7 @@
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>
@@ -122,7 +123,7 @@ void SimProgramTest::sendsToItsPeerAndEndsOnRequest()
         }
         return systems.size() == 3;
     };
-    QTRY_VERIFY_WITH_TIMEOUT(heard(), 20000);
+    EVENTUALLY(heard());
     QCOMPARE(systems, (std::set<int>{7, 8, 9}));
     QVERIFY(sim.readAllStandardOutput().startsWith("skyseal-sim: vehicles 7 to 9 connected to udpout:127.0.0.1:"));
     stop(sim);
@@ -142,7 +143,7 @@ void SimProgramTest::answersWhoeverSpoke()
         socket->writeDatagram(reinterpret_cast<const char *>(hello.data()), static_cast<qint64>(hello.size()),
                               QHostAddress::LocalHost, port);
     silent.writeDatagram("noise", QHostAddress::LocalHost, port); // no frame: not a station
-    QTRY_VERIFY_WITH_TIMEOUT(first.hasPendingDatagrams() && second.hasPendingDatagrams(), 20000);
+    EVENTUALLY(first.hasPendingDatagrams() && second.hasPendingDatagrams());
     QVERIFY(!silent.hasPendingDatagrams());
     stop(sim);
 }
@@ -167,7 +168,7 @@ void SimProgramTest::servesTcp()
                 frames += item->frame ? 1 : 0;
             return frames > 20;
         };
-        QTRY_VERIFY_WITH_TIMEOUT(framed(), 20000);
+        EVENTUALLY(framed());
     }
     stop(sim);
 }

@@ -8,7 +8,7 @@
 
 namespace skyseal::test {
 
-/// One that is known to be right.
+/// `text` must be a valid link URL.
 inline link::LinkUrl urlOf(const std::string &text)
 {
     return *link::LinkUrl::parse(text);

@@ -71,7 +71,7 @@ public:
 
     std::uint16_t senderPort(std::size_t i) const { return ntohs(m_in.addresses[i].sin_port); }
 
-    /// Sends on what the last `receive` gave: the least that a forwarder does.
+    /// Forwards the datagrams of the last receive(): the minimum work of any forwarder.
     void forward(std::uint16_t port, std::size_t count)
     {
         for (std::size_t i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// MAVLink in clear, to be sent by those who may not and to be looked for where none may be.
+// Unsealed MAVLink frames: attack tests send them, and search captured traffic for them.
 #pragma once
 
 #include "core/mavlink/dialect.h"

@@ -1,5 +1,5 @@
-// Preloaded into a program, moves its time of day by CLOCK_SHIFT seconds, from CLOCK_SHIFT_AFTER seconds after its first look
-// at a clock. The steady clocks stay as they are.
+// Library for LD_PRELOAD: moves the time of day of a program by CLOCK_SHIFT seconds, CLOCK_SHIFT_AFTER seconds after it first
+// reads a clock. The monotonic clocks are unchanged.
 #include <cstdlib>
 #include <ctime>
 

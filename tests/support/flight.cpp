@@ -8,13 +8,13 @@ QString publicKeyOf(const QString &keyFile)
 {
     Program show(QStringLiteral("skyseal-cli"),
                  {QStringLiteral("keys"), QStringLiteral("show"), keyFile, QStringLiteral("--json")});
-    return show.waitFor(QStringLiteral("key"), 10000)[QLatin1String("public")].toString();
+    return show.waitFor(QStringLiteral("key"))[QLatin1String("public")].toString();
 }
 
 bool run(const QStringList &arguments)
 {
     Program program(QStringLiteral("skyseal-cli"), arguments);
-    const int status = program.waitForExit(10000);
+    const int status = program.waitForExit();
     if (status != 0)
         qWarning("skyseal-cli %s: exit status %d\n%s", qPrintable(arguments.join(QLatin1Char(' '))), status,
                  program.errors().constData());

@@ -1,5 +1,5 @@
-// The set that most integration tests need: fresh keys for a ground station and an agent that know each other, and the
-// arguments with which simulator, agent and monitor find one another on free ports of 127.0.0.1.
+// Common setup of integration tests: fresh keys of a ground station and an agent that list each other as peers, and arguments
+// that connect simulator, agent and monitor through free ports of 127.0.0.1.
 #pragma once
 
 #include "tests/support/program.h"
@@ -13,7 +13,7 @@ class Flight
 public:
     Flight();
 
-    /// False when the keys could not be made; tests check it first.
+    /// Returns false if the keys could not be made. Check it first.
     bool ready() const { return m_ready; }
     QString path(const QString &name) const { return m_folder.filePath(name); }
 
@@ -21,7 +21,7 @@ public:
     quint16 groundPort = freeUdpPort();  ///< the station's
 
     QStringList simArguments(const QStringList &more = {}) const;
-    /// `ground` where the agent's records go; 0 = straight to the station.
+    /// `ground`: the port to which the agent sends; 0 = the station's.
     QStringList airArguments(quint16 ground = 0, const QStringList &more = {}) const;
     QStringList monitorArguments(const QStringList &more = {}) const;
 

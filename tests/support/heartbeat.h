@@ -1,4 +1,4 @@
-// A HEARTBEAT in clear, as anybody can send one.
+// An unsealed HEARTBEAT, which needs no key.
 #pragma once
 
 #include "core/base/bytes.h"

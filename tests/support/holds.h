@@ -1,7 +1,7 @@
-// What the tests of attacks say of each one.
+// The check that attack tests and the proofs share.
 #pragma once
 
 #include <QtTest/QTest>
 
-/// The check that an attack comes to nothing. Its words name it: the proofs ask for the very check that fails.
-#define HOLDS(condition, words) QVERIFY2(condition, words)
+/// Verifies that an attack has no effect. `text` names the check: tests/weakened/proofs.h expects it to fail without the defence.
+#define HOLDS(condition, text) QVERIFY2(condition, text)

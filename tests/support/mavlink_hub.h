@@ -1,6 +1,6 @@
-// A MAVLink router of UDP ends that routes as mavlink-router does: each end is known by the systems and components that
-// were heard there, and gets what is for them or for everybody; what is for nobody known goes nowhere. Lives in the test's
-// event loop.
+// A MAVLink router of UDP ends that routes like mavlink-router: it learns the systems and components behind each end from the
+// frames received there, and forwards a frame to the ends of its target, or to all others if it is a broadcast. Frames for an
+// unknown target are dropped. Runs in the test's event loop.
 #pragma once
 
 #include "core/mavlink/dialect.h"
@@ -24,7 +24,7 @@ public:
     struct End
     {
         QUdpSocket socket;
-        quint16 remote = 0; ///< 0: not known before something was heard
+        quint16 remote = 0; ///< 0: unknown until a frame arrives there
         std::set<std::pair<int, int>> heard;
     };
 
@@ -38,7 +38,7 @@ public:
     }
 
     quint16 port(std::size_t end) const { return m_ends[end].socket.localPort(); }
-    /// An end that calls a fixed port, instead of waiting to be called.
+    /// Gives an end a fixed remote port; otherwise it learns the port from the first frame.
     void setRemote(std::size_t end, quint16 port) { m_ends[end].remote = port; }
 
     std::map<std::uint32_t, int> passed; ///< by message id
@@ -46,7 +46,7 @@ public:
     std::size_t longest = 0; ///< frame
     std::uint64_t bytes = 0;
     int notMavlink = 0;
-    /// Looks at each frame; false drops it.
+    /// Called for each frame; return false to drop it.
     std::function<bool(const mavlink::Frame &)> filter;
 
 private:
@@ -100,7 +100,7 @@ private:
         return std::any_of(to.heard.begin(), to.heard.end(), [system](const auto &node) { return node.first == system; });
     }
 
-    std::deque<End> m_ends; // which do not move
+    std::deque<End> m_ends; // stable addresses, for the connections
 };
 
 } // namespace skyseal::test

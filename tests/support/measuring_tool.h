@@ -1,5 +1,5 @@
-// Tools of others that our own figures are held against: perf, heaptrack. A test that needs one says so and is skipped where
-// it is not there.
+// External tools that verify our own figures: perf, heaptrack. A test that needs one is skipped, with that reason, if it is
+// not installed.
 #pragma once
 
 #include "tests/support/run_program.h"
@@ -8,7 +8,7 @@
 
 namespace skyseal::test {
 
-/// Run it by runToItsEnd().
+/// Run the tool with runToItsEnd().
 inline bool hasTool(const char *name)
 {
     return !QStandardPaths::findExecutable(QString::fromLatin1(name)).isEmpty();

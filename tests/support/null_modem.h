@@ -1,5 +1,5 @@
-// Two pseudo-terminals and a cable between them: what one program writes to its serial device, another reads from its own.
-// Lives in the test's event loop. Linux.
+// Two pseudo-terminals joined like serial ports by a null modem cable: bytes written to one device are read from the other.
+// Runs in the test's event loop. Linux.
 #pragma once
 
 #include <QtCore/QSocketNotifier>
@@ -25,7 +25,7 @@ public:
             const int fd = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
             if (fd < 0 || ::grantpt(fd) != 0 || ::unlockpt(fd) != 0)
                 qFatal("no pseudo-terminal");
-            // Both ends open the devices before any program does: a terminal nobody has open loses what it is told.
+            // Keep both devices open from the start: a terminal that no process has open discards its input.
             m_masters[end] = fd;
             m_slaves[end] = ::open(::ptsname(fd), O_RDWR | O_NOCTTY);
             termios raw{};
@@ -53,7 +53,7 @@ public:
     QString device(std::size_t end) const { return QString::fromLocal8Bit(::ptsname(m_masters[end])); }
 
     std::array<std::uint64_t, 2> carried{}; ///< bytes, by the end that wrote them
-    /// Sees what the end wrote and may spoil it.
+    /// Called with the bytes written at one end; may change them.
     std::function<void(std::size_t from, std::array<char, 4096> &bytes, std::size_t size)> noise;
 
 private:

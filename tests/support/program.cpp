@@ -16,7 +16,7 @@ namespace skyseal::test {
 
 namespace {
 
-/// Lets all programs' pipes be read, not only the one that is waited for: a full pipe would stop a relay in its tracks.
+/// Reads the pipes of all programs, also of those that the test does not wait for: a full pipe would block a relay.
 void turnEventLoop()
 {
     QTimer wakeUp;
@@ -30,9 +30,10 @@ Program::Program(const QString &name, const QStringList &arguments)
 {
     const QString path = name.contains(QLatin1Char('/')) ? name : QStringLiteral(SKYSEAL_BIN_DIR "/") + name;
     QObject::connect(&m_process, &QProcess::readyReadStandardOutput, &m_process, [this] { drain(); });
-    m_process.setChildProcessModifier([] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }); // a test that crashes leaves nothing running
+    m_process.setChildProcessModifier(
+        [] { ::prctl(PR_SET_PDEATHSIG, SIGKILL); }); // a test that crashes leaves no program running
     m_process.start(path, arguments);
-    if (!m_process.waitForStarted(10000))
+    if (!m_process.waitForStarted(kDeadlineMs))
         qWarning("%s did not start: %s", qPrintable(path), qPrintable(m_process.errorString()));
 }
 
@@ -40,7 +41,7 @@ Program::~Program()
 {
     if (m_process.state() != QProcess::NotRunning) {
         m_process.kill();
-        m_process.waitForFinished(5000);
+        m_process.waitForFinished(kDeadlineMs);
     }
     drain();
     if (QTest::currentTestFailed() && !m_errors.isEmpty())
@@ -62,7 +63,7 @@ void Program::drain()
     }
 }
 
-QJsonObject Program::waitFor(const QString &event, int milliseconds, const Predicate &predicate)
+QJsonObject Program::waitFor(const QString &event, const Predicate &predicate, int milliseconds)
 {
     const QDeadlineTimer deadline(milliseconds);
     for (;;) {
@@ -79,7 +80,7 @@ QJsonObject Program::waitFor(const QString &event, int milliseconds, const Predi
     }
 }
 
-void Program::skipWhatCame()
+void Program::skipReceivedEvents()
 {
     drain();
     m_waitedUpTo = m_events.size();
@@ -102,16 +103,16 @@ void Program::notify(const QString &line)
     m_process.write(line.toUtf8() + '\n');
 }
 
-int Program::terminate(int milliseconds)
+int Program::terminate()
 {
     m_process.terminate();
-    return waitForExit(milliseconds);
+    return waitForExit();
 }
 
 void Program::kill()
 {
     m_process.kill();
-    m_process.waitForFinished(5000);
+    m_process.waitForFinished(kDeadlineMs);
     drain();
 }
 

@@ -1,5 +1,7 @@
-// A real program in a test: started with arguments, its JSON lines collected, killed as a crash would.
+// A program that runs beside the test: started with arguments, its JSON lines are collected, and it can be killed.
 #pragma once
+
+#include "tests/support/eventually.h"
 
 #include <QtCore/QJsonObject>
 #include <QtCore/QProcess>
@@ -10,7 +12,7 @@
 
 namespace skyseal::test {
 
-/// One run of one of our programs (by name, from the build) or of another (by path). Killed when it goes out of scope.
+/// One run of a program of the build (by name) or of another program (by path). The destructor kills it.
 class Program
 {
 public:
@@ -23,26 +25,27 @@ public:
 
     bool running() const { return m_process.state() == QProcess::Running; }
     qint64 pid() const { return m_process.processId(); }
-    /// Waits for an event of this kind that satisfies `predicate` and came after the last one that was waited for; an
-    /// empty object when none came within `milliseconds`.
-    QJsonObject waitFor(const QString &event, int milliseconds, const Predicate &predicate = {});
-    /// Only events that come from now on will be waited for.
-    void skipWhatCame();
-    /// Waits for the end: the exit status, or -1 when it did not end in time or crashed.
-    int waitForExit(int milliseconds);
+    /// Waits for the next event of this kind that satisfies `predicate`, among those after the last event returned. Returns
+    /// an empty object if the program ends or `milliseconds` pass without one: pass the time only to show that none comes.
+    QJsonObject waitFor(const QString &event, const Predicate &predicate = {}, int milliseconds = kDeadlineMs);
+    /// Lets waitFor() ignore the events received so far.
+    void skipReceivedEvents();
+    /// Waits for the end. Returns the exit status, or -1 if the program crashed or still runs. Pass the time only for a program
+    /// that runs longer than kDeadlineMs.
+    int waitForExit(int milliseconds = kDeadlineMs);
     /// Writes a line to its standard input.
     void notify(const QString &line);
-    /// Asks it to end (SIGTERM) and waits.
-    int terminate(int milliseconds = 10000);
+    /// Sends SIGTERM and waits for the end. Returns like waitForExit().
+    int terminate();
     /// kill -9, as the kernel's out-of-memory killer would.
     void kill();
 
     const std::vector<QJsonObject> &events();
     std::vector<QJsonObject> events(const QString &kind);
     QJsonObject last(const QString &kind);
-    /// Everything it wrote to standard error.
+    /// Everything written to standard error so far.
     QByteArray errors();
-    /// Lines of standard output that were no JSON objects.
+    /// Lines of standard output that are not JSON objects.
     const QByteArrayList &otherLines();
 
 private:

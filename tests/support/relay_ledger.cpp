@@ -10,7 +10,7 @@ namespace skyseal::test {
 
 namespace {
 
-/// Numbers of one counter, from 0, as they arrive.
+/// The numbers of one counter, which begins at 0, in the order of arrival.
 struct Stream
 {
     qint64 newest = -1;
@@ -40,7 +40,7 @@ struct Session
     std::map<int, Stream> streams;
     std::map<int, qint64> sent; ///< under each epoch
 
-    /// An epoch that is over has its last losses told by the sender; of the present one only those before the newest are known.
+    /// The sender reports the final count of a past epoch; in the current one, losses are known up to the newest record.
     qint64 lost() const
     {
         qint64 out = 0;
@@ -60,12 +60,12 @@ struct Datagram
     bool inPlace = false;
 };
 
-/// MAVLink's 8 bits made whole, from the order in which a sender's frames passed.
+/// Extends MAVLink's 8-bit sequence numbers by the order in which the frames of a sender passed.
 struct Sender
 {
     int last = -1;
     qint64 sent = 0;
-    qint64 first = -1; ///< that arrived: what was lost before it nobody can know
+    qint64 first = -1; ///< frame that arrived; losses before it cannot be known
     Stream stream;
 };
 
@@ -79,7 +79,7 @@ public:
     Datagram takeIn(const QJsonObject &event)
     {
         Datagram out;
-        // Frames sealed in place do not say of which session they are.
+        // Frames sealed in place do not name their session.
         out.session = m_session = event[QLatin1String("connection")].toInt(m_session);
         Session &session = m_sessions[m_session];
         for (const QJsonValue counter : event[QLatin1String("counters")].toArray()) {

@@ -1,6 +1,6 @@
-// The books of one direction of a link, kept from the log of `skyseal-cli impair --json --datagrams` alone: what a receiver
-// that counts rightly has counted after each datagram that reached it. The log knows every datagram's fate and the order in
-// which copies left; who sealed, opened and counted has no part in it.
+// Expected counters of a receiver after each datagram of one direction of a link, computed from the log of
+// `skyseal-cli impair --json --datagrams` alone. The log has the fate of every datagram and the order in which copies left; the
+// code under test, which seals, opens and counts, is not involved.
 #pragma once
 
 #include <QtCore/QJsonObject>
@@ -30,10 +30,10 @@ public:
     /// `direction`: "forward" or "backward".
     RelayLedger(const std::vector<QJsonObject> &events, const QString &direction);
 
-    /// After so many sealed units had arrived, copies included; the last entry is the end. Entry 0 is the beginning.
+    /// Counters by the number of sealed units that have arrived, copies included: entry 0 is the beginning, the last is the end.
     const std::vector<Sealed> &sealed() const { return m_sealed; }
-    /// After so many frames had reached the receiver's MAVLink side: copies of frames sealed in place do not, those of clear
-    /// frames do.
+    /// Counters by the number of frames that have reached the receiver's MAVLink layer. Copies of clear frames reach it,
+    /// copies of frames sealed in place do not.
     const std::vector<Frames> &frames() const { return m_frames; }
 
     qint64 dropped() const { return m_dropped; }       ///< sealed units and clear frames in datagrams that were dropped

@@ -1,4 +1,4 @@
-// Somebody who may speak at a MAVLink router in every name.
+// An attacker at a MAVLink router that accepts frames with any system id.
 #pragma once
 
 #include "core/mavlink/messages.h"
@@ -14,8 +14,8 @@
 
 namespace skyseal::test {
 
-/// Sends armed heartbeats in the names of the vehicle, its agent and the station, each from an end of its own, so that the
-/// router sends there what is for these.
+/// Sends armed heartbeats as the vehicle, its agent and the station, each from a connection of its own, so that the router
+/// forwards the frames for these to the attacker.
 template<typename Socket> class RouterSpoofers
 {
 public:
@@ -35,7 +35,7 @@ public:
         m_timer.start(100);
     }
 
-    int copied = 0;    ///< TUNNEL messages that the router sent there
+    int copied = 0;    ///< TUNNEL messages that the router forwarded to the attacker
     bool more = false; ///< anything else but HEARTBEAT
     std::function<void(const mavlink::Frame &)> onCopy;
 

@@ -1,5 +1,7 @@
-// A program run to its end: one of ours, or another one.
+// Runs a program of the build or another one until it ends.
 #pragma once
+
+#include "tests/support/eventually.h"
 
 #include <QtCore/QProcess>
 #include <QtCore/QStringList>
@@ -8,33 +10,33 @@ namespace skyseal::test {
 
 struct RunResult
 {
-    int status = -1; ///< -1: did not start, crashed or did not end
+    int status = -1; ///< -1: did not start, crashed, or still ran at the deadline
     QByteArray out;
     QByteArray err;
 };
 
 /// `program` is a path, or a name to be found on the PATH.
 inline RunResult runToItsEnd(const QString &program, const QStringList &arguments, const QByteArray &input = {},
-                             int milliseconds = 60000)
+                             int milliseconds = kDeadlineMs)
 {
     QProcess process;
     process.start(program, arguments);
-    if (!process.waitForStarted(10000))
+    if (!process.waitForStarted(kDeadlineMs))
         return {};
     process.write(input);
     process.closeWriteChannel();
     if (!process.waitForFinished(milliseconds)) {
         process.kill();
-        process.waitForFinished(5000);
+        process.waitForFinished(kDeadlineMs);
         return {};
     }
     const bool ended = process.exitStatus() == QProcess::NormalExit;
     return {ended ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
-/// One of ours, by its name.
+/// Runs a program of the build, by its name.
 inline RunResult runProgram(const char *name, const QStringList &arguments, const QByteArray &input = {},
-                            int milliseconds = 60000)
+                            int milliseconds = kDeadlineMs)
 {
     return runToItsEnd(QStringLiteral(SKYSEAL_BIN_DIR "/") + QLatin1String(name), arguments, input, milliseconds);
 }

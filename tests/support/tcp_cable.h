@@ -1,4 +1,4 @@
-// A TCP relay that can be cut: whoever connects to it is connected to a port of 127.0.0.1. Lives in the test's event loop.
+// A TCP relay to a port of 127.0.0.1 whose connections the test can cut. Runs in the test's event loop.
 #pragma once
 
 #include <QtNetwork/QTcpServer>

@@ -1,6 +1,8 @@
 #include "tests/support/terminal.h"
 
-#include <QtCore/QElapsedTimer>
+#include "tests/support/eventually.h"
+
+#include <QtCore/QDeadlineTimer>
 
 #include <cstdlib>
 #include <fcntl.h>
@@ -29,7 +31,7 @@ Terminal::~Terminal()
 {
     if (m_process.state() != QProcess::NotRunning) {
         m_process.kill();
-        m_process.waitForFinished();
+        m_process.waitForFinished(kDeadlineMs);
     }
     if (m_master >= 0)
         ::close(m_master);
@@ -47,17 +49,14 @@ bool Terminal::readSome(int milliseconds)
     return count > 0;
 }
 
-bool Terminal::waitForText(const QByteArray &words)
+bool Terminal::waitForText(const QByteArray &text)
 {
-    QElapsedTimer clock;
-    clock.start();
-    while (clock.elapsed() < 10000) {
-        const qsizetype at = m_shown.indexOf(words, m_waitedUpTo);
+    for (const QDeadlineTimer deadline(kDeadlineMs); !deadline.hasExpired(); readSome(100)) {
+        const qsizetype at = m_shown.indexOf(text, m_waitedUpTo);
         if (at >= 0) {
-            m_waitedUpTo = at + words.size();
+            m_waitedUpTo = at + text.size();
             return true;
         }
-        readSome(100);
     }
     return false;
 }
@@ -69,7 +68,7 @@ void Terminal::type(const QByteArray &keys)
 
 int Terminal::waitForExit()
 {
-    const bool ended = m_process.state() == QProcess::NotRunning || m_process.waitForFinished(20000);
+    const bool ended = m_process.state() == QProcess::NotRunning || m_process.waitForFinished(kDeadlineMs);
     while (readSome(0)) {}
     return ended && m_process.exitStatus() == QProcess::NormalExit ? m_process.exitCode() : -1;
 }

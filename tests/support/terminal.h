@@ -1,4 +1,4 @@
-// A pseudo terminal for a program that asks its user something: what the program shows there is collected, answers are typed.
+// A pseudo terminal for a program that prompts its user: collects the program's prompts and types the answers.
 #pragma once
 
 #include <QtCore/QByteArray>
@@ -17,12 +17,12 @@ public:
     Terminal(const Terminal &) = delete;
     Terminal &operator=(const Terminal &) = delete;
 
-    /// Waits until the terminal shows these words; false after 10 s.
-    bool waitForText(const QByteArray &words);
+    /// Waits until the terminal shows this text behind the one found last. Returns false at the deadline.
+    bool waitForText(const QByteArray &text);
     void type(const QByteArray &keys);
-    /// The exit status; -1 when it did not end within 20 s.
+    /// Waits for the end. Returns the exit status, or -1 if the program crashed or still runs at the deadline.
     int waitForExit();
-    /// All that the terminal showed, echoes included.
+    /// Everything shown so far, echoes included.
     const QByteArray &shown() const { return m_shown; }
     QByteArray output() { return m_process.readAllStandardOutput(); }
     QByteArray errors() { return m_process.readAllStandardError(); }

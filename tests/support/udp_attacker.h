@@ -1,5 +1,5 @@
-// Somebody on the wire between an agent and a station: passes datagrams on, keeps a copy of each, may swallow or change
-// them, and sends his own to either side from the other's address.
+// An attacker on the path between agent and station: forwards and records datagrams, may drop or change them, and sends
+// datagrams of its own to either side from the address of the other.
 #pragma once
 
 #include <QtNetwork/QNetworkDatagram>
@@ -27,7 +27,7 @@ public:
         QObject::connect(&m_far, &QUdpSocket::readyRead, &m_far, [this] { take(m_far, false); });
     }
 
-    /// Where the agent finds it in the station's place.
+    /// The port that the agent takes for the station.
     quint16 port() const { return m_near.localPort(); }
     void toGround(const QByteArray &bytes) { m_far.writeDatagram(bytes, QHostAddress::LocalHost, m_groundPort); }
     void toAgent(const QByteArray &bytes)
@@ -37,7 +37,7 @@ public:
     }
 
     std::vector<Seen> seen;
-    /// False swallows a datagram.
+    /// Called for each datagram; return false to drop it.
     std::function<bool(const Seen &)> passes;
 
 private:

@@ -5,6 +5,7 @@
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/window/main_window.h"
@@ -62,12 +63,11 @@ private Q_SLOTS:
 
     void sealsByItself()
     {
-        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")),
-                                 20'000);
-        QTRY_VERIFY_WITH_TIMEOUT(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")), 30'000);
+        EVENTUALLY(strip("stripLock")->text().startsWith(QStringLiteral("ChaCha20-Poly1305 · air-demo ✓")));
+        EVENTUALLY(strip("stripGps")->text().startsWith(QStringLiteral("3D fix")));
         // GUIDED needs the vehicle's own estimate of its position, which it has a while after the fix; home comes with it.
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle->state.home.known(), 60'000);
-        QTRY_VERIFY_WITH_TIMEOUT(find<QComboBox>("modeBox")->count() > 5, 10'000);
+        EVENTUALLY(m_window->view().vehicle->state.home.known());
+        EVENTUALLY(find<QComboBox>("modeBox")->count() > 5);
     }
 
     void takesOff()
@@ -75,13 +75,12 @@ private Q_SLOTS:
         auto *modes = find<QComboBox>("modeBox");
         modes->setCurrentIndex(modes->findText(QStringLiteral("GUIDED")));
         hold("setModeButton");
-        QTRY_VERIFY2_WITH_TIMEOUT(strip("stripMode")->text() == QStringLiteral("GUIDED"),
-                                  qPrintable(find<QLabel>("commandResult")->text()), 10'000);
+        EVENTUALLY2(strip("stripMode")->text() == QStringLiteral("GUIDED"), qPrintable(find<QLabel>("commandResult")->text()));
         hold("armButton");
-        QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("ARMED"), 10'000);
+        EVENTUALLY_EQUAL(strip("stripArmed")->text(), QStringLiteral("ARMED"));
         hold("takeOffButton");
-        QTRY_VERIFY_WITH_TIMEOUT(find<QLabel>("commandResult")->text().endsWith(QStringLiteral("accepted")), 10'000);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().vehicle->state.altitudeRelative > 2, 20'000);
+        EVENTUALLY(find<QLabel>("commandResult")->text().endsWith(QStringLiteral("accepted")));
+        EVENTUALLY(m_window->view().vehicle->state.altitudeRelative > 2);
     }
 
     void switchesInFlight()
@@ -91,8 +90,8 @@ private Q_SLOTS:
             auto *row = m_window->findChild<SuiteRow *>(QStringLiteral("row_")
                                                         + m_window->suites().action(suite)->objectName());
             QTest::mouseClick(row, Qt::LeftButton, {}, QPoint(12, row->height() / 2));
-            QTRY_VERIFY_WITH_TIMEOUT(row->isChecked(), 6'000);
-            QTRY_VERIFY(m_window->view().session->info.suite == suite);
+            EVENTUALLY(row->isChecked());
+            EVENTUALLY(m_window->view().session->info.suite == suite);
         }
         QCOMPARE(m_window->view().session->stats.rx.lost, std::uint64_t(0));
         QCOMPARE(m_window->view().session->stats.rx.forged, std::uint64_t(0));
@@ -104,16 +103,16 @@ private Q_SLOTS:
         QVERIFY(!m_window->suites().action(SuiteId::Rc4)->isEnabled());
         m_station->setAllowResearch(true);
         m_window->suites().setResearchAllowed(true);
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->suites().action(SuiteId::Rc4)->isEnabled(), 5'000);
+        EVENTUALLY(m_window->suites().action(SuiteId::Rc4)->isEnabled());
         m_window->suites().action(SuiteId::Rc4)->trigger();
-        QTRY_VERIFY_WITH_TIMEOUT(strip("stripLock")->text().startsWith(QStringLiteral("RC4 (insecure)")), 6'000);
+        EVENTUALLY(strip("stripLock")->text().startsWith(QStringLiteral("RC4 (insecure)")));
     }
 
     void lands()
     {
         hold("landButton");
-        QTRY_COMPARE_WITH_TIMEOUT(strip("stripMode")->text(), QStringLiteral("LAND"), 10'000);
-        QTRY_COMPARE_WITH_TIMEOUT(strip("stripArmed")->text(), QStringLiteral("DISARMED"), 60'000);
+        EVENTUALLY_EQUAL(strip("stripMode")->text(), QStringLiteral("LAND"));
+        EVENTUALLY_EQUAL(strip("stripArmed")->text(), QStringLiteral("DISARMED"));
         picture("landed");
     }
 
@@ -137,10 +136,10 @@ private:
     void hold(const char *name)
     {
         auto *button = find<HoldButton>(name);
-        QTRY_VERIFY(button->isEnabled());
+        EVENTUALLY(button->isEnabled());
         QSignalSpy confirmed(button, &HoldButton::confirmed);
         QTest::mousePress(button, Qt::LeftButton);
-        QTRY_COMPARE(confirmed.size(), 1);
+        EVENTUALLY_EQUAL(confirmed.size(), 1);
         QTest::mouseRelease(button, Qt::LeftButton);
     }
 

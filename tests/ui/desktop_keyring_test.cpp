@@ -2,6 +2,7 @@
 // Skipped, and saying so, where these programs or the library are missing.
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
+#include "tests/support/eventually.h"
 #include "ui/keys/passphrase_dialog.h"
 
 #include <QtCore/QFile>
@@ -60,7 +61,7 @@ private:
         QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
         QSignalSpy failed(m_memory.get(), &PassphraseMemory::failed);
         m_memory->remember(file, passphrase(words));
-        QTRY_VERIFY_WITH_TIMEOUT(done.size() == 1 || !failed.isEmpty(), 20'000);
+        EVENTUALLY(done.size() == 1 || !failed.isEmpty());
         QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
     }
 
@@ -84,7 +85,7 @@ void DesktopKeyringTest::initTestCase()
     m_daemon.write("login");
     m_daemon.closeWriteChannel();
     const auto *bus = QDBusConnection::sessionBus().interface();
-    QTRY_VERIFY_WITH_TIMEOUT(bus->isServiceRegistered(QStringLiteral("org.freedesktop.secrets")).value(), 20'000);
+    EVENTUALLY(bus->isServiceRegistered(QStringLiteral("org.freedesktop.secrets")).value());
     restart();
     QCOMPARE(m_memory->problem(), QString());
 }
@@ -117,7 +118,7 @@ void DesktopKeyringTest::rememberedAndForgotten()
     QVERIFY(is(m_memory->recall("/a.key"), "another"));
     QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
     m_memory->forget("/a.key");
-    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+    EVENTUALLY_EQUAL(done.size(), 1);
     restart();
     QVERIFY(!m_memory->remembers("/a.key") && m_memory->remembers("/b.key"));
     QVERIFY(!m_memory->recall("/a.key"));
@@ -149,7 +150,7 @@ void DesktopKeyringTest::askedOnceThenNoMore()
         QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
         QVERIFY(!m_memory->remembers("/station.key")); // not before it opened the file
         question.opened();
-        QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+        EVENTUALLY_EQUAL(done.size(), 1);
     }
     restart();
     PassphraseQuestion question(*m_memory);
@@ -180,7 +181,7 @@ void DesktopKeyringTest::stalePassphraseIsRequested()
     QVERIFY(second && asText(second->view()) == "new" && asked);
     QSignalSpy done(m_memory.get(), &PassphraseMemory::done);
     question.opened();
-    QTRY_COMPARE_WITH_TIMEOUT(done.size(), 1, 20'000);
+    EVENTUALLY_EQUAL(done.size(), 1);
     QVERIFY(is(m_memory->recall("/station.key"), "new")); // it went on being remembered
 }
 

@@ -3,6 +3,7 @@
 // same snapshots take without a visible panel.
 #include "core/metrics/process_usage.h"
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/charts/diagnostics_tools.h"
@@ -107,7 +108,7 @@ void DiagnosticsCostTest::seenAndHidden()
     DiagnosticsPanel panel;
     panel.resize(size);
     panel.show();
-    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    QVERIFY(QTest::qWaitForWindowExposed(&panel, test::kDeadlineMs));
     panel.findChild<QComboBox *>(QStringLiteral("chartGroup"))->setCurrentText(group);
     panel.findChild<DiagnosticsTools *>()->setView(static_cast<DiagnosticsView>(view));
     Flight flight(panel);

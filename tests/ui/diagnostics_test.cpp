@@ -2,6 +2,7 @@
 // saved files.
 #include "core/experiment/cipher_bench.h"
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/charts/chart_cursor.h"
 #include "ui/charts/chart_view.h"
@@ -76,7 +77,7 @@ private Q_SLOTS:
         m_panel = std::make_unique<DiagnosticsPanel>();
         m_panel->resize(1200, 240);
         m_panel->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_panel.get(), test::kDeadlineMs));
     }
 
     void cleanup() { m_panel.reset(); }
@@ -544,7 +545,7 @@ private Q_SLOTS:
         QVERIFY(!m_panel->findChild<QTimer *>()->isActive());
         QVERIFY(m_panel->chart(0)->plotted().runs.empty());
         m_panel->show();
-        QTRY_COMPARE(m_panel->chart(0)->plotted().runs.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_panel->chart(0)->plotted().runs.size(), std::size_t(1));
     }
 
 private:

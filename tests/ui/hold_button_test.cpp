@@ -1,4 +1,5 @@
 // Hold to confirm, by mouse and by keys, and all the ways to say no.
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 
@@ -23,7 +24,7 @@ private Q_SLOTS:
         column->addWidget(m_button);
         column->addWidget(m_other);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get(), skyseal::test::kDeadlineMs));
         m_button->setFocus();
         m_confirmed = std::make_unique<QSignalSpy>(m_button, &HoldButton::confirmed);
         m_aborted = std::make_unique<QSignalSpy>(m_button, &HoldButton::aborted);
@@ -34,7 +35,7 @@ private Q_SLOTS:
         QElapsedTimer since;
         since.start();
         QTest::mousePress(m_button, Qt::LeftButton);
-        QTRY_COMPARE(m_confirmed->size(), 1);
+        EVENTUALLY_EQUAL(m_confirmed->size(), 1);
         QVERIFY(since.elapsed() >= HoldButton::kHoldMs);
         QTest::mouseRelease(m_button, Qt::LeftButton);
         QCOMPARE(m_confirmed->size(), 1);
@@ -60,7 +61,7 @@ private Q_SLOTS:
     {
         QFETCH(int, key);
         QTest::keyPress(m_button, static_cast<Qt::Key>(key));
-        QTRY_COMPARE(m_confirmed->size(), 1);
+        EVENTUALLY_EQUAL(m_confirmed->size(), 1);
         QTest::keyRelease(m_button, static_cast<Qt::Key>(key));
         QCOMPARE(m_aborted->size(), 0);
     }
@@ -68,7 +69,7 @@ private Q_SLOTS:
     void escapeAborts()
     {
         QTest::mousePress(m_button, Qt::LeftButton);
-        QTRY_VERIFY(m_button->progress() > 0.1);
+        EVENTUALLY(m_button->progress() > 0.1);
         QTest::keyClick(m_button, Qt::Key_Escape);
         QCOMPARE(m_aborted->size(), 1);
         QVERIFY(!m_confirmed->wait(HoldButton::kHoldMs + 100));

@@ -2,6 +2,7 @@
 // replaced only knowingly, revoking confirmed.
 #include "core/keys/public_key_text.h"
 #include "fake_keyring.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/keys/change_passphrase_dialog.h"
 #include "ui/keys/changed_key_warning.h"
@@ -96,7 +97,7 @@ private:
     {
         m_dialog = std::make_unique<KeysDialog>(*m_keyring);
         m_dialog->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get(), test::kDeadlineMs));
         m_dialog->activateWindow();
     }
     template<typename W = QPushButton> W *find(const char *name) const { return m_dialog->findChild<W *>(QLatin1String(name)); }
@@ -332,12 +333,12 @@ void KeysDialogTest::revokeBeginsAtCancel()
     for (const Qt::Key answer : {Qt::Key_Return, Qt::Key_Escape}) {
         m_dialog->activateWindow();
         view->setFocus();
-        QTRY_VERIFY(view->hasFocus());
+        EVENTUALLY(view->hasFocus());
         QTest::keyClick(view, Qt::Key_Delete);
         auto *box = m_dialog->findChild<QMessageBox *>(QStringLiteral("confirmRevoke"));
         QVERIFY(box && box->isVisible());
         QTest::keyClick(box, answer);
-        QTRY_VERIFY(!m_dialog->findChild<QMessageBox *>(QStringLiteral("confirmRevoke")));
+        EVENTUALLY(!m_dialog->findChild<QMessageBox *>(QStringLiteral("confirmRevoke")));
     }
     QCOMPARE(m_keyring->list.peers.size(), std::size_t(2));
 }
@@ -459,7 +460,7 @@ void KeysDialogTest::passphraseIsChangedAndTakenAway()
     QCOMPARE(m_keyring->passphrases.back().second, std::string("b"));
     QVERIFY(m_keyring->remembers); // as it was
     m_keyring->finishPassphrase({});
-    QTRY_VERIFY(!m_dialog->findChild<ChangePassphraseDialog *>());
+    EVENTUALLY(!m_dialog->findChild<ChangePassphraseDialog *>());
     dialog = openPassphrase();
     typePassphrase(dialog, "presentPassphrase", "b");
     dialog->findChild<QCheckBox *>(QStringLiteral("noPassphrase"))->setFocus();

@@ -1,6 +1,7 @@
 // At every size and in every state: no text is cut, nothing lies over anything else, and changing numbers move nothing.
 #include "fake_station.h"
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/charts/chart.h"
 #include "ui/charts/chart_grid.h"
@@ -91,7 +92,7 @@ private Q_SLOTS:
             open(size);
             show(state);
             for (const QScrollArea *area : m_window->findChildren<FittingScroll *>())
-                QTRY_VERIFY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
+                EVENTUALLY2(!area->verticalScrollBar()->isVisible(), qPrintable(area->parentWidget()->objectName()));
         }
     }
 
@@ -103,13 +104,13 @@ private Q_SLOTS:
             const auto *panel = m_window->findChild<DiagnosticsPanel *>();
             const auto *grid = panel->findChild<ChartGrid *>();
             for (int i = 0; i < panel->chartCount(); ++i)
-                QTRY_VERIFY2(panel->chart(i)->height() <= grid->viewport()->height()
-                                 && panel->chart(i)->height() >= grid->viewport()->height() - 2,
-                             qPrintable(QStringLiteral("%1x%2: %3 in %4")
-                                            .arg(size.width())
-                                            .arg(size.height())
-                                            .arg(panel->chart(i)->height())
-                                            .arg(grid->viewport()->height())));
+                EVENTUALLY2(panel->chart(i)->height() <= grid->viewport()->height()
+                                && panel->chart(i)->height() >= grid->viewport()->height() - 2,
+                            qPrintable(QStringLiteral("%1x%2: %3 in %4")
+                                           .arg(size.width())
+                                           .arg(size.height())
+                                           .arg(panel->chart(i)->height())
+                                           .arg(grid->viewport()->height())));
         }
     }
 
@@ -121,7 +122,7 @@ private Q_SLOTS:
         snapshot.sessions.front().stats.rx.malformed = 5;
         m_station->show(snapshot);
         const auto *counters = m_window->findChild<CountersTable *>();
-        QTRY_VERIFY(counters->isBrief());
+        EVENTUALLY(counters->isBrief());
         const auto *refused = m_window->findChild<FigureLabel *>(QStringLiteral("counter_8_1"));
         QVERIFY(refused->isVisible());
         QCOMPARE(refused->value(), QStringLiteral("12"));
@@ -129,7 +130,7 @@ private Q_SLOTS:
         QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
         QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("securePeer"))->toolTip().contains(QStringLiteral("41c0 9be7")));
         m_window->resize(1280, 1000);
-        QTRY_VERIFY(m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
+        EVENTUALLY(m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
         QVERIFY(!counters->isBrief());
         QVERIFY(!refused->isVisible());
     }
@@ -242,7 +243,7 @@ private:
         m_window = std::make_unique<MainWindow>(*m_station, *m_store, facts);
         m_window->resize(size);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
     }
 
     void show(const QString &state)

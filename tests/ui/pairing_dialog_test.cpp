@@ -1,6 +1,7 @@
 // The pairing dialog: its input, the content of each step, and no confirmation by accident.
 #include "fake_keyring.h"
 #include "fake_pairing.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/fingerprint_text.h"
@@ -39,7 +40,7 @@ private Q_SLOTS:
         m_pairing = std::make_unique<FakePairing>();
         m_dialog = std::make_unique<PairingDialog>(*m_pairing, *m_keyring);
         m_dialog->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get(), test::kDeadlineMs));
         m_dialog->activateWindow();
     }
     void cleanup() { m_dialog.reset(); }

@@ -1,6 +1,7 @@
 // A plain vehicle that may be an impostor of a known agent: it is named in strip, panel and map, commands are disabled, and it
 // is accepted only after a confirmation that explains the consequences.
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/security/allow_plain.h"
@@ -45,7 +46,7 @@ private Q_SLOTS:
         auto *box = find<QMessageBox>("confirmPlain");
         QCOMPARE(static_cast<QWidget *>(box->defaultButton()), static_cast<QWidget *>(box->button(QMessageBox::Cancel)));
         QTest::keyClick(box, Qt::Key_Escape);
-        QTRY_VERIFY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain")));
+        EVENTUALLY(!m_window->findChild<QMessageBox *>(QStringLiteral("confirmPlain")));
         QVERIFY(m_station->allowedClear.empty());
         auto *menu = find<QMenu>("menuAllowPlain");
         Q_EMIT find<QMenu>("menuSecurity")->aboutToShow();
@@ -118,7 +119,7 @@ private Q_SLOTS:
         for (const auto answer : {QMessageBox::Yes, QMessageBox::Cancel})
             QVERIFY(box->button(answer)->icon().isNull()); // none of them is recommended by a picture
         if (const QString folder = qEnvironmentVariable("SKYSEAL_PICTURES"); !folder.isEmpty()) {
-            QVERIFY(QTest::qWaitForWindowExposed(box) && QDir().mkpath(folder));
+            QVERIFY(QTest::qWaitForWindowExposed(box, test::kDeadlineMs) && QDir().mkpath(folder));
             QVERIFY(box->grab().save(QDir(folder).filePath(QStringLiteral("confirm-plain.png"))));
         }
         box->close();

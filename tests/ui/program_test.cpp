@@ -1,4 +1,5 @@
 // The program skyseal from the outside: help, usage, pictures, an orderly end, a port that is taken.
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QProcess>
@@ -107,7 +108,7 @@ private Q_SLOTS:
         skyseal.start(program(), {QStringLiteral("--link"), QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
         QVERIFY(skyseal.waitForStarted());
         // It listens once the port can no longer be bound.
-        QTRY_VERIFY_WITH_TIMEOUT(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress), 20'000);
+        EVENTUALLY(!QUdpSocket().bind(QHostAddress::LocalHost, port, QAbstractSocket::DontShareAddress));
         ::kill(static_cast<pid_t>(skyseal.processId()), SIGINT);
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);

@@ -2,6 +2,7 @@
 #include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
@@ -34,9 +35,9 @@ private Q_SLOTS:
         QVERIFY(menu);
         QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
                           m_window->menuBar()->actionGeometry(menu->menuAction()).center());
-        QTRY_VERIFY(menu->isVisible());
+        EVENTUALLY(menu->isVisible());
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action(SuiteId::Aes256Gcm)).center());
-        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
         QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
         QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Gcm);
     }
@@ -46,12 +47,12 @@ private Q_SLOTS:
         m_station->show(sealedSnapshot(1));
         auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
         QTest::keyClick(m_window.get(), Qt::Key_S, Qt::AltModifier);
-        QTRY_VERIFY(menu->isVisible());
+        EVENTUALLY(menu->isVisible());
         menu->setActiveAction(action(SuiteId::ChaCha20Poly1305));
         QTest::keyClick(menu, Qt::Key_Down);
         QTest::keyClick(menu, Qt::Key_Down);
         QTest::keyClick(menu, Qt::Key_Return);
-        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
         QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Ctr);
     }
 
@@ -59,7 +60,7 @@ private Q_SLOTS:
     {
         m_station->show(sealedSnapshot(1));
         QTest::keyClick(m_window.get(), Qt::Key_4, Qt::ControlModifier | Qt::ShiftModifier);
-        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
         QCOMPARE(m_station->switches[0].second, SuiteId::Aes256Cbc);
     }
 
@@ -71,9 +72,9 @@ private Q_SLOTS:
         auto *menu = m_window->findChild<QMenu *>(QStringLiteral("menuSecurity"));
         QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
                           m_window->menuBar()->actionGeometry(menu->menuAction()).center());
-        QTRY_VERIFY(menu->isVisible());
+        EVENTUALLY(menu->isVisible());
         QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(change).center());
-        QTRY_COMPARE(m_station->switches.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->switches.size(), std::size_t(1));
         QCOMPARE(m_station->switches[0].first, channel::SessionId{7});
         QCOMPARE(m_station->switches[0].second, SuiteId::ChaCha20Poly1305); // the one in use
         QVERIFY(!change->isEnabled());

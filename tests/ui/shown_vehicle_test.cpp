@@ -1,6 +1,7 @@
 // Commands go only to the selected vehicle, whatever happens to it between the question
 // and the answer. Where nothing can be sent, nothing is offered.
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"
 #include "ui/flight/take_off_dialog.h"
@@ -50,7 +51,7 @@ private Q_SLOTS:
         QTest::mousePress(find<HoldButton>("landButton"), Qt::LeftButton);
         m_station->show(vehicles(1.1, {1, 5}));
         QCOMPARE(find<StripItem>("stripVehicle")->text(), QStringLiteral("Vehicle 5"));
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(1)); // the hold goes on
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1)); // the hold goes on
         QCOMPARE(m_station->commands[0].first, std::uint8_t(5));
         QTest::mouseRelease(find<HoldButton>("landButton"), Qt::LeftButton);
 

@@ -6,6 +6,7 @@
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
 #include "core/experiment/metric.h"
+#include "tests/support/eventually.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 #include "ui/window/main_window.h"
@@ -137,7 +138,7 @@ void SweepWindowTest::initTestCase()
 SweepDialog *SweepWindowTest::openDialog()
 {
     m_window->activateWindow();
-    if (!QTest::qWaitForWindowActive(m_window.get()))
+    if (!QTest::qWaitForWindowActive(m_window.get(), test::kDeadlineMs))
         qFatal("the window does not become active");
     QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ControlModifier);
     auto *dialog = m_window->findChild<SweepDialog *>();
@@ -160,7 +161,7 @@ void SweepWindowTest::run(SweepDialog &dialog)
     QAbstractButton *ok = dialog.findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
     QVERIFY(ok->isEnabled());
     QTest::mouseClick(ok, Qt::LeftButton);
-    QTRY_VERIFY(page().isRunning());
+    EVENTUALLY(page().isRunning());
 }
 
 void SweepWindowTest::nothingConnected()
@@ -179,16 +180,16 @@ void SweepWindowTest::connectSealed()
 {
     m_air = std::make_unique<Program>(q("skyseal-air"), m_flight.airArguments(0, {q("--allow-plain"), q("--allow-inline")}));
     const ViewState &view = m_window->view();
-    QTRY_VERIFY_WITH_TIMEOUT(view.session && view.vehicle && !view.vehicle->state.lost, 20'000);
+    EVENTUALLY(view.session && view.vehicle && !view.vehicle->state.lost);
 }
 
 /// The suite that the link is to have again in the end; not the default one, which it would have after any new session.
 void SweepWindowTest::beginWith(SuiteId wanted)
 {
-    QTRY_VERIFY_WITH_TIMEOUT(m_window->suites().action(wanted)->isEnabled(), 10'000);
+    EVENTUALLY(m_window->suites().action(wanted)->isEnabled());
     if (suite() != wanted)
         m_window->suites().action(wanted)->trigger();
-    QTRY_COMPARE_WITH_TIMEOUT(suite(), wanted, 10'000);
+    EVENTUALLY_EQUAL(suite(), wanted);
 }
 
 void SweepWindowTest::showsDisabledReason()
@@ -197,7 +198,7 @@ void SweepWindowTest::showsDisabledReason()
     m_window->addLink(q("udpin:127.0.0.1:%1").arg(m_flight.groundPort));
     { // an agent that does not allow plain MAVLink
         Program air(q("skyseal-air"), m_flight.airArguments());
-        QTRY_VERIFY_WITH_TIMEOUT(m_window->view().session && m_window->view().vehicle, 20'000);
+        EVENTUALLY(m_window->view().session && m_window->view().vehicle);
         SweepDialog *dialog = openDialog();
         QVERIFY(!dialog->order().ownVehicle);
         auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
@@ -212,7 +213,7 @@ void SweepWindowTest::showsDisabledReason()
         delete dialog;
         air.terminate();
     }
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->view().session, 10'000);
+    EVENTUALLY(!m_window->view().session);
     connectSealed();
     SweepDialog *dialog = openDialog();
     auto *plain = dialog->findChild<QAbstractButton *>(q("sweep_none"));
@@ -278,9 +279,9 @@ void SweepWindowTest::showsWhatItSaves()
     since.start();
     run(*dialog);
     QVERIFY(!m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled()); // the sweep's business now
-    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(q("Run 2 of 4")), 30'000);
+    EVENTUALLY(status().startsWith(q("Run 2 of 4")));
     picture("sweep-running");
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    EVENTUALLY(!page().isRunning());
     pulse.stop();
     qInfo("the window stood still for %lld ms at the most; %s", static_cast<long long>(longest), qPrintable(status()));
     QVERIFY(page().results()->complete);
@@ -290,8 +291,8 @@ void SweepWindowTest::showsWhatItSaves()
         QVERIFY(sample.values[experiment::Metric::Packets] >= 10);
     }
     QCOMPARE(model->index(3, SweepTableModel::FixedColumns).data().toString(), q("not in this framing"));
-    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
-    QTRY_VERIFY(m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled());
+    EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
+    EVENTUALLY(m_window->suites().action(SuiteId::Aes256Cbc)->isEnabled());
 
     QSignalSpy saved(m_server.get(), &SweepInterface::saved);
     m_window->sweep()->saveIn(m_folder.path());
@@ -309,11 +310,11 @@ void SweepWindowTest::cancelGoesBack()
     SweepDialog *dialog = openDialog();
     choose(*dialog, {q("rc4")}, 1, 50, false);
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    EVENTUALLY(!page().results()->samples.empty());
     QCOMPARE(suite(), SuiteId::Rc4);
     QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);
-    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
+    EVENTUALLY(!page().isRunning());
+    EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
     QVERIFY(!page().results()->complete);
     QVERIFY2(status().startsWith(q("Incomplete")), qPrintable(status()));
 
@@ -321,7 +322,7 @@ void SweepWindowTest::cancelGoesBack()
     dialog = openDialog();
     choose(*dialog, {q("none")}, 1, 50, false);
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    EVENTUALLY(!page().results()->samples.empty());
     QVERIFY(!m_window->view().session);
     const QString advice = find<QLabel>("secureAdvice")->text();
     QVERIFY2(advice.contains(q("measured at present")) && !advice.contains(q("Start skyseal-air")), qPrintable(advice));
@@ -330,8 +331,8 @@ void SweepWindowTest::cancelGoesBack()
     QCOMPARE(find<QLabel>("switchNote")->text(), QString()); // the session ended as was wanted
     picture("sweep-in-clear");
     QTest::mouseClick(find<QPushButton>("sweepCancel"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 15'000);
-    QTRY_COMPARE_WITH_TIMEOUT(suite(), SuiteId::Aes256Gcm, 10'000);
+    EVENTUALLY(!page().isRunning());
+    EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
     QVERIFY(find<QLabel>("secureTitle")->text().startsWith(q("Sealed")));
 }
 
@@ -346,9 +347,9 @@ void SweepWindowTest::overARadio()
     set(*dialog, "sweepRadio57600", true);
     picture("sweep-dialog-radio");
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(status().startsWith(q("Run 1 of 1")), 30'000);
+    EVENTUALLY(status().startsWith(q("Run 1 of 1")));
     QVERIFY2(status().contains(q("57,600 baud, 20 ms delay")), qPrintable(status()));
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    EVENTUALLY(!page().isRunning());
     QVERIFY2(page().results()->complete, qPrintable(status()));
     const experiment::Sample &sample = page().results()->samples.front();
     QVERIFY2(sample.problem.empty(), sample.problem.c_str());
@@ -374,7 +375,7 @@ void SweepWindowTest::onAVehicleOfItsOwn()
     choose(*dialog, {q("none"), q("chacha20")}, 1, 1, false);
     set(*dialog, "sweepNatural", false);
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 60'000);
+    EVENTUALLY(!page().isRunning());
     QVERIFY2(page().results()->complete, qPrintable(status()));
     QCOMPARE(page().results()->samples.size(), std::size_t(2));
     for (const experiment::Sample &sample : page().results()->samples) {
@@ -390,12 +391,12 @@ void SweepWindowTest::lossGoesBack()
     SweepDialog *dialog = openDialog();
     choose(*dialog, {q("chacha20")}, 1, 50, false);
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    EVENTUALLY(!page().results()->samples.empty());
     m_air->kill();
     QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 90'000);
     QVERIFY2(status().startsWith(q("Incomplete")), qPrintable(status()));
     connectSealed();
-    QTRY_COMPARE_WITH_TIMEOUT(suite(), SuiteId::Aes256Gcm, 10'000);
+    EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
 }
 
 void SweepWindowTest::closingGoesBack()
@@ -404,11 +405,11 @@ void SweepWindowTest::closingGoesBack()
     SweepDialog *dialog = openDialog();
     choose(*dialog, {q("rc4")}, 1, 50, false);
     run(*dialog);
-    QTRY_VERIFY_WITH_TIMEOUT(!page().results()->samples.empty(), 30'000);
+    EVENTUALLY(!page().results()->samples.empty());
     m_window->close();
     QVERIFY(m_window->isVisible());
-    QTRY_VERIFY_WITH_TIMEOUT(!m_window->isVisible(), 15'000);
-    QTRY_COMPARE(suite(), SuiteId::Aes256Gcm);
+    EVENTUALLY(!m_window->isVisible());
+    EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);
 }
 
 void SweepWindowTest::cleanupTestCase()

@@ -1,4 +1,5 @@
 // What can be filled in is seen as such in every theme: the edges of fields, measured in pictures of them.
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/theme/palettes.h"
 
@@ -63,7 +64,7 @@ private Q_SLOTS:
             row->addWidget(field);
         window.show();
         window.activateWindow();
-        QVERIFY(QTest::qWaitForWindowActive(&window));
+        QVERIFY(QTest::qWaitForWindowActive(&window, skyseal::test::kDeadlineMs));
         for (QWidget *field : fields) {
             window.setFocus();
             if (focused)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fake_station.h"
+#include "tests/support/eventually.h"
 #include "ui/window/main_window.h"
 
 #include <QtCore/QSettings>
@@ -37,7 +38,7 @@ protected:
         m_window = std::make_unique<MainWindow>(*m_station, *m_store, m_facts);
         m_window->resize(1280, 900);
         m_window->show();
-        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get(), test::kDeadlineMs));
         m_window->activateWindow();
     }
 

@@ -1,6 +1,7 @@
 // The window in all its states: nothing there, a vehicle, stale values, a port in use, commands and settings; by clicks and
 // keys.
 #include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/dialogs/settings_dialog.h"
 #include "ui/flight/altitude_box.h"
@@ -164,7 +165,7 @@ private Q_SLOTS:
         QVERIFY(m_station->commands.empty());
         QVERIFY(find<QLabel>("commandResult")->text().contains(QStringLiteral("hold")));
         QTest::mousePress(arm, Qt::LeftButton);
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::mouseRelease(arm, Qt::LeftButton);
         QVERIFY(std::holds_alternative<vehicle::Disarm>(m_station->commands[0].second));
         QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
@@ -172,7 +173,7 @@ private Q_SLOTS:
             vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
         QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
         QTest::mousePress(arm, Qt::LeftButton);
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(2));
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(2));
         QTest::mouseRelease(arm, Qt::LeftButton);
         m_station->notify(
             vehicle::CommandResult{vehicle::RequestId{2}, 1, vehicle::CommandOutcome::TimedOut, 0, "no answer to 5 attempts"});
@@ -186,7 +187,7 @@ private Q_SLOTS:
         auto *button = find<HoldButton>("takeOffButton");
         button->setFocus();
         QTest::keyPress(button, Qt::Key_Return);
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::keyRelease(button, Qt::Key_Return);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 25.0);
         m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Accepted, 0, {}});
@@ -199,14 +200,14 @@ private Q_SLOTS:
         auto *land = m_window->findChild<QAction *>(QStringLiteral("actionLand"));
         land->trigger();
         auto *box = m_window->findChild<QMessageBox *>(QStringLiteral("confirmCommand"));
-        QTRY_VERIFY(box && box->isVisible());
+        EVENTUALLY(box && box->isVisible());
         QTest::keyClick(box, Qt::Key_Escape);
-        QTRY_VERIFY(!m_window->findChild<QMessageBox *>());
+        EVENTUALLY(!m_window->findChild<QMessageBox *>());
         QVERIFY(m_station->commands.empty());
         land->trigger();
         box = m_window->findChild<QMessageBox *>(QStringLiteral("confirmCommand"));
         QTest::mouseClick(box->button(QMessageBox::Yes), Qt::LeftButton);
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QVERIFY(std::holds_alternative<vehicle::Land>(m_station->commands[0].second));
     }
 
@@ -216,7 +217,7 @@ private Q_SLOTS:
         auto *action = m_window->findChild<QAction *>(QStringLiteral("actionTakeOff"));
         action->trigger();
         auto *dialog = m_window->findChild<TakeOffDialog *>();
-        QTRY_VERIFY(dialog && dialog->isVisible());
+        EVENTUALLY(dialog && dialog->isVisible());
         auto *altitude = dialog->findChild<QDoubleSpinBox *>(QStringLiteral("takeOffDialogAltitude"));
         QCOMPARE(altitude->value(), 10.0);
         QVERIFY(altitude->suffix().contains(QLatin1Char('m')));
@@ -231,7 +232,7 @@ private Q_SLOTS:
         auto *go = dialog->findChild<HoldButton *>(QStringLiteral("takeOffDialogGo"));
         go->setFocus();
         QTest::keyPress(go, Qt::Key_Space);
-        QTRY_COMPARE(m_station->commands.size(), std::size_t(1));
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
         QTest::keyRelease(m_window.get(), Qt::Key_Space);
         QCOMPARE(std::get<vehicle::TakeOff>(m_station->commands[0].second).altitude, 35.0);
         QCOMPARE(find<QDoubleSpinBox>("takeOffAltitude")->value(), 35.0); // one number for both
@@ -288,7 +289,7 @@ private Q_SLOTS:
     {
         QTest::keyClick(m_window.get(), Qt::Key_F12);
         auto *dialog = m_window->findChild<LinkDialog *>();
-        QTRY_VERIFY(dialog && dialog->isVisible());
+        EVENTUALLY(dialog && dialog->isVisible());
         QCOMPARE(dialog->url(), QStringLiteral("udpin:0.0.0.0:14550"));
         auto *ok = dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok);
         auto *host = dialog->findChild<QLineEdit *>(QStringLiteral("linkHost"));
@@ -307,7 +308,7 @@ private Q_SLOTS:
     {
         QTest::keyClick(m_window.get(), Qt::Key_F12);
         auto *dialog = m_window->findChild<LinkDialog *>();
-        QTRY_VERIFY(dialog && dialog->isVisible());
+        EVENTUALLY(dialog && dialog->isVisible());
         auto *protection = dialog->findChild<QComboBox *>(QStringLiteral("linkProtection"));
         auto *nonce = dialog->findChild<QLineEdit *>(QStringLiteral("linkNonce"));
         auto *result = dialog->findChild<QLabel *>(QStringLiteral("linkResult"));
@@ -315,7 +316,7 @@ private Q_SLOTS:
         QVERIFY(!dialog->mavsec() && !nonce->isVisible());
         QVERIFY(!result->text().contains(QStringLiteral("INSECURE")));
         QTest::keyClick(protection, Qt::Key_Down);
-        QTRY_VERIFY(nonce->isVisible());
+        EVENTUALLY(nonce->isVisible());
         QVERIFY(protection->currentText().contains(QStringLiteral("INSECURE")));
         QVERIFY(result->text().contains(QStringLiteral("INSECURE")));
         QTest::keyClicks(nonce, QStringLiteral("00"));
@@ -343,10 +344,10 @@ private Q_SLOTS:
         QVERIFY(!m_station->inspecting);
         auto *dock = find<QDockWidget>("dockInspector");
         QTest::keyClick(m_window.get(), Qt::Key_5, Qt::ControlModifier);
-        QTRY_VERIFY(m_station->inspecting);
+        EVENTUALLY(m_station->inspecting);
         QVERIFY(dock->isVisible());
         QTest::keyClick(m_window.get(), Qt::Key_3, Qt::ControlModifier); // diagnostics come to the front
-        QTRY_VERIFY(!m_station->inspecting);
+        EVENTUALLY(!m_station->inspecting);
     }
 
     void docksToggleByKeysAndAreKept()
@@ -354,12 +355,12 @@ private Q_SLOTS:
         auto *dock = find<QDockWidget>("dockFlight");
         QVERIFY(dock->isVisible());
         QTest::keyClick(m_window.get(), Qt::Key_1, Qt::ControlModifier);
-        QTRY_VERIFY(!dock->isVisible());
+        EVENTUALLY(!dock->isVisible());
         m_window->close();
         open();
         QVERIFY(!find<QDockWidget>("dockFlight")->isVisible());
         m_window->findChild<QAction *>(QStringLiteral("actionResetView"))->trigger();
-        QTRY_VERIFY(find<QDockWidget>("dockFlight")->isVisible());
+        EVENTUALLY(find<QDockWidget>("dockFlight")->isVisible());
     }
 
     void settingsAreKeptAndApplied()
@@ -367,7 +368,7 @@ private Q_SLOTS:
         m_station->show(plainSnapshot(1));
         m_window->findChild<QAction *>(QStringLiteral("actionSettings"))->trigger();
         auto *dialog = m_window->findChild<SettingsDialog *>();
-        QTRY_VERIFY(dialog && dialog->isVisible());
+        EVENTUALLY(dialog && dialog->isVisible());
         auto *units = dialog->findChild<QComboBox *>(QStringLiteral("settingUnits"));
         units->setCurrentIndex(units->findData(static_cast<int>(UnitSystem::Imperial)));
         auto *theme = dialog->findChild<QComboBox *>(QStringLiteral("settingTheme"));
