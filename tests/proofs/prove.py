@@ -1,0 +1,121 @@
+#!/usr/bin/env python3
+"""Runs the models of core/channel/proofs and checks that each property holds, or is violated, as the model's head says.
+
+    prove.py MODEL [DEFINITION…]    all runs of MODEL, or only those with these definitions
+
+A head has one line for each run: "run DEFINITIONS holds", or "run DEFINITIONS violates PROPERTIES" and then a remark after two
+spaces or more. A run that violates properties is a mutant: a rule of the protocol is missing. Models end in .pml (Spin, compiled
+by gcc) or .pv (ProVerif: the program PROVERIF or `proverif`; without it the test is skipped).
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+RUN = re.compile(r"^ *run\b *(?P<definitions>[A-Z0-9_= ]*?) *(?P<verdict>holds|violates)(?: +(?P<properties>\w+(?:, \w+)*))?"
+                 r"(?: *$|  )", re.M)
+LONGEST = 120  # seconds for one run
+SKIPPED = 77   # the exit status that ctest takes for a skip
+
+
+class Failure(Exception):
+    pass
+
+
+@dataclass
+class Run:
+    definitions: list
+    violates: set
+
+    def __str__(self):
+        return " ".join(self.definitions) or "(the protocol)"
+
+
+def runs_of(text):
+    return [Run(run["definitions"].split(), set((run["properties"] or "").split(", ")) - {""}) for run in RUN.finditer(text)]
+
+
+def command(*words, folder=None):
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=LONGEST)
+    return done.returncode, done.stdout + done.stderr
+
+
+def check_spin(model, run, folder):
+    """Explores the whole state space. A mutant is compiled with the checks of its property alone, so that no other fails first."""
+    definitions = ["-D" + definition for definition in run.definitions]
+    for violated in run.violates:
+        definitions.append("-DCHECKED=" + violated)
+    status, output = command("spin", "-a", *definitions, str(model), folder=folder)
+    if status != 0 or "rror" in output:
+        raise Failure(output)
+    status, output = command("gcc", "-O0" if run.violates else "-O2", "-w", "-DSAFETY", "-DNOREDUCE", "-o", "pan", "pan.c",
+                             folder=folder)
+    if status != 0:
+        raise Failure(output)
+    _, output = command("./pan", "-m100000", "-w22", "-n", "-E", folder=folder)
+    errors = re.search(r"errors: (\d+)", output)
+    states = re.search(r"(\S+) states, stored", output)
+    if not errors or not states or "depth too small" in output or (not run.violates and "not completed" in output):
+        raise Failure(output)
+    violation = re.search(r"assertion violated (.*)", output)
+    if run.violates and not violation:
+        raise Failure("no violation of " + ", ".join(run.violates) + " was found\n" + output)
+    if not run.violates and errors[1] != "0":
+        raise Failure(output)
+    return f"{float(states[1]):,.0f} states"
+
+
+def check_proverif(model, run, folder):
+    """Each query of the model has its name in a comment before it: (* name: … *)."""
+    _, text = command("gcc", "-E", "-P", "-C", "-w", "-x", "c", *["-D" + definition for definition in run.definitions], str(model))
+    names = re.findall(r"^\(\* (\w+):", text, re.M)
+    source = Path(folder, "model.pv")
+    source.write_text(re.sub(r"/\*.*?\*/", "", text, flags=re.S))
+    _, output = command(proverif(), str(source))
+    summary = output.partition("Verification summary:")[2]
+    results = re.findall(r"(is true|is false|cannot be proved)\.$", summary, re.M)
+    if len(results) != len(names) or not names:
+        raise Failure(f"{len(names)} queries, {len(results)} results\n{output}")
+    verdicts = dict(zip(names, results))
+    if violated := {name for name in names if verdicts[name] != "is true"} ^ run.violates:
+        raise Failure("\n".join(f"{name} {verdicts.get(name, 'is not asked')}" for name in sorted(violated)) + "\n" + output)
+    unproved = [name for name in names if verdicts[name] == "cannot be proved"]
+    if unproved and "choice[" not in text:  # ProVerif cannot show that two processes differ
+        raise Failure("cannot be proved: " + ", ".join(unproved) + "\n" + output)
+    return f"{len(names)} queries"
+
+
+def proverif():
+    return os.environ.get("PROVERIF") or shutil.which("proverif")
+
+
+def main(model, wanted):
+    check = check_spin if model.suffix == ".pml" else check_proverif
+    if check is check_proverif and not proverif():
+        print("SKIP   : Proofs::proverif() proverif is not installed: the models of the handshake and of pairing are not checked")
+        return SKIPPED
+    runs = [run for run in runs_of(model.read_text()) if not wanted or run.definitions == wanted]
+    if not runs:
+        raise SystemExit(f"{model} describes no such run")
+    failed = 0
+    for run in runs:
+        began = time.monotonic()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                outcome = check(model, run, folder)
+                outcome = ("violates " + ", ".join(sorted(run.violates)) if run.violates else "holds") + ", " + outcome
+            except (Failure, subprocess.TimeoutExpired) as failure:
+                failed += 1
+                outcome = f"NOT AS EXPECTED\n{failure}"
+        print(f"{time.monotonic() - began:6.1f} s  {run}: {outcome}", flush=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(Path(sys.argv[1]).resolve(), sys.argv[2:]))
