@@ -2,9 +2,10 @@
    network that loses, repeats and reorders.
 
    Network: a message that was sent once can arrive at any later time, any number of times, or never. A first message is its
-   counter (and 8 more after the station lost its counter, since its other contents are fresh); an answer, and the session to which it leads, is the number of the agent's ephemeral key, with the counter of the
-   first message that it answers. With THIEF, an attacker with the agent's private key writes a first message in the station's
-   name with the greatest counter; only the station could confirm it.
+   counter (and 8 more after the station lost its counter, since its other contents are fresh). An answer, and the session to
+   which it leads, is the number of the agent's ephemeral key, with the first message that it answers. With THIEF, an attacker
+   with the agent's private key writes a first message in the station's name with the greatest counter; only the station could
+   confirm it.
 
    Time: each timer may fire at any time. The agent has 2 unconfirmed sessions instead of 4.
 
@@ -215,8 +216,8 @@ inline beginSession(begun)
 
 inline handleAnswer(answered)
 {
-    check(KEPT, firsts & bit(GREATEST) || agentUp == (answered) || unconfirmed[0] == (answered) || unconfirmed[1] == (answered) ||
-          (excused & bit(answered)));
+    check(KEPT, firsts & bit(GREATEST) || agentUp == (answered) || unconfirmed[0] == (answered) ||
+          unconfirmed[1] == (answered) || (excused & bit(answered)));
     attempt = 0;
     if
     :: stationUp -> endStations(answered)
