@@ -1,29 +1,18 @@
 #include "core/mavlink/crc.h"
 
-#include <array>
-#include <cstring>
-
 namespace skyseal::mavlink {
 
 namespace {
-
-constexpr std::uint16_t kPolynomial = 0x8408; // x^16 + x^12 + x^5 + 1, reflected
 
 using Table = std::array<std::array<std::uint16_t, 256>, 8>;
 
 /// table[n][b]: effect of byte b on the checksum if n more bytes follow it.
 constexpr Table makeTable()
 {
-    Table table{};
-    for (unsigned byte = 0; byte < 256; ++byte) {
-        std::uint16_t crc = static_cast<std::uint16_t>(byte);
-        for (int bit = 0; bit < 8; ++bit)
-            crc = static_cast<std::uint16_t>((crc & 1) ? (crc >> 1) ^ kPolynomial : crc >> 1);
-        table[0][byte] = crc;
-    }
+    Table table{kCrcOfByte};
     for (std::size_t n = 1; n < 8; ++n) {
         for (unsigned byte = 0; byte < 256; ++byte)
-            table[n][byte] = static_cast<std::uint16_t>((table[n - 1][byte] >> 8) ^ table[0][table[n - 1][byte] & 0xff]);
+            table[n][byte] = crcStep(table[n - 1][byte], 0);
     }
     return table;
 }
@@ -42,7 +31,7 @@ std::uint16_t crcAccumulate(std::uint16_t crc, ByteView bytes)
                                          ^ kTable[0][at[7]]);
     }
     for (; left > 0; --left, ++at)
-        crc = static_cast<std::uint16_t>((crc >> 8) ^ kTable[0][(crc ^ *at) & 0xff]);
+        crc = crcStep(crc, *at);
     return crc;
 }
 

@@ -1,15 +1,16 @@
 #include "core/mavlink/frame_scanner.h"
 
+#include "core/mavlink/frame_reader.h"
+
 namespace skyseal::mavlink {
 
-namespace {
-
-bool isMagic(std::uint8_t byte)
+Result<Frame, FrameError> FrameScanner::readAt(std::size_t offset)
 {
-    return byte == kMagic1 || byte == kMagic2;
+    return FrameReader::read(m_buffer.subspan(offset), *m_dialect,
+                             [&](ByteView covered, std::uint8_t crcExtra, std::uint16_t expected) {
+                                 return m_crc.matches(m_streamOffset + offset + 1, covered, crcExtra, expected);
+                             });
 }
-
-} // namespace
 
 std::optional<ScanItem> FrameScanner::next()
 {
@@ -44,8 +45,9 @@ std::optional<ScanItem> FrameScanner::next()
 
 /// The first offset in [from, limit) at which a valid frame begins, or one that may prove valid when more has come; `limit`
 /// when there is none.
-std::size_t FrameScanner::nextCandidate(std::size_t from, std::size_t limit) const
+std::size_t FrameScanner::nextCandidate(std::size_t from, std::size_t limit)
 {
+    m_crc.expectOverlap();
     for (std::size_t at = from; at < limit; ++at) {
         if (!isMagic(m_buffer[at]))
             continue;

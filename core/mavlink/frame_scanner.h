@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/mavlink/frame.h"
+#include "core/mavlink/overlapping_crc.h"
 
 #include <optional>
 
@@ -23,13 +24,20 @@ enum class BufferEnd : std::uint8_t {
 };
 
 /// Resynchronises by trying every later byte, so that no valid frame after damage is lost, even if the damaged header claims
-/// a wrong length.
+/// a wrong length. Each byte is tried once and goes through the CRC about once, whatever the bytes are (OverlappingCrc).
 class FrameScanner
 {
 public:
+    /// For a buffer of its own, such as a datagram.
     FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end = BufferEnd::Final)
-        : m_buffer(buffer), m_dialect(&dialect), m_end(end)
+        : FrameScanner(buffer, dialect, end, m_ownCrc, 0)
     {}
+    /// For the next part of a stream, which begins at `offset` of it. `crc` is that of the stream, and must outlive this object.
+    FrameScanner(ByteView buffer, const Dialect &dialect, BufferEnd end, OverlappingCrc &crc, std::size_t offset)
+        : m_buffer(buffer), m_dialect(&dialect), m_end(end), m_crc(crc), m_streamOffset(offset)
+    {}
+    FrameScanner(const FrameScanner &) = delete;
+    FrameScanner &operator=(const FrameScanner &) = delete;
 
     /// The next item; nullopt at the end. A frame cut by a final end is reported as Truncated, with its remaining
     /// bytes; at an open end `position()` stays before it.
@@ -37,10 +45,12 @@ public:
 
     /// Where the next item begins.
     std::size_t position() const { return m_position; }
+    /// The number of bytes that went through the CRC: the measure of the work.
+    std::uint64_t crcBytes() const { return m_crc.bytesProcessed(); }
 
 private:
-    Result<Frame, FrameError> readAt(std::size_t offset) const { return readFrame(m_buffer.subspan(offset), *m_dialect); }
-    std::size_t nextCandidate(std::size_t from, std::size_t limit) const;
+    Result<Frame, FrameError> readAt(std::size_t offset);
+    std::size_t nextCandidate(std::size_t from, std::size_t limit);
     std::size_t nextStart(std::size_t from) const;
     ScanItem bad(FrameFault fault, std::size_t end);
 
@@ -48,6 +58,9 @@ private:
     const Dialect *m_dialect;
     std::size_t m_position = 0;
     BufferEnd m_end;
+    OverlappingCrc m_ownCrc; ///< unused for a stream
+    OverlappingCrc &m_crc;
+    std::size_t m_streamOffset; ///< of the buffer
 };
 
 } // namespace skyseal::mavlink

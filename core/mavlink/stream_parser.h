@@ -36,12 +36,19 @@ public:
     }
 
     /// Drops an incomplete frame; offsets continue.
-    void reset() { m_size = 0; }
+    void reset()
+    {
+        m_streamOffset += m_size;
+        m_size = 0;
+    }
+
+    /// The number of bytes of the stream that went through the CRC: the measure of the work.
+    std::uint64_t crcBytes() const { return m_crc.bytesProcessed(); }
 
 private:
     template<typename Deliver> void deliverComplete(Deliver &deliver, BufferEnd end)
     {
-        FrameScanner scanner(ByteView(m_buffer.data(), m_size), *m_dialect, end);
+        FrameScanner scanner(ByteView(m_buffer.data(), m_size), *m_dialect, end, m_crc, m_streamOffset);
         while (std::optional<ScanItem> item = scanner.next()) {
             item->offset += m_streamOffset;
             deliver(static_cast<const ScanItem &>(*item));
@@ -56,6 +63,7 @@ private:
     std::array<std::uint8_t, 4096> m_buffer;
     std::size_t m_size = 0; ///< never over kMaxFrameLength between two calls
     std::size_t m_streamOffset = 0;
+    OverlappingCrc m_crc;
 };
 
 } // namespace skyseal::mavlink

@@ -113,6 +113,28 @@ void parseStream(benchmark::State &state)
 }
 BENCHMARK(parseStream);
 
+/// The costliest datagrams of 2048 bytes, and random ones to compare with.
+void scanHostile(benchmark::State &state, std::uint8_t fill)
+{
+    Bytes bytes(2048, fill);
+    if (fill == 0) {
+        std::minstd_rand random{1};
+        for (std::uint8_t &byte : bytes)
+            byte = static_cast<std::uint8_t>(random() >> 8);
+    }
+    std::uint64_t crcBytes = 0;
+    for (auto _ : state) {
+        FrameScanner scanner(bytes, Dialect::builtin());
+        while (const auto item = scanner.next())
+            benchmark::DoNotOptimize(item->offset);
+        crcBytes = scanner.crcBytes();
+    }
+    state.counters["crc bytes"] = static_cast<double>(crcBytes);
+}
+BENCHMARK_CAPTURE(scanHostile, random, 0);
+BENCHMARK_CAPTURE(scanHostile, all_0xFE, kMagic1);
+BENCHMARK_CAPTURE(scanHostile, all_0xFD, kMagic2);
+
 void parseAndDecodeAttitude(benchmark::State &state)
 {
     FrameWriter writer(1, 1);

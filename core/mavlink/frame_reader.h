@@ -1,0 +1,59 @@
+// Reads the header of a frame and has its checksum verified: by one pass of the CRC (readFrame()), or in a way that suits
+// overlapping frames (FrameScanner).
+// https://mavlink.io/en/guide/serialization.html
+#pragma once
+
+#include "core/mavlink/frame.h"
+
+#include <concepts>
+
+namespace skyseal::mavlink {
+
+constexpr bool isMagic(std::uint8_t byte)
+{
+    return byte == kMagic1 || byte == kMagic2;
+}
+
+/// The only class that can construct a Frame.
+class FrameReader
+{
+public:
+    /// Reads one frame at the start of `bytes`. `matches(covered, crcExtra, expected)` returns true if the checksum over the
+    /// bytes that it covers and CRC_EXTRA is the expected one; it is called once, and only for a whole frame of a known message.
+    template<std::predicate<ByteView, std::uint8_t, std::uint16_t> Matches>
+    static Result<Frame, FrameError> read(ByteView bytes, const Dialect &dialect, Matches &&matches)
+    {
+        if (bytes.size() < 2)
+            return fail(!bytes.empty() && !isMagic(bytes[0]) ? FrameFault::Garbage : FrameFault::Truncated, 0);
+        const bool v2 = bytes[0] == kMagic2;
+        if (!v2 && bytes[0] != kMagic1)
+            return fail(FrameFault::Garbage, 0);
+        if (bytes.size() < (v2 ? 10u : 6u))
+            return fail(FrameFault::Truncated, 0);
+        const std::size_t payloadEnd = (v2 ? 10u : 6u) + bytes[1];
+        const bool isSigned = v2 && (bytes[2] & kFlagSigned);
+        const std::size_t length = payloadEnd + 2 + (isSigned ? kSignatureLength : 0);
+        if (bytes.size() < length)
+            return fail(FrameFault::Truncated, length);
+
+        const std::uint32_t id = v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16
+                                    : bytes[5];
+        const MessageInfo *info = dialect.find(id);
+        if (!info)
+            return fail(FrameFault::UnknownMessage, length);
+        const auto expected = static_cast<std::uint16_t>(bytes[payloadEnd] | bytes[payloadEnd + 1] << 8);
+        if (!matches(bytes.subspan(1, payloadEnd - 1), info->crcExtra, expected))
+            return fail(FrameFault::BadCrc, length);
+        if (v2 && (bytes[2] & ~kFlagSigned))
+            return fail(FrameFault::UnknownIncompatFlags, length);
+        return Frame(bytes.first(length), info);
+    }
+
+private:
+    static Result<Frame, FrameError> fail(FrameFault fault, std::size_t length)
+    {
+        return tl::unexpected(FrameError{fault, length});
+    }
+};
+
+} // namespace skyseal::mavlink
