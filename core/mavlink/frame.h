@@ -14,6 +14,12 @@ inline constexpr std::uint8_t kFlagSigned = 0x01;
 inline constexpr std::size_t kSignatureLength = 13;
 inline constexpr std::size_t kMaxFrameLength = 280;
 
+/// True for the first byte of a frame of version 1 or 2.
+constexpr bool isMagic(std::uint8_t byte)
+{
+    return byte == kMagic1 || byte == kMagic2;
+}
+
 /// A valid frame. Lives as long as the bytes and the dialect it was read with.
 class Frame
 {

@@ -9,11 +9,6 @@
 
 namespace skyseal::mavlink {
 
-constexpr bool isMagic(std::uint8_t byte)
-{
-    return byte == kMagic1 || byte == kMagic2;
-}
-
 /// The only class that can construct a Frame.
 class FrameReader
 {

@@ -66,6 +66,8 @@ class AttackFlightTest : public QObject
 
 private Q_SLOTS:
     void injectionReachesNoAutopilot();
+    void clearBytesAreNotSearched_data();
+    void clearBytesAreNotSearched();
     void observerCommandsNothing();
     void nobodySpeaksAsAnother_data();
     void nobodySpeaksAsAnother();
@@ -108,6 +110,29 @@ void AttackFlightTest::injectionReachesNoAutopilot()
     // And the station's own command still arrives.
     flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
     EVENTUALLY(flight.mode() == sim::FlightMode::AltHold);
+}
+
+void AttackFlightTest::clearBytesAreNotSearched_data()
+{
+    QTest::addColumn<QByteArray>("datagram");
+    QTest::newRow("all 0xFE") << QByteArray(1400, '\xfe');
+    QTest::newRow("all 0xFD") << QByteArray(1400, '\xfd');
+    QTest::newRow("half a frame") << hostileCommands(255).front().chopped(10);
+}
+
+void AttackFlightTest::clearBytesAreNotSearched()
+{
+    QFETCH(QByteArray, datagram);
+    AttackedFlight flight;
+    EVENTUALLY(flight.flying());
+    const auto now = [&] { return flight.rig.agent->snapshot().counters; };
+    const auto searched = [](const engine::AgentCounters &at) { return at.unusable + at.toVehicle + at.undelivered; };
+    const engine::AgentCounters before = now();
+    for (int i = 0; i < 200; ++i)
+        flight.attacker.toAgent(datagram);
+    EVENTUALLY(now().clearRefused >= before.clearRefused + 200 || searched(now()) >= searched(before) + 200);
+    HOLDS(now().clearRefused == before.clearRefused + 200, "clear bytes are counted and not searched");
+    QVERIFY(flight.untouched());
 }
 
 void AttackFlightTest::observerCommandsNothing()

@@ -52,7 +52,8 @@ struct Calls final : IngressSink
     }
     void takeUnusable(const link::Link &, Unusable what) override
     {
-        text += what == Unusable::Garbage ? 'g' : what == Unusable::Damaged ? 'D' : 'M';
+        constexpr std::string_view kLetters = "gcDM";
+        text += kLetters[static_cast<std::size_t>(what)];
     }
 
     bool pairing = false;
@@ -150,6 +151,7 @@ class IngressTest : public QObject
 private Q_SLOTS:
     void datagrams();
     void datagramsOfAPlainLink();
+    void unsearchedDatagrams();
     void pairingComesFirst();
     void clearFramesOnASharedStream();
     void streamOfCobsIsNotSearched();
@@ -178,6 +180,19 @@ void IngressTest::datagramsOfAPlainLink()
     QCOMPARE(bench.take(firstMessage()), std::string("-g"));
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
     QCOMPARE(bench.take(inTunnel(firstMessage())), std::string("f"));
+}
+
+void IngressTest::unsearchedDatagrams()
+{
+    IngressRules rules = sealedDatagrams();
+    rules.clear = ClearScan::Never;
+    Bench bench(rules, "udpin:127.0.0.1:0");
+    QCOMPARE(bench.take(firstMessage()), std::string("R"));
+    QCOMPARE(bench.take(kHeartbeat), std::string("c"));
+    QCOMPARE(bench.take(Bytes(2048, 0xfe)), std::string("c")); // one call, whatever else seems to begin in it
+    QCOMPARE(bench.take(damaged()), std::string("c"));
+    QCOMPARE(bench.take({1, 2, 3}), std::string("g"));
+    QCOMPARE(bench.take({}), std::string("g"));
 }
 
 void IngressTest::pairingComesFirst()

@@ -17,11 +17,6 @@ using namespace skyseal::mavlink;
 
 namespace {
 
-bool isMagic(std::uint8_t byte)
-{
-    return byte == kMagic1 || byte == kMagic2;
-}
-
 struct Item
 {
     std::size_t offset = 0, size = 0;

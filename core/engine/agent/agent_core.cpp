@@ -58,8 +58,11 @@ IngressRules AgentCore::groundRules() const
     out.takesDatagrams = m_config.carrier == Carrier::Datagram;
     out.takesCobs = cobs;
     out.takesTunnel = tunnel;
-    // A serial line is searched for the clear frames of a station that cannot seal only while they would be forwarded.
-    out.clear = cobs && !isPlain() ? ClearScan::Never : ClearScan::Always;
+    // Clear bytes are searched only for frames that are of use: those that carry messages of the channel, those sealed in
+    // place, and those of a station that cannot seal, while they would be forwarded. Anyone can send clear bytes.
+    const bool inPlace = out.takesDatagrams && m_config.policy.allowInline;
+    const bool searched = tunnel || inPlace || isPlain() || (out.takesDatagrams && weakened(Weakness::ClearAccepted));
+    out.clear = searched ? ClearScan::Always : ClearScan::Never;
     return out;
 }
 
@@ -269,6 +272,10 @@ void AgentCore::takeClear(const link::Link &, const link::ReceivedBlock &block, 
 
 void AgentCore::takeUnusable(const link::Link &, Unusable what)
 {
+    if (what == Unusable::Clear) {
+        ++m_counters.clearRefused;
+        return;
+    }
     // Behind a router the datagrams themselves are not the station's.
     m_counters.unusable += what == Unusable::Message || m_config.carrier == Carrier::Datagram;
 }

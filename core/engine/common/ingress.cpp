@@ -50,8 +50,10 @@ void Ingress::takeDatagram(const Registered &to, const link::Link &link, const l
     const IngressRules &rules = to.rules;
     if (rules.takesDatagrams && takeMessage(*to.sink, link, block))
         return;
-    if (rules.clear == ClearScan::Never)
-        return;
+    if (rules.clear == ClearScan::Never) {
+        const bool clear = !block.bytes.empty() && mavlink::isMagic(block.bytes[0]);
+        return to.sink->takeUnusable(link, clear ? Unusable::Clear : Unusable::Garbage);
+    }
     bool whole = false, damaged = false;
     m_frames.takeDatagram(block.bytes, [&](const mavlink::ScanItem &item) {
         const bool inPlace = isSealedInPlace(item);

@@ -38,6 +38,7 @@ struct IngressRules
 /// Why a datagram or message was of no use.
 enum class Unusable : std::uint8_t {
     Garbage, ///< a datagram without anything that resembles a frame
+    Clear,   ///< a datagram that begins like MAVLink, on a link whose bytes are not searched for it
     Damaged, ///< a datagram whose frames are all damaged or of an unknown kind
     Message  ///< a message in TUNNEL that does not belong to the channel
 };
