@@ -38,6 +38,7 @@ enum class Weakness : std::uint8_t {
     NoOfferRecheck,     ///< the station accepts any suite the agent chose
     NoRateLimit,        ///< unlimited Diffie-Hellman computations for unknown senders
     AnswerTwice,        ///< responses are larger than requests
+    NoForm,             ///< announcements and cookies are hashed whatever their form
     TellEverything,     ///< every refused handshake is an event
     TrustAnnouncements, ///< an announcement starts a handshake even while a session lives
     NoCookie,           ///< an agent under load computes without asking for a cookie
@@ -49,9 +50,10 @@ enum class Weakness : std::uint8_t {
     // carriers
     LoosePart, ///< parts of TUNNEL messages are joined across messages and senders
     // files
-    NoFileCheck,    ///< owner and permissions of a file are not checked
-    NoFileChecksum, ///< a damaged key is accepted
-    Leak,           ///< an error message quotes the unreadable line
+    NoFileCheck,      ///< owner and permissions of a file are not checked
+    NoFileChecksum,   ///< a damaged key is accepted
+    Leak,             ///< an error message quotes the unreadable line
+    CountersOneByOne, ///< the counters of first messages are reserved and stored one by one
     // station and agent
     NoRoleCheck,   ///< observers may send commands
     Misreadable,   ///< messages of observers are forwarded although losing a part would change their meaning

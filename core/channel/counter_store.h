@@ -5,6 +5,7 @@
 #include "core/channel/policy.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace skyseal::channel {
 
@@ -13,9 +14,11 @@ class CounterStore
 {
 public:
     virtual ~CounterStore() = default;
-    /// Returns a counter greater than every earlier one, across restarts.
-    virtual std::uint64_t next() = 0;
-    /// Makes next() return counters greater than `counter` from then on. Returns false if that cannot be stored.
+    /// Returns a counter greater than every earlier one, across restarts; nullopt if none is available yet. Must not wait
+    /// for the disk: strangers can cause calls.
+    virtual std::optional<std::uint64_t> next() = 0;
+    /// Makes next() return counters greater than `counter` from then on. Returns false if that takes a while, or fails; next()
+    /// then returns nullopt meanwhile.
     virtual bool skipTo(std::uint64_t counter)
     {
         static_cast<void>(counter);
@@ -23,7 +26,7 @@ public:
     }
     /// Returns the greatest counter accepted from `peer`, 0 if there is none.
     virtual std::uint64_t lastSeen(const PublicKey &peer) = 0;
-    /// Stores the counter durably. Returns false on failure; the endpoint then refuses the session.
+    /// Keeps the counter, over restarts as soon as it is stored. Returns false on failure; the endpoint then refuses the session.
     virtual bool remember(const PublicKey &peer, std::uint64_t counter) = 0;
 };
 

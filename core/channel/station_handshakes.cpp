@@ -301,7 +301,7 @@ void StationHandshakes::send(TimePoint now, Attempt &attempt)
         return place.proven || place.answerDue || weakened(Weakness::RetryUnproven);
     };
     if (std::none_of(attempt.places.begin(), attempt.places.end(), maySend) || !prepareFirst(now, attempt)) {
-        attempt.due = now + kLongestPause; // or the next announcement
+        attempt.due = attempt.freshFrom > now ? attempt.freshFrom : now + kLongestPause; // or the next announcement
         return;
     }
     TimePoint pausedUntil = kNever;
@@ -350,13 +350,17 @@ bool StationHandshakes::makeFirst(TimePoint now, Attempt &attempt)
     if (!peer)
         return false;
     discardFirst(attempt); // Each message has a connection id of its own, so that answers to another one cost nothing.
+    const std::optional<std::uint64_t> counter = m_core.counters.next();
+    if (!counter) { // The next ones are being stored.
+        attempt.due = attempt.freshFrom = now + m_core.config.timing.handshakeRetry;
+        return false;
+    }
     const auto connection = m_core.table.reserve(m_core.context.random, attempt.flooded);
     if (!connection)
         return false;
-    const std::uint64_t counter = m_core.counters.next();
     std::optional<Initiator> handshake;
-    if (counter <= kGreatestCounter)
-        handshake = Initiator::begin(*m_core.config.identity, *peer, FirstPayload{*connection, m_core.context.offer, counter},
+    if (*counter <= kGreatestCounter)
+        handshake = Initiator::begin(*m_core.config.identity, *peer, FirstPayload{*connection, m_core.context.offer, *counter},
                                      m_core.context.random, attempt.carrier);
     else
         m_core.notifyRefused(now, attempt.places.front().path, RefusalReason::CountersUsedUp, attempt.peer);

@@ -31,7 +31,7 @@ private:
     class Counters final : public channel::CounterStore
     {
     public:
-        std::uint64_t next() override { return ++m_next; }
+        std::optional<std::uint64_t> next() override { return ++m_next; }
         std::uint64_t lastSeen(const channel::PublicKey &) override { return m_seen; }
         bool remember(const channel::PublicKey &, std::uint64_t counter) override { return m_seen = counter, true; }
 

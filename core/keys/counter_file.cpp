@@ -1,12 +1,20 @@
 #include "core/keys/counter_file.h"
 
 #include "core/base/hex.h"
+#include "core/base/weakness.h"
 #include "core/keys/file_io.h"
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <utility>
 
 namespace skyseal::keys {
+
+/// After an error of the disk.
+static constexpr auto kRetryAfter = std::chrono::seconds(10);
+/// Greater numbers are far beyond the last counter of the protocol. The sum of this one and a block does not overflow.
+static constexpr std::uint64_t kGreatest = std::uint64_t(1) << 62;
 
 static constexpr std::string_view kHeader = "skyseal-counters-v1";
 static constexpr std::string_view kNext = "next ";
@@ -74,86 +82,148 @@ std::string Counters::text() const
 
 Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(const std::string &path, std::uint64_t first)
 {
-    std::unique_ptr<FileCounterStore> store(new FileCounterStore(path));
-    store->m_counters.next = first;
-    const auto lock = FileLock::take(path);
-    if (!lock)
-        return tl::unexpected(lock.error());
-    if (fileExists(path) ? !store->refresh() : !store->write())
-        return tl::unexpected(store->m_error);
+    std::unique_ptr<FileCounterStore> store(new FileCounterStore(path, first));
+    {
+        std::unique_lock lock(store->m_mutex);
+        store->update(lock, true);
+        if (!store->m_error.message.empty())
+            return tl::unexpected(store->m_error);
+    }
+    store->m_writer = std::thread([opened = store.get()] { opened->run(); });
     return store;
 }
 
-/// Merges the changes of other programs; counters never decrease.
-bool FileCounterStore::refresh()
+FileCounterStore::~FileCounterStore()
 {
-    const auto content = readFile(m_path, FileAccess::Trusted);
-    auto read = content ? Counters::parse(asText(*content), m_path)
-                        : Result<Counters, InputError>(tl::unexpected(content.error()));
-    if (!read) {
-        m_error = read.error();
-        return false;
+    if (!m_writer.joinable())
+        return;
+    {
+        const std::lock_guard lock(m_mutex);
+        m_stop = true;
     }
-    m_counters.next = std::max(m_counters.next, read->next);
-    for (const auto &[key, number] : read->seen) {
-        std::uint64_t &known = m_counters.seen[key];
-        known = std::max(known, number);
-    }
-    return true;
+    m_wake.notify_one();
+    m_writer.join();
 }
 
-bool FileCounterStore::write()
+std::optional<std::uint64_t> FileCounterStore::next()
 {
-    const auto written = replaceFile(m_path, asBytes(m_counters.text()));
-    m_error = written ? InputError() : written.error();
-    return written.has_value();
-}
-
-std::uint64_t FileCounterStore::next()
-{
-    const auto lock = FileLock::take(m_path);
-    if (lock)
-        refresh();
-    else
-        m_error = lock.error();
-    const std::uint64_t number = m_counters.next++;
-    // A number that could not be stored is used nevertheless: if it repeats, the peer just rejects the message.
-    if (lock)
-        write();
-    return number;
+    const std::lock_guard lock(m_mutex);
+    if (m_block.empty())
+        m_block = std::exchange(m_spare, Block());
+    if (m_block.size() <= kBlock / 2 && m_spare.empty()) {
+        m_wantsBlock = true;
+        m_wake.notify_one();
+    }
+    if (m_block.empty())
+        return std::nullopt;
+    return m_block.begin++;
 }
 
 bool FileCounterStore::skipTo(std::uint64_t counter)
 {
-    const auto lock = FileLock::take(m_path);
-    if (!lock) {
-        m_error = lock.error();
-        return false;
-    }
-    if (!refresh())
-        return false;
-    m_counters.next = std::max(m_counters.next, counter + 1);
-    return write();
+    const std::lock_guard lock(m_mutex);
+    const std::uint64_t from = std::min(counter, kGreatest) + 1;
+    for (Block *block : {&m_block, &m_spare})
+        block->begin = std::max(block->begin, from);
+    if (!m_block.empty() || !m_spare.empty())
+        return true;
+    m_floor = std::max(m_floor, from);
+    m_wantsBlock = true;
+    m_wake.notify_one();
+    return false;
 }
 
 std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
 {
-    const auto found = m_counters.seen.find(peer);
-    return found == m_counters.seen.end() ? 0 : found->second;
+    const std::lock_guard lock(m_mutex);
+    const auto found = m_seen.find(peer);
+    return found == m_seen.end() ? 0 : found->second;
 }
 
 bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
 {
-    const auto lock = FileLock::take(m_path);
-    if (!lock) {
-        m_error = lock.error();
-        return false;
+    const std::lock_guard lock(m_mutex);
+    std::uint64_t &known = m_seen[peer];
+    if (counter > known) {
+        known = counter;
+        m_wantsSeen = true;
+        m_wake.notify_one();
     }
-    if (!refresh())
-        return false;
-    std::uint64_t &known = m_counters.seen[peer];
-    known = std::max(known, counter);
-    return write();
+    return true;
+}
+
+InputError FileCounterStore::waitUntilStored()
+{
+    std::unique_lock lock(m_mutex);
+    m_idle.wait(lock, [this] { return isIdle(); });
+    return m_error;
+}
+
+void FileCounterStore::run()
+{
+    std::unique_lock lock(m_mutex);
+    const auto isWanted = [this] { return m_stop || m_wantsBlock || m_wantsSeen; };
+    for (bool last = false; !last;) {
+        if (m_error.message.empty())
+            m_wake.wait(lock, isWanted);
+        else
+            m_wake.wait_for(lock, kRetryAfter, isWanted);
+        last = m_stop;
+        if (!last || m_wantsSeen || !m_error.message.empty())
+            update(lock);
+    }
+}
+
+/// Stores what is wanted. Call with the mutex locked; it is free while the disk works.
+void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
+{
+    const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
+    const Counters ours{std::min(m_floor, kGreatest), m_seen};
+    m_wantsSeen = false;
+    m_busy = true;
+    lock.unlock();
+    const auto stored = updateFile(ours, reserve, create);
+    lock.lock();
+    m_busy = false;
+    m_error = stored ? InputError() : stored.error();
+    if (stored) {
+        for (const auto &[key, number] : stored->seen) {
+            std::uint64_t &known = m_seen[key];
+            known = std::max(known, number);
+        }
+    }
+    if (reserve > 0) {
+        const std::uint64_t end = stored ? stored->next : ours.next + reserve;
+        m_spare = {std::max(end - reserve, m_floor), end}; // the floor may have risen meanwhile
+        m_floor = std::max(m_floor, end);
+        m_wantsBlock = m_spare.empty() && m_floor < kGreatest;
+    }
+    m_idle.notify_all();
+}
+
+/// Merges our counters and the changes of other programs, and takes `reserve` numbers. Counters never decrease.
+Result<Counters, InputError> FileCounterStore::updateFile(Counters ours, std::uint64_t reserve, bool create) const
+{
+    const auto lock = FileLock::take(m_path);
+    if (!lock)
+        return tl::unexpected(lock.error());
+    if (!create || fileExists(m_path)) {
+        const auto content = readFile(m_path, FileAccess::Trusted);
+        if (!content)
+            return tl::unexpected(content.error());
+        const auto read = Counters::parse(asText(*content), m_path);
+        if (!read)
+            return tl::unexpected(read.error());
+        ours.next = std::max(ours.next, std::min(read->next, kGreatest));
+        for (const auto &[key, number] : read->seen) {
+            std::uint64_t &known = ours.seen[key];
+            known = std::max(known, number);
+        }
+    }
+    ours.next += reserve;
+    if (const auto written = replaceFile(m_path, asBytes(ours.text())); !written)
+        return tl::unexpected(written.error());
+    return ours;
 }
 
 } // namespace skyseal::keys

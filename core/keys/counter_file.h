@@ -1,19 +1,28 @@
-// The counters against replayed first messages, on disk. Each number is on the disk before it is used, so that it never
-// repeats after a kill or a power cut. Each change is made under a lock on the current content of the file, so that two
-// programs with the same identity do not use the same numbers. Text:
+// The counters against replayed first messages, on disk. Text:
 //
 //   skyseal-counters-v1
-//   next 42                                    the next number of our own first messages
+//   next 1025                                  no program uses a number from here on before it has raised this line
 //   seen 64 hex digits (a public key) 17       the greatest number accepted from that peer
+//
+// Our own numbers are reserved in blocks of 1,024: a block is on the disk before its first number is used, so that none
+// repeats after a kill or a power cut, and a restart skips the rest of the block. Each change is made under a lock on the
+// current content of the file, so that two programs with the same identity do not use the same numbers. (PROTOCOL.md,
+// section 4.)
+//
+// The endpoint's thread never waits for the disk, since senders that are not authenticated make it use numbers: a thread of
+// the store reserves the next block when half of the present one is used, and stores accepted numbers after the fact.
 #pragma once
 
 #include "core/base/result.h"
 #include "core/channel/counter_store.h"
 
+#include <condition_variable>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace skyseal::keys {
 
@@ -27,30 +36,60 @@ struct Counters
     std::string text() const;
 };
 
-/// Lives on the thread of its endpoint; each change costs a sync of the disk.
+/// Used by one thread, that of its endpoint. The file is touched by open(), and by the store's own thread.
 class FileCounterStore final : public channel::CounterStore
 {
 public:
-    /// Creates the file if it does not exist, with `first` as its next number. Fails if the file is damaged: starting over
-    /// would allow replays of old first messages.
-    static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
+    /// Numbers that are reserved at a time.
+    static constexpr std::uint64_t kBlock = 1024;
 
-    std::uint64_t next() override;
+    /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file is
+    /// damaged (starting over would allow replays of old first messages), cannot be written, or stays locked.
+    static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
+    /// Waits until all accepted numbers are stored, or cannot be.
+    ~FileCounterStore() override;
+
+    /// Nullopt until the next block is stored. Where that fails, numbers that are not stored are used: if one repeats, the peer
+    /// just rejects the message.
+    std::optional<std::uint64_t> next() override;
     bool skipTo(std::uint64_t counter) override;
     std::uint64_t lastSeen(const channel::PublicKey &peer) override;
+    /// Returns true at once; the number is stored soon afterwards. A kill in between allows one more answer to an old first
+    /// message, which comes to nothing, since only its true sender can confirm it.
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
 
-    /// The disk error of the last call, after which next() continues in memory only; an empty message if there was none.
-    const InputError &lastError() const { return m_error; }
+    /// Waits until the store's thread has nothing to do, and returns the error of its last write; an empty message if it
+    /// succeeded.
+    InputError waitUntilStored();
 
 private:
-    explicit FileCounterStore(std::string path) : m_path(std::move(path)) {}
-    bool refresh();
-    bool write();
+    /// Numbers from `begin` up to, but not with, `end`.
+    struct Block
+    {
+        std::uint64_t begin = 0, end = 0;
+        bool empty() const { return begin >= end; }
+        std::uint64_t size() const { return empty() ? 0 : end - begin; }
+    };
 
-    std::string m_path;
-    Counters m_counters;
-    InputError m_error;
+    FileCounterStore(std::string path, std::uint64_t first) : m_path(std::move(path)), m_floor(first) {}
+    bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
+    void run();
+    void update(std::unique_lock<std::mutex> &lock, bool create = false);
+    Result<Counters, InputError> updateFile(Counters ours, std::uint64_t reserve, bool create) const;
+
+    const std::string m_path;
+    std::mutex m_mutex; ///< of all that follows
+    std::condition_variable m_wake, m_idle;
+    Block m_block;         ///< in use
+    Block m_spare;         ///< in use after it
+    std::uint64_t m_floor; ///< least number of the next block to be reserved
+    std::map<channel::PublicKey, std::uint64_t> m_seen;
+    bool m_wantsBlock = true; ///< another block has to be reserved
+    bool m_wantsSeen = false; ///< m_seen has to be stored
+    bool m_busy = false;      ///< the file is being changed
+    bool m_stop = false;
+    InputError m_error; ///< of the last change of the file
+    std::thread m_writer;
 };
 
 } // namespace skyseal::keys

@@ -9,6 +9,7 @@
 #include <optional>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 
 namespace skyseal::keys {
@@ -183,16 +184,21 @@ Result<void, InputError> replaceSecretFile(const std::string &path, ByteView con
     return replace(path, content, std::nullopt);
 }
 
-Result<FileLock, InputError> FileLock::take(const std::string &path)
+Result<FileLock, InputError> FileLock::take(const std::string &path, std::chrono::milliseconds patience)
 {
     const std::string name = path + ".lock";
     const int descriptor = ::open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
     if (descriptor < 0)
         return tl::unexpected(systemError(name, "cannot be created"));
     FileLock lock(descriptor);
-    while (::flock(descriptor, LOCK_EX) != 0) {
-        if (errno != EINTR)
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        if (errno != EWOULDBLOCK && errno != EINTR)
             return tl::unexpected(systemError(name, "cannot be locked"));
+        if (std::chrono::steady_clock::now() >= deadline)
+            return tl::unexpected(fileError(
+                name, "is still locked by another program after " + std::to_string(patience.count()) + " ms, try again"));
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return lock;
 }

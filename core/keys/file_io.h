@@ -5,6 +5,7 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 
+#include <chrono>
 #include <string>
 #include <utility>
 
@@ -41,7 +42,11 @@ Result<void, InputError> replaceSecretFile(const std::string &path, ByteView con
 class FileLock
 {
 public:
-    static Result<FileLock, InputError> take(const std::string &path);
+    /// How long take() waits for another program.
+    static constexpr std::chrono::milliseconds kPatience{2000};
+
+    /// Blocks the thread for at most `patience`, and fails if another program holds the lock for so long.
+    static Result<FileLock, InputError> take(const std::string &path, std::chrono::milliseconds patience = kPatience);
     ~FileLock();
     FileLock(FileLock &&other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
     FileLock &operator=(FileLock &&) = delete;

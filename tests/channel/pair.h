@@ -33,7 +33,7 @@ private:
 class MemoryCounterStore final : public CounterStore
 {
 public:
-    std::uint64_t next() override { return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own; }
+    std::optional<std::uint64_t> next() override { return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own; }
     bool skipTo(std::uint64_t counter) override
     {
         m_own = std::max(m_own, counter);

@@ -309,7 +309,7 @@ void ReconnectTest::numberIsForItsStationAlone()
     QVERIFY(out <= in);
     QVERIFY(!pair.air().up());
     QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before);
-    const auto own = pair.ground().counters.next();
+    const std::uint64_t own = *pair.ground().counters.next();
     pair.start(Ground);
     for (const Bytes &number : numbers) {
         QCOMPARE(number.size(), kNumberLength);
@@ -328,7 +328,7 @@ void ReconnectTest::numberThatCannotBeKept()
     class Stubborn final : public CounterStore
     {
     public:
-        std::uint64_t next() override { return ++m_own; }
+        std::optional<std::uint64_t> next() override { return ++m_own; }
         std::uint64_t lastSeen(const channel::PublicKey &) override { return 0; }
         bool remember(const channel::PublicKey &, std::uint64_t) override { return true; }
 

@@ -17,7 +17,7 @@ namespace skyseal::test {
 class VolatileCounters final : public channel::CounterStore
 {
 public:
-    std::uint64_t next() override { return ++m_own; }
+    std::optional<std::uint64_t> next() override { return ++m_own; }
     std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
     {

@@ -1,19 +1,36 @@
 // Counters on disk never repeat, with killed processes and with several processes.
+#include "core/channel/handshake_payload.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/counter_file.h"
+#include "core/keys/file_io.h"
 #include "tests/support/test_runner.h"
 
 #include "tests/keys/temporary_folder.h"
 
 #include <QtTest/QTest>
 
+#include <chrono>
 #include <csignal>
+#include <optional>
 #include <set>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace skyseal;
 using namespace skyseal::keys;
+
+namespace {
+
+/// The next number, once it is stored.
+std::uint64_t numberFrom(FileCounterStore &store)
+{
+    std::optional<std::uint64_t> number = store.next();
+    for (; !number; number = store.next())
+        store.waitUntilStored();
+    return *number;
+}
+
+} // namespace
 
 class CounterFileTest : public QObject
 {
@@ -22,11 +39,13 @@ class CounterFileTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void countsOverRestarts();
+    void blocksAreReservedAhead();
     void twoProgramsNeverShareANumber();
     void killedInTheMiddleNeverRepeats();
     void skipsAhead();
     void remembersPeers();
     void refusesDamagedFiles();
+    void lockedFileHoldsNothingUp();
     void survivesAFullOrReadOnlyDisk();
 
 private:
@@ -41,31 +60,56 @@ void CounterFileTest::countsOverRestarts()
         const auto store = FileCounterStore::open(path);
         QVERIFY(store.has_value());
         for (int i = 0; i < 3; ++i) {
-            const std::uint64_t number = (*store)->next();
+            const std::uint64_t number = numberFrom(**store);
             QVERIFY(number > last);
             last = number;
         }
     }
-    QCOMPARE(last, std::uint64_t(15));
-    QCOMPARE((*FileCounterStore::open(m_folder.path("later"), 1000))->next(), std::uint64_t(1000));
-    QCOMPARE((*FileCounterStore::open(path, 1000))->next(), std::uint64_t(1000)); // at least the given start
+    QCOMPARE(last, 4 * FileCounterStore::kBlock + 3); // a restart skips the rest of its block
+    QCOMPARE(numberFrom(**FileCounterStore::open(m_folder.path("later"), 10000)), std::uint64_t(10000));
+    QCOMPARE(numberFrom(**FileCounterStore::open(path, 10000)), std::uint64_t(10000)); // at least the given start
+}
+
+/// The file changes once in a block, before the block is needed, so that no number waits for it.
+void CounterFileTest::blocksAreReservedAhead()
+{
+    const std::string path = m_folder.path("ahead");
+    const auto store = std::move(*FileCounterStore::open(path));
+    const auto reserved = [&path] { return Counters::parse(test::readText(path), path)->next; };
+    const std::uint64_t first = *store->next();
+    QCOMPARE(reserved(), first + FileCounterStore::kBlock);
+    std::uint64_t last = first;
+    for (std::uint64_t i = 2; i <= 10 * FileCounterStore::kBlock; ++i) {
+        const auto number = store->next();
+        QVERIFY2(number == last + 1, std::to_string(i).c_str());
+        last = *number;
+        QVERIFY(last < reserved());
+        if (i % (FileCounterStore::kBlock / 2) == 0)
+            store->waitUntilStored();
+    }
+    QVERIFY(reserved() <= last + 2 * FileCounterStore::kBlock);
 }
 
 void CounterFileTest::twoProgramsNeverShareANumber()
 {
     const std::string path = m_folder.path("shared");
-    const auto one = FileCounterStore::open(path);
-    const auto other = FileCounterStore::open(path);
-    std::uint64_t last = 0;
-    for (int i = 0; i < 20; ++i) {
-        for (const auto *store : {&one, &other}) {
-            const std::uint64_t number = (**store)->next();
-            QVERIFY(number > last);
-            last = number;
-        }
+    const auto one = std::move(*FileCounterStore::open(path));
+    const auto other = std::move(*FileCounterStore::open(path));
+    std::set<std::uint64_t> numbers;
+    for (std::uint64_t i = 0; i < 3 * FileCounterStore::kBlock; ++i) {
+        for (FileCounterStore *store : {one.get(), other.get()})
+            QVERIFY(numbers.insert(numberFrom(*store)).second);
+    }
+    // One that is behind for the other end takes numbers above all others.
+    const std::uint64_t greatest = *numbers.rbegin();
+    for (FileCounterStore *store : {one.get(), other.get()}) {
+        store->skipTo(greatest);
+        const std::uint64_t number = numberFrom(*store);
+        QVERIFY(number > greatest && numbers.insert(number).second);
     }
     channel::PublicKey peer{};
-    QVERIFY((*one)->remember(peer, 5) && (*other)->remember(peer, 3));
+    QVERIFY(one->remember(peer, 5) && other->remember(peer, 3));
+    QVERIFY(one->waitUntilStored().message.empty() && other->waitUntilStored().message.empty());
     QCOMPARE((*FileCounterStore::open(path))->lastSeen(peer), std::uint64_t(5));
 }
 
@@ -81,7 +125,7 @@ void CounterFileTest::killedInTheMiddleNeverRepeats()
         if (child == 0) {
             const auto store = FileCounterStore::open(path);
             while (store) {
-                const std::uint64_t number = (*store)->next();
+                const std::uint64_t number = numberFrom(**store);
                 if (::write(ends[1], &number, sizeof number) != sizeof number)
                     break;
             }
@@ -104,18 +148,24 @@ void CounterFileTest::killedInTheMiddleNeverRepeats()
     }
     const auto store = FileCounterStore::open(path);
     QVERIFY2(store.has_value(), store ? "" : store.error().text().c_str());
-    QVERIFY((*store)->next() > last);
+    QVERIFY(numberFrom(**store) > last);
 }
 
 void CounterFileTest::skipsAhead()
 {
     const std::string path = m_folder.path("skipping");
     auto store = std::move(*FileCounterStore::open(path));
-    QVERIFY(store->skipTo(1000));
-    QCOMPARE(store->next(), std::uint64_t(1001));
+    QVERIFY(store->skipTo(1000)); // within the block
+    QCOMPARE(store->next(), std::optional<std::uint64_t>(1001));
     QVERIFY(store->skipTo(5)); // never decreases
-    QCOMPARE(store->next(), std::uint64_t(1002));
-    QCOMPARE((*FileCounterStore::open(path))->next(), std::uint64_t(1003));
+    QCOMPARE(store->next(), std::optional<std::uint64_t>(1002));
+    store->waitUntilStored();
+    QVERIFY(!store->skipTo(1'000'000)); // in a block that has to be reserved
+    QCOMPARE(numberFrom(*store), std::uint64_t(1'000'001));
+    QVERIFY(!store->skipTo(~std::uint64_t(0)));
+    QVERIFY(numberFrom(*store) > channel::kGreatestCounter);
+    store.reset();
+    QVERIFY(numberFrom(**FileCounterStore::open(path)) > channel::kGreatestCounter);
 }
 
 void CounterFileTest::remembersPeers()
@@ -134,6 +184,10 @@ void CounterFileTest::remembersPeers()
     const auto store = FileCounterStore::open(path);
     QCOMPARE((*store)->lastSeen(one), std::uint64_t(17));
     QCOMPARE((*store)->lastSeen(other), ~std::uint64_t(0));
+    // A number that was stored outlives a kill.
+    (*store)->remember(one, 18);
+    QVERIFY((*store)->waitUntilStored().message.empty());
+    QCOMPARE(Counters::parse(test::readText(path), path)->seen.at(one), std::uint64_t(18));
 }
 
 void CounterFileTest::refusesDamagedFiles()
@@ -154,19 +208,51 @@ void CounterFileTest::refusesDamagedFiles()
     QVERIFY(!FileCounterStore::open(m_folder.path("no/such/folder")));
 }
 
+void CounterFileTest::lockedFileHoldsNothingUp()
+{
+    using Clock = std::chrono::steady_clock;
+    const std::string path = m_folder.path("locked");
+    auto store = std::move(*FileCounterStore::open(path));
+    auto lock = std::optional(std::move(*FileLock::take(path)));
+    // A file that another program keeps locked is an error after a while, with the reason.
+    const auto begun = Clock::now();
+    const auto refused = FileLock::take(path, std::chrono::milliseconds(50));
+    QVERIFY(!refused && Clock::now() - begun >= std::chrono::milliseconds(50));
+    QVERIFY2(refused.error().text().find("locked by another program") != std::string::npos, refused.error().text().c_str());
+    // Meanwhile the thread of the endpoint does not wait.
+    const auto counted = Clock::now();
+    std::uint64_t last = 0;
+    for (std::uint64_t i = 0; i < FileCounterStore::kBlock; ++i) {
+        const auto number = store->next();
+        QVERIFY(number && *number > last);
+        last = *number;
+    }
+    QVERIFY(!store->next()); // nothing is used before it is reserved
+    QVERIFY(!store->skipTo(100'000));
+    QVERIFY(store->remember({}, 7));
+    QCOMPARE(store->lastSeen({}), std::uint64_t(7));
+    QVERIFY(Clock::now() - counted < FileLock::kPatience);
+    lock.reset();
+    QVERIFY(numberFrom(*store) > 100'000);
+}
+
 void CounterFileTest::survivesAFullOrReadOnlyDisk()
 {
-    if (::geteuid() == 0)
-        QSKIP("root may write everywhere");
-    const std::string path = m_folder.path("frozen");
-    const auto store = FileCounterStore::open(path);
-    const std::uint64_t before = (*store)->next();
-    ::chmod(m_folder.path(".").c_str(), 0500);
-    const std::uint64_t after = (*store)->next();
-    const bool remembered = (*store)->remember({}, 1);
-    ::chmod(m_folder.path(".").c_str(), 0700);
-    QVERIFY(after > before);
-    QVERIFY(!remembered && !(*store)->lastError().message.empty());
+    // The folder is gone, as on a disk that fails.
+    QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("counters")).toStdString();
+    const auto store = std::move(*FileCounterStore::open(path));
+    const std::uint64_t before = *store->next();
+    QVERIFY(folder.remove());
+    QVERIFY(store->remember({}, 1));
+    QVERIFY(!store->waitUntilStored().message.empty());
+    std::uint64_t last = before;
+    for (std::uint64_t i = 0; i < 3 * FileCounterStore::kBlock; ++i) {
+        const std::uint64_t number = numberFrom(*store);
+        QVERIFY(number > last);
+        last = number;
+    }
+    QCOMPARE(store->lastSeen({}), std::uint64_t(1));
 }
 
 SKYSEAL_TEST_APPLESS(CounterFileTest)

@@ -17,7 +17,7 @@ using namespace channel;
 class CountersInMemory final : public CounterStore
 {
 public:
-    std::uint64_t next() override { return ++m_next; }
+    std::optional<std::uint64_t> next() override { return ++m_next; }
     std::uint64_t lastSeen(const PublicKey &) override { return m_seen; }
     bool remember(const PublicKey &, std::uint64_t counter) override
     {
