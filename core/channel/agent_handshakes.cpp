@@ -31,7 +31,9 @@ AgentHandshakes::AgentHandshakes(EndpointCore &core, TimePoint now)
 
 bool AgentHandshakes::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
+    ++m_core.strangerHashes;
     const bool proven = !m_core.ownMac.verify(datagram);
+    m_core.strangerHashes += proven ? 2 : 0; // under each of the two secrets
     if (proven && !m_cookies.verify(now, from, datagram))
         return refuse(now, from, RefusalReason::WrongKey);
     const ByteView content = datagram.first(kFirstLength - kMacLength);

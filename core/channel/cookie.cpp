@@ -1,5 +1,6 @@
 #include "core/channel/cookie.h"
 
+#include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 
 #include <sodium.h>
@@ -96,15 +97,20 @@ bool CookieMaker::verify(TimePoint now, const Path &from, ByteView first) const
         || (m_previous && age < kCookieSecretLife && isUnder(*m_previous));
 }
 
-std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView datagram)
+bool cookieHasForm(ByteView datagram)
 {
     if (datagram.size() != kCookieLength || datagram[0] != firstByte(HandshakeMessage::Cookie))
+        return false;
+    const ByteView padding = datagram.subspan(1 + kNonceLength + kSealedLength);
+    return sodium_is_zero(padding.data(), padding.size()) == 1 || weakened(Weakness::NoForm);
+}
+
+std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView datagram)
+{
+    if (!cookieHasForm(datagram))
         return std::nullopt;
     const Key32 key = messageKey(sealKeyOf(agent), datagram.subspan(1, kNonceLength), mac1);
     const ByteView sealed = datagram.subspan(1 + kNonceLength, kSealedLength);
-    const ByteView padding = datagram.subspan(1 + kNonceLength + kSealedLength);
-    if (sodium_is_zero(padding.data(), padding.size()) == 0)
-        return std::nullopt;
     Cookie cookie;
     if (crypto_aead_chacha20poly1305_ietf_decrypt(cookie.data(), nullptr, nullptr, sealed.data(), sealed.size(), nullptr, 0,
                                                   kZeroNonce.data(), key.view().data())

@@ -50,6 +50,8 @@ private:
     std::uint64_t m_made = 0;
 };
 
+/// Returns true if the datagram is shaped like a cookie. Costs no hash, and authenticates nothing.
+bool cookieHasForm(ByteView datagram);
 /// The station's half: opens the cookie that answers the first message with this `mac1`. Returns nullopt if it answers another
 /// message, or was made without the agent's public key.
 std::optional<Cookie> openCookie(const PublicKey &agent, ByteView mac1, ByteView datagram);

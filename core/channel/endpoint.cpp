@@ -126,7 +126,8 @@ void Endpoint::State::handleHandshake(TimePoint at, const Path &from, ByteView d
         if (!stationHandshakes->handleNumber(now, from, datagram))
             return;
     } else if (message == HandshakeMessage::Announcement && stationHandshakes) {
-        stationHandshakes->handleAnnouncement(now, from, datagram);
+        if (!stationHandshakes->handleAnnouncement(now, from, datagram))
+            return;
     } else {
         ++core.unmatched.malformed;
         return;
@@ -180,6 +181,11 @@ const ReceiveCounters &Endpoint::unmatched() const
     return m_state->core.unmatched;
 }
 
+std::uint64_t Endpoint::strangerHashes() const
+{
+    return m_state->core.strangerHashes;
+}
+
 TimePoint Endpoint::nextDeadline() const
 {
     return m_state->deadline;
@@ -197,9 +203,7 @@ bool Endpoint::ownsFrame(ByteView frame)
 
 bool Endpoint::isAnnouncement(ByteView datagram)
 {
-    constexpr std::size_t kZerosFrom = 1 + 16 + kMacLength;
-    return datagram.size() == Announcement::kLength && datagram[0] == firstByte(HandshakeMessage::Announcement)
-        && std::all_of(datagram.begin() + kZerosFrom, datagram.end(), [](std::uint8_t byte) { return byte == 0; });
+    return Announcement::hasForm(datagram);
 }
 
 // ---- input

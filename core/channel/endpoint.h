@@ -45,6 +45,8 @@ public:
     /// Datagrams that belong to no session. malformed: not a message of this version, or of an unknown connection; forged: a
     /// handshake message for another key; replayed: an old first message, or a reply to a first message whose session is up.
     const ReceiveCounters &unmatched() const;
+    /// Keyed hashes that were computed over handshake messages before their sender was known: what strangers cost.
+    std::uint64_t strangerHashes() const;
     /// Latest time for the next handleDeadline(); kNever if no timer is running.
     TimePoint nextDeadline() const;
     /// Returns true if a datagram with this first byte belongs to the protocol. MAVLink's 0xFD and 0xFE never do.

@@ -10,6 +10,13 @@ namespace {
 
 constexpr Duration kRefusalPause = std::chrono::seconds(1);
 
+/// Returns true if messages of senders that are not authenticated, or copies of old messages, lead to this refusal.
+bool isCausedByStrangers(RefusalReason reason)
+{
+    return reason == RefusalReason::WrongKey || reason == RefusalReason::UnknownPeer || reason == RefusalReason::Version
+        || reason == RefusalReason::ReplayedHandshake;
+}
+
 bool sendsClose(DownReason reason)
 {
     return reason == DownReason::Closed || reason == DownReason::Revoked;
@@ -24,7 +31,7 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)), counters(store), context{random, {}, {}, {}, config.timing, config.messageTraits.get()},
-      ownMac(config.identity->publicKey)
+      ownMac(config.identity->publicKey), m_strangerEvents(kRefusalPause, TimePoint::min())
 {
     updateOffer();
 }
@@ -49,6 +56,13 @@ void EndpointCore::notifyRefused(TimePoint now, const Path &path, RefusalReason 
 {
     if (weakened(Weakness::TellEverything))
         return context.events.push_back(HandshakeRefused{path, reason, key});
+    // A station shows each agent that it does not know.
+    const bool isUnknownAgent = config.role == Role::Station && reason == RefusalReason::UnknownPeer;
+    if (isCausedByStrangers(reason) && !isUnknownAgent) {
+        if (m_strangerEvents.take(now))
+            context.events.push_back(HandshakeRefused{path, reason, key});
+        return;
+    }
     std::optional<Notified> *slot = nullptr;
     for (auto &notified : m_notified) {
         const bool current = notified && now < notified->at + kRefusalPause;

@@ -4,6 +4,7 @@
 #include "core/channel/counter_store.h"
 #include "core/channel/endpoint_config.h"
 #include "core/channel/handshake.h"
+#include "core/channel/interval_limit.h"
 #include "core/channel/mac1.h"
 #include "core/channel/session_table.h"
 
@@ -17,7 +18,8 @@ struct EndpointCore
     EndpointCore(Config configuration, RandomSource &random, CounterStore &store);
 
     const Peer *peer(const PublicKey &key) const;
-    /// Notifies the owner of a refused handshake, at most once a second and path. Does not count it.
+    /// Notifies the owner of a refused handshake, at most once a second for all reasons that a stranger can cause, and once a
+    /// second and path for the others, and for agents that are not listed. Does not count it.
     void notifyRefused(TimePoint now, const Path &path, RefusalReason reason, const PublicKey &key = {});
     /// Sets the offer of the context to the suites and framings of our policy that this machine provides.
     void updateOffer();
@@ -33,6 +35,7 @@ struct EndpointCore
     SessionTable table;
     ReceiveCounters unmatched;
     Mac1 ownMac;
+    std::uint64_t strangerHashes = 0;
 
 private:
     struct Notified
@@ -40,6 +43,7 @@ private:
         Path path;
         TimePoint at{};
     };
+    IntervalLimit m_strangerEvents;
     // A flood from many addresses shares these few slots, so that it fills neither memory nor the owner's log.
     std::array<std::optional<Notified>, 8> m_notified;
 };

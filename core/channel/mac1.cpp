@@ -66,6 +66,13 @@ Announcement::Datagram Announcement::make(RandomSource &random) const
     return out;
 }
 
+bool Announcement::hasForm(ByteView datagram)
+{
+    return datagram.size() == kLength && datagram[0] == firstByte(HandshakeMessage::Announcement)
+        && std::all_of(datagram.begin() + kCovered + kMacLength, datagram.end(),
+                       [](std::uint8_t byte) { return byte == 0 || weakened(Weakness::NoForm); });
+}
+
 bool Announcement::recognises(ByteView datagram) const
 {
     return datagram.size() == kLength

@@ -34,6 +34,8 @@ public:
     explicit Announcement(const PublicKey &agent);
     Datagram make(RandomSource &random) const;
     bool recognises(ByteView datagram) const;
+    /// Returns true if the datagram is shaped like an announcement. Costs no hash, and authenticates nothing.
+    static bool hasForm(ByteView datagram);
 
 private:
     std::array<std::uint8_t, 32> m_key;

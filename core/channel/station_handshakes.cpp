@@ -25,6 +25,13 @@ constexpr Duration kAnnouncementPause = std::chrono::milliseconds(50);
 constexpr unsigned kWrongAnswers = 8;
 constexpr double kAnswersPerSecond = 50;
 constexpr double kAnswersAtOnce = 20;
+/// An announcement or a cookie costs a hash or three for each peer that may have sent it, and strangers can send both. All such
+/// hashes together take some percent of a core at most. Beside them, what comes from an address where that peer was heard
+/// costs a few only, so that a flood does not crowd it out.
+constexpr double kChecksPerSecond = 100'000;
+constexpr double kChecksAtOnce = 10'000;
+constexpr unsigned kFreeChecks = 2;
+constexpr unsigned kHashesOfCookie = 2;
 
 } // namespace
 
@@ -81,18 +88,50 @@ StationHandshakes::Attempt &StationHandshakes::want(TimePoint now, const PublicK
     return *attempt;
 }
 
-void StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, ByteView datagram)
+/// Returns true if the limit of hashes allows to look for the sender of a message among all peers.
+bool StationHandshakes::mayCheck(TimePoint now)
 {
-    if (datagram.size() != Announcement::kLength) {
-        ++m_core.unmatched.malformed;
-        return;
+    m_checks.fill(now, kChecksPerSecond, kChecksAtOnce);
+    return m_checks.credit >= 1 || weakened(Weakness::NoRateLimit);
+}
+
+/// Returns the listed peer that made this announcement; null if there is none, or too many announcements arrive.
+const StationHandshakes::Known *StationHandshakes::announcer(TimePoint now, const Path &from, ByteView datagram)
+{
+    const auto isOf = [&](const Known &known) {
+        ++m_core.strangerHashes;
+        return known.announcement.recognises(datagram);
+    };
+    unsigned free = kFreeChecks;
+    for (const Known &known : m_known) {
+        if (free > 0 && known.announcedFrom == from) {
+            --free;
+            if (isOf(known))
+                return &known;
+        }
     }
-    const auto known = std::find_if(m_known.begin(), m_known.end(),
-                                    [&](const Known &k) { return k.announcement.recognises(datagram); });
-    if (known == m_known.end()) {
-        ++m_core.unmatched.forged;
+    if (!mayCheck(now))
+        return nullptr;
+    const auto found = std::find_if(m_known.begin(), m_known.end(), isOf);
+    m_checks.credit -= static_cast<double>(found - m_known.begin());
+    if (found == m_known.end()) {
         m_core.notifyRefused(now, from, RefusalReason::UnknownPeer);
-        return;
+        return nullptr;
+    }
+    found->announcedFrom = from;
+    return &*found;
+}
+
+bool StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, ByteView datagram)
+{
+    if (!Announcement::hasForm(datagram)) {
+        ++m_core.unmatched.malformed;
+        return false;
+    }
+    const Known *known = announcer(now, from, datagram);
+    if (!known) {
+        ++m_core.unmatched.forged;
+        return false;
     }
     // While a session is up, an announcement is a replay or comes from an agent that has just restarted. It counts once the
     // session has been quiet for longer than an active one ever is.
@@ -112,28 +151,60 @@ void StationHandshakes::handleAnnouncement(TimePoint now, const Path &from, Byte
         sendTo(now, attempt, place);
         place.pausedUntil = now + m_core.config.timing.handshakeRetry;
     }
+    return true;
 }
 
 void StationHandshakes::handleCookie(TimePoint now, const Path &from, ByteView datagram)
 {
-    for (Attempt &attempt : m_attempts) {
-        if (!attempt.first || attempt.first->uncookied == 0 || attempt.carrier != from.carrier)
-            continue;
-        const auto cookie = openCookie(attempt.peer, ByteView(attempt.first->handshake.message()).last(kMacLength), datagram);
-        if (!cookie)
-            continue;
-        --attempt.first->uncookied;
-        attempt.unanswered = 0;
-        Place &place = attempt.placeAt(from);
-        place.cookie = cookie;
-        place.cookieUntil = now + kCookieSecretLife;
-        place.underCookie = true;
-        // A cookie proves nothing about the address: anyone who knows the agent's key and saw a first message can forge one
-        // from any source. So it causes one copy and no more.
-        sendTo(now, attempt, place);
+    Cookie cookie{};
+    Attempt *attempt = cookieHasForm(datagram) ? attemptOfCookie(now, from, datagram, cookie) : nullptr;
+    if (!attempt) {
+        ++m_core.unmatched.forged;
         return;
     }
-    ++m_core.unmatched.forged;
+    --attempt->first->uncookied;
+    attempt->unanswered = 0;
+    Place &place = attempt->placeAt(from);
+    place.cookie = cookie;
+    place.cookieUntil = now + kCookieSecretLife;
+    place.underCookie = true;
+    // A cookie proves nothing about the address: anyone who knows the agent's key and saw a first message can forge one
+    // from any source. So it causes one copy and no more.
+    sendTo(now, *attempt, place);
+}
+
+/// Returns the attempt whose first message the cookie answers, and the cookie; null if there is none, or too many cookies arrive.
+StationHandshakes::Attempt *StationHandshakes::attemptOfCookie(TimePoint now, const Path &from, ByteView datagram,
+                                                               Cookie &cookie)
+{
+    const auto opens = [&](const Attempt &attempt) {
+        m_core.strangerHashes += kHashesOfCookie;
+        const auto opened = openCookie(attempt.peer, ByteView(attempt.first->handshake.message()).last(kMacLength), datagram);
+        cookie = opened.value_or(cookie);
+        return opened.has_value();
+    };
+    const auto waitsForOne = [&](const Attempt &attempt) {
+        return attempt.first && attempt.first->uncookied > 0 && attempt.carrier == from.carrier;
+    };
+    unsigned free = kFreeChecks;
+    for (Attempt &attempt : m_attempts) {
+        const auto isHere = [&](const Place &place) { return place.path == from; };
+        if (free > 0 && waitsForOne(attempt) && std::any_of(attempt.places.begin(), attempt.places.end(), isHere)) {
+            --free;
+            if (opens(attempt))
+                return &attempt;
+        }
+    }
+    if (!mayCheck(now))
+        return nullptr;
+    for (Attempt &attempt : m_attempts) {
+        if (!waitsForOne(attempt))
+            continue;
+        m_checks.credit -= kHashesOfCookie;
+        if (opens(attempt))
+            return &attempt;
+    }
+    return nullptr;
 }
 
 StationHandshakes::Attempt *StationHandshakes::attemptAnsweredBy(const Path &from, ByteView datagram)
@@ -159,6 +230,7 @@ bool StationHandshakes::handleNumber(TimePoint now, const Path &from, ByteView d
         ++m_core.unmatched.replayed;
         return false;
     }
+    m_core.strangerHashes += attempt != nullptr;
     if (!attempt || !m_core.ownMac.verify(datagram)) {
         ++m_core.unmatched.forged;
         return false;
@@ -215,6 +287,7 @@ bool StationHandshakes::handleAnswer(TimePoint now, const Path &from, ByteView d
         ++(isRepeated(datagram) ? m_core.unmatched.replayed : m_core.unmatched.malformed);
         return false;
     }
+    ++m_core.strangerHashes;
     if (!m_core.ownMac.verify(datagram)) {
         ++m_core.unmatched.forged;
         m_core.notifyRefused(now, from, RefusalReason::WrongKey, found->peer);

@@ -22,8 +22,9 @@ public:
     void peersChanged();
     /// Discards the first messages that carry the former offer.
     void policyChanged();
-    void handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
-    /// Returns false if nothing has changed: the answer was refused, and may be one of a flood.
+    /// Returns false if nothing has changed: the announcement was refused, and may be one of a flood.
+    bool handleAnnouncement(TimePoint now, const Path &from, ByteView datagram);
+    /// Returns false as above.
     bool handleAnswer(TimePoint now, const Path &from, ByteView datagram);
     /// The agent remembers a greater counter than ours. Returns false as above.
     bool handleNumber(TimePoint now, const Path &from, ByteView datagram);
@@ -39,9 +40,13 @@ private:
     {
         PublicKey key{};
         Announcement announcement;
+        std::optional<Path> announcedFrom{}; ///< of the latest announcement
     };
 
+    const Known *announcer(TimePoint now, const Path &from, ByteView datagram);
+    bool mayCheck(TimePoint now);
     Attempt *attemptWith(const PublicKey &peer, Carrier carrier);
+    Attempt *attemptOfCookie(TimePoint now, const Path &from, ByteView datagram, Cookie &cookie);
     Attempt *attemptAnsweredBy(const Path &from, ByteView datagram);
     bool isRepeated(ByteView datagram) const;
     Attempt &want(TimePoint now, const PublicKey &peer, Carrier carrier, TimePoint due);
@@ -61,6 +66,7 @@ private:
     std::vector<Known> m_known;
     std::vector<Attempt> m_attempts;
     TokenBucket m_answers; ///< answers that may be computed on
+    TokenBucket m_checks;  ///< hashes over messages that may come from any listed peer
 };
 
 } // namespace skyseal::channel

@@ -115,9 +115,12 @@ Result<void, InputError> PeersFile::check(const PeerEntry &entry, const Line *ex
 {
     if (auto fits = checkPeerEntry(entry); !fits)
         return fits;
+    std::size_t others = 0;
     for (const Line &line : m_lines) {
         if (!line.isPeer || &line == except)
             continue;
+        if (++others == kMostPeers)
+            return tl::unexpected(InputError{"a list has at most " + std::to_string(kMostPeers) + " peers", {}});
         if (line.entry.peer.name == entry.peer.name)
             return tl::unexpected(InputError{"there is a peer named \"" + entry.peer.name + "\" already", {}});
         if (line.entry.peer.key == entry.peer.key)

@@ -35,6 +35,9 @@ enum class Acquaintance {
 class PeersFile
 {
 public:
+    /// A longer list is refused: what a message of a stranger costs grows with it, and an end has no more sessions.
+    static constexpr std::size_t kMostPeers = 256;
+
     PeersFile() = default;
 
     /// `source` names the text in errors, which carry line numbers. Safe for any bytes.

@@ -285,7 +285,7 @@ void AttackFloodTest::floodIsToldInFewWords()
         offer(pair, Air, flood, source);
     });
     pair.run(5s);
-    HOLDS(pair.air().events.size() <= 8 * 6, "a flood from everywhere is told in few words");
+    HOLDS(pair.air().events.size() <= 6, "a flood from everywhere is told in few words");
 }
 
 void AttackFloodTest::noMoreOutThanIn()

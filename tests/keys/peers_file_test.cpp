@@ -32,6 +32,7 @@ private Q_SLOTS:
     void renames();
     void tellsAChangedKeyFromAStranger();
     void editsUnderALock();
+    void longListsAreRefused();
 
 private:
     PeerEntry entry(const char *name, std::size_t key) const { return {{m_keys[key], name, PeerRole::Pilot, {}}, {}}; }
@@ -218,6 +219,27 @@ void PeersFileTest::editsUnderALock()
     });
     QVERIFY(refused.error().text().starts_with(path));
     QCOMPARE(loadPeers(path)->size(), std::size_t(4)); // an edit that fails changes nothing
+}
+
+void PeersFileTest::longListsAreRefused()
+{
+    test::SeededRandom random(8);
+    std::string text = "# the longest list\n";
+    PublicKey key{};
+    for (std::size_t i = 0; i < PeersFile::kMostPeers; ++i) {
+        random.fill(key);
+        text += "peer-" + std::to_string(i) + " pilot any " + publicKeyText(key) + "\n";
+    }
+    auto longest = PeersFile::parse(text, "f");
+    QVERIFY2(longest.has_value(), longest ? "" : longest.error().text().c_str());
+    QCOMPARE(longest->peers().size(), PeersFile::kMostPeers);
+    const auto refused = PeersFile::parse(text + line("another pilot any", 0) + "\n", "f");
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().text(), std::string("f:258: a list has at most 256 peers"));
+    QVERIFY(!longest->add(entry("another", 0)));
+    PeerEntry changed = longest->entries().back();
+    changed.peer.role = PeerRole::Observer;
+    QVERIFY(longest->replace(changed)); // one of those that are listed
 }
 
 SKYSEAL_TEST_APPLESS(PeersFileTest)

@@ -1,0 +1,179 @@
+// What messages of strangers cost an end, counted in keyed hashes over them: none for a wrong form, few for a right one, however
+// many peers are listed.
+#include "attack.h"
+#include "core/channel/cookie.h"
+#include "core/channel/mac1.h"
+#include "core/crypto/init_crypto.h"
+#include "tests/support/test_runner.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+namespace {
+
+constexpr std::size_t kListed = 256;
+
+/// A station that lists many agents; the one of the pair is the last.
+struct ManyListed
+{
+    ManyListed()
+    {
+        const Peer listed = pair.configOf(Ground).peers.front();
+        std::vector<Peer> peers;
+        for (std::size_t i = 0; i + 1 < kListed; ++i) {
+            PublicKey key;
+            random.fill(key);
+            peers.push_back({key, "agent-" + std::to_string(i), {}, {}, {}});
+        }
+        peers.push_back(listed);
+        keys = peers;
+        pair.ground().endpoint->setPeers(pair.now, std::move(peers));
+    }
+
+    Path stranger()
+    {
+        Path path = pair.pathOf(Air);
+        random.fill(MutableByteView(path.remote.ip).last(3));
+        return path;
+    }
+    std::uint64_t hashes() { return pair.ground().endpoint->strangerHashes(); }
+
+    Pair pair{attackOptions()};
+    SeededRandom random{kAttackSeed};
+    std::vector<Peer> keys;
+};
+
+} // namespace
+
+class AttackStrangerTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void wrongFormCostsNoHash_data();
+    void wrongFormCostsNoHash();
+    void announcementsForManyPeers();
+    void cookiesForManyAttempts();
+    void floodIsOneLineASecond();
+};
+
+void AttackStrangerTest::wrongFormCostsNoHash_data()
+{
+    QTest::addColumn<int>("firstByte");
+    QTest::newRow("announcements") << 0x58;
+    QTest::newRow("cookies") << 0x5b;
+}
+
+void AttackStrangerTest::wrongFormCostsNoHash()
+{
+    QFETCH(int, firstByte);
+    ManyListed many;
+    many.pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; };
+    auto announcement = Announcement(many.keys.back().key).make(many.random); // so that a first message waits for a cookie
+    many.pair.ground().endpoint->handleDatagram(many.pair.now, many.pair.pathOf(Air), announcement);
+    many.pair.pump();
+    const std::uint64_t before = many.hashes();
+    const std::uint64_t refused = refusedInAll(many.pair.ground());
+    for (int i = 0; i < 1000; ++i) {
+        Bytes datagram(Announcement::kLength);
+        many.random.fill(datagram);
+        datagram[0] = static_cast<std::uint8_t>(firstByte);
+        QVERIFY(!offer(many.pair, Ground, datagram, many.stranger()));
+    }
+    HOLDS(many.hashes() == before, "a datagram without the form costs no hash");
+    QCOMPARE(refusedInAll(many.pair.ground()) - refused, std::uint64_t(1000));
+}
+
+void AttackStrangerTest::announcementsForManyPeers()
+{
+    // 50,000 announcements of nobody a second, in their true form, from everywhere.
+    ManyListed many;
+    Pair &pair = many.pair;
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    std::uint64_t datagrams = 0;
+    const std::uint64_t before = many.hashes();
+    pair.every(1ms, [&] {
+        for (int i = 0; i < 50; ++i, ++datagrams) {
+            Bytes forged(Announcement::kLength);
+            many.random.fill(MutableByteView(forged).first(33));
+            forged[0] = 0x58;
+            offer(pair, Ground, forged, many.stranger());
+        }
+    });
+    pair.run(300ms);
+    HOLDS(many.hashes() - before <= 2 * datagrams + 12'000, "a message of a stranger costs two hashes");
+    // The agent restarts meanwhile. It is recognised where it was before, whatever else arrives.
+    pair.kill(Air);
+    pair.run(100ms);
+    pair.start(Air);
+    QVERIFY(pair.run(5s, [&] { return pair.ground().all<SessionUp>().size() == 2 && pair.bothUp(); }));
+    QVERIFY(many.hashes() - before <= 2 * datagrams + 12'000);
+    QVERIFY(pair.ground().endpoint->unmatched().forged >= datagrams);
+}
+
+void AttackStrangerTest::cookiesForManyAttempts()
+{
+    // Copies of true announcements have the station wait for many agents at once; then cookies that none of them made.
+    ManyListed many;
+    Pair &pair = many.pair;
+    pair.kill(Air);
+    for (const Peer &peer : many.keys) {
+        auto announcement = Announcement(peer.key).make(many.random);
+        pair.ground().endpoint->handleDatagram(pair.now, many.stranger(), announcement);
+        pair.pump();
+    }
+    const std::uint64_t before = many.hashes();
+    std::uint64_t datagrams = 0;
+    pair.every(1ms, [&] {
+        for (int i = 0; i < 50; ++i, ++datagrams) {
+            Bytes forged(kCookieLength);
+            many.random.fill(MutableByteView(forged).first(49));
+            forged[0] = 0x5b;
+            offer(pair, Ground, forged, many.stranger());
+        }
+    });
+    pair.run(200ms);
+    HOLDS(many.hashes() - before <= 2 * datagrams + 12'000, "a message of a stranger costs two hashes");
+    QVERIFY(datagrams >= 9000);
+}
+
+void AttackStrangerTest::floodIsOneLineASecond()
+{
+    // Every message that an agent refuses, from everywhere: of another key, of an unknown peer, of another version, and old ones.
+    Pair pair(attackOptions());
+    std::vector<Bytes> firsts;
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.bytes[0] == 0x59)
+            firsts.push_back(flight.bytes);
+        return true;
+    };
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(11s); // the answer to it is forgotten
+    pair.kill(Ground);
+    pair.air().events.clear();
+    const Mac1 mac(pair.air().identity->publicKey);
+    Path source = pair.pathOf(Ground);
+    SeededRandom random(kAttackSeed);
+    std::uint16_t port = 1000;
+    pair.every(4ms, [&] {
+        for (int kind = 0; kind < 4; ++kind) {
+            Bytes message(127);
+            random.fill(message);
+            message[0] = kind == 0 ? 0x69 : 0x59;
+            if (kind == 1)
+                mac.sign(message);
+            source.remote.port = ++port;
+            offer(pair, Air, kind == 2 ? firsts.front() : message, source);
+        }
+    });
+    pair.run(20s);
+    const auto told = pair.air().all<HandshakeRefused>();
+    const auto floods = std::ranges::count(told, RefusalReason::Flood, &HandshakeRefused::reason); // one in ten seconds
+    HOLDS(told.size() <= 21 + static_cast<std::size_t>(floods), "strangers cause one event a second");
+    QVERIFY(told.size() >= 19 && floods <= 3);
+}
+
+SKYSEAL_TEST(AttackStrangerTest)
+#include "attack_stranger_test.moc"
