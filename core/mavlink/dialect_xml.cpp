@@ -47,20 +47,27 @@ struct Refused
     InputError error;
 };
 
-std::optional<std::uint64_t> parseNumber(std::string_view text)
+/// "12" or "0x0c".
+std::optional<std::uint64_t> parsePlainNumber(std::string_view text)
 {
     int base = 10;
     if (text.starts_with("0x") || text.starts_with("0X")) {
         base = 16;
         text.remove_prefix(2);
-    } else if (const auto power = text.find("**"); power != text.npos) { // "2**5", as some definitions write bits
-        const auto exponent = parseNumber(text.substr(power + 2));
-        return text.substr(0, power) == "2" && exponent && *exponent < 64 ? std::optional(std::uint64_t(1) << *exponent)
-                                                                          : std::nullopt;
     }
     std::uint64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
     return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(value) : std::nullopt;
+}
+
+/// The same, or "2**5", as some definitions write bits.
+std::optional<std::uint64_t> parseNumber(std::string_view text)
+{
+    constexpr std::string_view kPowerOfTwo = "2**";
+    if (!text.starts_with(kPowerOfTwo))
+        return parsePlainNumber(text);
+    const auto exponent = parsePlainNumber(text.substr(kPowerOfTwo.size()));
+    return exponent && *exponent < 64 ? std::optional(std::uint64_t(1) << *exponent) : std::nullopt;
 }
 
 bool isName(std::string_view text)

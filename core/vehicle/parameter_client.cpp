@@ -48,6 +48,8 @@ bool ParameterClient::handleFrame(TimePoint now, const mavlink::Frame &frame)
 
 void ParameterClient::handleDeadline(TimePoint now)
 {
+    if (now >= m_publishDue)
+        publish(now);
     if (now >= m_listDeadline)
         handleListDeadline(now);
     if (!m_writes.empty() && now >= m_writes.front().deadline)
@@ -56,7 +58,7 @@ void ParameterClient::handleDeadline(TimePoint now)
 
 TimePoint ParameterClient::nextDeadline() const
 {
-    return std::min(m_listDeadline, m_writes.empty() ? kNever : m_writes.front().deadline);
+    return std::min({m_publishDue, m_listDeadline, m_writes.empty() ? kNever : m_writes.front().deadline});
 }
 
 std::shared_ptr<const std::vector<Parameter>> ParameterClient::parameters() const
@@ -128,11 +130,17 @@ void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &valu
     const std::string name(mavlink::textOf(value.param_id));
     if (name.empty())
         return;
+    const bool wasReading = isReading();
     if (value.param_count > 0 && value.param_index < value.param_count)
         noteIndex(now, value.param_index, value.param_count);
     const Parameter parameter{name, decode(value.param_value, value.param_type), value.param_type, value.param_index};
-    store(parameter);
-    checkWrite(now, parameter);
+    const bool changed = store(parameter);
+    const bool answersWrite = checkWrite(now, parameter);
+    const bool readIsComplete = wasReading && !isReading();
+    if (readIsComplete || (changed && (answersWrite || m_published == TimePoint::min() || now >= m_published + kCollectFor)))
+        publish(now);
+    else if (changed)
+        m_publishDue = m_published + kCollectFor;
 }
 
 void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count)
@@ -152,23 +160,37 @@ void ParameterClient::noteIndex(TimePoint now, std::uint16_t index, std::uint16_
         m_listDeadline = m_received == m_expected ? kNever : now + kListTimeout;
 }
 
-void ParameterClient::store(Parameter parameter)
+/// Returns true if something changed.
+bool ParameterClient::store(Parameter parameter)
 {
     const auto known = m_values.find(parameter.name);
     if (known == m_values.end()) {
-        // A vehicle has at most 65535 parameters; further names must be forged.
-        if (m_values.size() < kNoIndex)
-            m_values.emplace(parameter.name, parameter);
-        m_shared.reset();
-        return;
+        if (!mayAdd())
+            return false;
+        m_values.emplace(parameter.name, parameter);
+        return true;
     }
     if (parameter.index == kNoIndex)
         parameter.index = known->second.index;
-    if (known->second.value != parameter.value || known->second.type != parameter.type
-        || known->second.index != parameter.index) {
-        known->second = std::move(parameter);
-        m_shared.reset();
-    }
+    if (known->second.value == parameter.value && known->second.type == parameter.type
+        && known->second.index == parameter.index)
+        return false;
+    known->second = std::move(parameter);
+    return true;
+}
+
+/// A vehicle can invent names without end.
+bool ParameterClient::mayAdd() const
+{
+    return m_values.size() < std::min(kMostNames, m_expected + kNamesBeyondCount);
+}
+
+/// parameters() shows all changes from now on.
+void ParameterClient::publish(TimePoint now)
+{
+    m_shared.reset();
+    m_published = now;
+    m_publishDue = kNever;
 }
 
 void ParameterClient::requestList(TimePoint now)
@@ -235,15 +257,17 @@ void ParameterClient::sendWrite(TimePoint now)
     write.deadline = now + kWriteTimeout;
 }
 
-void ParameterClient::checkWrite(TimePoint now, const Parameter &parameter)
+/// Returns true if the value answers the write in progress.
+bool ParameterClient::checkWrite(TimePoint now, const Parameter &parameter)
 {
     if (m_writes.empty() || m_writes.front().request.name != parameter.name)
-        return;
+        return false;
     Write &write = m_writes.front();
     if (sameValue(write.request.value, parameter.value))
         finishWrite(now, {write.id, addressing().system, parameter, true});
     else
         write.reported = parameter; // perhaps sent before the write took effect, so the write is repeated
+    return true;
 }
 
 void ParameterClient::finishWrite(TimePoint now, ParameterResult result)

@@ -24,6 +24,11 @@ public:
     static constexpr int kRounds = 10; ///< without a new parameter, then the read fails
     static constexpr int kWriteAttempts = 5;
     static constexpr std::size_t kBatch = 10; ///< gaps requested at a time, so that a slow radio keeps up
+    /// Names kept in all, and beyond the number that the vehicle announces: a write can make further parameters visible.
+    static constexpr std::size_t kMostNames = 8192;
+    static constexpr std::size_t kNamesBeyondCount = 64;
+    /// Changes that answer no write are collected for so long before parameters() shows them.
+    static constexpr Duration kCollectFor = std::chrono::milliseconds(500);
 
     using MicroProtocol::MicroProtocol;
 
@@ -33,7 +38,8 @@ public:
     void handleDeadline(TimePoint now) override;
     TimePoint nextDeadline() const override;
 
-    /// Sorted by name; null before the first parameter. A new object after every change.
+    /// Sorted by name; null before the first parameter. A new object after a change, at most one in kCollectFor, besides the
+    /// results of writes and complete reads.
     std::shared_ptr<const std::vector<Parameter>> parameters() const;
     std::uint32_t expected() const { return m_expected; }
 
@@ -56,13 +62,15 @@ private:
     void write(TimePoint now, RequestId id, const WriteParameter &request);
     void handleValue(TimePoint now, const mavlink::ParamValue &value);
     void noteIndex(TimePoint now, std::uint16_t index, std::uint16_t count);
-    void store(Parameter parameter);
+    bool store(Parameter parameter);
+    bool mayAdd() const;
+    void publish(TimePoint now);
     void requestList(TimePoint now);
     void requestGaps(TimePoint now);
     void handleListDeadline(TimePoint now);
     void handleWriteDeadline(TimePoint now);
     void sendWrite(TimePoint now);
-    void checkWrite(TimePoint now, const Parameter &parameter);
+    bool checkWrite(TimePoint now, const Parameter &parameter);
     void finishWrite(TimePoint now, ParameterResult result);
 
     std::map<std::string, Parameter, std::less<>> m_values;
@@ -74,6 +82,8 @@ private:
     int m_roundsWithoutNew = 0;
     std::deque<Write> m_writes;                                     ///< the first one is in progress
     mutable std::shared_ptr<const std::vector<Parameter>> m_shared; ///< built on demand
+    TimePoint m_published = TimePoint::min();                       ///< time of the latest change of the shared list
+    TimePoint m_publishDue = kNever;                                ///< there are collected changes
 };
 
 } // namespace skyseal::vehicle

@@ -27,6 +27,17 @@ bool isPlace(std::int32_t latitude, std::int32_t longitude)
         && std::abs(std::int64_t{longitude}) <= 1800000000;
 }
 
+/// Limits of what a vehicle can mean. Greater values, infinities and NaN are errors or attacks, and count as not known: nothing
+/// that draws or converts the state needs to expect them.
+constexpr double kGreatestAngle = 1e3;     // radians
+constexpr double kGreatestSpeed = 1e5;     // metres or radians a second
+constexpr double kGreatestVibration = 1e5; // m/s²
+
+double within(double limit, float value)
+{
+    return std::abs(value) <= limit ? value : kUnknown;
+}
+
 /// The flags of EKF_STATUS_REPORT and ESTIMATOR_STATUS, which agree in these bits.
 bool isEstimateGood(std::uint16_t flags)
 {
@@ -44,12 +55,12 @@ struct TelemetryReaders
 
     static void read(const mavlink::Attitude &m, Context &c)
     {
-        c.state.roll = m.roll;
-        c.state.pitch = m.pitch;
-        c.state.yaw = m.yaw;
-        c.state.rollSpeed = m.rollspeed;
-        c.state.pitchSpeed = m.pitchspeed;
-        c.state.yawSpeed = m.yawspeed;
+        c.state.roll = within(kGreatestAngle, m.roll);
+        c.state.pitch = within(kGreatestAngle, m.pitch);
+        c.state.yaw = within(kGreatestAngle, m.yaw);
+        c.state.rollSpeed = within(kGreatestSpeed, m.rollspeed);
+        c.state.pitchSpeed = within(kGreatestSpeed, m.pitchspeed);
+        c.state.yawSpeed = within(kGreatestSpeed, m.yawspeed);
     }
 
     static void read(const mavlink::GlobalPositionInt &m, Context &c)
@@ -81,9 +92,9 @@ struct TelemetryReaders
 
     static void read(const mavlink::VfrHud &m, Context &c)
     {
-        c.state.airSpeed = m.airspeed;
-        c.state.groundSpeed = m.groundspeed;
-        c.state.climb = m.climb;
+        c.state.airSpeed = within(kGreatestSpeed, m.airspeed);
+        c.state.groundSpeed = within(kGreatestSpeed, m.groundspeed);
+        c.state.climb = within(kGreatestSpeed, m.climb);
         c.state.throttle = m.throttle;
         if (m.heading >= 0)
             c.state.heading = m.heading % 360;
@@ -133,7 +144,7 @@ struct TelemetryReaders
 
     static void read(const mavlink::Vibration &m, Context &c)
     {
-        c.state.vibration = std::max({m.vibration_x, m.vibration_y, m.vibration_z});
+        c.state.vibration = within(kGreatestVibration, std::max({m.vibration_x, m.vibration_y, m.vibration_z}));
     }
 
     static void read(const mavlink::MissionCurrent &m, Context &c) { c.state.missionCurrent = m.seq == kNo16 ? -1 : m.seq; }

@@ -151,6 +151,10 @@ void UserDialectTest::wrongFilesAreRefused_data()
         "whole number");
     row("entry of 2**64", "<mavlink><enums><enum name=\"E\"><entry value=\"2**64\" name=\"X\"/></enum></enums></mavlink>", 1,
         "whole number");
+    row("entry of powers without end",
+        "<mavlink><enums><enum name=\"E\"><entry value=\"" + QByteArray("2**").repeated(1'000'000)
+            + "1\" name=\"X\"/></enum></enums></mavlink>",
+        1, "whole number");
     row("value with two names",
         "<mavlink><enums><enum name=\"E\"><entry value=\"1\" name=\"X\"/>\n<entry value=\"1\" "
         "name=\"Y\"/></enum></enums></mavlink>",

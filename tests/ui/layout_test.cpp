@@ -152,6 +152,18 @@ private Q_SLOTS:
         }
     }
 
+    /// A number beyond the type of the marks would be an overflow, which the sanitizers report, and without end on some machines.
+    void tapesBearAnyNumber()
+    {
+        const TapeStyle style{Qt::black, Qt::red, Qt::blue, Qt::black};
+        for (const double value : {1e30, -1e30, 1e308, qInf(), -qInf(), qQNaN(), 1e7}) {
+            QImage image(52, 100, QImage::Format_RGB32);
+            QPainter painter(&image);
+            paintVerticalTape(painter, image.rect(), value, 2, 11, 1, true, style);
+            paintCompassTape(painter, image.rect(), value, style);
+        }
+    }
+
     void stripNeverWrapsOrOverlaps()
     {
         open({1280, 800});

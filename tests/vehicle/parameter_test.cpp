@@ -1,6 +1,9 @@
 // Parameters against a scripted autopilot, first by hand with exact times, then through a radio that drops.
 #include "lossy_link.h"
+#include "core/vehicle/parameter_client.h"
 #include "tests/support/test_runner.h"
+
+#include <set>
 
 using namespace skyseal;
 using namespace skyseal::vehicle;
@@ -17,6 +20,9 @@ private Q_SLOTS:
     void writesTakeTurns();
     void bytewiseIntegers();
     void unchangedListIsShared();
+    void namesWithoutEndAreNotKept_data();
+    void namesWithoutEndAreNotKept();
+    void unsolicitedValuesAreCollected();
     void wholeListThroughABadRadio_data();
     void wholeListThroughABadRadio();
 };
@@ -185,10 +191,56 @@ void ParameterTest::unchangedListIsShared()
     const auto first = h.vehicle.parameters();
     h.feed(value("A", 1, 0, 1));
     QCOMPARE(h.vehicle.parameters().get(), first.get());
+    h.runUntil(h.now + ParameterClient::kCollectFor);
     h.feed(value("A", 2, 65535, 1));
     QVERIFY(h.vehicle.parameters().get() != first.get());
     QCOMPARE(first->front().value, 1.); // who holds it may go on reading
     QCOMPARE(h.vehicle.parameters()->front().index, std::uint16_t(0));
+}
+
+void ParameterTest::namesWithoutEndAreNotKept_data()
+{
+    QTest::addColumn<int>("index");
+    QTest::addColumn<int>("count");
+    QTest::addColumn<int>("most");
+    QTest::newRow("of a vehicle with ten") << 3 << 10 << 10 + static_cast<int>(ParameterClient::kNamesBeyondCount);
+    QTest::newRow("of a vehicle that announces none") << 65535 << 0 << static_cast<int>(ParameterClient::kNamesBeyondCount);
+    QTest::newRow("of a vehicle that announces all") << 3 << 65535 << static_cast<int>(ParameterClient::kMostNames);
+}
+
+void ParameterTest::namesWithoutEndAreNotKept()
+{
+    QFETCH(int, index);
+    QFETCH(int, count);
+    QFETCH(int, most);
+    Harness h = Harness::copter();
+    for (std::size_t i = 0; i < 20'000; ++i)
+        h.feed(value(nameOf(i), 1, static_cast<std::uint16_t>(index), static_cast<std::uint16_t>(count)));
+    h.runUntil(h.now + ParameterClient::kCollectFor);
+    QCOMPARE(h.vehicle.parameters()->size(), static_cast<std::size_t>(most));
+}
+
+void ParameterTest::unsolicitedValuesAreCollected()
+{
+    // A thousand changes in ten seconds; the list is asked for after each, as the snapshots do.
+    Harness h = Harness::copter();
+    std::set<const void *> lists;
+    std::vector<std::shared_ptr<const std::vector<Parameter>>> kept;
+    const TimePoint start = h.now;
+    for (int i = 0; i < 1000; ++i) {
+        h.feed(value("A", static_cast<float>(i), 0, 1));
+        kept.push_back(h.vehicle.parameters());
+        lists.insert(kept.back().get());
+        h.runUntil(start + std::chrono::milliseconds(10) * (i + 1));
+    }
+    QVERIFY2(lists.size() <= 21, std::to_string(lists.size()).c_str());
+    h.runUntil(h.now + ParameterClient::kCollectFor);
+    QCOMPARE(h.vehicle.parameters()->front().value, 999.); // the last one is shown as well
+    // The answer to a write is shown at once.
+    h.vehicle.perform(h.now, RequestId{1}, WriteParameter{"A", 5});
+    h.feed(value("A", 4, 0, 1));
+    h.feed(value("A", 5, 0, 1));
+    QCOMPARE(h.vehicle.parameters()->front().value, 5.);
 }
 
 void ParameterTest::wholeListThroughABadRadio_data()

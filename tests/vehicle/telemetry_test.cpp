@@ -21,6 +21,7 @@ private Q_SLOTS:
     void rawGpsStandsInUntilTheEstimateComes();
     void batteryInItsUnits();
     void unknownValuesStayUnknown();
+    void impossibleValuesAreUnknown();
     void ekfNeedsItsFlags_data();
     void ekfNeedsItsFlags();
     void satelliteMessageGivesTheWholePicture();
@@ -160,6 +161,21 @@ void TelemetryTest::unknownValuesStayUnknown()
     QVERIFY(!r.state.ekfOk.has_value());
 }
 
+void TelemetryTest::impossibleValuesAreUnknown()
+{
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    for (const float impossible : {1e30f, -1e30f, kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN()}) {
+        Reading r;
+        r.feed(mavlink::VfrHud{.airspeed = impossible, .groundspeed = impossible, .climb = impossible});
+        QVERIFY(std::isnan(r.state.airSpeed) && std::isnan(r.state.groundSpeed) && std::isnan(r.state.climb));
+        r.feed(mavlink::Attitude{.roll = impossible, .pitch = impossible, .yaw = impossible, .rollspeed = impossible});
+        QVERIFY(std::isnan(r.state.roll) && std::isnan(r.state.pitch) && std::isnan(r.state.yaw));
+        QVERIFY(std::isnan(r.state.rollSpeed));
+        r.feed(mavlink::Vibration{.vibration_x = impossible, .vibration_y = impossible, .vibration_z = impossible});
+        QVERIFY(std::isnan(r.state.vibration));
+    }
+}
+
 void TelemetryTest::ekfNeedsItsFlags_data()
 {
     QTest::addColumn<int>("flags");
@@ -254,6 +270,9 @@ void TelemetryTest::anyPayloadLeavesShowableValues()
         RC_ASSERT(std::isnan(state.heading) || (state.heading >= 0 && state.heading < 360));
         RC_ASSERT(!state.position.known()
                   || (std::abs(state.position.latitude) <= 90 && std::abs(state.position.longitude) <= 180));
+        for (const double value : {state.roll, state.pitch, state.yaw, state.groundSpeed, state.airSpeed, state.climb,
+                                   state.altitudeRelative, state.vibration})
+            RC_ASSERT(std::isnan(value) || std::abs(value) < 1e7); // a display converts it to whole pixels
         RC_ASSERT(std::isnan(state.distanceHome) || (state.distanceHome >= 0 && state.distanceHome < 20100e3));
     }));
 }

@@ -23,6 +23,9 @@ QString compassText(int degrees)
     }
 }
 
+/// Greater values have no marks: their numbers would not fit the type of a mark.
+constexpr double kGreatestShown = 1e7;
+
 qreal crisp(qreal y)
 {
     return std::floor(y) + 0.5;
@@ -46,7 +49,7 @@ void paintVerticalTape(QPainter &painter, const QRectF &area, double value, doub
     };
     const qreal inner = pointsRight ? area.right() : area.left();
     const qreal inward = pointsRight ? -1 : 1;
-    if (std::isfinite(value)) {
+    if (std::abs(value) <= kGreatestShown) {
         const double reach = area.height() / 2 / pixelsPerUnit;
         const auto first = static_cast<long>(std::ceil((value - reach) / step * 2));
         const auto last = static_cast<long>(std::floor((value + reach) / step * 2));
@@ -96,7 +99,7 @@ void paintCompassTape(QPainter &painter, const QRectF &area, double heading, con
     painter.fillRect(area, style.back);
     const QFontMetricsF metrics(painter.font());
     const qreal middle = area.center().x();
-    if (std::isfinite(heading)) {
+    if (std::abs(heading) <= kGreatestShown) {
         const double reach = area.width() / 2 / kPixelsPerDegree;
         const auto first = static_cast<long>(std::ceil((heading - reach) / 10));
         const auto last = static_cast<long>(std::floor((heading + reach) / 10));
