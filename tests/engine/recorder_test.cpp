@@ -13,6 +13,7 @@
 #include <csignal>
 #include <fstream>
 
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -54,6 +55,8 @@ private Q_SLOTS:
     void fullBufferDropsAndCounts();
     void unwritableFolderIsAProblemAndNoMore();
     void noFrameNoFile();
+    void leavesSpaceFree();
+    void failedWriteLeavesNoEmptyFile();
 
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
@@ -138,6 +141,42 @@ void RecorderTest::noFrameNoFile()
     {
         Recorder recorder(m_folder->path().toStdString());
     }
+    QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
+}
+
+void RecorderTest::leavesSpaceFree()
+{
+    const QString folder = m_folder->filePath(QStringLiteral("flights"));
+    Recorder recorder(folder.toStdString(), 4096, std::uint64_t(1) << 60); // more than any disk has
+    recorder.record(timeOf(0), kFrame);
+    std::optional<RecordingSnapshot> problem;
+    QVERIFY(test::eventually([&] { return (problem = recorder.takeProblem()).has_value(); }));
+    QCOMPARE(problem->problem, std::string("less than 1099511627776 MiB are free there"));
+    recorder.record(timeOf(1), kFrame);
+    EVENTUALLY_EQUAL(recorder.snapshot().dropped, std::uint64_t(2));
+    QVERIFY(!recorder.takeProblem()); // reported once
+    QVERIFY(QDir(folder).entryList(QDir::Files).isEmpty());
+}
+
+void RecorderTest::failedWriteLeavesNoEmptyFile()
+{
+    const std::string folder = m_folder->path().toStdString();
+    const pid_t child = fork();
+    QVERIFY(child >= 0);
+    if (child == 0) { // whose files cannot grow: they can be created, and not written
+        signal(SIGXFSZ, SIG_IGN);
+        const rlimit none{0, 0};
+        setrlimit(RLIMIT_FSIZE, &none);
+        Recorder recorder(folder, 4096, 0);
+        recorder.record(timeOf(0), kFrame);
+        std::optional<RecordingSnapshot> problem;
+        while (!(problem = recorder.takeProblem()))
+            std::this_thread::yield();
+        _exit(problem->problem.starts_with("cannot be written") ? 0 : 1);
+    }
+    int status = 0;
+    QCOMPARE(waitpid(child, &status, 0), child);
+    QVERIFY(WIFEXITED(status) && WEXITSTATUS(status) == 0);
     QVERIFY(QDir(m_folder->path()).entryList(QDir::Files).isEmpty());
 }
 

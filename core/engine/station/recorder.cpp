@@ -7,6 +7,7 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -39,6 +40,7 @@ struct Recorder::File
 
     int fd = -1;
     std::string name;
+    std::uint64_t size = 0; ///< of whole entries
     Clock::time_point synced{};
     Clock::time_point retry{};
 
@@ -52,8 +54,7 @@ struct Recorder::File
 
     bool openIn(const std::string &folder)
     {
-        std::error_code ignored; // open() reports a better error
-        std::filesystem::create_directories(folder, ignored);
+        size = 0;
         const std::string stem = folder + "/" + nameByTime();
         for (int copy = 1; copy < 100; ++copy) {
             name = stem + (copy > 1 ? "-" + std::to_string(copy) : "") + ".tlog";
@@ -65,8 +66,21 @@ struct Recorder::File
         return fd >= 0;
     }
 
+    /// Leaves neither an empty file nor an incomplete entry.
+    void closeAfterError()
+    {
+        if (fd < 0)
+            return;
+        if (size == 0)
+            unlink(name.c_str());
+        else
+            static_cast<void>(ftruncate(fd, static_cast<off_t>(size)) == 0);
+        close(std::exchange(fd, -1));
+    }
+
     bool writeAll(ByteView bytes)
     {
+        const std::uint64_t after = size + bytes.size();
         while (!bytes.empty()) {
             const ssize_t done = ::write(fd, bytes.data(), bytes.size());
             if (done < 0 && errno == EINTR)
@@ -75,11 +89,13 @@ struct Recorder::File
                 return false;
             bytes = bytes.subspan(static_cast<std::size_t>(done));
         }
+        size = after;
         return true;
     }
 };
 
-Recorder::Recorder(std::string folder, std::size_t bufferBytes) : m_folder(std::move(folder))
+Recorder::Recorder(std::string folder, std::size_t bufferBytes, std::uint64_t leaveFree)
+    : m_folder(std::move(folder)), m_leaveFree(leaveFree)
 {
     m_filling.reserve(bufferBytes);
     m_status.active = true;
@@ -147,19 +163,7 @@ void Recorder::run()
 
 void Recorder::write(File &file, ByteView bytes, std::uint64_t frames)
 {
-    const auto now = File::Clock::now();
-    bool written = false;
-    if (file.fd < 0 && now >= file.retry && !file.openIn(m_folder)) {
-        fail(file, "cannot be created");
-    } else if (file.fd >= 0) {
-        written = file.writeAll(bytes);
-        if (!written) {
-            fail(file, "cannot be written");
-        } else if (now - file.synced >= kSyncEvery) {
-            file.synced = now;
-            fdatasync(file.fd);
-        }
-    }
+    const bool written = writeTo(file, bytes);
     const std::lock_guard lock(m_mutex);
     if (!written) {
         m_status.dropped += frames;
@@ -171,17 +175,48 @@ void Recorder::write(File &file, ByteView bytes, std::uint64_t frames)
     m_status.frames += frames;
 }
 
-void Recorder::fail(File &file, const char *what)
+bool Recorder::writeTo(File &file, ByteView bytes)
 {
-    const std::string problem = std::string(what) + ": " + std::strerror(errno);
-    if (file.fd >= 0)
-        close(file.fd);
-    file.fd = -1;
+    const auto now = File::Clock::now();
+    if (file.fd < 0 && now < file.retry)
+        return false;
+    const bool syncs = now - file.synced >= kSyncEvery;
+    if ((file.fd < 0 || syncs) && !hasRoom()) {
+        fail(file, "less than " + std::to_string(m_leaveFree >> 20) + " MiB are free there");
+        return false;
+    }
+    if (file.fd < 0 && !file.openIn(m_folder)) {
+        fail(file, std::string("cannot be created: ") + std::strerror(errno));
+        return false;
+    }
+    if (!file.writeAll(bytes)) {
+        fail(file, std::string("cannot be written: ") + std::strerror(errno));
+        return false;
+    }
+    if (syncs) {
+        file.synced = now;
+        fdatasync(file.fd);
+    }
+    return true;
+}
+
+/// Also creates the folder. An error counts as room, since opening the file reports a better one.
+bool Recorder::hasRoom() const
+{
+    std::error_code error;
+    std::filesystem::create_directories(m_folder, error);
+    const auto space = std::filesystem::space(m_folder, error);
+    return error || space.available >= m_leaveFree;
+}
+
+void Recorder::fail(File &file, const std::string &problem)
+{
+    file.closeAfterError();
     file.retry = File::Clock::now() + kRetryAfter;
     const std::lock_guard lock(m_mutex);
     // Reported once, not every ten seconds.
     m_problemPending = m_problemPending || m_status.problem != problem;
-    m_status.file = file.name;
+    m_status.file = file.name.empty() ? m_folder : file.name;
     m_status.problem = problem;
 }
 

@@ -20,8 +20,12 @@ namespace skyseal::engine {
 class Recorder
 {
 public:
-    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created.
-    explicit Recorder(std::string folder, std::size_t bufferBytes = 4u << 20);
+    /// Space that is left free: a full disk harms more than the recording.
+    static constexpr std::uint64_t kLeaveFree = 256u << 20;
+
+    /// The first frame starts a file in `folder`, named after the time in UTC; a missing folder is created. Recording stops, as
+    /// a problem, when less than `leaveFree` bytes are free there, and goes on in another file when there is room again.
+    explicit Recorder(std::string folder, std::size_t bufferBytes = 4u << 20, std::uint64_t leaveFree = kLeaveFree);
     /// Writes the buffer and closes the file.
     ~Recorder();
     Recorder(const Recorder &) = delete;
@@ -37,9 +41,12 @@ private:
 
     void run();
     void write(File &file, ByteView bytes, std::uint64_t frames);
-    void fail(File &file, const char *what);
+    bool writeTo(File &file, ByteView bytes);
+    bool hasRoom() const;
+    void fail(File &file, const std::string &problem);
 
     const std::string m_folder;
+    const std::uint64_t m_leaveFree;
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     Bytes m_filling; ///< of fixed capacity; frames that do not fit are dropped and counted
