@@ -1,21 +1,23 @@
-// A flood of 20,000 handshake messages or 50,000 forged records a second against a real agent, and its effect on a legitimate
-// session. Telemetry passes the agent all the time, seconds with and without the flood alternate, and the two are compared
-// within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood last that long without a pause,
-// between two quiet periods.
-#include "core/channel/handshake.h"
-#include "core/channel/record.h"
+// A flood of each kind of message that a stranger can send, 20,000 first messages or 50,000 others a second, against a real
+// agent, and its effect on a legitimate session. Telemetry passes the agent all the time, seconds with and without the flood
+// alternate, and the two are compared within one run. Nothing else should run beside it. SKYSEAL_FLOOD_SECONDS makes the flood
+// last that long without a pause, between two quiet periods.
 #include "core/crypto/init_crypto.h"
 #include "core/keys/secret_file.h"
 #include "core/link/steady_now.h"
 #include "tests/engine/bare_end.h"
 #include "tests/engine/traffic.h"
 #include "tests/support/flight.h"
+#include "tests/support/stranger_messages.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
 #include <atomic>
 #include <cstdio>
+#include <iterator>
+#include <random>
+#include <string_view>
 #include <thread>
 
 #include <poll.h>
@@ -28,36 +30,14 @@ using namespace std::chrono_literals;
 
 namespace {
 
-enum class Forged { FirstMessages, FirstMessagesWithTheKey, Records };
-
-/// A second of them.
-std::vector<Bytes> firstMessages(const channel::PublicKey *knownKey)
+/// A second of them: 50,000, or 20,000 first messages.
+std::vector<Bytes> aSecondOf(const StrangerMessage &message, const StrangersKnowledge &knows)
 {
-    crypto::SystemRandom random;
-    std::vector<Bytes> out(20'000, Bytes(channel::FirstMessage().size()));
-    for (Bytes &bytes : out) {
-        channel::FirstMessage message;
-        random.fill(message);
-        message[0] = channel::firstByte(channel::HandshakeMessage::First);
-        if (knownKey)
-            channel::Mac1(*knownKey).sign(message);
-        std::copy(message.begin(), message.end(), bytes.begin());
-    }
-    return out;
-}
-
-/// Forges the next `count` records of the session of `sample`: its connection and epoch, and an invalid tag.
-std::vector<Bytes> forgedRecords(ByteView sample, std::uint32_t count)
-{
-    crypto::SystemRandom random;
-    auto header = channel::RecordHeader::read(sample).value();
+    std::mt19937_64 random(3);
+    const bool isFirst = std::string_view(message.name).starts_with("first");
     std::vector<Bytes> out;
-    for (std::uint32_t i = 0; i < count; ++i) {
-        Bytes &record = out.emplace_back(sample.size());
-        random.fill(record);
-        header.counter += 1;
-        header.write(record);
-    }
+    for (int i = 0; i < (isFirst ? 20'000 : 50'000); ++i)
+        out.push_back(message.make(knows, random));
     return out;
 }
 
@@ -154,15 +134,14 @@ private Q_SLOTS:
 
 void FloodLatencyTest::legitimateSessionDoesNotFeelIt_data()
 {
-    QTest::addColumn<int>("forged");
-    QTest::newRow("from who does not know the agent's key") << static_cast<int>(Forged::FirstMessages);
-    QTest::newRow("from who knows it") << static_cast<int>(Forged::FirstMessagesWithTheKey);
-    QTest::newRow("records of its session") << static_cast<int>(Forged::Records);
+    QTest::addColumn<int>("message");
+    for (std::size_t i = 0; i < std::size(kStrangerMessages); ++i)
+        QTest::newRow(kStrangerMessages[i].name) << static_cast<int>(i);
 }
 
 void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
 {
-    QFETCH(int, forged);
+    QFETCH(int, message);
     QVERIFY(crypto::initCrypto());
     Flight flight;
     QVERIFY(flight.ready());
@@ -192,15 +171,12 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
         ground.waitReadable(20);
     }
     QVERIFY(through > 0);
-    std::vector<Bytes> datagrams;
-    if (static_cast<Forged>(forged) == Forged::Records) {
-        Bytes sample(mavlink::kMaxFrameLength + channel::kMaxRecordOverhead);
-        const auto size = ground.endpoint().seal(steadyNow(), ground.session(), telemetry.frames()[0], sample);
-        QVERIFY(size.has_value());
-        datagrams = forgedRecords(ByteView(sample).first(*size), 50'000);
-    } else {
-        datagrams = firstMessages(static_cast<Forged>(forged) == Forged::FirstMessages ? nullptr : &keys.air->publicKey);
-    }
+    StrangersKnowledge knows{keys.air->publicKey, keys.ground->publicKey,
+                             Bytes(mavlink::kMaxFrameLength + channel::kMaxRecordOverhead)};
+    const auto size = ground.endpoint().seal(steadyNow(), ground.session(), telemetry.frames()[0], knows.record);
+    QVERIFY(size.has_value());
+    knows.record.resize(*size);
+    std::vector<Bytes> datagrams = aSecondOf(kStrangerMessages[message], knows);
     const auto perSecond = static_cast<double>(datagrams.size());
     Flood flood(agentPort, std::move(datagrams));
     std::vector<double> quiet, flooded;
@@ -237,7 +213,7 @@ void FloodLatencyTest::legitimateSessionDoesNotFeelIt()
           "lost %zu of %zu; resident %zu kB, then %zu kB",
           QTest::currentDataTag(), static_cast<double>(flood.sent()) / floodSeconds, percentile(quiet, 0.5),
           percentile(flooded, 0.5), p99Quiet, p99Flooded, p99Flooded / p99Quiet, lost, next, before / 1024, after / 1024);
-    if (static_cast<Forged>(forged) == Forged::Records) { // each came as far as its tag
+    if (std::string_view(kStrangerMessages[message].name).starts_with("record of the session")) { // each came as far as its tag
         const auto judged = [&flood](const QJsonObject &stats) {
             const QJsonObject received = stats[QLatin1String("channel")].toObject()[QLatin1String("rx")].toObject();
             return received[QLatin1String("forged")].toDouble() >= 0.95 * static_cast<double>(flood.sent());

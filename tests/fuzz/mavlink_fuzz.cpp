@@ -75,6 +75,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         encodeAgain(*item->frame);
     }
     require(covered == size);
+    require(scanner.crcBytes() <= size + OverlappingCrc::kLongestRange);
 
     const std::size_t portion = size > 0 ? 1 + data[0] % 64u : 1;
     std::size_t frames = 0;
@@ -89,6 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         parser.feed(bytes.subspan(at, std::min(portion, size - at)), note);
     parser.finish(note);
     require(covered == size && frames == found.size());
+    require(parser.crcBytes() <= size + OverlappingCrc::kLongestRange);
 
     std::istringstream input(std::string(asText(bytes)));
     tlog::decode(input, Dialect::builtin(), {}, [](std::string_view) { return true; });

@@ -1,5 +1,6 @@
 // Key files and lists of peers that other users can read or have changed, symbolic links, damage, and keys in error messages.
 #include "core/crypto/init_crypto.h"
+#include "core/keys/counter_file.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"
@@ -11,6 +12,8 @@
 
 #include <QtTest/QTest>
 
+#include <optional>
+#include <set>
 #include <unistd.h>
 
 using namespace skyseal;
@@ -48,6 +51,7 @@ private Q_SLOTS:
     void everyDamagedPeer();
     void anotherPassphrase();
     void errorsShowNoKey();
+    void strangersCauseNoWrites();
 
 private:
     std::string newKey(const char *name)
@@ -169,6 +173,25 @@ void AttackFilesTest::errorsShowNoKey()
     for (const std::string &content :
          {key + "\n", "skyseal-preshared-key-v1\n" + key + "\n", text + key + "\n", text + "x" + key})
         HOLDS(!contains(errorOf(loadIdentity(m_folder.write("other.key", content))), key.substr(0, 8)), "no error shows a key");
+}
+
+/// A thousand first messages, each of which a stranger can cause by an announcement, and the writes that they cause.
+void AttackFilesTest::strangersCauseNoWrites()
+{
+    const std::string path = m_folder.path("counters");
+    const auto store = std::move(*FileCounterStore::open(path));
+    std::set<std::string> contents;
+    std::uint64_t last = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::optional<std::uint64_t> number = store->next();
+        store->waitUntilStored();
+        if (!number)
+            number = store->next();
+        QVERIFY(number && *number > last);
+        last = *number;
+        contents.insert(readText(path));
+    }
+    HOLDS(contents.size() <= 2, "strangers cause no writes to the disk");
 }
 
 SKYSEAL_TEST_APPLESS(AttackFilesTest)

@@ -62,6 +62,10 @@ inline constexpr Proof kProofs[] = {
     {"NoRateLimit", "attack_flood_test", "handshakeFloodWithTheRightMac", "at most fifty computations a second"},
     {"NoRateLimit", "attack_flood_test", "answerFloodWithTheRightMac", "at most fifty computations a second"},
     {"NoRateLimit", "attack_flood_test", "numberFloodWithTheRightMac", "a few false numbers are computed on"},
+    {"NoForm", "attack_stranger_test", "wrongFormCostsNoHash", "a datagram without the form costs no hash"},
+    {"NoRateLimit", "attack_stranger_test", "announcementsForManyPeers", "a message of a stranger costs two hashes"},
+    {"NoRateLimit", "attack_stranger_test", "cookiesForManyAttempts", "a message of a stranger costs two hashes"},
+    {"TellEverything", "attack_stranger_test", "floodIsOneLineASecond", "strangers cause one event a second"},
     {"TellEverything", "attack_flood_test", "floodIsToldInFewWords", "a flood from everywhere is told in few words"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanIn", "no more goes out than came in"},
     {"AnswerTwice", "attack_flood_test", "noMoreOutThanInBesideASession", "no more goes out than came in"},
@@ -93,6 +97,8 @@ inline constexpr Proof kProofs[] = {
     {"NoEncryption", "attack_flight_test", "nothingReadableOnTheWire", "nothing that is known is found on the wire"},
 
     {"NoEncryption", "attack_router_test", "copiesAreSealed", "he gets nothing but what is sealed"},
+    {"ClearAccepted", "attack_flight_test", "clearBytesAreNotSearched", "clear bytes are counted and not searched"},
+
     {"ClearAccepted", "attack_router_test", "spoofedHeartbeatsAreNotTaken", "the vehicle is shown as it is"},
     {"RoamOnForged", "attack_router_test", "forgedTunnelsDivertNothing", "delivery goes on"},
 
@@ -122,6 +128,7 @@ inline constexpr Proof kProofs[] = {
     {"NoFileChecksum", "attack_files_test", "everyDamagedPeer", "no damaged list is a list"},
     {"NoFileChecksum", "attack_files_test", "anotherPassphrase", "no key opens under another passphrase"},
     {"Leak", "attack_files_test", "errorsShowNoKey", "no error shows a key"},
+    {"CountersOneByOne", "attack_files_test", "strangersCauseNoWrites", "strangers cause no writes to the disk"},
 
     {"CommitEarly", "attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
     {"CommitEarly", "attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},

@@ -1,0 +1,252 @@
+// What each kind of message costs that anyone can send, without a key, to a station with the longest list of peers and to an
+// agent: nanoseconds of CPU time for one, and bytes of state after a flood of them from as many addresses. Datagrams, the same
+// messages in COBS and in TUNNEL, streams without an end, pairing open and closed.
+#include "pair.h"
+
+#include "core/channel/cobs.h"
+#include "core/channel/pairing.h"
+#include "core/crypto/init_crypto.h"
+#include "core/engine/common/ingress.h"
+#include "tests/support/addresses.h"
+#include "tests/support/stranger_messages.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <malloc.h>
+#include <new>
+
+using namespace skyseal;
+using namespace skyseal::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+std::atomic<std::int64_t> liveBytes = 0;
+
+} // namespace
+
+void *operator new(std::size_t size)
+{
+    void *memory = std::malloc(size);
+    if (!memory)
+        throw std::bad_alloc();
+    liveBytes += static_cast<std::int64_t>(malloc_usable_size(memory));
+    return memory;
+}
+
+void operator delete(void *memory) noexcept
+{
+    liveBytes -= static_cast<std::int64_t>(malloc_usable_size(memory));
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept
+{
+    operator delete(memory);
+}
+
+namespace {
+
+constexpr LinkId kLink{1};
+constexpr std::size_t kListed = 256;
+constexpr int kMessages = 2048; ///< of one timing, from as many addresses
+constexpr int kRounds = 9;
+
+class IdleLink final : public link::Link, private link::LinkListener
+{
+public:
+    explicit IdleLink(const std::string &url) : Link(urlOf(url), kLink, *this, {}) {}
+    void open() override {}
+    void close() override {}
+    void send(const Address &, ByteView) override {}
+    void flush() override {}
+
+private:
+    void linkReceived(link::Link &, std::span<const link::ReceivedBlock>) override {}
+};
+
+/// One end that receives: its ingress, endpoint, and pairing while it is open.
+class Receiver final : public engine::IngressSink
+{
+public:
+    Receiver(Side side, const engine::IngressRules &rules, const char *url, bool pairing)
+        : m_side(side), m_link(url), m_ingress(mavlink::Dialect::builtin(), m_carriers)
+    {
+        m_pair.run(2s, [this] { return m_pair.bothUp(); });
+        m_pair.link.attacker = [this](TimePoint, Flight &flight) {
+            if (flight.from != m_side && flight.bytes[0] < 0x58)
+                m_knows.record = flight.bytes;
+            return true;
+        };
+        m_pair.run(2s);
+        m_knows.receiver = end().identity->publicKey;
+        m_knows.listed = m_pair.configOf(side).peers.front().key;
+        std::vector<channel::Peer> peers;
+        for (std::size_t i = 0; i + 1 < kListed; ++i) {
+            channel::PublicKey key;
+            m_random.fill(key);
+            peers.push_back({key, "peer-" + std::to_string(i), {}, {}, {}});
+        }
+        peers.push_back(m_pair.configOf(side).peers.front());
+        end().endpoint->setPeers(m_pair.now, std::move(peers));
+        if (pairing) {
+            channel::PairingConfig config;
+            config.role = side == Ground ? channel::Role::Station : channel::Role::Agent;
+            config.identity = end().identity;
+            config.callTo = {m_pair.pathOf(side == Ground ? Air : Ground)};
+            m_pairing.emplace(std::move(config), m_random, m_pair.now);
+        }
+        m_ingress.addLink(kLink, rules, *this);
+    }
+
+    const StrangersKnowledge &knows() const { return m_knows; }
+    void take(const Path &path, Bytes &bytes) { m_ingress.take(m_link, {path, bytes, m_pair.now}); }
+    /// A flood of 50,000 a second.
+    void pass() { m_pair.now += 20us; }
+
+private:
+    Pair::End &end() { return m_pair.ends[m_side]; }
+
+    bool takePairing(const link::Link &, const link::ReceivedBlock &message) override
+    {
+        if (!m_pairing || message.bytes.empty() || !channel::Pairing::owns(message.bytes[0]))
+            return false;
+        m_pairing->handleDatagram(message.time, message.path, message.bytes);
+        while (m_pairing->pollTransmit()) {}
+        while (m_pairing->pollEvent()) {}
+        return true;
+    }
+    void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
+    {
+        channel::Endpoint &endpoint = *end().endpoint;
+        endpoint.handleDatagram(message.time, message.path, message.bytes);
+        while (endpoint.pollTransmit()) {}
+        while (endpoint.pollEvent()) {}
+    }
+    void takeClear(const link::Link &, const link::ReceivedBlock &, const mavlink::ScanItem &) override {}
+
+    Side m_side;
+    Pair m_pair;
+    SeededRandom m_random{5};
+    StrangersKnowledge m_knows;
+    IdleLink m_link;
+    engine::CarrierWriter m_carriers;
+    engine::Ingress m_ingress;
+    std::optional<channel::Pairing> m_pairing;
+};
+
+enum class Wrapping { None, Cobs, Tunnel };
+
+Bytes wrapped(Wrapping wrapping, const Bytes &message)
+{
+    if (wrapping == Wrapping::None)
+        return message;
+    if (wrapping == Wrapping::Cobs) {
+        Bytes out(channel::kMaxCobs);
+        out.resize(channel::writeCobs(message, out));
+        return out;
+    }
+    mavlink::Tunnel tunnel{.payload_type = channel::kTunnelPayloadType,
+                           .payload_length = static_cast<std::uint8_t>(std::min<std::size_t>(message.size(), 128))};
+    std::copy_n(message.begin(), tunnel.payload_length, tunnel.payload.begin());
+    mavlink::FrameWriter writer(1, 191);
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    const ByteView frame = writer.write(tunnel, buffer);
+    return {frame.begin(), frame.end()};
+}
+
+double cpuNanoseconds()
+{
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) * 1e9 + static_cast<double>(time.tv_nsec);
+}
+
+/// The best of several rounds for the time, and what the flood left in memory.
+void measure(const char *end, const char *carrier, const char *name, Receiver &receiver, bool isStream,
+             const std::function<Bytes(std::mt19937_64 &)> &make)
+{
+    std::mt19937_64 random(11);
+    std::vector<Bytes> messages;
+    for (int i = 0; i < kMessages; ++i)
+        messages.push_back(make(random));
+    Path path{kLink, {}};
+    path.remote.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, 1};
+    double best = 0;
+    std::int64_t state = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        std::vector<Bytes> copies = messages; // they may be opened in place
+        const std::int64_t before = liveBytes;
+        const double begun = cpuNanoseconds();
+        for (Bytes &bytes : copies) {
+            if (!isStream) {
+                path.remote.port = static_cast<std::uint16_t>(path.remote.port + 1);
+                path.remote.ip[14] = static_cast<std::uint8_t>(path.remote.ip[14] + 1);
+            }
+            receiver.take(path, bytes);
+            receiver.pass();
+        }
+        const double took = (cpuNanoseconds() - begun) / kMessages;
+        best = round == 0 ? took : std::min(best, took);
+        state = std::max(state, liveBytes - before);
+    }
+    std::printf("| %s | %s | %s | %.0f | %lld |\n", end, carrier, name, best, static_cast<long long>(state));
+}
+
+} // namespace
+
+int main()
+{
+    if (!crypto::initCrypto())
+        return 1;
+    std::printf("| receiver | carrier | message | ns | bytes of state |\n|---|---|---|---|---|\n");
+    const engine::IngressRules stationDatagrams{.takesDatagrams = true, .takesTunnel = true, .dropsNodeHeartbeats = true};
+    const engine::IngressRules stationStream{
+        .isStream = true, .takesCobs = true, .takesTunnel = true, .clear = engine::ClearScan::UnlessCobs};
+    const engine::IngressRules agentDatagrams{.takesDatagrams = true, .clear = engine::ClearScan::Never};
+    const engine::IngressRules agentStream{.isStream = true, .takesCobs = true, .clear = engine::ClearScan::Never};
+    const engine::IngressRules agentTunnel{.takesTunnel = true};
+    struct Setup
+    {
+        const char *end, *carrier;
+        Side side;
+        engine::IngressRules rules;
+        const char *url;
+        Wrapping wrapping;
+        bool pairing = false;
+    };
+    const Setup setups[] = {
+        {"station", "datagram", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::None},
+        {"station", "datagram, pairing open", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::None, true},
+        {"station", "serial", Ground, stationStream, "tcp:127.0.0.1:1", Wrapping::Cobs},
+        {"station", "TUNNEL", Ground, stationDatagrams, "udpin:127.0.0.1:0", Wrapping::Tunnel},
+        {"agent", "datagram", Air, agentDatagrams, "udpin:127.0.0.1:0", Wrapping::None},
+        {"agent", "datagram, pairing open", Air, agentDatagrams, "udpin:127.0.0.1:0", Wrapping::None, true},
+        {"agent", "serial", Air, agentStream, "tcp:127.0.0.1:1", Wrapping::Cobs},
+        {"agent", "TUNNEL", Air, agentTunnel, "udpin:127.0.0.1:0", Wrapping::Tunnel},
+    };
+    for (const Setup &setup : setups) {
+        for (const StrangerMessage &message : kStrangerMessages) {
+            const bool isPairing = std::string_view(message.name).starts_with("pairing");
+            const bool isClear = std::string_view(message.name).starts_with("clear");
+            if ((setup.pairing && !isPairing) || (isClear && setup.wrapping != Wrapping::None))
+                continue;
+            Receiver receiver(setup.side, setup.rules, setup.url, setup.pairing);
+            measure(setup.end, setup.carrier, message.name, receiver, setup.rules.isStream,
+                    [&](std::mt19937_64 &random) { return wrapped(setup.wrapping, message.make(receiver.knows(), random)); });
+        }
+        if (setup.rules.isStream) {
+            for (const auto &[name, fill] :
+                 {std::pair("1460 bytes of 0xFE", 0xfe), std::pair("1460 bytes of COBS without an end", 1)}) {
+                Receiver receiver(setup.side, setup.rules, setup.url, false);
+                measure(setup.end, setup.carrier, name, receiver, true,
+                        [fill](std::mt19937_64 &) { return Bytes(1460, static_cast<std::uint8_t>(fill)); });
+            }
+        }
+    }
+    return 0;
+}
