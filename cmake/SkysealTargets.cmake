@@ -29,6 +29,7 @@ set(CMAKE_AUTOMOC_MOC_OPTIONS --include utility)
 if(SKYSEAL_SANITIZE)
   add_compile_options(-fsanitize=${SKYSEAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${SKYSEAL_SANITIZE})
+  set(skyseal_sanitized SKYSEAL_SANITIZED) # a definition for tests; the list has commas, which generator expressions do not take
 endif()
 if(SKYSEAL_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
