@@ -67,7 +67,7 @@ void KillTest::everyLifeHasKeysOfItsOwn()
         const QByteArray &bytes = seen.bytes;
         if (bytes.size() == 127 && bytes[0] == 0x59) {
             take(ephemeral, "station" + bytes.mid(1, 32), bytes.mid(1, 110));
-        } else if (bytes.size() == 74 && bytes[0] == 0x5a) {
+        } else if (bytes.size() == 77 && bytes[0] == 0x5a) {
             sessions += session != bytes.mid(3, 32);
             session = bytes.mid(3, 32);
             take(ephemeral, "agent" + session, bytes);
