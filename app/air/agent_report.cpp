@@ -71,6 +71,7 @@ std::string AgentReport::jsonOf(const channel::Event &event) const
                               return engine::refusedEvent(e, link::toText(e.path.remote), fingerprint);
                           },
                           [](const channel::ForgeryAlarm &e) { return engine::forgeryEvent(e); },
+                          [](const channel::CommandsLate &) { return std::string(); }, // of a station alone
                       },
                       event);
 }

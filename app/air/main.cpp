@@ -52,6 +52,13 @@ void declare(Options &options)
                     "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
     options.addFlag("allow-inline",
                     "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
+    options.addValue(
+        "max-overtaken", "SECONDS",
+        "Obey no command that a newer message overtook longer ago than this: it was withheld on its way. 0.2 to 10.", "1");
+    options.addValue("max-age", "SECONDS|off",
+                     "Obey no command that may be older than this. The agent can only bound the age, by the round trip of the "
+                     "link and the time since: choose more than twice the longest delay. 0.5 to 60.",
+                     "5");
     options.addFlag("pair",
                     "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
     options.addValue("role", "pilot|observer",
@@ -77,6 +84,21 @@ Carrier readCarrier(Options &options, const std::optional<link::LinkUrl> &ground
     else if (asked == "serial" && datagrams)
         options.fail("--carrier 'serial': " + ground->toText() + " carries datagrams; use datagram or tunnel");
     return asked == "serial" ? Carrier::Serial : Carrier::Datagram;
+}
+
+channel::FreshnessLimits readFreshness(Options &options)
+{
+    using Limits = channel::FreshnessLimits;
+    const auto duration = [](double value) {
+        return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(value));
+    };
+    Limits out;
+    out.overtaken = duration(
+        options.number("max-overtaken", seconds(Limits::kLeastOvertaken), seconds(Limits::kMostOvertaken)));
+    out.age.reset();
+    if (options.text("max-age") != "off")
+        out.age = duration(options.number("max-age", seconds(Limits::kLeastAge), seconds(Limits::kMostAge)));
+    return out;
 }
 
 /// Ends the program when a link can never work as it was written.
@@ -144,6 +166,7 @@ int main(int argc, char **argv)
         policy.suites = channel::notWeakerThan(*weakest, policy.suites);
     policy.allowInline = options.has("allow-inline");
     const Carrier carrier = readCarrier(options, ground);
+    const channel::FreshnessLimits freshness = readFreshness(options);
     const auto isSecure = [](crypto::SuiteId suite) {
         return !crypto::suiteInfo(suite).research && suite != crypto::SuiteId::None;
     };
@@ -165,19 +188,19 @@ int main(int argc, char **argv)
     int status = kDone;
     bool started = false;
     PairingServer *desk = nullptr;
-    engine::AgentCore agent({*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier}, std::move(*secrets),
-                            [&](const engine::AgentEvent &event) {
-                                if (!started && isHopeless(event)) {
-                                    const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
-                                    complain(kName, link.url + ": " + link.problem);
-                                    status = kCannotOpen;
-                                    QCoreApplication::exit(status);
-                                    return;
-                                }
-                                if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
-                                    desk->take(*pairing);
-                                report.notify(event);
-                            });
+    engine::AgentConfig config{*vehicle, *ground, std::move(policy), options.has("allow-plain"), carrier, freshness};
+    engine::AgentCore agent(std::move(config), std::move(*secrets), [&](const engine::AgentEvent &event) {
+        if (!started && isHopeless(event)) {
+            const engine::LinkSnapshot &link = std::get<engine::AgentLinkChanged>(event).link;
+            complain(kName, link.url + ": " + link.problem);
+            status = kCannotOpen;
+            QCoreApplication::exit(status);
+            return;
+        }
+        if (const auto *pairing = std::get_if<channel::PairingEvent>(&event); pairing && desk)
+            desk->take(*pairing);
+        report.notify(event);
+    });
     PairingServer pairings(agent, paths, [&report](const PairingStatus &news) { report.pairing(news); });
     desk = &pairings;
     if (!pairings.problem().isEmpty())

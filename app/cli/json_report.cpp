@@ -37,6 +37,7 @@ void JsonReport::eventOccurred(const engine::Event &event)
                        printLine(engine::refusedEvent(e, link::toText(e.path.remote), fingerprint));
                    },
                    [](const channel::ForgeryAlarm &e) { printLine(engine::forgeryEvent(e)); },
+                   [this](const channel::CommandsLate &e) { printLine(engine::commandsLateEvent(e, m_peers.of(e.session))); },
                },
                event);
 }

@@ -10,8 +10,8 @@ namespace {
 enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 4, Confirmed = 5, Report = 6, Close = 7 };
 
 // Flags of a report.
-constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8;
-constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts;
+constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8, kTellsFreshness = 16;
+constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts | kTellsFreshness;
 
 // The order of the counters on the wire.
 constexpr std::uint64_t ReceiveCounters::*kReceived[] = {&ReceiveCounters::good,
@@ -24,6 +24,9 @@ constexpr std::uint64_t ReceiveCounters::*kReceived[] = {&ReceiveCounters::good,
                                                          &ReceiveCounters::openedBytes};
 constexpr std::uint64_t SendCounters::*kSent[] = {&SendCounters::records, &SendCounters::sealedBytes};
 constexpr std::uint64_t FrameCounters::*kFrames[] = {&FrameCounters::taken, &FrameCounters::lost};
+constexpr std::uint64_t FreshnessReport::*kFreshness[] = {&FreshnessReport::stale, &FreshnessReport::ageMicroseconds,
+                                                          &FreshnessReport::overtakenMilliseconds,
+                                                          &FreshnessReport::limitMilliseconds};
 constexpr std::uint64_t EndCosts::*kCosts[] = {&EndCosts::cpuMicroseconds, &EndCosts::residentBytes,
                                                &EndCosts::opened,          &EndCosts::openNanoseconds,
                                                &EndCosts::sealed,          &EndCosts::sealNanoseconds};
@@ -72,7 +75,8 @@ bool readGroup(ByteReader &in, Group &group, std::uint64_t Group::*const (&numbe
 std::uint8_t flagsOf(const Report &report)
 {
     return static_cast<std::uint8_t>((report.answerAtOnce ? kAnswerAtOnce : 0) | (report.frames ? kCountsFrames : 0)
-                                     | (report.asksCosts ? kAsksCosts : 0) | (report.costs ? kTellsCosts : 0));
+                                     | (report.asksCosts ? kAsksCosts : 0) | (report.costs ? kTellsCosts : 0)
+                                     | (report.freshness ? kTellsFreshness : 0));
 }
 
 struct Writer
@@ -125,6 +129,8 @@ struct Writer
         writeGroup(out, m.tx, kSent);
         if (m.frames)
             writeGroup(out, *m.frames, kFrames);
+        if (m.freshness)
+            writeGroup(out, *m.freshness, kFreshness);
         if (m.costs)
             writeGroup(out, *m.costs, kCosts);
     }
@@ -151,6 +157,8 @@ std::optional<Report> readReport(ByteReader &in)
     if (!readGroup(in, report.rx, kReceived) || !readGroup(in, report.tx, kSent))
         return std::nullopt;
     if ((flags & kCountsFrames) != 0 && !readGroup(in, report.frames.emplace(), kFrames))
+        return std::nullopt;
+    if ((flags & kTellsFreshness) != 0 && !readGroup(in, report.freshness.emplace(), kFreshness))
         return std::nullopt;
     if ((flags & kTellsCosts) != 0 && !readGroup(in, report.costs.emplace(), kCosts))
         return std::nullopt;

@@ -64,8 +64,9 @@ struct Report
     bool asksCosts = false;    ///< asks for the receiver's costs in its reports
     ReceiveCounters rx;
     SendCounters tx;
-    std::optional<FrameCounters> frames; ///< if the owner counts frames
-    std::optional<EndCosts> costs;       ///< if the peer asked
+    std::optional<FrameCounters> frames;      ///< if the owner counts frames
+    std::optional<FreshnessReport> freshness; ///< from an agent
+    std::optional<EndCosts> costs;            ///< if the peer asked
 };
 
 /// The sender has ended the session.
@@ -76,8 +77,8 @@ using ControlMessage = std::variant<Propose, Accept, Refuse, Confirm, Confirmed,
 
 /// Plaintext whose first byte is below this is a control message, known or not.
 inline constexpr std::uint8_t kFirstFrameByte = 0x10;
-/// Longest control message: a report with eighteen numbers of ten bytes.
-inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 18 * 10;
+/// Longest control message: a report with 22 numbers of ten bytes.
+inline constexpr std::size_t kMaxControl = 1 + 3 * 4 + 1 + 22 * 10;
 
 constexpr bool isControl(ByteView plaintext)
 {

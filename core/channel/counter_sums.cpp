@@ -12,6 +12,7 @@ void add(ReceiveCounters &sum, const ReceiveCounters &part)
     sum.malformed += part.malformed;
     sum.plaintextDropped += part.plaintextDropped;
     sum.openedBytes += part.openedBytes;
+    sum.stale += part.stale;
 }
 
 void add(SendCounters &sum, const SendCounters &part)

@@ -3,6 +3,8 @@
 
 #include "core/base/bytes.h"
 #include "core/base/path.h"
+#include "core/channel/arrival_history.h"
+#include "core/channel/freshness.h"
 #include "core/channel/session_id.h"
 #include "core/channel/stats.h"
 #include "core/crypto/suite.h"
@@ -23,6 +25,8 @@ struct Delivery
     SessionId session{};
     Epoch epoch{};
     crypto::SuiteId suite{};
+    RecordPosition position{};
+    Freshness freshness{}; ///< frames that are not fresh may not command, nor replace newer values
     ByteView frames;
 };
 

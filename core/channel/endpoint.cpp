@@ -2,6 +2,7 @@
 
 #include "core/channel/agent_handshakes.h"
 #include "core/channel/endpoint_core.h"
+#include "core/channel/frame_stamp.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/station_handshakes.h"
 
@@ -201,6 +202,11 @@ bool Endpoint::ownsFrame(ByteView frame)
     return looksInline(frame);
 }
 
+std::size_t Endpoint::stampLength() const
+{
+    return m_state->stationHandshakes ? kFrameStampLength : 0;
+}
+
 bool Endpoint::isAnnouncement(ByteView datagram)
 {
     return Announcement::hasForm(datagram);
@@ -242,7 +248,7 @@ void Endpoint::handleStreamBegan(TimePoint now, LinkId link)
 {
     m_state->core.table.forEach([&](SessionTable::Entry &entry) {
         if (entry.up && entry.session->path().link == link)
-            entry.session->handleReconnect(now);
+            entry.session->requestReport(now);
     });
     m_state->refresh(now);
 }

@@ -53,6 +53,8 @@ public:
     static bool owns(std::uint8_t firstByte);
     /// Returns true if the frame is marked as sealed in place: pass it to handleInlineFrame() and to no MAVLink parser.
     static bool ownsFrame(ByteView frame);
+    /// Bytes that seal() puts in front of the frames, within the overhead of a record: a station's stamp.
+    std::size_t stampLength() const;
     /// Returns true if the datagram is shaped like an announcement. Does not authenticate it.
     static bool isAnnouncement(ByteView datagram);
 

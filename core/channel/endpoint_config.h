@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/path.h"
+#include "core/channel/freshness.h"
 #include "core/channel/policy.h"
 #include "core/channel/role.h"
 #include "core/channel/timing.h"
@@ -21,6 +22,7 @@ struct Config
     std::vector<Peer> peers;
     Policy policy;
     Timing timing;
+    FreshnessLimits freshness; ///< of what an agent receives
     /// An agent's announcement targets; it adds the addresses of authenticated sessions. An all-zero address stands for the
     /// single peer of a link that has only one.
     std::vector<Path> announceTo;

@@ -97,6 +97,15 @@ struct ForgeryAlarm
     std::uint64_t replayed = 0;
 };
 
-using Event = std::variant<SessionUp, SessionDown, PeerMoved, SwitchPending, SwitchDone, HandshakeRefused, ForgeryAlarm>;
+/// Frames of ours reached the agent too late to be obeyed. At most one event for each of its reports, about once a second.
+struct CommandsLate
+{
+    SessionId session{};
+    std::uint64_t records = 0; ///< since the last such event
+    FreshnessReport report;
+};
+
+using Event =
+    std::variant<SessionUp, SessionDown, PeerMoved, SwitchPending, SwitchDone, HandshakeRefused, ForgeryAlarm, CommandsLate>;
 
 } // namespace skyseal::channel

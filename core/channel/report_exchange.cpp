@@ -20,6 +20,8 @@ void ReportExchange::addTo(SessionStats &stats) const
     stats.peerTx = m_peer->tx;
     stats.peerFrames = m_peer->frames;
     stats.peerCosts = m_peer->costs;
+    stats.peerFreshness = m_peer->freshness;
+    stats.peerRx.stale = staleAtPeer();
     stats.peerStamp = m_peer->stamp;
 }
 
@@ -31,7 +33,10 @@ bool ReportExchange::handle(TimePoint now, const Report &report)
     m_peerAt = now;
     if (report.echo != 0) {
         const std::uint32_t passed = stamp(now) - report.echo;
-        m_roundTrip.add(std::chrono::microseconds(static_cast<std::int32_t>(passed - report.held)));
+        const std::chrono::microseconds roundTrip(static_cast<std::int32_t>(passed - report.held));
+        m_roundTrip.add(roundTrip);
+        if (roundTrip.count() >= 0)
+            m_peerClock.add(now, now - roundTrip - std::chrono::microseconds(report.held / PeerClock::kDrift), report.stamp);
     }
     return true;
 }

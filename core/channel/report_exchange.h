@@ -4,6 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/channel/control.h"
+#include "core/channel/peer_clock.h"
 #include "core/channel/round_trip.h"
 
 #include <optional>
@@ -14,7 +15,7 @@ class ReportExchange
 {
 public:
     /// The session clock starts at `now`. `due`: time of the first report, kNever to wait for schedule().
-    ReportExchange(TimePoint now, TimePoint due) : m_start(now), m_due(due), m_peerAt(now) {}
+    ReportExchange(TimePoint now, TimePoint due) : m_start(now), m_due(due), m_peerAt(now), m_peerClock(now) {}
 
     // query
     TimePoint due() const { return m_due; }
@@ -23,6 +24,10 @@ public:
     bool peerAsksCosts() const { return m_peer && m_peer->asksCosts; }
     /// Session clock in microseconds, modulo 2^32; never 0.
     std::uint32_t stamp(TimePoint now) const;
+    /// Bounds the age of what the peer sends. Until the first round trip: an agent's session clock begins before its station's.
+    const PeerClock &peerClock() const { return m_peerClock; }
+    /// By the peer's latest report; 0 for a peer that does not report it.
+    std::uint64_t staleAtPeer() const { return m_peer && m_peer->freshness ? m_peer->freshness->stale : 0; }
     /// Fills the values that come from the peer's latest report.
     void addTo(SessionStats &stats) const;
 
@@ -44,6 +49,7 @@ private:
     std::optional<Report> m_peer;
     TimePoint m_peerAt; ///< arrival of m_peer
     RoundTrip m_roundTrip;
+    PeerClock m_peerClock;
 };
 
 } // namespace skyseal::channel

@@ -36,7 +36,7 @@ private:
 };
 
 /// Upper bound of the bytes that a record adds to its frames.
-inline constexpr std::size_t kMaxRecordOverhead = 40;
+inline constexpr std::size_t kMaxRecordOverhead = 42;
 /// Most bytes of frames in one record: a datagram has at most 1200.
 inline constexpr std::size_t kMaxRecordPayload = 1200 - kMaxRecordOverhead;
 

@@ -1,6 +1,7 @@
 #include "core/channel/session.h"
 
 #include "core/base/weakness.h"
+#include "core/channel/frame_stamp.h"
 
 #include <algorithm>
 
@@ -8,8 +9,8 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr Duration kKeepAliveInterval = std::chrono::seconds(1);
-constexpr Duration kReconnectInterval = std::chrono::seconds(1);
+/// Of keep-alives and of reports that are not due.
+constexpr Duration kLeastInterval = std::chrono::seconds(1);
 
 /// Inline frames exist on this carrier only: no other carries frames unchanged, without a router or stream in between that
 /// takes them apart.
@@ -35,7 +36,8 @@ Session::Session(SessionSetup setup, SessionContext &context, TimePoint now)
       m_epochs(std::move(setup.chain), m_identity.initiator, m_permissions.inlineAgreed()),
       m_switch(m_identity.id, m_identity.initiator, context.timing), m_rekeys(context.timing, m_identity.initiator, now),
       m_reports(now, m_identity.initiator ? now : kNever), m_path(setup.path, now, context.timing.peerSilentAfter),
-      m_forgeries(now), m_keepAlives(kKeepAliveInterval, now), m_reconnects(kReconnectInterval, now), m_lastReceived(now)
+      m_forgeries(now), m_keepAlives(kLeastInterval, now), m_reportRequests(kLeastInterval, now),
+      m_freshness(context.freshness, !m_identity.initiator), m_lastReceived(now)
 {
     if (m_epochs.prepareNext(setup.suite, {}, {}))
         m_epochs.advance();
@@ -165,7 +167,11 @@ Sealed Session::seal(TimePoint now, ByteView plaintext, MutableByteView out)
         return SealError::NotFrames;
     if (plaintext.size() > kMaxRecordPayload)
         return SealError::TooLong;
-    return sealRecord(now, plaintext, out);
+    if (!m_identity.initiator)
+        return sealRecord(now, plaintext, out);
+    // A station sends little, so that the copy costs nothing; an agent must know the age of what it sends.
+    std::array<std::uint8_t, kFrameStampLength + kMaxRecordPayload> stamped;
+    return sealRecord(now, stampFrames(m_reports.stamp(now), plaintext, stamped), out);
 }
 
 Sealed Session::sealRecord(TimePoint now, ByteView plaintext, MutableByteView out)
@@ -236,6 +242,8 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
         routine = false;
     }
     const bool newest = epoch.window.mark(counter) == ReplayWindow::Arrival::Newest;
+    const RecordPosition position = positionOf(epoch.number, counter);
+    m_freshness.addRecord(now, position);
     ++epoch.rx.good;
     epoch.rx.late += newest ? 0 : 1;
     m_lastReceived = now;
@@ -251,7 +259,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
     }
     const bool control = isControl(plaintext);
     if (control)
-        handleControl(now, from, plaintext);
+        handleControl(now, from, position, plaintext);
     if (m_closingUntil) {
         routine = false;
         if (m_epochs.nothingMissing())
@@ -259,9 +267,20 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
     }
     if (control)
         return {true, false};
-    epoch.rx.openedBytes += plaintext.size();
-    delivery.emplace(Delivery{id(), epoch.number, epoch.suite, plaintext});
+    delivery.emplace(deliver(now, epoch, position, plaintext));
     return {true, routine};
+}
+
+Delivery Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext)
+{
+    const StampedFrames read(plaintext);
+    const Freshness freshness = m_freshness.judge({now, position, read.stamp, m_closingUntil.has_value()},
+                                                  m_reports.peerClock());
+    if (freshness == Freshness::TooOld)
+        requestReport(now); // The answer tightens the bound if it was only loose.
+    epoch.rx.openedBytes += read.frames.size();
+    epoch.rx.stale += freshness != Freshness::Fresh;
+    return {id(), epoch.number, epoch.suite, position, freshness, read.frames};
 }
 
 /// Returns true if the path has not changed.
@@ -360,13 +379,13 @@ void Session::sendKeepAlive(TimePoint now)
         sendControl(now, {});
 }
 
-void Session::handleReconnect(TimePoint now)
+void Session::requestReport(TimePoint now)
 {
-    if (m_reconnects.take(now)) // Otherwise the next report is soon enough.
+    if (m_reportRequests.take(now)) // Otherwise the next report is soon enough.
         sendReport(now, true);
 }
 
-void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
+void Session::handleControl(TimePoint now, const Path &from, RecordPosition position, ByteView plaintext)
 {
     if (plaintext.empty())
         return; // keep-alive
@@ -374,7 +393,7 @@ void Session::handleControl(TimePoint now, const Path &from, ByteView plaintext)
     if (!message)
         return countMalformed();
     if (const auto *report = std::get_if<Report>(&*message))
-        handleReport(now, from, *report);
+        handleReport(now, from, position, *report);
     else if (std::holds_alternative<Close>(*message))
         m_closingUntil = now + std::max(roundTrip().generous(), m_context.timing.oldKeysLinger);
     else if (const auto *propose = std::get_if<Propose>(&*message))
@@ -396,15 +415,23 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     report.asksCosts = m_context.askCosts;
     report.rx = m_epochs.received();
     report.tx = m_epochs.sent();
+    if (!m_identity.initiator)
+        report.freshness = m_freshness.report(report.rx.stale);
     if (m_reports.peerAsksCosts() && m_context.costs)
         report.costs = m_context.costs(id());
     send(now, report);
 }
 
-void Session::handleReport(TimePoint now, const Path &from, const Report &report)
+void Session::handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report)
 {
-    if (m_reports.handle(now, report) && report.echo != 0)
-        m_path.confirm(from, report.echo);
+    const std::uint64_t staleBefore = m_reports.staleAtPeer();
+    if (m_reports.handle(now, report)) {
+        m_freshness.addReport(position, report.stamp);
+        if (report.echo != 0)
+            m_path.confirm(from, report.echo);
+        if (m_reports.staleAtPeer() > staleBefore)
+            notify(CommandsLate{id(), m_reports.staleAtPeer() - staleBefore, *report.freshness});
+    }
     if (report.answerAtOnce)
         sendReport(now, false);
 }

@@ -7,6 +7,7 @@
 #include "core/channel/epoch_handover.h"
 #include "core/channel/epochs.h"
 #include "core/channel/forgery_counter.h"
+#include "core/channel/freshness_judge.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/live_switch.h"
 #include "core/channel/peer_path.h"
@@ -84,8 +85,8 @@ public:
     /// Opens an inline frame in place. It does not move the path of the session.
     Opened openInline(TimePoint now, const InlineFrame &frame, std::optional<Delivery> &delivery);
     void handleDeadline(TimePoint now);
-    /// The stream of the session's link was reconnected: sends a report that asks for an answer, at most once a second.
-    void handleReconnect(TimePoint now);
+    /// Sends a report that asks for an answer, at most once a second: when the stream of the session's link was reconnected.
+    void requestReport(TimePoint now);
     void countPlaintextDropped(std::uint64_t count) { m_epochs.current().rx.plaintextDropped += count; }
     void countMalformed() { ++m_epochs.current().rx.malformed; }
     /// The owner's counts, for the next report.
@@ -127,6 +128,7 @@ private:
     const RoundTrip &roundTrip() const { return m_reports.roundTrip(); }
     DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
     Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
+    Delivery deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext);
     bool exhausted(const LiveEpoch &epoch);
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened refuseEpoch(TimePoint now, unsigned ahead);
@@ -134,8 +136,8 @@ private:
                   std::optional<Delivery> &delivery);
     bool follow(TimePoint now, const Path &from);
     void sendControl(TimePoint now, ByteView plaintext);
-    void handleControl(TimePoint now, const Path &from, ByteView plaintext);
-    void handleReport(TimePoint now, const Path &from, const Report &report);
+    void handleControl(TimePoint now, const Path &from, RecordPosition position, ByteView plaintext);
+    void handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report);
     void sendReport(TimePoint now, bool answerAtOnce);
     TimePoint retirePreviousAt() const;
     /// The owner does not know a session yet that this end only answered.
@@ -154,7 +156,8 @@ private:
     PeerPath m_path;
     ForgeryCounter m_forgeries;
     IntervalLimit m_keepAlives;
-    IntervalLimit m_reconnects;
+    IntervalLimit m_reportRequests;
+    FreshnessJudge m_freshness;
     TimePoint m_lastReceived;
     TimePoint m_namedUntil = TimePoint::min();
     bool m_confirmed = false;           ///< an authentic record came: the peer is alive and no replay

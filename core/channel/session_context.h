@@ -5,6 +5,7 @@
 #include "core/channel/cost_source.h"
 #include "core/channel/datagram_queue.h"
 #include "core/channel/events.h"
+#include "core/channel/freshness.h"
 #include "core/channel/message_traits.h"
 #include "core/channel/negotiation.h"
 #include "core/channel/timing.h"
@@ -21,6 +22,7 @@ struct SessionContext
     std::deque<Event> events;
     SuiteOffer offer; ///< of our present policy
     Timing timing;
+    FreshnessLimits freshness;
     const MessageTraits *traits = nullptr; ///< null: no inline framing
     CostSource costs = {};                 ///< empty: this end does not measure
     bool askCosts = false;                 ///< ask the peers for their costs

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/channel/freshness.h"
 #include "core/crypto/suite.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct ReceiveCounters
     std::uint64_t malformed = 0;
     std::uint64_t plaintextDropped = 0; ///< clear MAVLink frames of a peer that must be sealed
     std::uint64_t openedBytes = 0;      ///< plaintext bytes delivered
+    std::uint64_t stale = 0;            ///< good, with frames that may not command any more: see Freshness
 };
 
 /// Records of one direction, counted by the sender.
@@ -73,11 +75,12 @@ struct SessionStats
     ReceiveCounters peerRx;
     SendCounters peerTx;
     bool peerReported = false;
-    std::optional<FrameCounters> peerFrames; ///< our frames as counted by the peer, if it counts them
-    std::optional<EndCosts> peerCosts;       ///< only if asked for, and if the peer measures itself
-    std::uint32_t peerStamp = 0;             ///< microseconds of the peer's clock at that report, modulo 2^32
-    std::vector<EpochStats> epochs;          ///< newest last, the latest 16 at most
-    Duration roundTrip{};                    ///< smoothed, zero until measured
+    std::optional<FrameCounters> peerFrames;      ///< our frames as counted by the peer, if it counts them
+    std::optional<EndCosts> peerCosts;            ///< only if asked for, and if the peer measures itself
+    std::optional<FreshnessReport> peerFreshness; ///< how late our records arrive; from an agent only
+    std::uint32_t peerStamp = 0;                  ///< microseconds of the peer's clock at that report, modulo 2^32
+    std::vector<EpochStats> epochs;               ///< newest last, the latest 16 at most
+    Duration roundTrip{};                         ///< smoothed, zero until measured
 };
 
 } // namespace skyseal::channel

@@ -47,6 +47,11 @@ void Vehicle::handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &fr
     m_parts->handleFrame(now, wall, frame);
 }
 
+void Vehicle::handleLateFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    m_parts->handleLateFrame(now, frame);
+}
+
 void Vehicle::handleDeadline(TimePoint now)
 {
     m_parts->handleDeadline(now);

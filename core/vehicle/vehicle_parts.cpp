@@ -27,12 +27,25 @@ void Vehicle::Parts::handleFrame(TimePoint now, WallTime wall, const mavlink::Fr
         streams.restart(now);
     state.lastMessage = monitor.lastMessage();
     state.lastHeartbeat = monitor.lastHeartbeat();
-    const bool taken = std::any_of(context.clients.begin(), context.clients.end(),
-                                   [&](MicroProtocol *client) { return client->handleFrame(now, frame); });
+    const bool taken = offerToClients(now, frame);
     if (frame.messageId() == mavlink::Heartbeat::kId)
         handleHeartbeat(now, frame);
     else if (!taken)
         handleTelemetry(now, frame);
+}
+
+void Vehicle::Parts::handleLateFrame(TimePoint now, const mavlink::Frame &frame)
+{
+    if (frame.messageId() == mavlink::Statustext::kId)
+        handleStatusText(now, frame);
+    if (frame.componentId() == context.addressing.component)
+        offerToClients(now, frame);
+}
+
+bool Vehicle::Parts::offerToClients(TimePoint now, const mavlink::Frame &frame)
+{
+    return std::any_of(context.clients.begin(), context.clients.end(),
+                       [&](MicroProtocol *client) { return client->handleFrame(now, frame); });
 }
 
 void Vehicle::Parts::handleDeadline(TimePoint now)

@@ -26,6 +26,7 @@ struct Vehicle::Parts
     Parts(const VehicleConfig &config, const Addressing &ends);
 
     void handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
+    void handleLateFrame(TimePoint now, const mavlink::Frame &frame);
     void handleDeadline(TimePoint now);
     TimePoint nextDeadline() const;
 
@@ -43,6 +44,7 @@ struct Vehicle::Parts
     MissionClient mission{context};
 
 private:
+    bool offerToClients(TimePoint now, const mavlink::Frame &frame);
     void handleHeartbeat(TimePoint now, const mavlink::Frame &frame);
     void handleStatusText(TimePoint now, const mavlink::Frame &frame);
     void handleTelemetry(TimePoint now, const mavlink::Frame &frame);

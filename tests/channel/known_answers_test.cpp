@@ -2,6 +2,7 @@
 // from the programs. An independent implementation checks the same ones (tests/integration/independent_peer).
 #include "core/channel/cobs.h"
 #include "core/channel/cookie.h"
+#include "core/channel/frame_stamp.h"
 #include "core/channel/handshake.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/pairing_handshake.h"
@@ -97,6 +98,7 @@ private Q_SLOTS:
     void inlineFrames_data();
     void inlineFrames();
     void controlMessages();
+    void stampedFrame();
     void pairing();
     void cleanupTestCase();
 
@@ -347,6 +349,17 @@ void KnownAnswersTest::inlineFrames()
     }
 }
 
+void KnownAnswersTest::stampedFrame()
+{
+    const Bytes frame = m_answers["frame"];
+    Bytes plaintext(kFrameStampLength + frame.size());
+    stampFrames(123456789, frame, plaintext);
+    COMPARE_WITH("stamped frame", plaintext);
+    const StampedFrames read(plaintext);
+    QCOMPARE(read.stamp, std::optional<std::uint32_t>(123456789 & ~1023u));
+    QVERIFY(std::equal(read.frames.begin(), read.frames.end(), frame.begin(), frame.end()));
+}
+
 void KnownAnswersTest::controlMessages()
 {
     const auto nonce = [this](const char *name) { return arrayOf<16>(m_answers[name]); };
@@ -374,6 +387,9 @@ void KnownAnswersTest::controlMessages()
                     .openNanoseconds = 60000,
                     .sealed = 1000,
                     .sealNanoseconds = 1500000};
+    Report late = report;
+    late.answerAtOnce = false;
+    late.freshness = {.stale = 4, .ageMicroseconds = 2400000, .overtakenMilliseconds = 1000, .limitMilliseconds = 5000};
     const std::pair<const char *, ControlMessage> messages[] = {
         {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
         {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},
@@ -382,6 +398,7 @@ void KnownAnswersTest::controlMessages()
         {"confirmed", Confirmed{Epoch{1}, 1000}},
         {"report", report},
         {"report with costs", costly},
+        {"report of an agent", late},
         {"close", Close{}},
     };
     for (const auto &[name, message] : messages) {

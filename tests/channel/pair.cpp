@@ -42,6 +42,7 @@ Config Pair::configOf(Side side) const
         {ends[other].identity->publicKey, side == Ground ? "air" : "ground", PeerRole::Pilot, {}, m_options.presharedKey});
     config.policy = ends[side].policy;
     config.timing = m_options.timing;
+    config.freshness = m_options.freshness;
     config.messageTraits = m_options.messageTraits;
     if (side == Air)
         config.announceTo.push_back(m_options.announceToAddress ? pathOf(Ground) : Path{LinkId{1}, {}, m_options.carrier});
@@ -52,7 +53,7 @@ void Pair::start(Side side)
 {
     if (weakened(Weakness::SameRandomEveryLife))
         m_random = SeededRandom(m_options.seed);
-    ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, now);
+    ends[side].endpoint = std::make_unique<Endpoint>(configOf(side), m_random, ends[side].counters, nowAt(side));
 }
 
 void Pair::every(Duration period, std::function<void()> act)
@@ -83,7 +84,7 @@ bool Pair::run(Duration span, const std::function<bool()> &until)
     while (!(until && until())) {
         TimePoint due = link.next();
         for (const End &end : ends)
-            due = end.endpoint ? std::min(due, end.endpoint->nextDeadline()) : due;
+            due = end.endpoint ? std::min(due, end.clock.global(end.endpoint->nextDeadline())) : due;
         for (const Task &task : m_tasks)
             due = std::min(due, task.due);
         if (due > stop) {
@@ -93,9 +94,10 @@ bool Pair::run(Duration span, const std::function<bool()> &until)
         now = std::max(now, due);
         if (link.next() <= now)
             arrive(link.take());
-        for (End &end : ends) {
-            if (end.endpoint && end.endpoint->nextDeadline() <= now)
-                end.endpoint->handleDeadline(now);
+        for (const Side side : {Ground, Air}) {
+            End &end = ends[side];
+            if (end.endpoint && end.endpoint->nextDeadline() <= nowAt(side))
+                end.endpoint->handleDeadline(nowAt(side));
         }
         for (std::size_t i = 0; i < m_tasks.size(); ++i) {
             if (m_tasks[i].due <= now) {
@@ -121,13 +123,16 @@ void Pair::arrive(Flight flight)
     path.remote.port = flight.sourcePort;
     path.carrier = m_arrival;
     const bool inPlace = Endpoint::ownsFrame(flight.bytes);
-    const auto delivery = inPlace ? end.endpoint->handleInlineFrame(now, path, flight.bytes)
-                                  : end.endpoint->handleDatagram(now, path, flight.bytes);
+    const auto delivery = inPlace ? end.endpoint->handleInlineFrame(nowAt(to), path, flight.bytes)
+                                  : end.endpoint->handleDatagram(nowAt(to), path, flight.bytes);
     if (!delivery)
         return;
     ByteReader reader(delivery->frames);
     reader.bytes(m_options.makeFrame ? 10 : 1);
-    ++end.delivered[reader.u64()];
+    const std::uint64_t number = reader.u64();
+    ++end.delivered[number];
+    end.freshness.emplace(number, delivery->freshness);
+    end.arrived.emplace(number, now);
     end.epochs.push_back(static_cast<std::uint32_t>(delivery->epoch));
 }
 
@@ -151,13 +156,14 @@ std::uint64_t Pair::sendFrame(Side from, std::size_t size)
     const Bytes frame = frameWith(number, size);
     Bytes record(frame.size() + kMaxRecordOverhead);
     const SessionId session = end.session();
-    auto sealed = end.endpoint->sealInline(now, session, frame, record);
+    auto sealed = end.endpoint->sealInline(nowAt(from), session, frame, record);
     if (!sealed && sealed.error() == SealError::NotInline)
-        sealed = end.endpoint->seal(now, session, frame, record);
+        sealed = end.endpoint->seal(nowAt(from), session, frame, record);
     if (!sealed)
         return 0;
     record.resize(*sealed);
     sent[from].insert(number);
+    sentAt[number] = now;
     if (!link.send(now, {from, end.port, number, std::move(record)}))
         dropped[from].insert(number);
     return number;

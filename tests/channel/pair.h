@@ -57,11 +57,35 @@ private:
     std::map<channel::PublicKey, std::uint64_t> m_seen;
 };
 
+/// How the clock of an end runs: by `rate` seconds a second, and `offset` ahead since the last step.
+struct ClockModel
+{
+    double rate = 1;
+    Duration offset{};
+
+    TimePoint local(TimePoint time) const { return scaled(time, rate) + offset; }
+    /// The first time at which the clock shows `local`.
+    TimePoint global(TimePoint local) const
+    {
+        if (local == kNever || local == TimePoint::min())
+            return local;
+        return rate == 1 ? local - offset : scaled(local - offset, 1 / rate) + Duration(2); // rounding
+    }
+
+private:
+    static TimePoint scaled(TimePoint time, double rate)
+    {
+        const auto extra = static_cast<Duration::rep>(static_cast<double>(time.time_since_epoch().count()) * (rate - 1));
+        return time + Duration(extra);
+    }
+};
+
 struct PairOptions
 {
     std::uint64_t seed = 1;
     LinkModel link;
     Timing timing;
+    FreshnessLimits freshness; ///< of both ends
     Carrier carrier = Carrier::Datagram;
     bool announceToAddress = true;             ///< otherwise to the one peer of the link, by an all-zero address
     std::shared_ptr<const Key32> presharedKey; ///< of both ends; none = they have none
@@ -86,8 +110,11 @@ public:
         channel::Policy policy;
         std::uint16_t port = 0;
         std::vector<Event> events;
-        std::unordered_map<std::uint64_t, int> delivered; ///< frame number -> how often
-        std::vector<std::uint32_t> epochs;                ///< of deliveries, in order
+        std::unordered_map<std::uint64_t, int> delivered;       ///< frame number -> how often
+        std::vector<std::uint32_t> epochs;                      ///< of deliveries, in order
+        std::unordered_map<std::uint64_t, Freshness> freshness; ///< frame number -> of its first delivery
+        std::unordered_map<std::uint64_t, TimePoint> arrived;
+        ClockModel clock;
         std::uint64_t bytesOut = 0;
         std::uint64_t datagramsOut = 0;
 
@@ -131,10 +158,14 @@ public:
     /// In what messages arrive from now on, whatever they were sent in: somebody takes them from one carrier to another.
     void setArrival(Carrier carrier) { m_arrival = carrier; }
 
+    /// What the clock of an end shows now.
+    TimePoint nowAt(Side side) const { return ends[side].clock.local(now); }
+
     TimePoint now{};
     SimulatedLink link;
     std::array<End, 2> ends;
-    std::set<std::uint64_t> sent[2];    ///< frame numbers sealed, by sender
+    std::set<std::uint64_t> sent[2]; ///< frame numbers sealed, by sender
+    std::unordered_map<std::uint64_t, TimePoint> sentAt;
     std::set<std::uint64_t> dropped[2]; ///< of these, what the link swallowed or damaged
 
     Config configOf(Side side) const;

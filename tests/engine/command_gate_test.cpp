@@ -35,10 +35,13 @@ struct Gate : CommandGate
         sessionUp({kPilot, pilot.key, pilot.name, {}, {}});
         sessionUp({kObserver, observer.key, observer.name, {}, {}});
     }
-    bool take(channel::SessionId session, const QByteArray &frame)
+    bool take(channel::SessionId session, const QByteArray &frame, channel::Freshness freshness = channel::Freshness::Fresh)
     {
         mavlink::FrameScanner scanner(viewOf(frame), mavlink::Dialect::builtin());
-        return accept(session, *scanner.next(), [](std::uint8_t systemId) { return systemId == 1; });
+        channel::Delivery delivery;
+        delivery.session = session;
+        delivery.freshness = freshness;
+        return accept(delivery, *scanner.next(), [](std::uint8_t systemId) { return systemId == 1; });
     }
     AgentCounters counters() const
     {
@@ -72,9 +75,33 @@ private Q_SLOTS:
     void observerDoesNotCommand();
     void nobodySpeaksAsTheVehicle();
     void heartbeatsOfAnObserverAreOnlyCounted();
+    void lateFramesHaveTheRightsOfAnObserver();
     void anyArmedVehicleCounts();
     void lossOfEachStationIsItsOwn();
 };
+
+void CommandGateTest::lateFramesHaveTheRightsOfAnObserver()
+{
+    using channel::Freshness;
+    mavlink::ParamRequestList question;
+    question.target_system = 1;
+    question.target_component = 1;
+    for (const Freshness late : {Freshness::Overtaken, Freshness::TooOld, Freshness::AfterClose}) {
+        Gate gate;
+        QVERIFY(gate.take(kPilot, armCommand()));
+        QVERIFY(!gate.take(kPilot, armCommand(), late));
+        QVERIFY(gate.take(kPilot, frameOf(question, 255), late));
+        QVERIFY(!gate.take(kPilot, frameOf(mavlink::Heartbeat{}, 255), late));
+        QCOMPARE(gate.counters().lateRefused, std::uint64_t(2));
+        QCOMPARE(gate.counters().observerRefused, std::uint64_t(0));
+        const auto refused = gate.takeRefused();
+        QCOMPARE(refused.size(), 1u); // heartbeats are only counted
+        QCOMPARE(int(refused[0].reason), int(FramesRefused::Reason::Late));
+        QCOMPARE(refused[0].peer, std::string("peer-1"));
+        QVERIFY(!gate.take(kObserver, armCommand(), late));
+        QCOMPARE(gate.counters().observerRefused, std::uint64_t(1));
+    }
+}
 
 void CommandGateTest::observerDoesNotCommand()
 {

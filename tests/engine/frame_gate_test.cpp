@@ -1,12 +1,15 @@
 // Which frames the station accepts by their origin, and how refusals become events.
 #include "core/engine/station/frame_gate.h"
 
+#include "core/mavlink/messages.h"
+#include "tests/support/clear_frames.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
 
 using namespace skyseal;
 using namespace skyseal::engine;
+using namespace skyseal::test;
 using Verdict = FrameGate::Verdict;
 
 namespace {
@@ -47,7 +50,34 @@ private Q_SLOTS:
     void vehicleAwaitsApprovalAndIsAnnouncedOnce();
     void oneEventASecond();
     void refusalIsNamedThoughItsSessionEnded();
+    void olderFramesAreNotPresent();
 };
+
+void FrameGateTest::olderFramesAreNotPresent()
+{
+    FrameGate gate(SecureMode::Preferred);
+    gate.policy().setPeers({peer(1)});
+    gate.sessionUp(upOf(peer(1)));
+    const auto isPresent = [&gate](const auto &message, std::uint64_t position, channel::Freshness freshness = {}) {
+        const QByteArray bytes = frameOf(message, 1);
+        channel::Delivery delivery;
+        delivery.session = kSession;
+        delivery.position = channel::RecordPosition{position};
+        delivery.freshness = freshness;
+        return gate.isPresent(*mavlink::readFrame(viewOf(bytes), mavlink::Dialect::builtin()), delivery);
+    };
+    const mavlink::Heartbeat heartbeat;
+    const mavlink::CommandAck answer;
+    QVERIFY(isPresent(heartbeat, 7));
+    QVERIFY(isPresent(heartbeat, 7)); // two in one record
+    QVERIFY(!isPresent(heartbeat, 5));
+    QVERIFY(isPresent(answer, 6)); // overtaken, but the newest of its kind
+    QVERIFY(!isPresent(answer, 9, channel::Freshness::Overtaken));
+    QVERIFY(isPresent(heartbeat, 8));
+    gate.sessionDown(kSession); // the records of another session count from 0
+    gate.sessionUp(upOf(peer(1)));
+    QVERIFY(isPresent(heartbeat, 0));
+}
 
 void FrameGateTest::clearFrameByItsOrigin()
 {

@@ -74,7 +74,11 @@ void LateRecordTest::agentTakesIt()
     QVERIFY(waitFor(ground, [&] { return ground.up() && agent.snapshot().mavlink.frames > 0; }));
 
     const std::uint64_t before = agent.snapshot().counters.toVehicle;
-    sayLate(ground, frameOf(mavlink::Timesync{.tc1 = 7, .ts1 = 5}, 255, 190));
+    // A question is answered; a command would be refused (attack_freshness: releasedAfterClose).
+    mavlink::ParamRequestList question;
+    question.target_system = 1;
+    question.target_component = 1;
+    sayLate(ground, frameOf(question, 255, 190));
     QVERIFY(waitFor(ground, [&] { return !downs.empty(); }));
     QCOMPARE(downs.size(), std::size_t(1));
     QCOMPARE(int(downs[0].reason), int(channel::DownReason::PeerClosed));

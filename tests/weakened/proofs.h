@@ -55,6 +55,16 @@ inline constexpr Proof kProofs[] = {
      "no pair of key and nonce comes twice"},
     {"NoHardStop", "attack_session_test", "everyControlRecordDropped", "an epoch ends at its limit"},
 
+    {"NoOvertakenLimit", "attack_freshness_test", "withheldCommand", "no overtaken command is obeyed"},
+    {"NoOvertakenLimit", "attack_freshness_test", "withheldBurst", "no overtaken command is obeyed"},
+    {"CommandsAfterClose", "attack_freshness_test", "releasedAfterClose", "nothing commands after the close"},
+    {"NoOvertakenLimit", "attack_freshness_test", "releasedAfterASwitch", "no overtaken command is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "wholeFlowHeldThenReleased", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "wholeFlowDelayed", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "growingDelay", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "limitIsTheOwners", "nothing older than the limit is obeyed"},
+    {"NoOvertakenLimit", "attack_freshness_test", "staleTelemetry", "no overtaken telemetry sets a present value"},
+
     {"NoTagCheck", "attack_flood_test", "injectedGarbage", "no garbage is accepted"},
     {"NoTagCheck", "attack_flood_test", "oversizedDatagrams", "no oversized datagram is accepted"},
     {"NoTagCheck", "attack_flood_test", "forgeriesInAFlood", "each forgery is counted"},

@@ -28,6 +28,7 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
     out.identity = secrets.identity;
     out.peers = secrets.peers;
     out.policy = config.policy;
+    out.freshness = config.freshness;
     out.announceTo = {groundOf(config)};
     out.messageTraits = std::make_shared<DialectTraits>(mavlink::Dialect::builtin());
     return {std::move(out), secrets.random, *secrets.counters, steadyNow()};
@@ -250,7 +251,7 @@ void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::De
             const auto counts = m_sessions.note(block.time, delivery.session, kGroundLink, *item.frame);
             m_channel.endpoint().noteFrames(delivery.session, counts);
         }
-        if (m_gate.accept(delivery.session, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
+        if (m_gate.accept(delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
             sendToVehicle(item);
     });
     m_channel.countFrames(delivery.session, frames);

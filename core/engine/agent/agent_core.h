@@ -5,6 +5,7 @@
 // Lives on one thread with an event loop.
 #pragma once
 
+#include "core/channel/freshness.h"
 #include "core/engine/agent/agent_event.h"
 #include "core/engine/agent/agent_snapshot.h"
 #include "core/engine/agent/armed_vehicles.h"
@@ -37,6 +38,7 @@ struct AgentConfig
     /// What carries sealed messages on the ground link: datagrams need a link of datagrams, COBS a stream; TUNNEL works on
     /// both.
     Carrier carrier = Carrier::Datagram;
+    channel::FreshnessLimits freshness = {}; ///< how late a command may arrive
 };
 
 /// Why the window for pairing was not opened.

@@ -17,12 +17,13 @@ struct AgentLinkChanged
     LinkSnapshot link;
 };
 /// Frames of an authenticated peer that were not forwarded to the vehicle; published once per snapshot and peer. The
-/// heartbeats of an observer are only counted.
+/// heartbeats of an observer, and late ones, are only counted.
 struct FramesRefused
 {
     enum class Reason : std::uint8_t {
         Observer, ///< the peer may not command
-        System    ///< the peer may not use the system id
+        System,   ///< the peer may not use the system id
+        Late      ///< the record arrived too late, see channel::Freshness
     };
     Reason reason{};
     std::string peer;

@@ -15,6 +15,7 @@ struct AgentCounters
     std::uint64_t observerRefused = 0;         ///< of an observer, except for questions that change nothing
     std::uint64_t observerUnclear = 0;         ///< such questions that a line which loses bytes could turn into something else
     std::uint64_t spoofRefused = 0;            ///< of a system that the peer may not use, or of the vehicle's own
+    std::uint64_t lateRefused = 0;             ///< of a pilot, in records that arrived too late, except for such questions
     std::uint64_t clearRefused = 0;            ///< in clear from the ground; datagrams where they are not searched for frames
     std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
     std::uint64_t unusable = 0;    ///< datagrams from the ground without a record or frame; contained in `malformed`

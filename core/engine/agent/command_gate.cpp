@@ -16,6 +16,16 @@ std::uint32_t messageIdOf(const mavlink::ScanItem &item)
     return item.bytes[7] | item.bytes[8] << 8 | static_cast<std::uint32_t>(item.bytes[9]) << 16;
 }
 
+std::uint64_t AgentCounters::*counterOf(FramesRefused::Reason reason)
+{
+    switch (reason) {
+    case FramesRefused::Reason::Observer: return &AgentCounters::observerRefused;
+    case FramesRefused::Reason::System: return &AgentCounters::spoofRefused;
+    case FramesRefused::Reason::Late: break;
+    }
+    return &AgentCounters::lateRefused;
+}
+
 } // namespace
 
 void CommandGate::sessionUp(const channel::SessionUp &up)
@@ -35,12 +45,14 @@ std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)
     return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
 }
 
-bool CommandGate::mayCommand(channel::SessionId session, const mavlink::ScanItem &item)
+bool CommandGate::mayCommand(const channel::Delivery &delivery, const mavlink::ScanItem &item)
 {
-    if (m_policy.mayCommand(session))
+    using Reason = FramesRefused::Reason;
+    const bool isPilot = m_policy.mayCommand(delivery.session);
+    if (isPilot && delivery.freshness == channel::Freshness::Fresh)
         return true;
     if (!item.frame || !observerMaySend(*item.frame, m_policy.pilotThere())) {
-        refuse(session, item, FramesRefused::Reason::Observer);
+        refuse(delivery.session, item, isPilot ? Reason::Late : Reason::Observer);
         return false;
     }
     if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
@@ -60,9 +72,9 @@ bool CommandGate::maySpeakAs(channel::SessionId session, const mavlink::ScanItem
 
 void CommandGate::refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason)
 {
-    ++(reason == FramesRefused::Reason::Observer ? m_counters.observerRefused : m_counters.spoofRefused);
+    ++(m_counters.*counterOf(reason));
     // Every station, an observer's as well, sends a heartbeat once a second: not worth an event.
-    if (reason == FramesRefused::Reason::Observer && item.frame && item.frame->messageId() == mavlink::Heartbeat::kId)
+    if (reason != FramesRefused::Reason::System && item.frame && item.frame->messageId() == mavlink::Heartbeat::kId)
         return;
     FramesRefused &refused = m_pending[{session, reason}];
     if (refused.frames++ == 0) {
@@ -92,6 +104,7 @@ void CommandGate::addTo(AgentCounters &counters) const
     counters.observerRefused += m_counters.observerRefused;
     counters.observerUnclear += m_counters.observerUnclear;
     counters.spoofRefused += m_counters.spoofRefused;
+    counters.lateRefused += m_counters.lateRefused;
 }
 
 } // namespace skyseal::engine

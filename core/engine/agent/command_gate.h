@@ -2,6 +2,7 @@
 // check for frames that could be misread, and keeps account of those that are refused. No I/O and no clock.
 #pragma once
 
+#include "core/channel/delivery.h"
 #include "core/engine/agent/agent_event.h"
 #include "core/engine/agent/agent_snapshot.h"
 #include "core/engine/common/sender_policy.h"
@@ -22,11 +23,13 @@ public:
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session);
 
-    /// Judges a whole frame that came over a session; counts it if it is refused. `isVehicle` returns true for the system
+    /// Judges a whole frame that came over a session; counts it if it is refused. A record that arrived too late gives its
+    /// frames no more than the rights of an observer. `isVehicle` returns true for the system
     /// ids of the agent's own vehicles, which a station may not use.
-    template<typename IsVehicle> bool accept(channel::SessionId session, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
+    template<typename IsVehicle>
+    bool accept(const channel::Delivery &delivery, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
     {
-        return mayCommand(session, item) && maySpeakAs(session, item, isVehicle(systemOf(item)));
+        return mayCommand(delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
     }
 
     /// What was refused since the last call.
@@ -36,7 +39,7 @@ public:
 
 private:
     static std::uint8_t systemOf(const mavlink::ScanItem &item);
-    bool mayCommand(channel::SessionId session, const mavlink::ScanItem &item);
+    bool mayCommand(const channel::Delivery &delivery, const mavlink::ScanItem &item);
     bool maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
 

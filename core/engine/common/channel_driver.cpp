@@ -75,8 +75,8 @@ std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
 {
     switch (path.carrier) {
     case Carrier::Datagram: break;
-    case Carrier::Tunnel: return crypto::suiteInfo(m_sendSuites[session]).plaintextRoom(kTunnelRoom);
-    case Carrier::Serial: return kSerialRoom;
+    case Carrier::Tunnel: return crypto::suiteInfo(m_sendSuites[session]).plaintextRoom(kTunnelRoom) - m_endpoint.stampLength();
+    case Carrier::Serial: return kSerialRoom - m_endpoint.stampLength();
     }
     return channel::kMaxRecordPayload;
 }

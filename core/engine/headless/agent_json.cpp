@@ -4,11 +4,25 @@
 
 namespace skyseal::engine {
 
+namespace {
+
+std::string_view reasonName(FramesRefused::Reason reason)
+{
+    switch (reason) {
+    case FramesRefused::Reason::Observer: return "observer";
+    case FramesRefused::Reason::System: return "system";
+    case FramesRefused::Reason::Late: break;
+    }
+    return "late";
+}
+
+} // namespace
+
 std::string framesRefusedEvent(const FramesRefused &refused)
 {
     JsonWriter json;
     json.beginObject().field("event", "frames_refused");
-    json.field("reason", refused.reason == FramesRefused::Reason::Observer ? "observer" : "system");
+    json.field("reason", reasonName(refused.reason));
     json.field("peer", refused.peer).field("frames", refused.frames);
     json.field("message_id", refused.messageId).field("message", refused.messageName);
     if (refused.command != 0)
@@ -27,6 +41,7 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.field("to_ground", snapshot.counters.toGround).field("to_vehicle", snapshot.counters.toVehicle);
     json.field("observer_refused", snapshot.counters.observerRefused);
     json.field("observer_unclear", snapshot.counters.observerUnclear).field("spoof_refused", snapshot.counters.spoofRefused);
+    json.field("late_refused", snapshot.counters.lateRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);

@@ -54,7 +54,14 @@ void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
         .field("forged", counters.forged)
         .field("malformed", counters.malformed)
         .field("plaintext_dropped", counters.plaintextDropped)
-        .field("opened_bytes", counters.openedBytes);
+        .field("opened_bytes", counters.openedBytes)
+        .field("stale", counters.stale);
+}
+
+void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
+{
+    json.field("age_ms", double(report.ageMicroseconds) / 1e3);
+    json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
 }
 
 } // namespace
@@ -146,6 +153,14 @@ std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
 {
     JsonWriter json = begin("forgery");
     json.field("forged", alarm.forged).field("replayed", alarm.replayed);
+    return end(json);
+}
+
+std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer)
+{
+    JsonWriter json = begin("commands_late");
+    json.field("peer", peer).field("records", late.records);
+    writeFreshness(json, late.report);
     return end(json);
 }
 

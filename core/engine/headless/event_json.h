@@ -24,6 +24,7 @@ std::string peerMovedEvent(const std::string &peer, const std::string &from, con
 std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
                          const std::string &fingerprint);
 std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
+std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer);
 std::string unansweringEvent(const AgentUnanswering &event);
 std::string plaintextEvent(const PlaintextRefused &refused);
 std::string systemRefusedEvent(const SystemRefused &refused);

@@ -71,7 +71,7 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
                                   AgentUnanswering, RecordingProblem>;
 using SessionEvent = std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
-                                  channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm>;
+                                  channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate>;
 /// An event of the station itself, of a vehicle or of a session.
 using Event = Joined<StationEvent, vehicle::Event, SessionEvent>::Type;
 

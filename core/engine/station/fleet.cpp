@@ -26,6 +26,14 @@ std::optional<VehicleFound> Fleet::take(TimePoint now, WallTime wall, LinkId lin
     return VehicleFound{systemId, vehicle->current().type, vehicle->current().autopilot, session.has_value()};
 }
 
+void Fleet::takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame)
+{
+    m_frameBytes += frame.bytes().size();
+    m_sequences.note({link, frame.systemId(), frame.componentId()}, frame.sequence(), now);
+    if (vehicle::Vehicle *vehicle = m_vehicles.find(frame.systemId()))
+        vehicle->handleLateFrame(now, frame);
+}
+
 void Fleet::publishEvents(vehicle::Vehicle &vehicle, bool sealed, const Notify &notify)
 {
     const auto publish = [&](auto &event) {

@@ -20,6 +20,8 @@ public:
     /// Takes an accepted frame; `session` is empty for a clear one. Returns an event if it makes a vehicle known.
     std::optional<VehicleFound> take(TimePoint now, WallTime wall, LinkId link, const mavlink::Frame &frame,
                                      std::optional<channel::SessionId> session);
+    /// Takes an accepted frame that is not the newest of its kind any more, see FrameOrder.
+    void takeLate(TimePoint now, LinkId link, const mavlink::Frame &frame);
 
     /// Null if the vehicle is not known.
     vehicle::Vehicle *find(std::uint8_t systemId) { return m_vehicles.find(systemId); }

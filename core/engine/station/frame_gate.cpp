@@ -8,6 +8,7 @@ void FrameGate::sessionUp(const channel::SessionUp &up)
 {
     m_policy.sessionUp(up.session, up.peer, up.path);
     m_peerNames[up.session] = up.peerName;
+    m_orders[up.session] = {};
 }
 
 void FrameGate::sessionDown(channel::SessionId session)
@@ -15,6 +16,7 @@ void FrameGate::sessionDown(channel::SessionId session)
     namePeerOfRefusal(); // while the session's peer is known
     m_policy.sessionDown(session);
     m_peerNames.erase(session);
+    m_orders.erase(session);
 }
 
 void FrameGate::allowPlaintext(std::uint8_t systemId)
@@ -42,6 +44,12 @@ bool FrameGate::acceptSealed(channel::SessionId session, std::uint8_t systemId)
         return true;
     m_refusals.refuseSystem(systemId, session);
     return false;
+}
+
+bool FrameGate::isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery)
+{
+    const auto order = m_orders.find(delivery.session);
+    return order == m_orders.end() || order->second.note(frame, delivery);
 }
 
 std::optional<channel::SessionId> FrameGate::refuseClear(const Path &from, std::uint8_t systemId)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/engine/common/sender_policy.h"
+#include "core/engine/station/frame_order.h"
 #include "core/engine/station/pending_vehicles.h"
 #include "core/engine/station/refusal_log.h"
 
@@ -42,6 +43,8 @@ public:
     Verdict judgeClear(const Path &from, std::uint8_t systemId, FrameOrigin origin, bool wasSealed) const;
     /// Judges a frame that came sealed; counts it if it is refused.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+    /// Notes an accepted frame of a delivery. Returns false if it may not change present values.
+    bool isPresent(const mavlink::Frame &frame, const channel::Delivery &delivery);
 
     /// Counts a refused clear frame. Returns the session to which it is charged, if any.
     std::optional<channel::SessionId> refuseClear(const Path &from, std::uint8_t systemId);
@@ -62,6 +65,7 @@ private:
     RefusalLog m_refusals;
     PendingVehicles m_pending;
     std::map<channel::SessionId, std::string> m_peerNames;
+    std::map<channel::SessionId, FrameOrder> m_orders;
 };
 
 } // namespace skyseal::engine

@@ -96,10 +96,12 @@ void StationReceiver::takeDelivery(const link::Link &link, const link::ReceivedB
             return;
         }
         ++frames;
-        if (m_gate.acceptSealed(delivery.session, item.frame->systemId()))
+        if (!m_gate.acceptSealed(delivery.session, item.frame->systemId()))
+            m_gate.publishRefusals(block.time, m_parts.notify);
+        else if (m_gate.isPresent(*item.frame, delivery))
             acceptFrame(block.time, block.path, *item.frame, originOf(link), delivery.session);
         else
-            m_gate.publishRefusals(block.time, m_parts.notify);
+            acceptLateFrame(block.time, block.path, *item.frame);
     });
     m_channel->driver.countFrames(delivery.session, frames);
     m_parts.links.noteRemote(block.path.link, block.path.remote);
@@ -147,8 +149,8 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     if (live)
         m_gate.heardLive(systemId);
     const WallTime wall = wallNow();
-    if (m_recorder && origin != FrameOrigin::Recording)
-        m_recorder->record(wall, frame.bytes());
+    if (origin != FrameOrigin::Recording)
+        record(frame, wall);
     if (session) {
         m_parts.routes.heardSealed(systemId, *session);
     } else if (frame.messageId() == 0 && live) {
@@ -157,6 +159,19 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
     }
     if (const auto found = m_parts.fleet.take(now, wall, from.link, frame, session))
         m_parts.notify(*found);
+}
+
+/// The routes do not change: the vehicle may be elsewhere by now.
+void StationReceiver::acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame)
+{
+    record(frame, wallNow());
+    m_parts.fleet.takeLate(now, from.link, frame);
+}
+
+void StationReceiver::record(const mavlink::Frame &frame, WallTime wall)
+{
+    if (m_recorder)
+        m_recorder->record(wall, frame.bytes());
 }
 
 } // namespace skyseal::engine

@@ -77,6 +77,8 @@ private:
     void takeClearFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin);
     void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
                      std::optional<channel::SessionId> session);
+    void acceptLateFrame(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    void record(const mavlink::Frame &frame, WallTime wall);
     IngressRules rulesFor(const link::LinkTraits &traits) const;
     bool isSealing() const { return m_channel && !m_parts.settings.isPlain(); }
 

@@ -81,13 +81,21 @@ public:
         QString message = e.messageName.empty() ? tr("message %1").arg(e.messageId) : qt(e.messageName);
         if (e.command != 0)
             message += QStringLiteral(" %1").arg(e.command);
-        const QString sentence = e.reason == FramesRefused::Reason::Observer
-            ? tr("Refused %1 frames of %2, which is an observer; the last one was %3")
-            : tr("Refused %1 frames of %2, which may not send as that system; the last one was %3");
-        return {sentence.arg(e.frames).arg(qt(e.peer), message), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
+        return {sentenceFor(e.reason).arg(e.frames).arg(qt(e.peer), message), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
     }
 
 private:
+    static QString sentenceFor(FramesRefused::Reason reason)
+    {
+        switch (reason) {
+        case FramesRefused::Reason::Observer: return tr("Refused %1 frames of %2, which is an observer; the last one was %3");
+        case FramesRefused::Reason::System:
+            return tr("Refused %1 frames of %2, which may not send as that system; the last one was %3");
+        case FramesRefused::Reason::Late: break;
+        }
+        return tr("Refused %1 frames of %2, which arrived too late to be obeyed; the last one was %3");
+    }
+
     const PeerNames &m_names;
 };
 

@@ -8,7 +8,8 @@ REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "pl
                   "sent_records", "sent_bytes")
 FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
 COST_NUMBERS = ("cpu_us", "resident_bytes", "opened", "open_ns", "sealed", "seal_ns")  # likewise
-ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS = 1, 2, 4, 8
+FRESHNESS_NUMBERS = ("stale", "age_us", "overtaken_limit_ms", "age_limit_ms")  # likewise, of an agent
+ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS, TELLS_FRESHNESS = 1, 2, 4, 8, 16
 
 
 class Malformed(Exception):
@@ -128,11 +129,12 @@ def unpack(data):
 
 def _names(flags):
     return (REPORT_NUMBERS + (FRAME_NUMBERS if flags & COUNTS_FRAMES else ())
+            + (FRESHNESS_NUMBERS if flags & TELLS_FRESHNESS else ())
             + (COST_NUMBERS if flags & TELLS_COSTS else ()))
 
 
 def _unpack_report(data):
-    if len(data) < 14 or data[1] > (ANSWER_AT_ONCE | COUNTS_FRAMES | ASKS_COSTS | TELLS_COSTS):
+    if len(data) < 14 or data[1] > 31:
         raise Malformed("short report, or unknown flags")
     report, at = Report(data[1], _read_u32(data, 2), _read_u32(data, 6), _read_u32(data, 10)), 14
     for name in _names(report.flags):

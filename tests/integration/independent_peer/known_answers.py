@@ -8,6 +8,7 @@ import re
 
 import carriers
 import control
+import freshness
 import inline_frame
 import key_text
 import pairing
@@ -169,6 +170,7 @@ def _control_messages(inputs, out):
     numbers = dict(zip(control.REPORT_NUMBERS, (1000, 3, 2, 1, 0, 0, 0, 30000, 40, 2000)))
     more = numbers | dict(zip(control.FRAME_NUMBERS + control.COST_NUMBERS,
                               (900, 1, 2500000, 14680064, 40, 60000, 1000, 1500000)))
+    late = numbers | dict(zip(control.FRESHNESS_NUMBERS, (4, 2400000, 1000, 5000)))
     out.update({"propose": control.Propose(1, 1, 3, inputs["proposal nonce"]).pack(),
                 "accept": control.Accept(1, inputs["answer nonce"]).pack(),
                 "refuse": control.Refuse(1).pack(),
@@ -176,8 +178,10 @@ def _control_messages(inputs, out):
                 "confirmed": control.Confirmed(1, 1000).pack(),
                 "report": control.Report(1, 1000001, 999001, 250, numbers).pack(),
                 "report with costs": control.Report(14, 1000001, 999001, 250, more).pack(),
+                "report of an agent": control.Report(16, 1000001, 999001, 250, late).pack(),
+                "stamped frame": freshness.stamp(123456789) + out["frame"],
                 "close": control.Close().pack()})
-    assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "report with costs",
+    assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "report with costs", "report of an agent",
                                                                                "confirmed"))
 
 

@@ -4,8 +4,10 @@ from collections import Counter
 from dataclasses import dataclass
 
 import control
+import freshness
 from epoch import record_counter
-from keys import first_chain
+from freshness import AGE, OVERTAKEN, Freshness
+from keys import STATION, first_chain
 from round_trip import RoundTrip
 from suites import WrongTag
 from switch import Switch
@@ -41,9 +43,13 @@ class Session:
         self._newest_stamp = self._newest_stamp_at = None
         chain = first_chain(handshake.h, *handshake.split())
         self.switch = Switch(role, chain, suite, permitted, self.round_trip, self._send_control, self.events.append)
-        self._now = now
+        self._now = self._began = now
+        self.freshness = Freshness(now)
 
-    def send(self, plaintext):
+    def send(self, frames):
+        self._seal(freshness.stamp(self._stamp(self._now)) + frames if self.role == STATION else frames)
+
+    def _seal(self, plaintext):
         datagram = self.switch.current.seal(self.ids.peer, plaintext, DATAGRAMS)
         self.counts["sent_records"] += 1
         self.counts["sent_bytes"] += len(datagram)
@@ -98,12 +104,16 @@ class Session:
         self.counts["late"] += not newest
         self.last_heard, self.heard_any = now, True
         self.switch.opened_under(epoch, now)
+        position = epoch.number << 24 | counter
+        self.freshness.arrived(now, position)
         moves = newest and epoch is self.switch.current
         if plaintext and plaintext[0] < 0x10:
             self._take_control(plaintext, now)
         elif plaintext:
-            self.counts["opened_bytes"] += len(plaintext)
-            self.plaintexts.append(plaintext)
+            peer_stamp, frames = freshness.split(plaintext)
+            self.counts["opened_bytes"] += len(frames)
+            if self.role == STATION or self.freshness.may_command(now, position, peer_stamp, self._closing_until is not None):
+                self.plaintexts.append(frames)
         return True, moves
 
     def totals(self):
@@ -136,6 +146,7 @@ class Session:
                 sample = (self._stamp(now) - report.echo - report.held) & 0xFFFFFFFF
                 if sample < 1 << 31:
                     self.round_trip.take(sample / 1e6)
+                    self.freshness.answered(now, sample / 1e6, report.held / 1e6, report.stamp)
         if report.flags & ANSWER_NOW:
             self._send_report(now, ask=False)
 
@@ -143,11 +154,15 @@ class Session:
         self._next_report = now + (REPORT_EARLY if not self.round_trip.known() else REPORT_EVERY)
         held = 0 if self._newest_stamp is None else round((now - self._newest_stamp_at) * 1e6)
         flags = ANSWER_NOW if ask else 0
-        self._send_control(control.Report(flags, self._stamp(now), self._newest_stamp or 0, held, self.totals()))
+        numbers = self.totals()
+        if self.role != STATION:
+            flags |= control.TELLS_FRESHNESS
+            numbers |= {"stale": self.freshness.stale, "age_us": max(0, round(self.freshness.age * 1e6)),
+                        "overtaken_limit_ms": round(1000 * OVERTAKEN), "age_limit_ms": round(1000 * AGE)}
+        self._send_control(control.Report(flags, self._stamp(now), self._newest_stamp or 0, held, numbers))
 
-    @staticmethod
-    def _stamp(now):
-        return int(now * 1e6) & 0xFFFFFFFF | 1  # never 0
+    def _stamp(self, now):
+        return int((now - self._began) * 1e6) & 0xFFFFFFFF | 1  # never 0
 
     def _send_control(self, message):
-        self.send(message.pack())
+        self._seal(message.pack())

@@ -1,0 +1,39 @@
+// Tells whether a frame of a session is the newest of its kind: a record that arrives late must not set a value of the display
+// back (the order of the records is authenticated, that of MAVLink's sequence numbers is not).
+#pragma once
+
+#include "core/channel/delivery.h"
+#include "core/mavlink/frame.h"
+
+#include <array>
+#include <cstdint>
+
+namespace skyseal::engine {
+
+class FrameOrder
+{
+public:
+    /// Notes the frame of a record. Returns true if it may set present values: the record is fresh, and no newer one carried a
+    /// message of this kind from this sender.
+    bool note(const mavlink::Frame &frame, const channel::Delivery &delivery)
+    {
+        channel::RecordPosition &newest = m_newest[slotOf(frame)];
+        const bool isNewest = delivery.position >= newest;
+        if (isNewest)
+            newest = delivery.position;
+        return isNewest && delivery.freshness == channel::Freshness::Fresh;
+    }
+
+private:
+    static constexpr std::size_t kSlots = 256;
+    /// Two kinds that share a slot cost a late frame its place on the display, and nothing else.
+    static std::size_t slotOf(const mavlink::Frame &frame)
+    {
+        const std::uint32_t sender = frame.systemId() * 131u + frame.componentId();
+        return (frame.messageId() + sender * 31u) % kSlots;
+    }
+
+    std::array<channel::RecordPosition, kSlots> m_newest{};
+};
+
+} // namespace skyseal::engine

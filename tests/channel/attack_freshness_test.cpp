@@ -1,0 +1,219 @@
+// Attacks by delay: commands of a pilot that are withheld and released later, one by one, in bursts, or with the whole flow;
+// after the pilot's close, over a change of epochs, in each carrier, with clocks that drift and step.
+#include "core/crypto/init_crypto.h"
+#include "delayed_flight.h"
+#include "tests/support/test_runner.h"
+
+using namespace skyseal;
+using namespace skyseal::test;
+
+class AttackFreshnessTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
+    void withheldCommand_data();
+    void withheldCommand();
+    void withheldBurst_data();
+    void withheldBurst();
+    void releasedAfterClose();
+    void releasedAfterASwitch();
+    void wholeFlowHeldThenReleased_data();
+    void wholeFlowHeldThenReleased();
+    void wholeFlowDelayed_data();
+    void wholeFlowDelayed();
+    void growingDelay();
+    void staleTelemetry();
+    void limitIsTheOwners();
+};
+
+void AttackFreshnessTest::withheldCommand_data()
+{
+    QTest::addColumn<int>("carrier");
+    QTest::addColumn<int>("seconds");
+    const std::pair<const char *, Carrier> carriers[] = {
+        {"datagrams", Carrier::Datagram}, {"TUNNEL", Carrier::Tunnel}, {"serial", Carrier::Serial}};
+    for (const auto &[name, carrier] : carriers) {
+        for (const int seconds : {2, 20, 300, 590})
+            QTest::addRow("%s, %d s", name, seconds) << static_cast<int>(carrier) << seconds;
+    }
+}
+
+void AttackFreshnessTest::withheldCommand()
+{
+    QFETCH(int, carrier);
+    QFETCH(int, seconds);
+    auto pair = flight(optionsWith(static_cast<Carrier>(carrier), {}));
+    const Caught command = catchOne(*pair, 40, Ground);
+    pair->run(std::chrono::seconds(seconds));
+    HOLDS(!commands(release(*pair, command)), "no overtaken command is obeyed");
+    HOLDS(freshAndOlder(*pair, kOvertaken) == 0, "no overtaken command is obeyed");
+    QCOMPARE(received(pair->air()).stale, std::uint64_t(1)); // after 600 s the keys of its epoch are gone
+    QVERIFY(pair->bothUp());
+}
+
+void AttackFreshnessTest::withheldBurst_data()
+{
+    QTest::addColumn<bool>("reversed");
+    QTest::addRow("in order") << false;
+    QTest::addRow("reversed") << true;
+}
+
+void AttackFreshnessTest::withheldBurst()
+{
+    QFETCH(bool, reversed);
+    auto pair = flight(optionsWith(Carrier::Datagram, {}));
+    std::vector<Caught> burst;
+    for (int i = 0; i < 20; ++i)
+        burst.push_back(catchOne(*pair, 40, Ground));
+    pair->run(2s);
+    if (reversed)
+        std::reverse(burst.begin(), burst.end());
+    std::size_t obeyed = 0, delivered = 0;
+    for (int copy = 0; copy < 2; ++copy) {
+        for (const Caught &caught : burst) {
+            const auto freshness = release(*pair, caught);
+            obeyed += commands(freshness);
+            delivered += freshness.has_value();
+        }
+    }
+    HOLDS(obeyed == 0, "no overtaken command is obeyed");
+    QCOMPARE(delivered, burst.size()); // each once, for the questions in them
+    QCOMPARE(received(pair->air()).stale, std::uint64_t(burst.size()));
+    QCOMPARE(received(pair->air()).replayed, std::uint64_t(burst.size()));
+}
+
+void AttackFreshnessTest::releasedAfterClose()
+{
+    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+    const Caught command = catchOne(*pair, 40, Ground);
+    pair->ground().endpoint->close(pair->now, pair->ground().session());
+    pair->stopTraffic();
+    pair->run(50ms);           // less than either limit
+    QVERIFY(pair->air().up()); // it waits for what the close overtook
+    HOLDS(!commands(release(*pair, command)), "nothing commands after the close");
+}
+
+void AttackFreshnessTest::releasedAfterASwitch()
+{
+    auto pair = flight(optionsWith(Carrier::Datagram, {}));
+    const Caught command = catchOne(*pair, 40, Ground);
+    pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
+    pair->run(1s, [&] { return !pair->ground().all<SwitchDone>().empty(); });
+    pair->run(1500ms); // the keys of the epoch before live for 3 s
+    const auto judged = release(*pair, command);
+    QVERIFY(judged);
+    HOLDS(!commands(judged), "no overtaken command is obeyed");
+}
+
+void AttackFreshnessTest::wholeFlowHeldThenReleased_data()
+{
+    QTest::addColumn<int>("seconds");
+    QTest::addColumn<bool>("newestFirst");
+    for (const int seconds : {7, 30, 300}) {
+        for (const bool newestFirst : {false, true})
+            QTest::addRow("%d s, %s", seconds, newestFirst ? "newest first" : "in order") << seconds << newestFirst;
+    }
+}
+
+void AttackFreshnessTest::wholeFlowHeldThenReleased()
+{
+    // Nothing overtakes the first commands of the outage: their age alone can be their undoing.
+    QFETCH(int, seconds);
+    QFETCH(bool, newestFirst);
+    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+    std::vector<Flight> held;
+    pair->link.attacker = [&](TimePoint, Flight &datagram) {
+        if (datagram.from == Ground)
+            held.push_back(datagram);
+        return datagram.from == Air;
+    };
+    pair->run(std::chrono::seconds(seconds));
+    pair->link.attacker = {};
+    if (newestFirst)
+        std::reverse(held.begin(), held.end());
+    for (Flight &datagram : held)
+        pair->link.inject(pair->now, std::move(datagram));
+    pair->run(100ms);
+    HOLDS(freshAndOlder(*pair, kAge) == 0, "nothing older than the limit is obeyed");
+    const TimePoint after = pair->now;
+    pair->run(5s);
+    QVERIFY(shareOfFresh(*pair, after + 1s) > .99); // and the flight goes on
+}
+
+void AttackFreshnessTest::wholeFlowDelayed_data()
+{
+    QTest::addColumn<int>("up");
+    QTest::addColumn<int>("down");
+    QTest::addColumn<double>("rate");
+    QTest::addRow("both ways 7 s") << 7000 << 7000 << 1.;
+    QTest::addRow("up 7 s") << 7000 << 10 << 1.;
+    QTest::addRow("up 5.05 s, a station's clock 200 ppm fast") << 5050 << 10 << 1.0002;
+    QTest::addRow("up 5.05 s, a station's clock 200 ppm slow") << 5050 << 10 << .9998;
+}
+
+void AttackFreshnessTest::wholeFlowDelayed()
+{
+    QFETCH(int, up);
+    QFETCH(int, down);
+    QFETCH(double, rate);
+    auto pair = std::make_unique<Pair>(optionsWith(Carrier::Datagram, kAge));
+    pair->ground().clock.rate = rate;
+    pair->start(Ground);
+    QVERIFY(pair->run(60s, [&] { return pair->bothUp(); }));
+    pair->every(1s, [&] { pair->sendFrame(Ground); });
+    pair->run(30s);
+    // The attacker takes over and delays every datagram by the same time.
+    pair->link.attacker = [&](TimePoint at, Flight &datagram) {
+        pair->link.inject(at + std::chrono::milliseconds(datagram.from == Ground ? up : down), datagram);
+        return false;
+    };
+    pair->run(300s);
+    HOLDS(freshAndOlder(*pair, kAge) == 0, "nothing older than the limit is obeyed");
+}
+
+void AttackFreshnessTest::growingDelay()
+{
+    // By a millisecond for each 20, so slowly that no single message stands out, up to ten seconds.
+    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+    const TimePoint begin = pair->now;
+    pair->link.attacker = [&](TimePoint at, Flight &datagram) {
+        pair->link.inject(at + (at - begin) / 20, datagram);
+        return false;
+    };
+    pair->run(200s);
+    HOLDS(freshAndOlder(*pair, kAge) == 0, "nothing older than the limit is obeyed");
+    QVERIFY(!pair->ground().all<CommandsLate>().empty());
+}
+
+void AttackFreshnessTest::staleTelemetry()
+{
+    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+    const Caught telemetry = catchOne(*pair, 40, Air);
+    pair->run(2s);
+    Bytes bytes = telemetry.flight.bytes;
+    const auto delivery = pair->ground().endpoint->handleDatagram(pair->now, pair->pathOf(Air), bytes);
+    QVERIFY(delivery);
+    HOLDS(delivery->freshness != Freshness::Fresh, "no overtaken telemetry sets a present value");
+    QCOMPARE(received(pair->ground()).stale, std::uint64_t(1));
+}
+
+void AttackFreshnessTest::limitIsTheOwners()
+{
+    // 1.2 s each way, of which the agent knows the sum.
+    const auto share = [](std::optional<Duration> limit) {
+        PairOptions options = optionsWith(Carrier::Datagram, limit);
+        options.link.delay = 1200ms;
+        auto pair = flight(options);
+        const TimePoint begin = pair->now;
+        pair->run(60s);
+        return shareOfFresh(*pair, begin);
+    };
+    QCOMPARE(share({}), 1.);
+    QCOMPARE(share(2500ms), 1.);
+    HOLDS(share(2s) == 0, "nothing older than the limit is obeyed");
+}
+
+SKYSEAL_TEST(AttackFreshnessTest)
+#include "attack_freshness_test.moc"

@@ -1,0 +1,65 @@
+// A pair in flight whose records an attacker, or the link, delays; and what the agent may still obey.
+#pragma once
+
+#include "attack.h"
+
+namespace skyseal::test {
+
+inline constexpr Duration kOvertaken = 1s, kAge = 5s;
+
+inline PairOptions optionsWith(Carrier carrier, std::optional<Duration> age)
+{
+    PairOptions options = attackOptions();
+    options.carrier = carrier;
+    options.freshness = {kOvertaken, age};
+    return options;
+}
+
+/// A pair in flight: the station sends a heartbeat a second, the agent telemetry.
+inline std::unique_ptr<Pair> flight(PairOptions options)
+{
+    auto pair = std::make_unique<Pair>(std::move(options));
+    pair->run(60s, [&] { return pair->bothUp(); });
+    pair->every(1s, [p = pair.get()] { p->sendFrame(Ground); });
+    pair->every(100ms, [p = pair.get()] { p->sendFrame(Air); });
+    pair->run(5s);
+    return pair;
+}
+
+/// Delivers a caught record to the agent. Returns the judgement, nullopt if it is refused.
+inline std::optional<Freshness> release(Pair &pair, const Caught &caught)
+{
+    Bytes bytes = caught.flight.bytes;
+    const auto delivery = pair.air().endpoint->handleDatagram(pair.nowAt(Air), pair.pathOf(Ground), bytes);
+    pair.pump();
+    return delivery ? std::optional(delivery->freshness) : std::nullopt;
+}
+
+inline bool commands(std::optional<Freshness> freshness)
+{
+    return freshness == Freshness::Fresh;
+}
+
+/// Fresh frames of the station that the agent received more than `most` after they were sent.
+inline std::size_t freshAndOlder(const Pair &pair, Duration most)
+{
+    std::size_t out = 0;
+    for (const auto &[number, freshness] : pair.ends[Air].freshness)
+        out += freshness == Freshness::Fresh && pair.ends[Air].arrived.at(number) - pair.sentAt.at(number) > most;
+    return out;
+}
+
+/// Share of the station's frames from `since` on that the agent received as fresh.
+inline double shareOfFresh(const Pair &pair, TimePoint since)
+{
+    double all = 0, fresh = 0;
+    for (const auto &[number, freshness] : pair.ends[Air].freshness) {
+        if (pair.sentAt.at(number) < since)
+            continue;
+        ++all;
+        fresh += freshness == Freshness::Fresh;
+    }
+    return all == 0 ? 0 : fresh / all;
+}
+
+} // namespace skyseal::test
