@@ -123,7 +123,7 @@ private Q_SLOTS:
         m_station->show(snapshot);
         const auto *counters = m_window->findChild<CountersTable *>();
         EVENTUALLY(counters->isBrief());
-        const auto *refused = m_window->findChild<FigureLabel *>(QStringLiteral("counter_8_1"));
+        const auto *refused = m_window->findChild<FigureLabel *>(QStringLiteral("counter_9_1"));
         QVERIFY(refused->isVisible());
         QCOMPARE(refused->value(), QStringLiteral("12"));
         QVERIFY(refused->toolTip().contains(QStringLiteral("7 forged")));

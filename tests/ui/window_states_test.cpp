@@ -256,6 +256,29 @@ private Q_SLOTS:
         QCOMPARE(box.metres(), kLowestTakeOff);
     }
 
+    void lateCommandsAreShown()
+    {
+        auto snapshot = sealedSnapshot(40);
+        auto &report = snapshot.sessions.front().stats.peerFreshness.emplace();
+        report.overtakenMilliseconds = 1000;
+        report.limitMilliseconds = 5000;
+        const auto shown = [&](std::uint64_t milliseconds) {
+            report.ageMicroseconds = milliseconds * 1000;
+            ++snapshot.time;
+            m_station->show(snapshot);
+            return std::pair(find<QLabel>("secureTitle")->text(), find<QLabel>("secureAdvice")->text());
+        };
+        QCOMPARE(shown(40).first, QStringLiteral("Sealed"));
+        const auto late = shown(4150);
+        QCOMPARE(late.first, QStringLiteral("Sealed, commands are late"));
+        QVERIFY2(late.second.startsWith(QStringLiteral("Commands arrive up to 4.2 s late.")), qPrintable(late.second));
+        const auto ignored = shown(6020);
+        QCOMPARE(ignored.first, QStringLiteral("Sealed, commands are ignored"));
+        QVERIFY2(ignored.second.contains(QStringLiteral("up to 6.1 s late, and the limit is 5.0 s")),
+                 qPrintable(ignored.second));
+        report.limitMilliseconds = 0;
+        QCOMPARE(shown(6020).first, QStringLiteral("Sealed, commands are late"));
+    }
     void silentSessionIsShown()
     {
         engine::Snapshot snapshot = sealedSnapshot(1);

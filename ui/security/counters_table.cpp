@@ -26,6 +26,7 @@ CountersTable::CountersTable(QWidget *parent) : QWidget(parent)
         {tr("forged"), tr("Authentication tag invalid, refused"), &ReceiveCounters::forged, true},
         {tr("malformed"), tr("Not a valid record, refused"), &ReceiveCounters::malformed, true},
         {tr("plain"), tr("Clear MAVLink in the name of a sealed peer, refused"), &ReceiveCounters::plaintextDropped, true},
+        {tr("stale"), tr("Valid, but too late to command or to be shown"), &ReceiveCounters::stale, true},
         {tr("refused"), {}, nullptr, true},
     };
     auto *grid = new QGridLayout(this);

@@ -4,6 +4,7 @@
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"
 #include "ui/security/suite_row.h"
+#include "ui/text/command_age.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/lock_face.h"
 #include "ui/text/one_way.h"
@@ -153,7 +154,7 @@ void SecureLinkPanel::arrange()
         applyFit(m_level);
     // The fullest level that fits, computed from the current one, so that no widget changes only to be measured.
     const int savings[kLeastFit] = {m_sealed ? m_fingerprint->heightForWidth(width() - 2 * kGrid) + layout()->spacing() : 0,
-                                    m_sealed ? 3 * m_counters->rowHeight() : 0, fontMetrics().lineSpacing(),
+                                    m_sealed ? 4 * m_counters->rowHeight() : 0, fontMetrics().lineSpacing(),
                                     m_sealed ? m_since->sizeHint().height() + layout()->spacing() : 0};
     int needed = layout()->totalHeightForWidth(width());
     for (int i = 0; i < m_level; ++i)
@@ -222,6 +223,10 @@ void SecureLinkPanel::showHead(const ViewState &view)
             title = tr("Sealed, no data received");
             advice = tr("It continues automatically when the agent is received again.");
             color = colors.warning;
+        } else if (const auto age = commandAgeOf(view); age && age->late) {
+            title = age->ignored ? tr("Sealed, commands are ignored") : tr("Sealed, commands are late");
+            advice = tr("%1. %2.").arg(age->sentence, age->limits);
+            color = colors.warning;
         }
         break;
     case Security::Switching:
@@ -261,6 +266,8 @@ void SecureLinkPanel::showHead(const ViewState &view)
     const QString fingerprint = tr("Fingerprint of %1\n%2").arg(name, fromStd(view.session->fingerprint));
     if (m_fingerprint->text() != fingerprint)
         m_fingerprint->setText(fingerprint);
+    const auto age = commandAgeOf(view);
+    m_since->setToolTip(age ? age->sentence + QLatin1Char('\n') + age->limits : QString());
     m_peer->setToolTip(m_since->text() + QLatin1Char('\n') + fingerprint);
 }
 

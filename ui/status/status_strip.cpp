@@ -3,6 +3,7 @@
 #include "core/engine/text/state_text.h"
 #include "core/mavlink/enums.h"
 #include "ui/text/lock_face.h"
+#include "ui/text/command_age.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
@@ -154,6 +155,17 @@ void StatusStrip::showLink(const ViewState &view)
     const double latency = std::isfinite(state.latency)             ? state.latency
         : view.session && view.session->stats.roundTrip.count() > 0 ? seconds(view.session->stats.roundTrip)
                                                                     : vehicle::kUnknown;
+    const QString tip = tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
+                            .arg(number(view.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency),
+                                 age);
+    const auto commandAge = commandAgeOf(view);
+    m_link->setToolTip(commandAge ? tip + QLatin1Char('\n') + commandAge->sentence + QLatin1Char('\n') + commandAge->limits
+                                  : tip);
+    if (commandAge && commandAge->late) {
+        m_link->setContent({commandAge->brief, commandAge->brief, commandAge->brief}, QStringLiteral("link"));
+        m_link->setTextColor(commandAge->ignored ? colors.alarm : colors.warning);
+        return;
+    }
     const bool poor = arrived < 90;
     const QString percent = number(arrived, 1) + QStringLiteral(" %");
     const QString word = poor ? tr("Link poor %1") : tr("Link OK %1");
@@ -161,9 +173,6 @@ void StatusStrip::showLink(const ViewState &view)
                         word.arg(percent) + kDot + latencyText(latency), percent},
                        QStringLiteral("link"));
     m_link->setTextColor(poor ? colors.warning : QColor());
-    m_link->setToolTip(
-        tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
-            .arg(number(view.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency), age));
 }
 
 void StatusStrip::arrange()
