@@ -363,8 +363,10 @@ void SweepTest::radioSetsThePace()
     QVERIFY2(run.status == 0, run.err.constData());
     QCOMPARE(events(run.out, "run").size(), 2);
     for (const QJsonObject &sample : events(run.out, "run")) {
-        const double rate = valueOf(sample, "wire_rate"); // 57,600 baud are 5,760 bytes a second
-        QVERIFY2(rate > 4500 && rate < 5900, qPrintable(QString::number(rate)));
+        // 57,600 baud are 5,760 bytes a second. On a busy machine the relay delivers in bursts at the ends of the interval;
+        // without the radio it is a thousand times as much.
+        const double rate = valueOf(sample, "wire_rate");
+        QVERIFY2(rate > 3000 && rate < 9000, qPrintable(QString::number(rate)));
         QVERIFY(valueOf(sample, "latency") >= 40);
     }
 }

@@ -125,7 +125,8 @@ void SimProgramTest::sendsToItsPeerAndEndsOnRequest()
     };
     EVENTUALLY(heard());
     QCOMPARE(systems, (std::set<int>{7, 8, 9}));
-    QVERIFY(sim.readAllStandardOutput().startsWith("skyseal-sim: vehicles 7 to 9 connected to udpout:127.0.0.1:"));
+    QByteArray said;
+    EVENTUALLY((said += sim.readAllStandardOutput()).startsWith("skyseal-sim: vehicles 7 to 9 connected to udpout:127.0.0.1:"));
     stop(sim);
 }
 
