@@ -21,12 +21,12 @@ enum class Weakness : std::uint8_t {
     WindowBeforeTag,    ///< the window moves before the tag is verified
     RoamOnForged,       ///< a rejected record moves the session's address
     RoamOnLate,         ///< an authentic record moves the address even when it is not the newest
-    NoTrial,     ///< the session's address stays where one record moved it, although nothing was received from there since
-    NoHardStop,  ///< an epoch never ends
-    KeepOldKeys, ///< neither the previous epoch nor a session expires
-    NoWipe,      ///< secrets stay in memory after their destruction
-    NoOvertakenLimit,   ///< a record commands, however long ago a newer one arrived
-    NoAgeLimit,         ///< a record commands, however old it may be
+    NoTrial,          ///< the session's address stays where one record moved it, although nothing was received from there since
+    NoHardStop,       ///< an epoch never ends
+    KeepOldKeys,      ///< neither the previous epoch nor a session expires
+    NoWipe,           ///< secrets stay in memory after their destruction
+    NoOvertakenLimit, ///< a record commands, however long ago a newer one arrived
+    NoAgeLimit,       ///< a record commands, however old it may be
     CommandsAfterClose, ///< a record commands although the peer has closed the session
     // switch
     CommitEarly, ///< the responder sends under the next epoch as soon as it has accepted
