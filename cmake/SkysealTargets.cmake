@@ -11,17 +11,7 @@ target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(skyseal_options INTERFACE
   QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 
-# Hardening of all code that reads bytes from a network, as Debian builds its own network programs.
-add_library(skyseal_hardening INTERFACE)
-if(NOT SKYSEAL_SANITIZE)
-  target_compile_options(skyseal_hardening INTERFACE
-    -fstack-protector-strong -fstack-clash-protection $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    target_compile_options(skyseal_hardening INTERFACE -fcf-protection)
-  endif()
-  target_link_options(skyseal_hardening INTERFACE -Wl,-z,relro,-z,now)
-endif()
-set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+include(SkysealHardening)
 
 # The moc of Qt 6.4 fails in libstdc++'s <concepts> unless some other standard header came before it.
 set(CMAKE_AUTOMOC_MOC_OPTIONS --include utility)
@@ -67,7 +57,6 @@ function(skyseal_program name)
   set_target_properties(${name} PROPERTIES AUTOMOC ON)
   target_compile_definitions(${name} PRIVATE SKYSEAL_VERSION="${PROJECT_VERSION}")
   target_link_libraries(${name} PRIVATE skyseal_options skyseal_hardening ${arg_LINK})
-  target_link_options(${name} PRIVATE -pie)
   skyseal_precompile(${name} engine)
   install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT ${arg_COMPONENT})
 endfunction()
