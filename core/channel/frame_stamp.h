@@ -24,21 +24,13 @@ inline ByteView stampFrames(std::uint32_t stamp, ByteView frames, MutableByteVie
     return out.first(kFrameStampLength + frames.size());
 }
 
-/// The plaintext of a record with frames, which may begin with a stamp.
-struct StampedFrames
+/// The stamp in front of the frames in the plaintext of a record, in microseconds modulo 2^32, rounded down; nullopt without one.
+inline std::optional<std::uint32_t> frameStamp(ByteView plaintext)
 {
-    explicit StampedFrames(ByteView plaintext) : frames(plaintext)
-    {
-        if (plaintext.size() < kFrameStampLength || (plaintext[0] & 0xc0) != 0x80)
-            return;
-        const std::uint32_t units = (plaintext[0] & 0x3fu) | std::uint32_t{plaintext[1]} << 6
-            | std::uint32_t{plaintext[2]} << 14;
-        stamp = units << 10;
-        frames = plaintext.subspan(kFrameStampLength);
-    }
-
-    std::optional<std::uint32_t> stamp; ///< in microseconds modulo 2^32, rounded down
-    ByteView frames;
-};
+    if (plaintext.size() < kFrameStampLength || (plaintext[0] & 0xc0) != 0x80)
+        return std::nullopt;
+    const std::uint32_t units = (plaintext[0] & 0x3fu) | std::uint32_t{plaintext[1]} << 6 | std::uint32_t{plaintext[2]} << 14;
+    return units << 10;
+}
 
 } // namespace skyseal::channel

@@ -1,7 +1,5 @@
 #include "core/channel/freshness_judge.h"
 
-#include "core/base/weakness.h"
-
 namespace skyseal::channel {
 
 void FreshnessJudge::addReport(RecordPosition position, std::uint32_t peerStamp)
@@ -18,12 +16,8 @@ std::optional<std::uint32_t> FreshnessJudge::stampBefore(RecordPosition position
     return std::nullopt;
 }
 
-Freshness FreshnessJudge::judge(const Arrival &arrival, const PeerClock &peerClock)
+Freshness FreshnessJudge::judgeAge(const Arrival &arrival, const PeerClock &peerClock)
 {
-    if (m_arrivals.overtaken(arrival.now, arrival.position) && !weakened(Weakness::NoOvertakenLimit))
-        return Freshness::Overtaken;
-    if (!m_limitsAge)
-        return Freshness::Fresh;
     if (arrival.afterClose && !weakened(Weakness::CommandsAfterClose))
         return Freshness::AfterClose;
     const auto peerStamp = arrival.peerStamp ? arrival.peerStamp : stampBefore(arrival.position);

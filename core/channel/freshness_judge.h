@@ -1,6 +1,7 @@
 // Judges how late the frames of a session's records arrive (PROTOCOL.md, section 6.1).
 #pragma once
 
+#include "core/base/weakness.h"
 #include "core/channel/arrival_history.h"
 #include "core/channel/freshness.h"
 #include "core/channel/peer_clock.h"
@@ -26,15 +27,21 @@ public:
     {
         TimePoint now;
         RecordPosition position;
-        std::optional<std::uint32_t> peerStamp; ///< when the frames were sealed; none if they were sealed in place
+        const std::optional<std::uint32_t> &peerStamp; ///< when the frames were sealed; none if they were sealed in place
         bool afterClose = false;
     };
     /// Judges frames. Without a stamp they count as old as the report before them.
-    Freshness judge(const Arrival &arrival, const PeerClock &peerClock);
+    Freshness judge(const Arrival &arrival, const PeerClock &peerClock)
+    {
+        if (m_arrivals.overtaken(arrival.now, arrival.position) && !weakened(Weakness::NoOvertakenLimit))
+            return Freshness::Overtaken;
+        return m_limitsAge ? judgeAge(arrival, peerClock) : Freshness::Fresh;
+    }
     /// `stale`: records with frames that were not fresh.
     FreshnessReport report(std::uint64_t stale) const;
 
 private:
+    Freshness judgeAge(const Arrival &arrival, const PeerClock &peerClock);
     std::optional<std::uint32_t> stampBefore(RecordPosition position) const;
 
     struct ReportStamp

@@ -267,20 +267,25 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
     }
     if (control)
         return {true, false};
-    delivery.emplace(deliver(now, epoch, position, plaintext));
+    deliver(now, epoch, position, plaintext, delivery.emplace());
     return {true, routine};
 }
 
-Delivery Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext)
+void Session::deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery)
 {
-    const StampedFrames read(plaintext);
-    const Freshness freshness = m_freshness.judge({now, position, read.stamp, m_closingUntil.has_value()},
-                                                  m_reports.peerClock());
+    const auto stamp = frameStamp(plaintext);
+    const ByteView frames = stamp ? plaintext.subspan(kFrameStampLength) : plaintext;
+    const Freshness freshness = m_freshness.judge({now, position, stamp, m_closingUntil.has_value()}, m_reports.peerClock());
     if (freshness == Freshness::TooOld)
         requestReport(now); // The answer tightens the bound if it was only loose.
-    epoch.rx.openedBytes += read.frames.size();
+    epoch.rx.openedBytes += frames.size();
     epoch.rx.stale += freshness != Freshness::Fresh;
-    return {id(), epoch.number, epoch.suite, position, freshness, read.frames};
+    delivery.session = id();
+    delivery.epoch = epoch.number;
+    delivery.suite = epoch.suite;
+    delivery.position = position;
+    delivery.freshness = freshness;
+    delivery.frames = frames;
 }
 
 /// Returns true if the path has not changed.

@@ -128,7 +128,7 @@ private:
     const RoundTrip &roundTrip() const { return m_reports.roundTrip(); }
     DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
     Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
-    Delivery deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext);
+    void deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery);
     bool exhausted(const LiveEpoch &epoch);
     Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
     Opened refuseEpoch(TimePoint now, unsigned ahead);
