@@ -1,4 +1,7 @@
+// The meters that turn growing counters into recent rates.
 #include "core/engine/common/loss_meter.h"
+#include "core/engine/station/overhead_meter.h"
+#include "core/engine/station/replay_meter.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -12,7 +15,9 @@ class LossMeterTest : public QObject
 private Q_SLOTS:
     void startsAtTheFirstReading();
     void looksBackOneWindow();
-    void takesBackWhatCameLate();
+    void lateRecordsAreNotLost();
+    void overheadIsRelativeToTheFrames();
+    void replaysCountWhileTheyOutnumberGoodRecords();
 };
 
 void LossMeterTest::startsAtTheFirstReading()
@@ -36,7 +41,7 @@ void LossMeterTest::looksBackOneWindow()
     QCOMPARE(meter.percent(), 0.0);
 }
 
-void LossMeterTest::takesBackWhatCameLate()
+void LossMeterTest::lateRecordsAreNotLost()
 {
     Growth<4> growth;
     growth.note(10);
@@ -46,6 +51,32 @@ void LossMeterTest::takesBackWhatCameLate()
     meter.note(0, 10);
     meter.note(10, 8);
     QCOMPARE(meter.percent(), 0.0);
+}
+
+void LossMeterTest::overheadIsRelativeToTheFrames()
+{
+    OverheadMeter meter;
+    QVERIFY(!meter.percent());
+    meter.note(5000, 100); // counters of earlier traffic
+    meter.note(5000, 100);
+    QVERIFY(!meter.percent()); // no frames since then
+    meter.note(5125, 200);
+    QCOMPARE(meter.percent().value(), 25.0);
+    for (int i = 0; i < 4; ++i)
+        meter.note(5125, 200);
+    QVERIFY(!meter.percent()); // the traffic is older than the window
+}
+
+void LossMeterTest::replaysCountWhileTheyOutnumberGoodRecords()
+{
+    ReplayMeter meter;
+    meter.note(100, 0);
+    meter.note(120, 20); // a network that delivers each datagram twice
+    QCOMPARE(meter.attacking(), std::uint64_t(0));
+    meter.note(121, 60);
+    QCOMPARE(meter.attacking(), std::uint64_t(40));
+    meter.note(221, 70); // good records outnumber the replays again
+    QCOMPARE(meter.attacking(), std::uint64_t(40));
 }
 
 SKYSEAL_TEST(LossMeterTest)

@@ -1,5 +1,5 @@
-// The readings of the diagnostics: each figure of a sample is the growth of its counters, and the cost of the first record of
-// a wake-up is kept apart from those behind it.
+// The samples of the diagnostics: rates are the growth of the counters, and the cost of the first record of a wake-up is kept
+// apart from the cost of the records behind it.
 #include "core/engine/station/metrics_sampler.h"
 #include "core/engine/common/suite_meter.h"
 #include "tests/support/test_runner.h"
@@ -21,7 +21,7 @@ class MetricsSamplerTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void ratesAndOverheadAreWhatTheCountersGrewBy()
+    void ratesAndOverheadAreTheGrowthOfTheCounters()
     {
         MetricsSampler sampler;
         MetricsSampler::Reading reading;
@@ -62,12 +62,12 @@ private Q_SLOTS:
         QVERIFY(last.residentBytes > 1'000'000);
     }
 
-    void copiesOfClearFramesDoNotHideLosses()
+    void duplicateClearFramesDoNotHideLosses()
     {
         MetricsSampler sampler;
         MetricsSampler::Reading reading;
         for (int i = 0; i < 5; ++i) {
-            reading.mavlink.frames += 30; // ten of them second copies
+            reading.mavlink.frames += 30; // including ten duplicates
             reading.mavlink.duplicate += 10;
             reading.mavlink.lost += 5;
             sampler.sample(TimePoint{}, 0, reading);
@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(std::isnan(sampler.samples().back().peerMavlinkLossPercent)); // no agent reports it
     }
 
-    void powerIsWhatTheKernelsCounterGrewBy()
+    void powerIsTheGrowthOfTheKernelsCounter()
     {
         QTemporaryDir folder;
         const auto write = [&](const char *file, const char *text) {
@@ -94,8 +94,8 @@ private Q_SLOTS:
         write("psys/energy_uj", "9\n");
         MetricsSampler sampler(folder.path().toStdString());
         sampler.sample(TimePoint{}, 0, {});
-        QVERIFY(std::isnan(sampler.samples().back().powerWatts)); // one reading is none
-        write("intel-rapl:0/energy_uj", "14671150\n");            // it went round: 15 J in all
+        QVERIFY(std::isnan(sampler.samples().back().powerWatts)); // a single reading
+        write("intel-rapl:0/energy_uj", "14671150\n");            // the counter wrapped: 15 J in all
         for (int i = 1; i <= 4; ++i)
             sampler.sample(TimePoint{} + i * 500ms, 0, {});
         QCOMPARE(sampler.samples().back().powerWatts, 7.5);
@@ -105,7 +105,7 @@ private Q_SLOTS:
         QVERIFY(std::isnan(elsewhere.samples().back().powerWatts));
     }
 
-    void copiesAreAnIncidentOnlyWhereTheyOutnumberOriginals()
+    void duplicatesAreAnIncidentOnlyIfTheyOutnumberOriginals()
     {
         MetricsSampler sampler;
         MetricsSampler::Reading reading;
@@ -122,13 +122,13 @@ private Q_SLOTS:
         QVERIFY(pass(2, 50) >= 150);             // a replay attack
     }
 
-    void aPlainLinkHasNoOverheadAndASilentOneNone()
+    void overheadIsZeroOnAPlainLinkAndUnknownOnASilentOne()
     {
         MetricsSampler sampler;
         MetricsSampler::Reading reading;
         for (int i = 0; i < 5; ++i) {
             reading.rxBytes += 100;
-            reading.mavlink.bytes += 90; // the rest is an agent that waits for a session
+            reading.mavlink.bytes += 90; // the other bytes are announcements of an agent
             sampler.sample(TimePoint{} + i * MetricsSampler::kEvery, i * 0.25, reading);
         }
         QCOMPARE(sampler.samples().back().rxOverheadPercent, 0.0);
@@ -140,7 +140,7 @@ private Q_SLOTS:
         QVERIFY(std::isnan(sampler.samples().back().rxOverheadPercent));
     }
 
-    void recordsBehindTheFirstAreToldApart()
+    void costOfTheFirstRecordIsKeptApart()
     {
         SuiteMeter meter;
         meter.roll(TimePoint{});
@@ -154,7 +154,7 @@ private Q_SLOTS:
         QCOMPARE(meter.cost().cpuPercent, 50 * 8.7e-6 * 100);
         meter.opened(SuiteId::ChaCha20Poly1305, 8000, 40, true);
         meter.roll(TimePoint{} + 2s);
-        QCOMPARE(meter.cost().openNextNsP50, 0.0); // none came: nothing is claimed
+        QCOMPARE(meter.cost().openNextNsP50, 0.0); // no such record within the last second
     }
 };
 

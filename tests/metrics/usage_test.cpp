@@ -1,10 +1,14 @@
-// Rates over a sliding window on a simulated clock; CPU and memory readings of this process.
+// Rates over a sliding window on a simulated clock; CPU, memory and power readings.
 #include "core/metrics/cycle_clock.h"
+#include "core/metrics/power_meter.h"
 #include "core/metrics/process_usage.h"
 #include "core/metrics/rate_meter.h"
 #include "core/metrics/work_clock.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
 #include <vector>
@@ -27,6 +31,7 @@ private Q_SLOTS:
     void readsThisProcess();
     void cycleClockAgreesWithCpuTime();
     void preemptionIsNotCountedAsWork();
+    void powerIsTheGrowthOfTheEnergyCounter();
 };
 
 static TimePoint at(int ms)
@@ -134,6 +139,31 @@ void UsageTest::preemptionIsNotCountedAsWork()
     }
     const std::uint64_t next = clock.begin();
     QVERIFY(clock.between(next, next + 1000) < 1000); // short pieces are taken from the cycle counter
+}
+
+void UsageTest::powerIsTheGrowthOfTheEnergyCounter()
+{
+    QTemporaryDir folder;
+    QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("intel-rapl:0")));
+    const auto write = [&](const char *file, const char *text) {
+        QFile out(folder.filePath(QStringLiteral("intel-rapl:0/") + QLatin1String(file)));
+        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(text) > 0);
+    };
+    write("name", "package-0\n");
+    write("max_energy_range_uj", "262143328850\n");
+    write("energy_uj", "1000000\n");
+    PowerMeter meter(folder.path().toStdString());
+    meter.sample(at(0));
+    QVERIFY(!meter.watts()); // a single reading
+    write("energy_uj", "5000000\n");
+    meter.sample(at(500));
+    QCOMPARE(meter.watts().value(), 8.0);
+    meter.sample(at(500));
+    QVERIFY(!meter.watts()); // no time has passed
+    PowerMeter unreadable("/nonexistent");
+    unreadable.sample(at(0));
+    unreadable.sample(at(1000));
+    QVERIFY(!unreadable.watts());
 }
 
 SKYSEAL_TEST(UsageTest)

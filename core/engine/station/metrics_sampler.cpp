@@ -1,35 +1,35 @@
 #include "core/engine/station/metrics_sampler.h"
 
-#include <utility>
-
 namespace skyseal::engine {
-
-namespace {
-
-double overheadPercent(const Growth<4> &wire, const Growth<4> &frames)
-{
-    const auto carried = static_cast<double>(frames.value());
-    return carried > 0 ? 100 * (static_cast<double>(wire.value()) / carried - 1) : vehicle::kUnknown;
-}
-
-} // namespace
-
-void MetricsSampler::samplePower(TimePoint now)
-{
-    const auto before = std::exchange(m_microjoules, m_energy.microjoules());
-    const double passed = seconds(now - std::exchange(m_energyAt, now));
-    m_watts = before && m_microjoules && passed > 0 ? static_cast<double>(*m_microjoules - *before) / 1e6 / passed
-                                                    : vehicle::kUnknown;
-}
 
 void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
 {
-    if (m_number % 4 == 0) {
-        m_cpu.sample(now, metrics::processCpuTime());
-        m_ioCpu.sample(now, metrics::threadCpuTime());
-        m_memory.sample(metrics::residentBytes().value_or(0));
-        samplePower(now);
-    }
+    constexpr std::uint64_t kPerSecond = 4;
+    if (m_number % kPerSecond == 0)
+        m_process.sample(now);
+    note(reading);
+
+    const ChannelTotals &channel = reading.channel;
+    MetricsSample sample;
+    sample.number = ++m_number;
+    sample.time = time;
+    sample.suite = channel.suite;
+    sample.epoch = channel.epoch;
+    sample.linkUp = reading.linkUp;
+    sample.latency = reading.latency;
+    if (channel.up && channel.roundTrip > Duration::zero())
+        sample.roundTrip = seconds(channel.roundTrip);
+    setTraffic(sample, reading);
+    setLosses(sample, reading);
+    setCosts(sample, channel.cost);
+    sample.refused = channel.rx.forged + m_replays.attacking() + channel.rx.plaintextDropped;
+    m_samples.push_back(sample);
+    if (m_samples.size() > kKept)
+        m_samples.pop_front();
+}
+
+void MetricsSampler::note(const Reading &reading)
+{
     const ChannelTotals &channel = reading.channel;
     m_channelLoss.note(channel.rx.good, channel.rx.lost);
     m_peerLoss.note(channel.peerRx.good, channel.peerRx.lost);
@@ -37,56 +37,50 @@ void MetricsSampler::sample(TimePoint now, double time, const Reading &reading)
     if (channel.peerFrames)
         m_peerMavlinkLoss.note(channel.peerFrames->taken, channel.peerFrames->lost);
     m_frames.note(reading.mavlink.frames);
-    m_bytes.note(channel.rx.openedBytes);
+    m_openedBytes.note(channel.rx.openedBytes);
     m_clearBytes.note(reading.mavlink.bytes);
-    m_good.note(channel.rx.good);
-    m_replayed.note(channel.rx.replayed);
-    if (m_replayed.value() > m_good.value())
-        m_attackingReplays += channel.rx.replayed - m_replayedBefore;
-    m_replayedBefore = channel.rx.replayed;
     m_rxBytes.note(reading.rxBytes);
     m_txBytes.note(reading.txBytes);
-    m_wireReceived.note(channel.wire.received);
-    m_wireReceivedFrames.note(channel.wire.receivedFrames);
-    m_wireSent.note(channel.wire.sent);
-    m_wireSentFrames.note(channel.wire.sentFrames);
+    m_rxOverhead.note(channel.wire.received, channel.wire.receivedFrames);
+    m_txOverhead.note(channel.wire.sent, channel.wire.sentFrames);
+    m_replays.note(channel.rx.good, channel.rx.replayed);
+}
 
-    MetricsSample one;
-    one.number = ++m_number;
-    one.time = time;
-    one.suite = channel.suite;
-    one.epoch = channel.epoch;
-    one.linkUp = reading.linkUp;
-    one.openedFramesPerSecond = static_cast<double>(m_frames.value());
-    one.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
-    one.txBytesPerSecond = static_cast<double>(m_txBytes.value());
+void MetricsSampler::setTraffic(MetricsSample &sample, const Reading &reading) const
+{
+    const bool up = reading.channel.up;
+    sample.openedFramesPerSecond = static_cast<double>(m_frames.value());
+    sample.rxBytesPerSecond = static_cast<double>(m_rxBytes.value());
+    sample.txBytesPerSecond = static_cast<double>(m_txBytes.value());
     // Clear frames needed no opening.
-    one.openedBytesPerSecond = static_cast<double>(channel.up ? m_bytes.value() : m_clearBytes.value());
-    one.rxOverheadPercent = channel.up ? overheadPercent(m_wireReceived, m_wireReceivedFrames) : 0;
-    one.txOverheadPercent = channel.up ? overheadPercent(m_wireSent, m_wireSentFrames) : 0;
-    one.latency = reading.latency;
-    if (channel.up && channel.roundTrip > Duration::zero())
-        one.roundTrip = seconds(channel.roundTrip);
-    one.mavlinkLossPercent = m_mavlinkLoss.percent();
-    one.lossPercent = channel.up ? m_channelLoss.percent() : one.mavlinkLossPercent;
-    one.peerLossPercent = channel.up ? m_peerLoss.percent() : 0;
+    sample.openedBytesPerSecond = static_cast<double>(up ? m_openedBytes.value() : m_clearBytes.value());
+    sample.rxOverheadPercent = up ? m_rxOverhead.percent().value_or(vehicle::kUnknown) : 0;
+    sample.txOverheadPercent = up ? m_txOverhead.percent().value_or(vehicle::kUnknown) : 0;
+}
+
+void MetricsSampler::setLosses(MetricsSample &sample, const Reading &reading) const
+{
+    const ChannelTotals &channel = reading.channel;
+    sample.mavlinkLossPercent = m_mavlinkLoss.percent();
+    sample.lossPercent = channel.up ? m_channelLoss.percent() : sample.mavlinkLossPercent;
+    sample.peerLossPercent = channel.up ? m_peerLoss.percent() : 0;
     if (channel.up && channel.peerFrames)
-        one.peerMavlinkLossPercent = m_peerMavlinkLoss.percent();
-    one.powerWatts = m_watts;
-    one.processCpuPercent = m_cpu.percent();
-    one.ioCpuPercent = m_ioCpu.percent();
-    one.suiteCpuPercent = channel.cost.cpuPercent;
-    one.openNsP50 = channel.cost.openNsP50;
-    one.openNsP99 = channel.cost.openNsP99;
-    one.openNextNsP50 = channel.cost.openNextNsP50;
-    one.openNextNsP99 = channel.cost.openNextNsP99;
-    one.sealNsP50 = channel.cost.sealNsP50;
-    one.sealNsP99 = channel.cost.sealNsP99;
-    one.refused = channel.rx.forged + m_attackingReplays + channel.rx.plaintextDropped;
-    one.residentBytes = m_memory.bytes();
-    m_samples.push_back(one);
-    if (m_samples.size() > kKept)
-        m_samples.pop_front();
+        sample.peerMavlinkLossPercent = m_peerMavlinkLoss.percent();
+}
+
+void MetricsSampler::setCosts(MetricsSample &sample, const SuiteCost &cost) const
+{
+    sample.processCpuPercent = m_process.cpuPercent();
+    sample.ioCpuPercent = m_process.ioCpuPercent();
+    sample.residentBytes = m_process.residentBytes();
+    sample.powerWatts = m_process.watts().value_or(vehicle::kUnknown);
+    sample.suiteCpuPercent = cost.cpuPercent;
+    sample.openNsP50 = cost.openNsP50;
+    sample.openNsP99 = cost.openNsP99;
+    sample.openNextNsP50 = cost.openNextNsP50;
+    sample.openNextNsP99 = cost.openNextNsP99;
+    sample.sealNsP50 = cost.sealNsP50;
+    sample.sealNsP99 = cost.sealNsP99;
 }
 
 } // namespace skyseal::engine

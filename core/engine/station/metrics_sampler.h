@@ -1,11 +1,12 @@
-// Takes the readings of the diagnostics: traffic, loss and cost of the link four times a second, CPU and memory of the
-// process once a second. I/O thread.
+// Makes the points of the diagnostics' time lines: rates, loss and cost of the link four times a second, CPU, memory and power
+// of the process once a second. Each meter turns counters into one kind of figure; the sampler feeds them. I/O thread.
 #pragma once
 
 #include "core/engine/common/loss_meter.h"
+#include "core/engine/station/overhead_meter.h"
+#include "core/engine/station/process_meter.h"
+#include "core/engine/station/replay_meter.h"
 #include "core/engine/station/snapshot.h"
-#include "core/metrics/energy_meter.h"
-#include "core/metrics/process_usage.h"
 
 #include <deque>
 
@@ -19,7 +20,7 @@ public:
     static constexpr std::size_t kKept = 40;
 
     /// `powercap`: folder of the kernel's energy counters.
-    explicit MetricsSampler(const std::string &powercap = metrics::EnergyMeter::kFolder) : m_energy(powercap) {}
+    explicit MetricsSampler(const std::string &powercap = metrics::EnergyMeter::kFolder) : m_process(powercap) {}
 
     /// The engine's values at the time of a sample.
     struct Reading
@@ -31,27 +32,25 @@ public:
         std::uint64_t rxBytes = 0, txBytes = 0; ///< of all links so far
     };
 
+    /// Appends a sample. Call every kEvery; `time` is seconds since the station started.
     void sample(TimePoint now, double time, const Reading &reading);
+    /// The newest kKept samples, oldest first.
     const std::deque<MetricsSample> &samples() const { return m_samples; }
-    double processCpuPercent() const { return m_cpu.percent(); }
-    std::uint64_t residentBytes() const { return m_memory.bytes(); }
+    double processCpuPercent() const { return m_process.cpuPercent(); }
+    std::uint64_t residentBytes() const { return m_process.residentBytes(); }
 
 private:
-    void samplePower(TimePoint now);
+    void note(const Reading &reading);
+    void setTraffic(MetricsSample &sample, const Reading &reading) const;
+    void setLosses(MetricsSample &sample, const Reading &reading) const;
+    void setCosts(MetricsSample &sample, const SuiteCost &cost) const;
 
-    metrics::CpuSampler m_cpu, m_ioCpu;
-    metrics::MemorySampler m_memory;
-    std::uint64_t m_number = 0;
-    metrics::EnergyMeter m_energy;
-    std::optional<std::uint64_t> m_microjoules;
-    TimePoint m_energyAt{};
-    double m_watts = vehicle::kUnknown;
+    ProcessMeter m_process;
     LossMeter m_channelLoss, m_peerLoss, m_mavlinkLoss, m_peerMavlinkLoss;
-    Growth<4> m_frames, m_bytes, m_clearBytes, m_rxBytes, m_txBytes;
-    Growth<4> m_wireReceived, m_wireReceivedFrames, m_wireSent, m_wireSentFrames;
-    Growth<4> m_good, m_replayed;
-    std::uint64_t m_replayedBefore = 0;
-    std::uint64_t m_attackingReplays = 0; ///< counted only while replays outnumber originals; a network also duplicates some
+    Growth<4> m_frames, m_openedBytes, m_clearBytes, m_rxBytes, m_txBytes;
+    OverheadMeter m_rxOverhead, m_txOverhead;
+    ReplayMeter m_replays;
+    std::uint64_t m_number = 0;
     std::deque<MetricsSample> m_samples;
 };
 

@@ -1,0 +1,41 @@
+// The cost of the station to its machine: CPU load, memory and power. I/O thread.
+#pragma once
+
+#include "core/metrics/power_meter.h"
+#include "core/metrics/process_usage.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace skyseal::engine {
+
+class ProcessMeter
+{
+public:
+    /// `powercap`: folder of the kernel's energy counters.
+    explicit ProcessMeter(const std::string &powercap) : m_power(powercap) {}
+
+    /// Reads CPU time, memory and energy. Call about once a second on the I/O thread, whose own load is measured as well.
+    void sample(TimePoint now)
+    {
+        m_cpu.sample(now, metrics::processCpuTime());
+        m_ioCpu.sample(now, metrics::threadCpuTime());
+        m_memory.sample(metrics::residentBytes().value_or(0));
+        m_power.sample(now);
+    }
+
+    /// Percent of one core: of all threads, and of the I/O thread.
+    double cpuPercent() const { return m_cpu.percent(); }
+    double ioCpuPercent() const { return m_ioCpu.percent(); }
+    std::uint64_t residentBytes() const { return m_memory.bytes(); }
+    /// Of the whole processor; nullopt if unknown.
+    std::optional<double> watts() const { return m_power.watts(); }
+
+private:
+    metrics::CpuSampler m_cpu, m_ioCpu;
+    metrics::MemorySampler m_memory;
+    metrics::PowerMeter m_power;
+};
+
+} // namespace skyseal::engine
