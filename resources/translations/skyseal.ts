@@ -1878,11 +1878,14 @@ Fingerprint %3</source>
     </message>
 </context>
 <context>
-    <name>skyseal::ui::MapView</name>
+    <name>skyseal::ui::MapPainter</name>
     <message>
         <source>N</source>
         <translation type="unfinished"></translation>
     </message>
+</context>
+<context>
+    <name>skyseal::ui::MapView</name>
     <message>
         <source>Map</source>
         <translation type="unfinished"></translation>

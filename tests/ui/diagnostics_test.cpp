@@ -321,7 +321,7 @@ private Q_SLOTS:
             for (int x = -120; x <= 0; ++x) {
                 Q_EMIT chart->hovered(x);
                 const QRectF box = cursor->box();
-                const qreal line = chart->findChild<ChartView *>()->placeOf(x);
+                const qreal line = chart->findChild<ChartView *>()->plot().xOf(x);
                 QVERIFY2(line < box.left() || line > box.right(), qPrintable(QStringLiteral("chart %1 at %2 s").arg(i).arg(x)));
                 QVERIFY(cursor->rect().contains(box.toAlignedRect()));
             }

@@ -436,14 +436,14 @@ private Q_SLOTS:
         for (double t = 0; t < 20; t += 0.5)
             m_station->show(sealedSnapshot(t));
         auto *map = m_window->findChild<MapView *>();
-        QVERIFY(map->track().points().size() > 10);
-        const double before = map->metresPerPixel();
+        QVERIFY(map->content().track().points().size() > 10);
+        const double before = map->viewport().metresPerPixel();
         map->setFocus();
         QTest::keyClick(map, Qt::Key_Plus);
-        QVERIFY(map->metresPerPixel() < before);
-        const QPointF home = map->toPixels({0, 0});
+        QVERIFY(map->viewport().metresPerPixel() < before);
+        const QPointF home = map->viewport().toPixels({0, 0});
         QTest::keyClick(map, Qt::Key_Left);
-        QVERIFY(map->toPixels({0, 0}).x() > home.x());
+        QVERIFY(map->viewport().toPixels({0, 0}).x() > home.x());
         QVERIFY(!map->isFollowing());
         QTest::keyClick(map, Qt::Key_Home);
         QVERIFY(map->isFollowing());

@@ -1,7 +1,7 @@
 #include "ui/charts/chart_view.h"
 
-#include "ui/charts/axis_scale.h"
 #include "ui/charts/chart_cursor.h"
+#include "ui/charts/chart_painter.h"
 #include "ui/text/units.h"
 #include "ui/theme/grid.h"
 
@@ -14,12 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr int kBarStep = 10, kBarWidth = 7; ///< pixels
-constexpr qreal kDragAtLeast = 6;
+constexpr qreal kDragAtLeast = 6; ///< pixels
 } // namespace
 
 ChartView::ChartView(QChart *chart, QWidget *parent) : QChartView(chart, parent), m_cursor(new ChartCursor(viewport()))
@@ -40,12 +40,13 @@ QFont ChartView::labelFont() const
 
 void ChartView::setFrame(const ChartContent &content, bool anyRun)
 {
-    m_frame.marks = content.marks;
-    m_frame.bars = content.bars;
-    m_frame.time = content.time;
-    m_frame.from = content.from;
-    m_frame.to = content.to;
-    m_frame.top = content.top;
+    ChartContent &shown = m_plot.content;
+    shown.marks = content.marks;
+    shown.bars = content.bars;
+    shown.time = content.time;
+    shown.from = content.from;
+    shown.to = content.to;
+    shown.top = content.top;
     m_anyRun = anyRun;
     if (m_bars != static_cast<int>(content.bars.size()))
         placePlot();
@@ -53,11 +54,12 @@ void ChartView::setFrame(const ChartContent &content, bool anyRun)
 
 void ChartView::placePlot()
 {
-    m_bars = static_cast<int>(m_frame.bars.size());
+    m_bars = static_cast<int>(m_plot.content.bars.size());
     const QFontMetrics metrics(labelFont());
     const int left = metrics.horizontalAdvance(QStringLiteral("88888")) + kGrid;
-    const int right = kGrid + (m_bars > 0 ? m_bars * kBarStep + kGrid : 0);
-    chart()->setPlotArea(QRectF(left, metrics.height() / 2.0, width() - left - right, height() - 2.0 * metrics.height() - 2));
+    const int right = kGrid + (m_bars > 0 ? m_bars * ChartPlot::kBarStep + kGrid : 0);
+    m_plot.area = QRectF(left, metrics.height() / 2.0, width() - left - right, height() - 2.0 * metrics.height() - 2);
+    chart()->setPlotArea(m_plot.area);
 }
 
 void ChartView::resizeEvent(QResizeEvent *event)
@@ -67,50 +69,35 @@ void ChartView::resizeEvent(QResizeEvent *event)
     m_cursor->resize(size());
 }
 
-QRectF ChartView::plot() const
+void ChartView::drawBackground(QPainter *painter, const QRectF &rect)
 {
-    return chart()->plotArea();
+    QChartView::drawBackground(painter, rect);
+    ChartPainter(*painter, m_plot, palette()).paintGrid();
 }
 
-double ChartView::secondsPerPixel() const
+void ChartView::drawForeground(QPainter *painter, const QRectF &)
 {
-    return (m_frame.to - m_frame.from) / std::max(1.0, plot().width());
-}
-
-double ChartView::timeAt(qreal x) const
-{
-    const QRectF area = plot();
-    return m_frame.from + (std::clamp(x, area.left(), area.right()) - area.left()) * secondsPerPixel();
-}
-
-qreal ChartView::placeOf(double time) const
-{
-    return plot().left() + (time - m_frame.from) / secondsPerPixel();
-}
-
-QRectF ChartView::barAt(std::size_t index, const QRectF &area) const
-{
-    const ChartBar &bar = m_frame.bars[index];
-    const qreal high = std::clamp(bar.mean / m_frame.top, 0.0, 1.0) * area.height();
-    return {area.right() + kGrid + static_cast<qreal>(index) * kBarStep, area.bottom() - high, kBarWidth, high};
+    ChartPainter around(*painter, m_plot, palette());
+    around.paintAround(labelFont());
+    if (!m_anyRun)
+        around.paintEmpty(m_emptyText);
+    if (m_pressed >= 0 && m_plot.content.time != ChartTime::InUse)
+        around.paintSelection(m_pressed, m_dragged);
 }
 
 QString ChartView::barText(qreal x) const
 {
-    const QRectF area = plot();
-    for (std::size_t i = 0; i < m_frame.bars.size(); ++i) {
-        const QRectF place = barAt(i, area);
-        const ChartBar &bar = m_frame.bars[i];
-        if (x >= place.left() - 1 && x < place.left() + kBarStep - 1)
-            return tr("%1: mean %2 %3, from %4 to %5, %6 samples")
-                .arg(bar.suite, number(bar.mean, 3), m_unit, number(bar.low, 3), number(bar.high, 3), grouped(bar.samples));
-    }
-    return {};
+    const auto index = m_plot.barIndexAt(x);
+    if (!index)
+        return {};
+    const ChartBar &bar = m_plot.content.bars[*index];
+    return tr("%1: mean %2 %3, from %4 to %5, %6 samples")
+        .arg(bar.suite, number(bar.mean, 3), m_unit, number(bar.low, 3), number(bar.high, 3), grouped(bar.samples));
 }
 
 void ChartView::mousePressEvent(QMouseEvent *event)
 {
-    if (event->button() == Qt::LeftButton && plot().contains(event->position()))
+    if (event->button() == Qt::LeftButton && m_plot.area.contains(event->position()))
         m_pressed = m_dragged = event->position().x();
 }
 
@@ -128,8 +115,8 @@ void ChartView::mouseMoveEvent(QMouseEvent *event)
         return;
     }
     QToolTip::hideText();
-    if (x >= plot().left() && x <= plot().right() + 2)
-        Q_EMIT hovered(timeAt(x));
+    if (x >= m_plot.area.left() && x <= m_plot.area.right() + 2)
+        Q_EMIT hovered(m_plot.timeAt(x));
     else
         Q_EMIT hoverEnded();
 }
@@ -140,8 +127,8 @@ void ChartView::mouseReleaseEvent(QMouseEvent *event)
     const qreal to = std::exchange(m_dragged, -1);
     viewport()->update();
     if (event->button() == Qt::LeftButton && from >= 0 && std::abs(to - from) >= kDragAtLeast
-        && m_frame.time != ChartTime::InUse)
-        Q_EMIT rangeRequested(timeAt(std::min(from, to)), timeAt(std::max(from, to)));
+        && m_plot.content.time != ChartTime::InUse)
+        Q_EMIT rangeRequested(m_plot.timeAt(std::min(from, to)), m_plot.timeAt(std::max(from, to)));
 }
 
 void ChartView::mouseDoubleClickEvent(QMouseEvent *)

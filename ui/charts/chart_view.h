@@ -1,8 +1,7 @@
-// The view of one Qt chart. It paints grid, labels, marks and bars, which Qt Charts draws slower or not at all (figures in
-// qt_time_series_chart.cpp), and translates mouse actions to times.
+// The view of one Qt chart: lays out the plot, translates mouse actions to times, and lets ChartPainter paint around the lines.
 #pragma once
 
-#include "ui/charts/chart.h"
+#include "ui/charts/chart_plot.h"
 
 #include <QtCharts/QChartView>
 
@@ -19,17 +18,11 @@ public:
 
     /// Sets everything except the runs, which the chart's series hold.
     void setFrame(const ChartContent &content, bool anyRun);
-    const ChartContent &frame() const { return m_frame; }
     void setUnit(const QString &unit) { m_unit = unit; }
     /// Sets the text of an empty plot.
     void setEmptyText(const QString &text) { m_emptyText = text; }
-    /// Returns the time in seconds at this pixel, limited to the plot.
-    double timeAt(qreal x) const;
-    qreal placeOf(double time) const;
+    const ChartPlot &plot() const { return m_plot; }
     ChartCursor *cursorLayer() const { return m_cursor; }
-    QRectF plot() const;
-    /// Returns the seconds per pixel.
-    double secondsPerPixel() const;
 
 Q_SIGNALS:
     void hovered(double x);
@@ -52,14 +45,9 @@ protected:
 private:
     QFont labelFont() const;
     void placePlot();
-    void drawTimeLabels(QPainter &painter, const QRectF &area) const;
-    void drawValueLabels(QPainter &painter, const QRectF &area) const;
-    void drawMarks(QPainter &painter, const QRectF &area) const;
-    void drawBars(QPainter &painter, const QRectF &area) const;
-    QRectF barAt(std::size_t index, const QRectF &area) const;
     QString barText(qreal x) const;
 
-    ChartContent m_frame; ///< without runs
+    ChartPlot m_plot;
     QString m_unit;
     QString m_emptyText = tr("nothing measured yet");
     ChartCursor *m_cursor;

@@ -46,8 +46,8 @@ QtTimeSeriesChart::QtTimeSeriesChart(const ChartTitle &title, QWidget *parent) :
     m_time = new QValueAxis(m_chart);
     m_value = new QValueAxis(m_chart);
     for (QValueAxis *axis : {m_time, m_value}) {
-        // ChartView paints grid and labels. Measured for a refresh of 6 charts with 600 points each (offscreen, CPU time, one
-        // run): series alone 1; with the view's grid and labels 1.12; with Qt Charts' own 1.30, which lays out a text document
+        // ChartPainter paints grid and labels. Measured for a refresh of 6 charts with 600 points each (offscreen, CPU time, one
+        // run): series alone 1; with the painter's grid and labels 1.12; with Qt Charts' own 1.30, which lays out a text document
         // for each label and does not move its grid with a fixed plot area.
         axis->setLabelsVisible(false);
         axis->setGridLineVisible(false);
@@ -125,7 +125,7 @@ void QtTimeSeriesChart::showContent(const ChartContent &content)
 
 ChartContent QtTimeSeriesChart::plotted() const
 {
-    ChartContent out = m_view->frame();
+    ChartContent out = m_view->plot().content;
     out.from = m_time->min();
     out.to = m_time->max();
     out.top = m_value->max();
@@ -150,14 +150,14 @@ void QtTimeSeriesChart::showCursor(std::optional<double> x)
     constexpr double kMarkReach = 5; // pixels
     const int decimals = m_value->max() >= 1000 ? 0 : m_value->max() >= 20 ? 1 : m_value->max() >= 2 ? 2 : 3;
     const ChartContent content = plotted();
-    const QRectF plot = m_view->plot();
+    const ChartPlot &plot = m_view->plot();
     std::vector<QPointF> curves;
     for (const ChartRun &run : content.runs) {
         for (const QPointF &point : run.points)
-            curves.emplace_back(m_view->placeOf(point.x()), plot.bottom() - point.y() / content.top * plot.height());
+            curves.emplace_back(plot.xOf(point.x()), plot.area.bottom() - point.y() / content.top * plot.area.height());
     }
-    m_view->cursorLayer()->showAt(m_view->placeOf(*x), plot,
-                                  chartTextAt(content, *x, kMarkReach * m_view->secondsPerPixel(), decimals), curves);
+    m_view->cursorLayer()->showAt(plot.xOf(*x), plot.area,
+                                  chartTextAt(content, *x, kMarkReach * plot.secondsPerPixel(), decimals), curves);
 }
 
 QStringList QtTimeSeriesChart::cursorText() const

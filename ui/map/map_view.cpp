@@ -1,19 +1,18 @@
 #include "ui/map/map_view.h"
 
-#include "ui/theme/grid.h"
+#include "ui/map/map_painter.h"
 
 #include <QtGui/QKeyEvent>
 #include <QtGui/QMouseEvent>
+#include <QtGui/QPainter>
 #include <QtGui/QWheelEvent>
 
-#include <algorithm>
 #include <cmath>
 
 namespace skyseal::ui {
 
 namespace {
-constexpr double kNearest = 0.02, kFarthest = 200; ///< metres a pixel
-constexpr double kKeyStep = 48;                    ///< pixels
+constexpr double kKeyStep = 48; ///< pixels
 } // namespace
 
 MapView::MapView(QWidget *parent) : QWidget(parent)
@@ -26,71 +25,23 @@ MapView::MapView(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-QPointF MapView::toPixels(const QPointF &metres) const
-{
-    const QPointF from = (metres - m_centre) / m_metresPerPixel;
-    return {width() / 2.0 + from.x(), height() / 2.0 - from.y()};
-}
-
 void MapView::showViewState(const ViewState &view)
 {
-    if (!view.vehicle)
-        return;
-    const auto &state = view.vehicle->state;
-    if (state.systemId != m_systemId) {
-        m_systemId = state.systemId;
-        m_track.clear();
-        m_frame.reset();
-        m_vehicle.reset();
-        m_home.reset();
-        m_groundDirty = true;
-    }
-    const vehicle::Position &origin = state.home.known() ? state.home : state.position;
-    if (!m_frame && origin.known())
-        m_frame = LocalFrame{origin.latitude, origin.longitude};
-    if (!m_frame)
-        return;
-
-    bool seen = view.stale() != m_stale || state.armed != m_armed;
-    m_stale = view.stale();
-    m_armed = state.armed;
-    m_suite = view.session ? view.session->info.suite : crypto::SuiteId::None;
-    if (state.home.known()) {
-        const QPointF home = m_frame->toMetres(state.home.latitude, state.home.longitude);
-        m_groundDirty |= m_home != home;
-        m_home = home;
-    }
-    if (m_mission != view.vehicle->mission || m_missionCurrent != state.missionCurrent) {
-        m_mission = view.vehicle->mission;
-        m_missionCurrent = state.missionCurrent;
-        m_groundDirty = true;
-    }
-    if (state.position.known()) {
-        const QPointF now = m_frame->toMetres(state.position.latitude, state.position.longitude);
-        if (!m_stale)
-            m_groundDirty |= m_track.append(now, m_suite);
-        const bool moved = !m_vehicle || (now - *m_vehicle).manhattanLength() > m_metresPerPixel * 0.5;
-        if (moved) {
-            m_vehicle = now;
-            seen = true;
-            // Follow in steps: the ground is redrawn only when the vehicle leaves the middle of the picture.
-            const QPointF off = (now - m_centre) / m_metresPerPixel;
-            if (m_follow && !m_dragging && (std::abs(off.x()) > width() / 4.0 || std::abs(off.y()) > height() / 4.0)) {
-                m_centre = now;
-                m_groundDirty = true;
-            }
+    const MapContent::Changes changes = m_content.show(view, m_viewport.metresPerPixel());
+    m_groundDirty |= changes.ground;
+    if (changes.moved && m_follow && !m_dragging) {
+        // Follow in steps: the ground is redrawn only when the vehicle leaves the middle of the picture.
+        const QPointF off = (*m_content.vehicle() - m_viewport.centre()) / m_viewport.metresPerPixel();
+        if (std::abs(off.x()) > width() / 4.0 || std::abs(off.y()) > height() / 4.0) {
+            m_viewport.setCentre(*m_content.vehicle());
+            m_groundDirty = true;
         }
     }
-    const double heading = std::isfinite(state.heading) ? state.heading : m_heading;
-    if (std::abs(heading - m_heading) > 0.7) {
-        m_heading = heading;
-        seen = true;
-    }
-    if (seen || m_groundDirty)
+    if (changes.vehicle || m_groundDirty)
         update();
 }
 
-void MapView::dirty()
+void MapView::markGroundDirty()
 {
     m_groundDirty = true;
     update();
@@ -98,16 +49,16 @@ void MapView::dirty()
 
 void MapView::clearTrack()
 {
-    m_track.clear();
-    dirty();
+    m_content.clearTrack();
+    markGroundDirty();
 }
 
 void MapView::followVehicle()
 {
     m_follow = true;
-    if (m_vehicle)
-        m_centre = *m_vehicle;
-    dirty();
+    if (m_content.vehicle())
+        m_viewport.setCentre(*m_content.vehicle());
+    markGroundDirty();
 }
 
 void MapView::zoomBy(double factor)
@@ -115,31 +66,58 @@ void MapView::zoomBy(double factor)
     zoomAt(QPointF(width() / 2.0, height() / 2.0), factor);
 }
 
-void MapView::zoomAt(const QPointF &pixels, double factor)
+void MapView::zoomAt(const QPointF &pixel, double factor)
 {
-    const double next = std::clamp(m_metresPerPixel / factor, kNearest, kFarthest);
-    const QPointF from(pixels.x() - width() / 2.0, height() / 2.0 - pixels.y());
-    m_centre += from * (m_metresPerPixel - next);
-    m_metresPerPixel = next;
-    dirty();
+    m_viewport.zoomAt(pixel, factor);
+    markGroundDirty();
 }
 
 void MapView::pan(const QPointF &pixels)
 {
     m_follow = false;
-    m_centre += QPointF(-pixels.x(), pixels.y()) * m_metresPerPixel;
-    dirty();
+    m_viewport.pan(pixels);
+    markGroundDirty();
+}
+
+void MapView::paintEvent(QPaintEvent *)
+{
+    if (m_groundDirty)
+        paintGround();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_ground);
+    painter.setRenderHint(QPainter::Antialiasing);
+    MapPainter(painter, m_content, m_viewport, palette()).paintVehicle();
+    if (hasFocus()) {
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
+        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+    }
+}
+
+void MapView::paintGround()
+{
+    const qreal ratio = devicePixelRatioF();
+    const QSize wanted = size() * ratio;
+    if (m_ground.size() != wanted) {
+        m_ground = QPixmap(wanted);
+        m_ground.setDevicePixelRatio(ratio);
+    }
+    m_groundDirty = false;
+    m_ground.fill(palette().color(QPalette::Base));
+    QPainter painter(&m_ground);
+    MapPainter(painter, m_content, m_viewport, palette()).paintGround();
 }
 
 void MapView::resizeEvent(QResizeEvent *)
 {
-    dirty();
+    m_viewport.setSize(size());
+    markGroundDirty();
 }
 
 void MapView::changeEvent(QEvent *event)
 {
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        dirty();
+        markGroundDirty();
     QWidget::changeEvent(event);
 }
 

@@ -1,15 +1,13 @@
 // The plan view: north is up, a metric grid and a scale bar, home, mission, the track coloured by suite, and the vehicle.
-// Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again.
+// Drag or the arrow keys move it, the wheel or + and − zoom, Home follows the vehicle again. Holds the content, the viewport
+// and a picture of the ground; MapPainter paints.
 #pragma once
 
-#include "ui/map/local_frame.h"
-#include "ui/map/track.h"
-#include "ui/view_state.h"
+#include "ui/map/map_content.h"
+#include "ui/map/map_viewport.h"
 
 #include <QtGui/QPixmap>
 #include <QtWidgets/QWidget>
-
-#include <optional>
 
 namespace skyseal::ui {
 
@@ -26,10 +24,8 @@ public:
     void zoomBy(double factor);
 
     bool isFollowing() const { return m_follow; }
-    double metresPerPixel() const { return m_metresPerPixel; }
-    const Track &track() const { return m_track; }
-    /// Returns the pixel of a position in metres.
-    QPointF toPixels(const QPointF &metres) const;
+    const MapContent &content() const { return m_content; }
+    const MapViewport &viewport() const { return m_viewport; }
 
     QSize minimumSizeHint() const override { return {240, 160}; }
 
@@ -45,32 +41,17 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    void zoomAt(const QPointF &pixels, double factor);
+    void zoomAt(const QPointF &pixel, double factor);
     void pan(const QPointF &pixels);
-    void dirty();
+    void markGroundDirty();
     void paintGround();
-    void paintTrack(QPainter &painter) const;
-    void paintMission(QPainter &painter) const;
-    void paintHome(QPainter &painter) const;
-    void paintVehicle(QPainter &painter) const;
-    void paintFurniture(QPainter &painter) const;
 
-    std::optional<LocalFrame> m_frame;
-    QPointF m_centre; ///< metres
-    double m_metresPerPixel = 0.5;
+    MapContent m_content;
+    MapViewport m_viewport;
     bool m_follow = true;
     QPointF m_dragFrom;
     bool m_dragging = false;
-
-    std::uint8_t m_systemId = 0;
-    std::optional<QPointF> m_vehicle, m_home;
-    double m_heading = 0;
-    bool m_stale = false, m_armed = false;
-    crypto::SuiteId m_suite{};
-    Track m_track;
-    std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
-    int m_missionCurrent = -1;
-    QPixmap m_ground; ///< grid, mission and track: redrawn only when they change
+    QPixmap m_ground; ///< painted again only when its content or the viewport changes
     bool m_groundDirty = true;
 };
 

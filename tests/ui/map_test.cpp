@@ -1,0 +1,85 @@
+// The parts of the map: the viewport's arithmetic, and the content that view states change.
+#include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
+#include "ui/map/map_content.h"
+#include "ui/map/map_viewport.h"
+
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+namespace {
+
+ViewState viewAt(double time, std::uint8_t systemId = 1)
+{
+    engine::Snapshot snapshot = sealedSnapshot(time);
+    snapshot.vehicles.front().state.systemId = systemId;
+    return viewOf(std::make_shared<const engine::Snapshot>(std::move(snapshot)), systemId);
+}
+
+} // namespace
+
+class MapTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void zoomKeepsThePositionUnderThePixel()
+    {
+        MapViewport viewport;
+        viewport.setSize({400, 300});
+        viewport.setCentre({100, 50});
+        QCOMPARE(viewport.toPixels({100, 50}), QPointF(200, 150));
+        const QPointF metres(150, 80);
+        const QPointF before = viewport.toPixels(metres);
+        QCOMPARE(before, QPointF(300, 90)); // 0.5 m per pixel, north is up
+        viewport.zoomAt(before, 4);
+        QCOMPARE(viewport.metresPerPixel(), 0.125);
+        QCOMPARE(viewport.toPixels(metres), before);
+        viewport.zoomAt(before, 1e9);
+        QCOMPARE(viewport.metresPerPixel(), MapViewport::kNearest);
+        viewport.zoomAt(before, 1e-9);
+        QCOMPARE(viewport.metresPerPixel(), MapViewport::kFarthest);
+    }
+
+    void panMovesThePicture()
+    {
+        MapViewport viewport;
+        viewport.setSize({400, 300});
+        const QPointF before = viewport.toPixels({10, 10});
+        viewport.pan({30, -20});
+        QCOMPARE(viewport.toPixels({10, 10}), before + QPointF(30, -20));
+    }
+
+    void contentReportsOnlyVisibleChanges()
+    {
+        MapContent content;
+        QVERIFY(!content.show(ViewState{}, 0.5).ground);
+        MapContent::Changes changes = content.show(viewAt(0), 0.5);
+        QVERIFY(changes.ground && changes.vehicle && changes.moved);
+        QVERIFY(content.frame() && content.vehicle() && content.home());
+        changes = content.show(viewAt(0), 0.5);
+        QVERIFY(!changes.ground && !changes.vehicle && !changes.moved);
+        const QPointF before = *content.vehicle();
+        QVERIFY(!content.show(viewAt(10), 1e6).moved); // below half a pixel at this scale
+        QCOMPARE(*content.vehicle(), before);
+        QVERIFY(content.show(viewAt(10), 0.5).moved);
+        QVERIFY(*content.vehicle() != before);
+    }
+
+    void anotherVehicleStartsOver()
+    {
+        MapContent content;
+        for (double t = 0; t < 20; t += 0.5)
+            content.show(viewAt(t), 0.5);
+        QVERIFY(content.track().points().size() > 10);
+        QVERIFY(content.show(viewAt(20, 2), 0.5).ground);
+        QCOMPARE(content.track().points().size(), std::size_t(1));
+        content.clearTrack();
+        QVERIFY(content.track().points().empty());
+    }
+};
+
+SKYSEAL_TEST(MapTest)
+#include "map_test.moc"

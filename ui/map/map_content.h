@@ -1,0 +1,56 @@
+// What the map shows of the selected vehicle, in metres: vehicle, home, mission and the track. Built from view states.
+#pragma once
+
+#include "ui/map/local_frame.h"
+#include "ui/map/track.h"
+#include "ui/view_state.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace skyseal::ui {
+
+class MapContent
+{
+public:
+    /// The parts that a view state changed visibly.
+    struct Changes
+    {
+        bool ground = false;  ///< home, mission or track
+        bool vehicle = false; ///< position, heading or state of the vehicle
+        bool moved = false;   ///< position of the vehicle
+    };
+
+    /// Takes the vehicle of `view`, and forgets everything of another vehicle shown before. Ignores movements below half a
+    /// pixel.
+    Changes show(const ViewState &view, double metresPerPixel);
+    void clearTrack() { m_track.clear(); }
+
+    /// Origin of all positions: home, or the first position. nullopt until one of them is known.
+    const std::optional<LocalFrame> &frame() const { return m_frame; }
+    const std::optional<QPointF> &vehicle() const { return m_vehicle; }
+    const std::optional<QPointF> &home() const { return m_home; }
+    double heading() const { return m_heading; } ///< degrees
+    bool isStale() const { return m_stale; }
+    crypto::SuiteId suite() const { return m_suite; }
+    const Track &track() const { return m_track; }
+    /// Null until the mission was read.
+    const std::vector<vehicle::MissionItem> *mission() const { return m_mission.get(); }
+    int missionCurrent() const { return m_missionCurrent; }
+
+private:
+    bool startOver(std::uint8_t systemId);
+
+    std::uint8_t m_systemId = 0;
+    std::optional<LocalFrame> m_frame;
+    std::optional<QPointF> m_vehicle, m_home;
+    double m_heading = 0;
+    bool m_stale = false;
+    crypto::SuiteId m_suite{};
+    Track m_track;
+    std::shared_ptr<const std::vector<vehicle::MissionItem>> m_mission;
+    int m_missionCurrent = -1;
+};
+
+} // namespace skyseal::ui
