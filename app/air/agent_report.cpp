@@ -4,7 +4,7 @@
 #include "app/common/output.h"
 #include "app/common/overloaded.h"
 #include "core/engine/headless/agent_json.h"
-#include "core/engine/headless/event_json.h"
+#include "core/engine/headless/common_json.h"
 #include "core/engine/text/agent_event_text.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"

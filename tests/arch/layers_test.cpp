@@ -6,6 +6,7 @@
 #include <QtCore/QFile>
 #include <QtCore/QHash>
 #include <QtCore/QRegularExpression>
+#include <QtCore/QSet>
 #include <QtTest/QTest>
 
 namespace {
@@ -113,6 +114,7 @@ private Q_SLOTS:
     void arrowsGoDown();
     void roomsOfTheUserInterface();
     void roomsOfThePrograms();
+    void agentDoesNotKnowTheStation();
     void protocolHasNoQt();
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
@@ -182,6 +184,42 @@ void LayersTest::roomsOfThePrograms()
             const bool allowed = isUi ? room == QLatin1String("skyseal") : target == room || target == QLatin1String("common");
             if (!allowed)
                 wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// skyseal-air is installed on companion computers: no file that it includes, however indirectly, is of the station.
+void LayersTest::agentDoesNotKnowTheStation()
+{
+    static const QRegularExpression kInclude(QStringLiteral("^#include \"((?:core|app)/[a-z0-9_/]+\\.h)\""));
+    QHash<QString, QStringList> files;
+    for (const SourceFile &file : sources({QStringLiteral("core"), QStringLiteral("app")}))
+        files.insert(file.path, file.lines);
+    QStringList open, wrong;
+    for (auto it = files.cbegin(); it != files.cend(); ++it) {
+        if (it.key().startsWith(QLatin1String("app/air/")) || it.key().startsWith(QLatin1String("core/engine/agent/")))
+            open << it.key();
+    }
+    QVERIFY(open.size() > 10);
+    QSet<QString> reached(open.cbegin(), open.cend());
+    const auto reach = [&](const QString &from, const QString &path) {
+        if (path.startsWith(QLatin1String("core/engine/station/")) || path.startsWith(QLatin1String("core/vehicle/")))
+            wrong << from + QStringLiteral(" includes ") + path;
+        if (files.contains(path) && !reached.contains(path)) {
+            reached.insert(path);
+            open << path;
+        }
+    };
+    while (!open.isEmpty()) {
+        const QString path = open.takeLast();
+        for (const QString &line : files.value(path)) {
+            const auto match = kInclude.match(line);
+            if (!match.hasMatch())
+                continue;
+            const QString header = match.captured(1);
+            reach(path, header);
+            reach(path, header.chopped(2) + QStringLiteral(".cpp")); // its functions are linked
         }
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));

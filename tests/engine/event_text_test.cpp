@@ -1,5 +1,6 @@
 // The sentences for events: each alternative of the variants has one, and the station and the agent share those of the channel.
 #include "core/engine/text/agent_event_text.h"
+#include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
 #include "tests/support/test_runner.h"
 

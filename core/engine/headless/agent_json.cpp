@@ -1,6 +1,6 @@
 #include "core/engine/headless/agent_json.h"
 
-#include "core/engine/headless/event_json.h"
+#include "core/engine/headless/common_json.h"
 
 namespace skyseal::engine {
 

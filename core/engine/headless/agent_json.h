@@ -1,4 +1,4 @@
-// The agent's statistics and refusals as lines of JSON for scripts; its other events have the shapes of event_json.h.
+// The agent's statistics and refusals as lines of JSON for scripts; its other events have the shapes of common_json.h.
 #pragma once
 
 #include "core/engine/agent/agent_event.h"

@@ -1,254 +1,83 @@
 #include "core/engine/headless/event_json.h"
 
-#include "core/engine/headless/event_names.h"
 #include "core/vehicle/state_fields.h"
 
 namespace skyseal::engine {
 
 namespace {
 
-JsonWriter begin(std::string_view event)
-{
-    JsonWriter json;
-    json.beginObject().field("event", event);
-    return json;
-}
-
-std::string end(JsonWriter &json)
-{
-    json.endObject();
-    return json.text();
-}
-
-std::string_view suiteName(crypto::SuiteId suite)
-{
-    return crypto::suiteInfo(suite).name;
-}
-
-std::string_view framingName(channel::Framing framing)
-{
-    return framing == channel::Framing::Inline ? "inline" : "sealed";
-}
-
-std::string_view carrierName(Carrier carrier)
-{
-    switch (carrier) {
-    case Carrier::Datagram: return "datagram";
-    case Carrier::Tunnel: return "tunnel";
-    case Carrier::Serial: return "serial";
-    }
-    return {};
-}
-
 std::uint32_t number(std::uint8_t value)
 {
     return value;
 }
 
-void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
-{
-    json.field("good", counters.good)
-        .field("late", counters.late)
-        .field("lost", counters.lost)
-        .field("replayed", counters.replayed)
-        .field("forged", counters.forged)
-        .field("malformed", counters.malformed)
-        .field("plaintext_dropped", counters.plaintextDropped)
-        .field("opened_bytes", counters.openedBytes)
-        .field("stale", counters.stale);
-}
-
-void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
-{
-    json.field("age_ms", double(report.ageMicroseconds) / 1e3);
-    json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
-}
-
 } // namespace
-
-std::string linkEvent(const LinkSnapshot &link, std::string_view side)
-{
-    JsonWriter json = begin("link");
-    if (!side.empty())
-        json.field("side", side);
-    json.field("url", link.url).field("state", word(link.phase)).field("address", link.localAddress);
-    if (link.listenOnly)
-        json.field("framing", "mavsec2019").field("insecure", true);
-    if (!link.problem.empty())
-        json.field("problem", link.problem);
-    return end(json);
-}
-
-std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress)
-{
-    JsonWriter json = begin("session");
-    json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", framingName(up.framing));
-    json.field("epoch", 0u);
-    json.field("peer", up.peerName).field("address", remoteAddress).field("carrier", carrierName(up.path.carrier));
-    return end(json);
-}
-
-std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer)
-{
-    JsonWriter json = begin("session");
-    json.field("state", "down")
-        .field("framing", framingName(down.framing))
-        .field("peer", peer)
-        .field("reason", word(down.reason));
-    return end(json);
-}
-
-std::string switchEvent(const channel::SwitchDone &done)
-{
-    JsonWriter json = begin(done.rekey ? "rekey" : "switch");
-    json.field("from", suiteName(done.from)).field("to", suiteName(done.to));
-    json.field("epoch", static_cast<std::uint32_t>(done.epoch));
-    json.field("result", done.failure == channel::SwitchFailure::None ? "committed" : "rolled-back");
-    if (done.failure != channel::SwitchFailure::None)
-        json.field("reason", word(done.failure));
-    json.field("ms", seconds(done.took) * 1000).field("by_peer", done.byPeer);
-    return end(json);
-}
 
 std::string vehicleEvent(const VehicleFound &found)
 {
-    JsonWriter json = begin("vehicle");
+    JsonWriter json = beginEvent("vehicle");
     json.field("sysid", number(found.systemId)).field("type", number(found.type)).field("autopilot", number(found.autopilot));
     json.field("sealed", found.sealed);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string vehicleLostEvent(std::uint8_t systemId, bool lost)
 {
-    JsonWriter json = begin(lost ? "vehicle_lost" : "vehicle_back");
+    JsonWriter json = beginEvent(lost ? "vehicle_lost" : "vehicle_back");
     json.field("sysid", number(systemId));
-    return end(json);
+    return endEvent(json);
 }
 
 std::string statusTextEvent(const vehicle::TextReceived &text)
 {
-    JsonWriter json = begin("statustext");
+    JsonWriter json = beginEvent("statustext");
     json.field("sysid", number(text.systemId)).field("severity", number(text.text.severity)).field("text", text.text.text);
-    return end(json);
-}
-
-std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to)
-{
-    JsonWriter json = begin("moved");
-    json.field("peer", peer).field("from", from).field("to", to);
-    return end(json);
-}
-
-std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
-                         const std::string &fingerprint)
-{
-    JsonWriter json = begin("refused");
-    json.field("reason", word(refused.reason)).field("address", remoteAddress);
-    if (!fingerprint.empty())
-        json.field("fingerprint", fingerprint);
-    return end(json);
-}
-
-std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
-{
-    JsonWriter json = begin("forgery");
-    json.field("forged", alarm.forged).field("replayed", alarm.replayed);
-    return end(json);
-}
-
-std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer)
-{
-    JsonWriter json = begin("commands_late");
-    json.field("peer", peer).field("records", late.records);
-    writeFreshness(json, late.report);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string unansweringEvent(const AgentUnanswering &event)
 {
-    JsonWriter json = begin("unanswered");
+    JsonWriter json = beginEvent("unanswered");
     json.field("state", event.over ? "over" : "begun").field("peer", event.agent.peerName);
     json.field("address", event.agent.remoteAddress).field("own_fingerprint", event.agent.ownFingerprint);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string plaintextEvent(const PlaintextRefused &refused)
 {
-    JsonWriter json = begin("plaintext");
+    JsonWriter json = beginEvent("plaintext");
     json.field("sysid", number(refused.systemId)).field("address", refused.remoteAddress).field("frames", refused.frames);
     if (!refused.mayBe.empty())
         json.field("may_be", refused.mayBe);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string systemRefusedEvent(const SystemRefused &refused)
 {
-    JsonWriter json = begin("system_refused");
+    JsonWriter json = beginEvent("system_refused");
     json.field("sysid", number(refused.systemId)).field("peer", refused.peer).field("owner", refused.owner);
     json.field("frames", refused.frames);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string commandEvent(const vehicle::StepReport &report)
 {
-    JsonWriter json = begin("command");
+    JsonWriter json = beginEvent("command");
     json.field("sysid", number(report.systemId)).field("step", report.step);
     json.field("result", vehicle::stepResultName(report.result)).field("reason", report.reason);
-    return end(json);
+    return endEvent(json);
 }
 
 std::string recordingEvent(const RecordingProblem &problem)
 {
-    JsonWriter json = begin("recording");
+    JsonWriter json = beginEvent("recording");
     json.field("file", problem.file).field("problem", problem.problem);
-    return end(json);
-}
-
-void writeMavlink(JsonWriter &json, const MavlinkTotals &totals)
-{
-    json.key("mavlink").beginObject();
-    json.field("frames", totals.frames).field("lost", totals.lost).field("late", totals.late);
-    json.field("duplicate", totals.duplicate).field("bad_crc", totals.badCrc);
-    json.field("senders_evicted", totals.sendersEvicted);
-    json.endObject();
-}
-
-void writeChannel(JsonWriter &json, const ChannelTotals &totals)
-{
-    json.key("channel").beginObject();
-    json.field("up", totals.up).field("suite", suiteName(totals.suite)).field("epoch", totals.epoch);
-    json.field("framing", framingName(totals.framing));
-    json.key("rx").beginObject();
-    writeReceived(json, totals.rx);
-    json.endObject();
-    json.key("unmatched").beginObject(); // contained in rx: handshakes that came twice, garbage
-    json.field("replayed", totals.unmatched.replayed).field("forged", totals.unmatched.forged);
-    json.field("malformed", totals.unmatched.malformed).endObject();
-    // What we sent, and what became of it in the eyes of the other end.
-    json.key("tx").beginObject();
-    json.field("records", totals.tx.records).field("sealed_bytes", totals.tx.sealedBytes);
-    writeReceived(json, totals.peerRx);
-    json.endObject();
-    if (totals.peerFrames) {
-        json.key("tx_mavlink").beginObject();
-        json.field("frames", totals.peerFrames->taken).field("lost", totals.peerFrames->lost).endObject();
-    }
-    json.field("open_ns_p50", totals.cost.openNsP50).field("open_ns_p99", totals.cost.openNsP99);
-    json.field("seal_ns_p50", totals.cost.sealNsP50).field("seal_ns_p99", totals.cost.sealNsP99);
-    json.field("cpu_percent", totals.cost.cpuPercent);
-    json.endObject();
-}
-
-void writeProcess(JsonWriter &json, double cpuPercent, std::uint64_t residentBytes)
-{
-    json.key("process").beginObject();
-    json.field("cpu_percent", cpuPercent).field("rss_bytes", residentBytes);
-    json.endObject();
+    return endEvent(json);
 }
 
 std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time)
 {
-    JsonWriter json = begin(event);
+    JsonWriter json = beginEvent(event);
     json.field("t", time);
     writeMavlink(json, snapshot.mavlink);
     writeChannel(json, snapshot.channel);
@@ -260,7 +89,7 @@ std::string statsEvent(std::string_view event, const Snapshot &snapshot, double 
         json.endObject();
     }
     json.endArray();
-    return end(json);
+    return endEvent(json);
 }
 
 } // namespace skyseal::engine

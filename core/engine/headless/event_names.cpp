@@ -2,7 +2,7 @@
 
 namespace skyseal::engine {
 
-std::string_view word(LinkPhase phase)
+std::string_view keyword(LinkPhase phase)
 {
     switch (phase) {
     case LinkPhase::Closed: return "closed";
@@ -16,19 +16,7 @@ std::string_view word(LinkPhase phase)
     return "unknown";
 }
 
-std::string_view word(Security security)
-{
-    switch (security) {
-    case Security::Nothing: return "nothing";
-    case Security::Plain: return "plain";
-    case Security::Sealed: return "sealed";
-    case Security::Switching: return "switching";
-    case Security::UnderAttack: return "under-attack";
-    }
-    return "unknown";
-}
-
-std::string_view word(channel::DownReason reason)
+std::string_view keyword(channel::DownReason reason)
 {
     switch (reason) {
     case channel::DownReason::PeerRestarted: return "peer-restarted";
@@ -41,7 +29,7 @@ std::string_view word(channel::DownReason reason)
     return "unknown";
 }
 
-std::string_view word(channel::SwitchFailure failure)
+std::string_view keyword(channel::SwitchFailure failure)
 {
     switch (failure) {
     case channel::SwitchFailure::None: return "";
@@ -54,7 +42,7 @@ std::string_view word(channel::SwitchFailure failure)
     return "unknown";
 }
 
-std::string_view word(channel::RefusalReason reason)
+std::string_view keyword(channel::RefusalReason reason)
 {
     switch (reason) {
     case channel::RefusalReason::UnknownPeer: return "unknown-peer";
@@ -68,11 +56,6 @@ std::string_view word(channel::RefusalReason reason)
     case channel::RefusalReason::Flood: return "flood";
     }
     return "unknown";
-}
-
-std::string_view word(channel::PeerRole role)
-{
-    return role == channel::PeerRole::Pilot ? "pilot" : "observer";
 }
 
 } // namespace skyseal::engine

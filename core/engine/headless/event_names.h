@@ -1,17 +1,16 @@
-// One word for each state, reason and result, for scripts; they are part of the programs' interface and never change.
+// The keyword of each state and reason for scripts; part of the programs' interface.
 #pragma once
 
-#include "core/engine/station/event.h"
+#include "core/channel/events.h"
+#include "core/engine/common/link_snapshot.h"
 
 #include <string_view>
 
 namespace skyseal::engine {
 
-std::string_view word(LinkPhase phase);
-std::string_view word(Security security);
-std::string_view word(channel::DownReason reason);
-std::string_view word(channel::SwitchFailure failure);
-std::string_view word(channel::RefusalReason reason);
-std::string_view word(channel::PeerRole role);
+std::string_view keyword(LinkPhase phase);
+std::string_view keyword(channel::DownReason reason);
+std::string_view keyword(channel::SwitchFailure failure);
+std::string_view keyword(channel::RefusalReason reason);
 
 } // namespace skyseal::engine

@@ -1,5 +1,6 @@
 #include "core/engine/text/agent_event_text.h"
 
+#include "core/engine/text/qt_text.h"
 #include "core/keys/public_key_text.h"
 #include "core/mavlink/enums.h"
 
@@ -8,11 +9,6 @@
 namespace skyseal::engine {
 
 namespace {
-
-QString qt(const std::string &text)
-{
-    return QString::fromStdString(text);
-}
 
 /// Pairing events are routine: the window for pairing reports its own state to the person who opened it.
 class DescribePairing
@@ -66,10 +62,7 @@ public:
         text.sentence = (e.groundSide ? tr("Ground side: %1") : tr("Vehicle side: %1")).arg(text.sentence);
         return text;
     }
-    EventText operator()(const channel::Event &e) const
-    {
-        return eventText(std::visit([](const auto &value) { return Event(value); }, e), m_names);
-    }
+    EventText operator()(const channel::Event &e) const { return channelEventText(e, m_names); }
     EventText operator()(const channel::PairingEvent &e) const
     {
         EventText text{std::visit(DescribePairing{}, e)};

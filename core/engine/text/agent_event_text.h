@@ -1,12 +1,12 @@
 // One sentence for each event of the agent. Channel events read as they do for the station.
 #pragma once
 
-#include "core/engine/agent/agent_core.h"
-#include "core/engine/text/event_text.h"
+#include "core/engine/agent/agent_event.h"
+#include "core/engine/text/common_event_text.h"
 
 namespace skyseal::engine {
 
-/// `names` must have noted the channel event inside.
+/// `names` must have noted the event if it is one of the channel.
 EventText agentEventText(const AgentEvent &event, const PeerNames &names);
 
 } // namespace skyseal::engine

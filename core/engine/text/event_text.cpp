@@ -1,34 +1,25 @@
 #include "core/engine/text/event_text.h"
 
+#include "core/engine/text/qt_text.h"
 #include "core/engine/text/state_text.h"
-#include "core/keys/public_key_text.h"
-#include "core/link/address_text.h"
 #include "core/mavlink/enums.h"
 
 #include <QtCore/QCoreApplication>
+
+#include <type_traits>
 
 namespace skyseal::engine {
 
 namespace {
 
-constexpr std::uint8_t kCritical = mavlink::MAV_SEVERITY_CRITICAL, kError = mavlink::MAV_SEVERITY_ERROR,
-                       kWarning = mavlink::MAV_SEVERITY_WARNING, kNotice = mavlink::MAV_SEVERITY_NOTICE,
-                       kInfo = mavlink::MAV_SEVERITY_INFO;
+constexpr std::uint8_t kError = mavlink::MAV_SEVERITY_ERROR, kWarning = mavlink::MAV_SEVERITY_WARNING,
+                       kNotice = mavlink::MAV_SEVERITY_NOTICE, kInfo = mavlink::MAV_SEVERITY_INFO;
 
-QString qt(const std::string &text)
-{
-    return QString::fromStdString(text);
-}
-
-QString addressOf(const Path &path)
-{
-    return qt(link::toText(path.remote));
-}
-
-EventText routine(const QString &sentence, std::uint8_t systemId = 0)
-{
-    return {sentence, kInfo, systemId, true};
-}
+/// Whether `T` is an alternative of channel::Event.
+template<typename T, typename Variant> inline constexpr bool kIsOneOf = false;
+template<typename T, typename... Alternatives>
+inline constexpr bool kIsOneOf<T, std::variant<Alternatives...>> = (std::is_same_v<T, Alternatives> || ...);
+template<typename T> inline constexpr bool kIsChannelEvent = kIsOneOf<T, channel::Event>;
 
 /// Calls the overload for the alternative that an event holds.
 class Describe
@@ -39,6 +30,10 @@ public:
     explicit Describe(const PeerNames &names) : m_names(names) {}
 
     EventText operator()(const LinkChanged &e) const { return linkText(e.link); }
+    template<typename T> std::enable_if_t<kIsChannelEvent<T>, EventText> operator()(const T &e) const
+    {
+        return channelEventText(e, m_names);
+    }
     EventText operator()(const VehicleFound &e) const
     {
         const QString type = vehicleTypeText(e.type);
@@ -76,7 +71,7 @@ public:
     {
         const QString name = qt(e.agent.peerName), address = qt(e.agent.remoteAddress);
         if (e.over)
-            return routine(tr("The agent %1 at %2 answered, or is gone").arg(name, address));
+            return routineText(tr("The agent %1 at %2 answered, or is gone").arg(name, address));
         return {tr("The agent %1 at %2 announces itself but does not answer: does it know this station's key? %3")
                     .arg(name, address, qt(e.agent.ownFingerprint)),
                 kWarning};
@@ -101,96 +96,12 @@ public:
     EventText operator()(const vehicle::CommandResult &e) const
     {
         switch (e.outcome) {
-        case vehicle::CommandOutcome::Accepted: return routine(tr("Command accepted"), e.systemId);
-        case vehicle::CommandOutcome::Refused: return routine(tr("Command refused: %1").arg(qt(e.reason)), e.systemId);
+        case vehicle::CommandOutcome::Accepted: return routineText(tr("Command accepted"), e.systemId);
+        case vehicle::CommandOutcome::Refused: return routineText(tr("Command refused: %1").arg(qt(e.reason)), e.systemId);
         case vehicle::CommandOutcome::TimedOut: break;
         }
-        return routine(tr("Command not answered"), e.systemId);
+        return routineText(tr("Command not answered"), e.systemId);
     }
-    EventText operator()(const channel::SessionUp &e) const
-    {
-        return {tr("Sealed link to %1 at %2 is up with %3").arg(qt(e.peerName), addressOf(e.path), suiteText(e.suite)), kInfo};
-    }
-    EventText operator()(const channel::SessionDown &e) const
-    {
-        return {tr("Sealed link to %1 ended: %2").arg(peer(e.session), downReasonText(e.reason)), kWarning};
-    }
-    EventText operator()(const channel::PeerMoved &e) const
-    {
-        return {tr("The address of %1 changed to %2").arg(peer(e.session), addressOf(e.to)), kInfo};
-    }
-    EventText operator()(const channel::SwitchPending &e) const
-    {
-        return routine(tr("Switching from %1 to %2").arg(suiteText(e.from), suiteText(e.to)));
-    }
-    EventText operator()(const channel::SwitchDone &e) const
-    {
-        const auto epoch = static_cast<quint32>(e.epoch);
-        if (e.failure != channel::SwitchFailure::None)
-            return {tr("Switch to %1 rolled back: %2").arg(suiteText(e.to), switchFailureText(e.failure)), kWarning};
-        if (e.rekey)
-            return {tr("Fresh keys for %1, epoch %2").arg(suiteText(e.to)).arg(epoch), kInfo};
-        return {tr("Switched from %1 to %2, epoch %3, in %4")
-                    .arg(suiteText(e.from), suiteText(e.to))
-                    .arg(epoch)
-                    .arg(switchTimeText(e.took)),
-                kInfo};
-    }
-    EventText operator()(const channel::HandshakeRefused &e) const
-    {
-        const bool isKeyKnown = e.peer != channel::PublicKey{};
-        // A station reads an announcement, which does not show the key; an agent reads a handshake, which does.
-        if (e.reason == channel::RefusalReason::UnknownPeer && !isKeyKnown)
-            return {tr("An agent at %1 announces itself with a key that is not known here").arg(addressOf(e.path)), kWarning, 0,
-                    false, EventText::Remedy::PairAgent};
-        const QString sentence = tr("Refused a handshake from %1: %2").arg(addressOf(e.path), refusalText(e.reason));
-        return {isKeyKnown ? tr("%1 (key %2)").arg(sentence, qt(keys::fingerprint(e.peer))) : sentence, kWarning};
-    }
-    EventText operator()(const channel::ForgeryAlarm &e) const
-    {
-        return {tr("Under attack: refused %1 forged and %2 replayed records that claim to come from %3")
-                    .arg(e.forged)
-                    .arg(e.replayed)
-                    .arg(peer(e.session)),
-                kCritical};
-    }
-
-    EventText operator()(const channel::CommandsLate &e) const
-    {
-        const double age = double(e.report.ageMicroseconds) / 1e6, limit = double(e.report.limitMilliseconds) / 1e3;
-        if (limit > 0 && age > limit)
-            return {
-                tr("Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4 messages")
-                    .arg(age, 0, 'f', 1)
-                    .arg(peer(e.session))
-                    .arg(limit, 0, 'f', 1)
-                    .arg(e.records),
-                kError};
-        return {tr("Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2")
-                    .arg(peer(e.session))
-                    .arg(e.records),
-                kError};
-    }
-
-    static EventText ofLink(const LinkSnapshot &link)
-    {
-        const QString url = qt(link.url);
-        if (!link.problem.empty())
-            return {tr("Link %1: %2").arg(url, qt(link.problem)), kError};
-        switch (link.phase) {
-        case LinkPhase::Listening: return {tr("Link %1: listening on %2").arg(url, qt(link.localAddress)), kInfo};
-        case LinkPhase::Finished: return {tr("Link %1: replayed to its end").arg(url), kInfo};
-        case LinkPhase::Opening:
-        case LinkPhase::Closed: return routine(tr("Link %1: %2").arg(url, linkPhaseText(link.phase)));
-        default: return {tr("Link %1: %2").arg(url, linkPhaseText(link.phase)), kInfo};
-        }
-    }
-
-    static QString lineOf(const EventText &text)
-    {
-        return text.systemId == 0 ? text.sentence : tr("Vehicle %1: %2").arg(text.systemId).arg(text.sentence);
-    }
-
 private:
     static QString missionDone(vehicle::MissionTransfer transfer)
     {
@@ -210,30 +121,15 @@ private:
         }
         return tr("Mission not cleared: %1");
     }
-    QString peer(channel::SessionId session) const
-    {
-        const std::string name = m_names.of(session);
-        return name.empty() ? tr("the peer") : qt(name);
-    }
 
     const PeerNames &m_names;
 };
 
 } // namespace
 
-QString EventText::line() const
-{
-    return Describe::lineOf(*this);
-}
-
 EventText eventText(const Event &event, const PeerNames &names)
 {
     return std::visit(Describe(names), event);
-}
-
-EventText linkText(const LinkSnapshot &link)
-{
-    return Describe::ofLink(link);
 }
 
 } // namespace skyseal::engine

@@ -1,0 +1,181 @@
+#include "core/engine/headless/common_json.h"
+
+#include "core/engine/headless/event_names.h"
+
+namespace skyseal::engine {
+
+JsonWriter beginEvent(std::string_view event)
+{
+    JsonWriter json;
+    json.beginObject().field("event", event);
+    return json;
+}
+
+std::string endEvent(JsonWriter &json)
+{
+    json.endObject();
+    return json.text();
+}
+
+namespace {
+
+std::string_view suiteName(crypto::SuiteId suite)
+{
+    return crypto::suiteInfo(suite).name;
+}
+
+std::string_view framingName(channel::Framing framing)
+{
+    return framing == channel::Framing::Inline ? "inline" : "sealed";
+}
+
+std::string_view carrierName(Carrier carrier)
+{
+    switch (carrier) {
+    case Carrier::Datagram: return "datagram";
+    case Carrier::Tunnel: return "tunnel";
+    case Carrier::Serial: return "serial";
+    }
+    return {};
+}
+
+void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
+{
+    json.field("good", counters.good)
+        .field("late", counters.late)
+        .field("lost", counters.lost)
+        .field("replayed", counters.replayed)
+        .field("forged", counters.forged)
+        .field("malformed", counters.malformed)
+        .field("plaintext_dropped", counters.plaintextDropped)
+        .field("opened_bytes", counters.openedBytes)
+        .field("stale", counters.stale);
+}
+
+void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
+{
+    json.field("age_ms", double(report.ageMicroseconds) / 1e3);
+    json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
+}
+
+} // namespace
+
+std::string linkEvent(const LinkSnapshot &link, std::string_view side)
+{
+    JsonWriter json = beginEvent("link");
+    if (!side.empty())
+        json.field("side", side);
+    json.field("url", link.url).field("state", keyword(link.phase)).field("address", link.localAddress);
+    if (link.listenOnly)
+        json.field("framing", "mavsec2019").field("insecure", true);
+    if (!link.problem.empty())
+        json.field("problem", link.problem);
+    return endEvent(json);
+}
+
+std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress)
+{
+    JsonWriter json = beginEvent("session");
+    json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", framingName(up.framing));
+    json.field("epoch", 0u);
+    json.field("peer", up.peerName).field("address", remoteAddress).field("carrier", carrierName(up.path.carrier));
+    return endEvent(json);
+}
+
+std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer)
+{
+    JsonWriter json = beginEvent("session");
+    json.field("state", "down")
+        .field("framing", framingName(down.framing))
+        .field("peer", peer)
+        .field("reason", keyword(down.reason));
+    return endEvent(json);
+}
+
+std::string switchEvent(const channel::SwitchDone &done)
+{
+    JsonWriter json = beginEvent(done.rekey ? "rekey" : "switch");
+    json.field("from", suiteName(done.from)).field("to", suiteName(done.to));
+    json.field("epoch", static_cast<std::uint32_t>(done.epoch));
+    json.field("result", done.failure == channel::SwitchFailure::None ? "committed" : "rolled-back");
+    if (done.failure != channel::SwitchFailure::None)
+        json.field("reason", keyword(done.failure));
+    json.field("ms", seconds(done.took) * 1000).field("by_peer", done.byPeer);
+    return endEvent(json);
+}
+
+std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to)
+{
+    JsonWriter json = beginEvent("moved");
+    json.field("peer", peer).field("from", from).field("to", to);
+    return endEvent(json);
+}
+
+std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
+                         const std::string &fingerprint)
+{
+    JsonWriter json = beginEvent("refused");
+    json.field("reason", keyword(refused.reason)).field("address", remoteAddress);
+    if (!fingerprint.empty())
+        json.field("fingerprint", fingerprint);
+    return endEvent(json);
+}
+
+std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
+{
+    JsonWriter json = beginEvent("forgery");
+    json.field("forged", alarm.forged).field("replayed", alarm.replayed);
+    return endEvent(json);
+}
+
+std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer)
+{
+    JsonWriter json = beginEvent("commands_late");
+    json.field("peer", peer).field("records", late.records);
+    writeFreshness(json, late.report);
+    return endEvent(json);
+}
+
+void writeMavlink(JsonWriter &json, const MavlinkTotals &totals)
+{
+    json.key("mavlink").beginObject();
+    json.field("frames", totals.frames).field("lost", totals.lost).field("late", totals.late);
+    json.field("duplicate", totals.duplicate).field("bad_crc", totals.badCrc);
+    json.field("senders_evicted", totals.sendersEvicted);
+    json.endObject();
+}
+
+void writeChannel(JsonWriter &json, const ChannelTotals &totals)
+{
+    json.key("channel").beginObject();
+    json.field("up", totals.up).field("suite", suiteName(totals.suite)).field("epoch", totals.epoch);
+    json.field("framing", framingName(totals.framing));
+    json.key("rx").beginObject();
+    writeReceived(json, totals.rx);
+    json.endObject();
+    json.key("unmatched").beginObject(); // contained in rx: repeated handshakes, garbage
+    json.field("replayed", totals.unmatched.replayed).field("forged", totals.unmatched.forged);
+    json.field("malformed", totals.unmatched.malformed).endObject();
+    // The records sent, and their fate as the other end counts it.
+    json.key("tx").beginObject();
+    json.field("records", totals.tx.records).field("sealed_bytes", totals.tx.sealedBytes);
+    writeReceived(json, totals.peerRx);
+    json.endObject();
+    if (totals.peerFrames) {
+        json.key("tx_mavlink").beginObject();
+        json.field("frames", totals.peerFrames->taken).field("lost", totals.peerFrames->lost).endObject();
+    }
+    json.field("open_ns_p50", totals.cost.openNsP50).field("open_ns_p99", totals.cost.openNsP99);
+    json.field("seal_ns_p50", totals.cost.sealNsP50).field("seal_ns_p99", totals.cost.sealNsP99);
+    json.field("cpu_percent", totals.cost.cpuPercent);
+    json.endObject();
+}
+
+void writeProcess(JsonWriter &json, double cpuPercent, std::uint64_t residentBytes)
+{
+    json.key("process").beginObject();
+    json.field("cpu_percent", cpuPercent).field("rss_bytes", residentBytes);
+    json.endObject();
+}
+
+} // namespace skyseal::engine

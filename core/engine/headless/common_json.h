@@ -1,0 +1,37 @@
+// The JSON that the station's monitor and the agent share: one object a line for links, sessions and switches, and the parts of
+// their statistics. Names and shapes are part of the programs' interface.
+#pragma once
+
+#include "core/base/json_writer.h"
+#include "core/channel/events.h"
+#include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/totals.h"
+
+#include <string>
+#include <string_view>
+
+namespace skyseal::engine {
+
+/// Begins an object with its "event"; endEvent() closes it and returns the line.
+JsonWriter beginEvent(std::string_view event);
+std::string endEvent(JsonWriter &json);
+
+/// `side` is "vehicle" or "ground" where a program has two; empty otherwise.
+std::string linkEvent(const LinkSnapshot &link, std::string_view side = {});
+std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress);
+std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer);
+/// A switch of suites, or of keys alone ("rekey").
+std::string switchEvent(const channel::SwitchDone &done);
+std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to);
+/// `fingerprint` is empty if the key is not known.
+std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
+                         const std::string &fingerprint);
+std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
+std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer);
+
+/// Parts of "stats" and "summary".
+void writeMavlink(JsonWriter &json, const MavlinkTotals &totals);
+void writeChannel(JsonWriter &json, const ChannelTotals &totals);
+void writeProcess(JsonWriter &json, double cpuPercent, std::uint64_t residentBytes);
+
+} // namespace skyseal::engine

@@ -1,0 +1,35 @@
+// One sentence for each event of the channel and of a link: the same for the station and the agent, in the window and on the
+// command line. Translated through QCoreApplication; English without a translator. Any thread.
+#pragma once
+
+#include "core/channel/events.h"
+#include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/peer_names.h"
+
+#include <QtCore/QString>
+
+namespace skyseal::engine {
+
+struct EventText
+{
+    /// Action that helps. Each program adds how to take it there: by a menu or by an option.
+    enum class Remedy : std::uint8_t { None, AllowPlaintext, PairAgent };
+
+    QString sentence;          ///< starts with a capital letter, ends without a full stop
+    std::uint8_t severity = 6; ///< MAV_SEVERITY
+    std::uint8_t systemId = 0; ///< of the vehicle that the event is about; 0 = this device
+    /// Another event or another place reports it as well: lists of events leave it out.
+    bool isRoutine = false;
+    Remedy remedy = Remedy::None;
+
+    /// For lists without a column for the vehicle: "Vehicle 1: …".
+    QString line() const;
+};
+
+/// An event that lists of events leave out.
+EventText routineText(const QString &sentence, std::uint8_t systemId = 0);
+/// `names` must have noted the event.
+EventText channelEventText(const channel::Event &event, const PeerNames &names);
+EventText linkText(const LinkSnapshot &link);
+
+} // namespace skyseal::engine
