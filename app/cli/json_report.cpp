@@ -21,6 +21,7 @@ void JsonReport::eventOccurred(const engine::Event &event)
                    [](const engine::SystemRefused &e) { printLine(engine::systemRefusedEvent(e)); },
                    [](const engine::AgentUnanswering &e) { printLine(engine::unansweringEvent(e)); },
                    [](const engine::RecordingProblem &e) { printLine(engine::recordingEvent(e)); },
+                   [](const engine::EventsDropped &e) { printLine(engine::eventsDroppedEvent(e)); },
                    [](const vehicle::MissionResult &) {},
                    [](const vehicle::ParameterResult &) {},
                    [](const vehicle::CommandResult &) {}, // the script reports its steps

@@ -310,6 +310,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Dropped %1 events because this program did not keep up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Mission sent</source>
         <translation type="unfinished"></translation>
     </message>

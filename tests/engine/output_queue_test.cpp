@@ -1,5 +1,5 @@
 // The queue between a station and its reader is bounded, keeps its order, and never drops pairing events or the final
-// snapshot.
+// snapshot; a reader learns how many events it did not receive.
 #include "core/engine/station/output_queue.h"
 
 #include "tests/support/test_runner.h"
@@ -51,17 +51,24 @@ void OutputQueueTest::hungReaderCollectsABoundedAmount()
         queue.put(snapshotNumber(i + 1));
     }
     QCOMPARE(queue.eventsDropped(), std::uint64_t(250));
-    const auto items = queue.takeAll();
+    auto items = queue.takeAll();
+    QCOMPARE(std::get<EventsDropped>(std::get<Event>(items.front())).events, std::uint64_t(250));
+    items.pop_front();
     QCOMPARE(countOf<SnapshotPtr>(items), std::size_t(1));
     QCOMPARE(countOf<Event>(items), OutputQueue::kMostEvents);
     QCOMPARE(std::get<SnapshotPtr>(items.back())->number, std::uint64_t(kSent));
     // The oldest events were dropped, the others are in order.
     for (std::size_t i = 0; i < OutputQueue::kMostEvents; ++i)
         QCOMPARE(std::size_t(std::get<VehicleLost>(std::get<Event>(items[i])).systemId), (i + 250) % 256);
-    // The bound holds anew for a reader that took everything; the counter stays.
+    // The bound starts again for a reader that took everything, and the same drops are not reported twice.
     queue.put(lostVehicle(1));
     QCOMPARE(queue.takeAll().size(), std::size_t(1));
     QCOMPARE(queue.eventsDropped(), std::uint64_t(250));
+    for (std::size_t i = 0; i < OutputQueue::kMostEvents + 3; ++i)
+        queue.put(lostVehicle(1));
+    items = queue.takeAll();
+    QCOMPARE(std::get<EventsDropped>(std::get<Event>(items.front())).events, std::uint64_t(3));
+    QCOMPARE(queue.eventsDropped(), std::uint64_t(253));
 }
 
 void OutputQueueTest::pairingEventsAndTheEndAreNeverDropped()
@@ -72,9 +79,9 @@ void OutputQueueTest::pairingEventsAndTheEndAreNeverDropped()
         queue.put(lostVehicle(1));
     queue.put(Stopped{snapshotNumber(7)});
     const auto items = queue.takeAll();
-    QVERIFY(std::holds_alternative<channel::PairingEvent>(items.front()));
+    QCOMPARE(countOf<channel::PairingEvent>(items), std::size_t(1));
     QVERIFY(std::holds_alternative<Stopped>(items.back()));
-    QCOMPARE(items.size(), OutputQueue::kMostEvents + 2);
+    QCOMPARE(items.size(), OutputQueue::kMostEvents + 3); // and EventsDropped
 }
 
 void OutputQueueTest::snapshotComesAfterTheEventsBeforeIt()

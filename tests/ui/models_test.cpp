@@ -79,6 +79,9 @@ private Q_SLOTS:
         const engine::Event pending = engine::PlaintextRefused{1, "10.0.0.9:14550", 3, "air-1"};
         QVERIFY(shown(pending).startsWith(sentence(pending)));
         QVERIFY(shown(pending).contains(QStringLiteral("Allow plain MAVLink")));
+        const engine::Event dropped = engine::EventsDropped{250};
+        QCOMPARE(shown(dropped), QStringLiteral("Dropped 250 events because this program did not keep up"));
+        QCOMPARE(cell(panel.model(), panel.model().rowCount() - 1, MessageModel::Severity), QStringLiteral("warning"));
     }
 
     void messagesAreFiltered()

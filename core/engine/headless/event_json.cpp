@@ -75,6 +75,13 @@ std::string recordingEvent(const RecordingProblem &problem)
     return endEvent(json);
 }
 
+std::string eventsDroppedEvent(const EventsDropped &dropped)
+{
+    JsonWriter json = beginEvent("events_dropped");
+    json.field("events", dropped.events);
+    return endEvent(json);
+}
+
 std::string statsEvent(std::string_view event, const Snapshot &snapshot, double time)
 {
     JsonWriter json = beginEvent(event);
@@ -82,6 +89,7 @@ std::string statsEvent(std::string_view event, const Snapshot &snapshot, double 
     writeMavlink(json, snapshot.mavlink);
     writeChannel(json, snapshot.channel);
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
+    json.field("events_dropped", snapshot.eventsDropped);
     json.key("vehicles").beginArray();
     for (const VehicleSnapshot &vehicle : snapshot.vehicles) {
         json.beginObject();

@@ -19,6 +19,8 @@ std::string plaintextEvent(const PlaintextRefused &refused);
 std::string systemRefusedEvent(const SystemRefused &refused);
 /// One step of a flight script.
 std::string commandEvent(const vehicle::StepReport &report);
+/// Events that are missing before this line, because the reader of the output did not keep up.
+std::string eventsDroppedEvent(const EventsDropped &dropped);
 std::string recordingEvent(const RecordingProblem &problem);
 
 /// `event` is "stats" or "summary"; `time` is seconds since the start.

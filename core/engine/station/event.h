@@ -57,6 +57,11 @@ struct RecordingProblem
 {
     std::string file, problem;
 };
+/// The reader did not keep up, and the oldest events before this one were dropped, see OutputQueue.
+struct EventsDropped
+{
+    std::uint64_t events = 0;
+};
 
 /// A variant of the alternatives of all `Variants`.
 template<typename... Variants> struct Joined;
@@ -69,7 +74,7 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 {};
 
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
-                                  AgentUnanswering, RecordingProblem>;
+                                  AgentUnanswering, RecordingProblem, EventsDropped>;
 using SessionEvent = std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
                                   channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate>;
 /// An event of the station itself, of a vehicle or of a session.

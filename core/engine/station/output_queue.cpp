@@ -30,7 +30,11 @@ std::deque<OutputQueue::Item> OutputQueue::takeAll()
 {
     const std::lock_guard lock(m_mutex);
     m_events = 0;
-    return std::exchange(m_items, {});
+    std::deque<Item> items = std::exchange(m_items, {});
+    const std::uint64_t reported = std::exchange(m_eventsDroppedReported, m_eventsDropped);
+    if (m_eventsDropped > reported)
+        items.emplace_front(Event(EventsDropped{m_eventsDropped - reported}));
+    return items;
 }
 
 std::uint64_t OutputQueue::eventsDropped() const

@@ -1,5 +1,5 @@
-// What a station has for its reader, on the way from the I/O thread to the reader's: bounded, so that a reader that hangs
-// costs a fixed amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
+// The station's output on its way from the I/O thread to the reader's thread: bounded, so that a reader that hangs costs a fixed
+// amount of memory. Only the newest snapshot is kept, and a limited number of events; pairing events and the
 // final snapshot are always delivered. Items keep their order. Thread-safe.
 #pragma once
 
@@ -33,7 +33,7 @@ public:
 
     /// Returns true if the queue was empty: the reader has to be woken.
     bool put(Item item);
-    /// Everything that waits, oldest first.
+    /// Takes everything that waits, oldest first. EventsDropped stands before it if events were dropped since the last call.
     std::deque<Item> takeAll();
     /// Events that were dropped since the start.
     std::uint64_t eventsDropped() const;
@@ -43,8 +43,9 @@ private:
 
     mutable std::mutex m_mutex;
     std::deque<Item> m_items;
-    std::size_t m_events = 0; ///< in m_items
-    std::uint64_t m_eventsDropped = 0;
+    std::size_t m_events = 0;                  ///< in m_items
+    std::uint64_t m_eventsDropped = 0;         ///< since the start
+    std::uint64_t m_eventsDroppedReported = 0; ///< of these, reported by takeAll()
 };
 
 } // namespace skyseal::engine

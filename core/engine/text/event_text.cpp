@@ -80,6 +80,10 @@ public:
     {
         return {tr("Not recording to %1: %2").arg(qt(e.file), qt(e.problem)), kError};
     }
+    EventText operator()(const EventsDropped &e) const
+    {
+        return {tr("Dropped %1 events because this program did not keep up").arg(e.events), kWarning};
+    }
     EventText operator()(const vehicle::MissionResult &e) const
     {
         return e.ok ? EventText{missionDone(e.transfer), kInfo, e.systemId}

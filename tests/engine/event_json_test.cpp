@@ -1,0 +1,54 @@
+// The JSON lines of the station's monitor that no test over the programs reaches.
+#include "core/engine/headless/event_json.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtTest/QTest>
+
+using namespace skyseal;
+using namespace skyseal::engine;
+
+namespace {
+
+QJsonObject parsed(const std::string &line)
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(line)).object();
+}
+
+} // namespace
+
+class EventJsonTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void droppedEventsAreReported();
+    void agentThatDoesNotAnswerIsNamed();
+};
+
+void EventJsonTest::droppedEventsAreReported()
+{
+    const QJsonObject event = parsed(eventsDroppedEvent({250}));
+    QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("events_dropped"));
+    QCOMPARE(event.value(QStringLiteral("events")).toInt(), 250);
+    Snapshot snapshot;
+    snapshot.eventsDropped = 253;
+    for (const char *name : {"stats", "summary"}) {
+        const QJsonObject statistics = parsed(statsEvent(name, snapshot, 1));
+        QCOMPARE(statistics.value(QStringLiteral("event")).toString(), QLatin1String(name));
+        QCOMPARE(statistics.value(QStringLiteral("events_dropped")).toInt(), 253);
+    }
+}
+
+void EventJsonTest::agentThatDoesNotAnswerIsNamed()
+{
+    const QJsonObject event = parsed(unansweringEvent({{"air-1", "10.0.0.9:14551", "abc", 3}, false}));
+    QCOMPARE(event.value(QStringLiteral("event")).toString(), QStringLiteral("unanswered"));
+    QCOMPARE(event.value(QStringLiteral("state")).toString(), QStringLiteral("begun"));
+    QCOMPARE(event.value(QStringLiteral("peer")).toString(), QStringLiteral("air-1"));
+    QCOMPARE(event.value(QStringLiteral("own_fingerprint")).toString(), QStringLiteral("abc"));
+}
+
+SKYSEAL_TEST(EventJsonTest)
+#include "event_json_test.moc"
