@@ -109,14 +109,14 @@ SweepFiles writeSweepFiles(const QString &path, const experiment::Results &resul
         const auto found = contexts.find(suite);
         return found == contexts.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
     });
-    const std::vector<experiment::Figure> figures = experiment::figuresOf(results);
+    const std::vector<experiment::ReportFigure> figures = experiment::figuresOf(results);
     const experiment::ReportParts parts{results, figures, verdicts, claims};
     std::vector<std::pair<QString, std::string>> files{
         {QStringLiteral("sweep.json"), experiment::sweepJson(results, verdicts) + "\n"},
         {QStringLiteral("sweep.csv"), experiment::sweepCsv(results)},
         {QStringLiteral("report.html"), experiment::htmlReport(parts)}};
     QStringList drawings;
-    for (const experiment::Figure &figure : figures) {
+    for (const experiment::ReportFigure &figure : figures) {
         files.emplace_back(QStringLiteral("figures/%1.svg").arg(QString::fromStdString(figure.name)), figure.svg);
         drawings << folder.filePath(files.back().first);
     }

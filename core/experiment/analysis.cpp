@@ -78,7 +78,7 @@ std::vector<ArmComparison> compareArms(const Results &results, std::size_t condi
 }
 
 /// One test, not corrected yet.
-static std::optional<Noise> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
+static std::optional<NoiseCheck> noiseAt(const Results &results, std::size_t condition, std::size_t load, Metric metric)
 {
     const std::vector<SweepArm> &arms = results.plan.arms;
     const auto again = std::find_if(arms.begin(), arms.end(), [](const SweepArm &arm) { return arm.again; });
@@ -87,7 +87,7 @@ static std::optional<Noise> noiseAt(const Results &results, std::size_t conditio
     const auto first = std::find(arms.begin(), arms.end(), SweepArm{again->suite, false, again->framing});
     if (first == arms.end())
         return std::nullopt;
-    Noise out;
+    NoiseCheck out;
     out.condition = condition;
     out.load = load;
     out.metric = metric;
@@ -105,9 +105,9 @@ static std::optional<Noise> noiseAt(const Results &results, std::size_t conditio
     return out;
 }
 
-std::vector<Noise> noiseOf(const Results &results)
+std::vector<NoiseCheck> noiseOf(const Results &results)
 {
-    std::vector<Noise> out;
+    std::vector<NoiseCheck> out;
     std::vector<double> p;
     for (std::size_t condition = 0; condition < results.plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < results.plan.loads.size(); ++load) {

@@ -22,7 +22,7 @@ struct ArmComparison
 };
 
 /// Compares an arm with its repetition (A/A). The p value is corrected over all such tests of the sweep.
-struct Noise
+struct NoiseCheck
 {
     std::size_t condition = 0, load = 0;
     Metric metric{};
@@ -39,7 +39,7 @@ Summary summaryOf(const Results &results, const Cell &cell, Metric metric);
 
 std::vector<ArmComparison> compareArms(const Results &results, std::size_t condition, std::size_t load, Metric metric);
 /// For every condition, load and metric. Empty without a repeated arm; metrics with fewer than two samples are left out.
-std::vector<Noise> noiseOf(const Results &results);
+std::vector<NoiseCheck> noiseOf(const Results &results);
 /// Mean of the samples of an arm; NaN if there are none.
 double meanOf(const Results &results, std::size_t condition, std::size_t load, const SweepArm &arm, Metric metric);
 /// True if any sample of the sweep has a value.

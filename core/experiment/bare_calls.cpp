@@ -77,7 +77,7 @@ OSSL_LIB_CTX *legacyLibrary()
 }
 
 /// A context for a cipher by its name, keyed; null if OpenSSL does not provide it.
-Context keyed(const OpensslCipher &primitive, const Material &material, Direction direction)
+Context keyed(const OpensslCipher &primitive, const Material &material, RecordOperation operation)
 {
     if (!primitive.name)
         return nullptr;
@@ -85,7 +85,7 @@ Context keyed(const OpensslCipher &primitive, const Material &material, Directio
     if (!cipher)
         return nullptr;
     const Context context(EVP_CIPHER_CTX_new(), FreeContext());
-    const int encrypt = direction == Direction::Seal ? 1 : 0;
+    const int encrypt = operation == RecordOperation::Seal ? 1 : 0;
     EVP_CipherInit_ex2(context.get(), cipher, nullptr, nullptr, encrypt, nullptr);
     if (primitive.keyedPerRecord)
         EVP_CIPHER_CTX_set_key_length(context.get(), static_cast<int>(material.key.size()));
@@ -98,9 +98,9 @@ Context keyed(const OpensslCipher &primitive, const Material &material, Directio
 
 // The cipher alone, one function for each kind of primitive. `suite` gives the lengths.
 
-BareCall cipherCall(const OpensslCipher &primitive, const SuiteInfo &suite, const SharedMaterial &m, Direction direction)
+BareCall cipherCall(const OpensslCipher &primitive, const SuiteInfo &suite, const SharedMaterial &m, RecordOperation operation)
 {
-    const Context context = keyed(primitive, *m, direction);
+    const Context context = keyed(primitive, *m, operation);
     if (!context)
         return {};
     if (primitive.keyedPerRecord) {
@@ -119,27 +119,27 @@ BareCall cipherCall(const OpensslCipher &primitive, const SuiteInfo &suite, cons
     };
 }
 
-BareCall cipherCall(const SodiumStream &primitive, const SuiteInfo &, const SharedMaterial &m, Direction)
+BareCall cipherCall(const SodiumStream &primitive, const SuiteInfo &, const SharedMaterial &m, RecordOperation)
 {
     return [m, primitive](std::size_t size) {
         primitive.apply(m->text.data(), m->text.data(), size, m->nonce.data(), m->key.data());
     };
 }
 
-BareCall cipherOn(const SharedMaterial &m, const SuiteInfo &suite, Direction direction)
+BareCall cipherOn(const SharedMaterial &m, const SuiteInfo &suite, RecordOperation operation)
 {
-    return std::visit([&](const auto &primitive) { return cipherCall(primitive, suite, m, direction); },
+    return std::visit([&](const auto &primitive) { return cipherCall(primitive, suite, m, operation); },
                       suite.primitives.cipher);
 }
 
 // Cipher and authentication, one function for each kind of primitive.
 
-BareCall recordCall(HmacSha256Tag, const SuiteInfo &suite, const SharedMaterial &m, Direction direction)
+BareCall recordCall(HmacSha256Tag, const SuiteInfo &suite, const SharedMaterial &m, RecordOperation operation)
 {
-    const BareCall cipher = cipherOn(m, suite, direction);
+    const BareCall cipher = cipherOn(m, suite, operation);
     if (!cipher)
         return {};
-    if (direction == Direction::Seal) {
+    if (operation == RecordOperation::Seal) {
         return [cipher, m, &suite](std::size_t size) {
             cipher(size);
             m->hmac(suite.ciphertextSize(size));
@@ -152,12 +152,12 @@ BareCall recordCall(HmacSha256Tag, const SuiteInfo &suite, const SharedMaterial 
     };
 }
 
-BareCall recordCall(const SodiumAead &aead, const SuiteInfo &, const SharedMaterial &m, Direction direction)
+BareCall recordCall(const SodiumAead &aead, const SuiteInfo &, const SharedMaterial &m, RecordOperation operation)
 {
     const auto sealInto = [aead, m](std::uint8_t *out, std::size_t size) {
         aead.seal(out, nullptr, out, size, m->associated.data(), m->associated.size(), nullptr, m->nonce.data(), m->key.data());
     };
-    if (direction == Direction::Seal)
+    if (operation == RecordOperation::Seal)
         return [m, sealInto](std::size_t size) { sealInto(m->text.data(), size); };
     return [aead, m, sealInto, sealedSize = std::size_t(0)](std::size_t size) mutable {
         if (sealedSize != size) { // a correct tag: with a wrong one the call would return early
@@ -171,12 +171,12 @@ BareCall recordCall(const SodiumAead &aead, const SuiteInfo &, const SharedMater
     };
 }
 
-BareCall recordCall(const OpensslAead &aead, const SuiteInfo &, const SharedMaterial &m, Direction direction)
+BareCall recordCall(const OpensslAead &aead, const SuiteInfo &, const SharedMaterial &m, RecordOperation operation)
 {
-    const Context keyedContext = keyed({.name = aead.name}, *m, direction);
+    const Context keyedContext = keyed({.name = aead.name}, *m, operation);
     if (!keyedContext)
         return {};
-    if (direction == Direction::Seal) {
+    if (operation == RecordOperation::Seal) {
         return [m, keyedContext](std::size_t size) {
             int written = 0;
             EVP_CIPHER_CTX *const context = keyedContext.get();
@@ -201,16 +201,16 @@ BareCall recordCall(const OpensslAead &aead, const SuiteInfo &, const SharedMate
 
 } // namespace
 
-BareCall bareCipher(SuiteId suite, Direction direction)
+BareCall bareCipher(SuiteId suite, RecordOperation operation)
 {
-    return cipherOn(std::make_shared<Material>(), crypto::suiteInfo(suite), direction);
+    return cipherOn(std::make_shared<Material>(), crypto::suiteInfo(suite), operation);
 }
 
-BareCall bareRecord(SuiteId suite, Direction direction)
+BareCall bareRecord(SuiteId suite, RecordOperation operation)
 {
     const SuiteInfo &info = crypto::suiteInfo(suite);
     const auto m = std::make_shared<Material>();
-    return std::visit([&](const auto &primitive) { return recordCall(primitive, info, m, direction); },
+    return std::visit([&](const auto &primitive) { return recordCall(primitive, info, m, operation); },
                       info.primitives.authentication);
 }
 

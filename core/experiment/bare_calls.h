@@ -19,12 +19,12 @@ using BareCall = std::function<void(std::size_t size)>;
 
 inline constexpr std::size_t kMostBareBytes = 1200;
 
-enum class Direction { Seal, Open };
+enum class RecordOperation { Seal, Open };
 
 /// The cipher without authentication; of an AEAD, the stream cipher inside. Empty if the suite is not available.
-BareCall bareCipher(crypto::SuiteId suite, Direction direction);
+BareCall bareCipher(crypto::SuiteId suite, RecordOperation operation);
 /// Cipher and authentication. Opening includes a fresh copy of the sealed bytes, as a socket delivers them. Empty if the
 /// suite is not available.
-BareCall bareRecord(crypto::SuiteId suite, Direction direction);
+BareCall bareRecord(crypto::SuiteId suite, RecordOperation operation);
 
 } // namespace skyseal::experiment

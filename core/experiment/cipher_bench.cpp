@@ -130,8 +130,10 @@ struct Rig
 SizeCosts benchSize(Rig &rig, std::size_t size)
 {
     rig.plain[0] = 0xFD; // a session carries MAVLink frames, not its own messages
-    const BareCall sealCipher = bareCipher(rig.suite, Direction::Seal), openCipher = bareCipher(rig.suite, Direction::Open);
-    const BareCall sealBare = bareRecord(rig.suite, Direction::Seal), openBare = bareRecord(rig.suite, Direction::Open);
+    const BareCall sealCipher = bareCipher(rig.suite, RecordOperation::Seal),
+                   openCipher = bareCipher(rig.suite, RecordOperation::Open);
+    const BareCall sealBare = bareRecord(rig.suite, RecordOperation::Seal),
+                   openBare = bareRecord(rig.suite, RecordOperation::Open);
     // Interleaved in each round, so that all are measured under the same conditions.
     std::array<Timed, 8> timed{timedBare(sealCipher, size),
                                timedBare(sealBare, size),

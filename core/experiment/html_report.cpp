@@ -121,7 +121,7 @@ const char *verdictText(const Comparison &comparison, bool differs)
 }
 
 /// "-3.1 to 4.2 %" of the mean.
-std::string intervalText(const Noise &noise)
+std::string intervalText(const NoiseCheck &noise)
 {
     const WelchTest &test = noise.comparison.test;
     const double low = 100 * (test.difference - test.halfWidth(0.95)) / noise.mean;
@@ -133,7 +133,7 @@ std::string noiseTable(const Results &results)
 {
     std::string rows;
     std::size_t tests = 0;
-    for (const Noise &noise : noiseOf(results)) {
+    for (const NoiseCheck &noise : noiseOf(results)) {
         const Comparison &pair = noise.comparison;
         tests += !std::isnan(pair.test.p);
         if (!info(noise.metric).isShownIn(kDifferences))
@@ -260,16 +260,16 @@ std::string metricList()
     return out + "</ul>\n";
 }
 
-std::string inlined(const std::vector<Figure> &figures)
+std::string inlined(const std::vector<ReportFigure> &figures)
 {
     std::string out;
-    for (const Figure &figure : figures)
+    for (const ReportFigure &figure : figures)
         out += "<figure>" + figure.svg + "</figure>\n";
     return out;
 }
 
 /// Two figures side by side, for the PDF.
-std::string inPairs(const std::vector<Figure> &figures)
+std::string inPairs(const std::vector<ReportFigure> &figures)
 {
     std::string out;
     for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -319,11 +319,11 @@ std::string body(const ReportParts &parts, bool inlineFigures)
 
 } // namespace
 
-std::vector<Figure> figuresOf(const Results &results)
+std::vector<ReportFigure> figuresOf(const Results &results)
 {
     std::vector<Metric> shown = metricsShownIn(kFigure);
     std::stable_partition(shown.begin(), shown.end(), [](Metric metric) { return info(metric).isShownIn(kPaperFigure); });
-    std::vector<Figure> out;
+    std::vector<ReportFigure> out;
     for (const Metric metric : shown) {
         if (!wasMeasured(results, metric))
             continue;

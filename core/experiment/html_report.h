@@ -11,7 +11,7 @@
 
 namespace skyseal::experiment {
 
-struct Figure
+struct ReportFigure
 {
     std::string name; ///< of its files, without extension: "packets-natural"
     std::string svg;
@@ -19,12 +19,12 @@ struct Figure
 
 /// One figure for each metric with kFigure that was measured, condition and load; those of the paper (packets, CPU, memory)
 /// first.
-std::vector<Figure> figuresOf(const Results &results);
+std::vector<ReportFigure> figuresOf(const Results &results);
 
 struct ReportParts
 {
     const Results &results;
-    const std::vector<Figure> &figures;
+    const std::vector<ReportFigure> &figures;
     const std::vector<Verdict> &verdicts;
     const std::vector<Claim> &claims;
 };

@@ -152,7 +152,7 @@ void writeComparison(JsonWriter &json, const Plan &plan, const ArmComparison &pa
     json.endObject();
 }
 
-void writeNoise(JsonWriter &json, const Plan &plan, const Noise &noise)
+void writeNoise(JsonWriter &json, const Plan &plan, const NoiseCheck &noise)
 {
     json.beginObject();
     place(json, plan, noise.condition, noise.load);
@@ -246,7 +246,7 @@ std::string sweepJson(const Results &results, const std::vector<Verdict> &verdic
             writeComparison(json, plan, pair);
     });
     json.endArray().key("noise").beginArray();
-    for (const Noise &noise : noiseOf(results))
+    for (const NoiseCheck &noise : noiseOf(results))
         writeNoise(json, plan, noise);
     json.endArray().key("expectations").beginArray();
     for (const Verdict &verdict : verdicts) {

@@ -27,7 +27,7 @@ static std::optional<std::uint64_t> numberOf(std::string_view text)
     return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-static bool readSeen(std::string_view text, Counters &counters)
+static bool readSeen(std::string_view text, StoredCounters &counters)
 {
     static constexpr std::size_t kKeyDigits = 64;
     if (text.size() < kKeyDigits + 2 || text[kKeyDigits] != ' ')
@@ -41,12 +41,12 @@ static bool readSeen(std::string_view text, Counters &counters)
     return counters.seen.emplace(key, *number).second;
 }
 
-Result<Counters, InputError> Counters::parse(std::string_view text, const std::string &source)
+Result<StoredCounters, InputError> StoredCounters::parse(std::string_view text, const std::string &source)
 {
     const auto damaged = [&source](std::size_t line) {
         return tl::unexpected(fileError(source, "is not a counter file of Skyseal, or is damaged", line));
     };
-    Counters counters;
+    StoredCounters counters;
     bool hasNext = false;
     // Every line ends with a newline, so that a truncated number is detected.
     for (std::size_t number = 1; !text.empty(); ++number) {
@@ -68,10 +68,10 @@ Result<Counters, InputError> Counters::parse(std::string_view text, const std::s
             return damaged(number);
         }
     }
-    return hasNext ? Result<Counters, InputError>(std::move(counters)) : damaged(0);
+    return hasNext ? Result<StoredCounters, InputError>(std::move(counters)) : damaged(0);
 }
 
-std::string Counters::text() const
+std::string StoredCounters::text() const
 {
     std::string out(kHeader);
     out.append("\n").append(kNext).append(std::to_string(next)).append("\n");
@@ -178,7 +178,7 @@ void FileCounterStore::run()
 void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
 {
     const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
-    const Counters ours{std::min(m_floor, kGreatest), m_seen};
+    const StoredCounters ours{std::min(m_floor, kGreatest), m_seen};
     m_wantsSeen = false;
     m_busy = true;
     lock.unlock();
@@ -202,7 +202,7 @@ void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
 }
 
 /// Merges our counters and the changes of other programs, and takes `reserve` numbers. Counters never decrease.
-Result<Counters, InputError> FileCounterStore::updateFile(Counters ours, std::uint64_t reserve, bool create) const
+Result<StoredCounters, InputError> FileCounterStore::updateFile(StoredCounters ours, std::uint64_t reserve, bool create) const
 {
     const auto lock = FileLock::take(m_path);
     if (!lock)
@@ -211,7 +211,7 @@ Result<Counters, InputError> FileCounterStore::updateFile(Counters ours, std::ui
         const auto content = readFile(m_path, FileAccess::Trusted);
         if (!content)
             return tl::unexpected(content.error());
-        const auto read = Counters::parse(asText(*content), m_path);
+        const auto read = StoredCounters::parse(asText(*content), m_path);
         if (!read)
             return tl::unexpected(read.error());
         ours.next = std::max(ours.next, std::min(read->next, kGreatest));

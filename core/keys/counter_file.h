@@ -27,12 +27,12 @@
 namespace skyseal::keys {
 
 /// The content of the file.
-struct Counters
+struct StoredCounters
 {
     std::uint64_t next = 1;
     std::map<channel::PublicKey, std::uint64_t> seen;
 
-    static Result<Counters, InputError> parse(std::string_view text, const std::string &source);
+    static Result<StoredCounters, InputError> parse(std::string_view text, const std::string &source);
     std::string text() const;
 };
 
@@ -75,7 +75,7 @@ private:
     bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
     void run();
     void update(std::unique_lock<std::mutex> &lock, bool create = false);
-    Result<Counters, InputError> updateFile(Counters ours, std::uint64_t reserve, bool create) const;
+    Result<StoredCounters, InputError> updateFile(StoredCounters ours, std::uint64_t reserve, bool create) const;
 
     const std::string m_path;
     std::mutex m_mutex; ///< of all that follows

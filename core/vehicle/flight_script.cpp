@@ -118,10 +118,10 @@ StepResult parseParam(ScriptTokens &tokens)
     return Action(WriteParameter{std::string(name), *value});
 }
 
-constexpr std::pair<std::string_view, Comparison> kComparisons[] = {
+constexpr std::pair<std::string_view, ComparisonOperator> kComparisons[] = {
     // Longer ones first, so that ">=" is not taken for ">".
-    {">=", Comparison::AtLeast},  {"<=", Comparison::AtMost}, {"==", Comparison::Equal},
-    {"!=", Comparison::NotEqual}, {">", Comparison::Greater}, {"<", Comparison::Less}};
+    {">=", ComparisonOperator::AtLeast},  {"<=", ComparisonOperator::AtMost}, {"==", ComparisonOperator::Equal},
+    {"!=", ComparisonOperator::NotEqual}, {">", ComparisonOperator::Greater}, {"<", ComparisonOperator::Less}};
 
 StepResult parseWait(ScriptTokens &tokens)
 {
@@ -146,7 +146,7 @@ StepResult parseWait(ScriptTokens &tokens)
         return fail(tokens, "one of >= <= > < == !=");
     const bool isText = out.field->kind == StateField::Kind::Text;
     if (isText) {
-        if (out.comparison != Comparison::Equal && out.comparison != Comparison::NotEqual)
+        if (out.comparison != ComparisonOperator::Equal && out.comparison != ComparisonOperator::NotEqual)
             return tl::make_unexpected(tokens.errorBefore("== or !=, since " + std::string(name) + " is a text"));
         if (tokens.atEnd())
             return fail(tokens, "a value to compare " + std::string(name) + " with");

@@ -18,13 +18,13 @@
 
 namespace skyseal::vehicle {
 
-enum class Comparison : std::uint8_t { AtLeast, AtMost, Greater, Less, Equal, NotEqual };
+enum class ComparisonOperator : std::uint8_t { AtLeast, AtMost, Greater, Less, Equal, NotEqual };
 
 /// Waits until the state of the vehicle fulfils a condition. An unknown value fulfils none.
 struct WaitUntil
 {
     const StateField *field = nullptr;
-    Comparison comparison{};
+    ComparisonOperator comparison{};
     double number = 0; ///< of numbers and flags
     std::string text;  ///< of texts, compared ignoring case
     Duration timeout = std::chrono::seconds(60);

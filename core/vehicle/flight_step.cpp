@@ -42,15 +42,15 @@ struct CommandText
     }
 };
 
-std::string_view sign(Comparison comparison)
+std::string_view sign(ComparisonOperator comparison)
 {
     switch (comparison) {
-    case Comparison::AtLeast: return ">=";
-    case Comparison::AtMost: return "<=";
-    case Comparison::Greater: return ">";
-    case Comparison::Less: return "<";
-    case Comparison::Equal: return "==";
-    case Comparison::NotEqual: return "!=";
+    case ComparisonOperator::AtLeast: return ">=";
+    case ComparisonOperator::AtMost: return "<=";
+    case ComparisonOperator::Greater: return ">";
+    case ComparisonOperator::Less: return "<";
+    case ComparisonOperator::Equal: return "==";
+    case ComparisonOperator::NotEqual: return "!=";
     }
     return "==";
 }
@@ -74,18 +74,18 @@ bool WaitUntil::fulfilledBy(const VehicleState &state) const
 {
     if (field->kind == StateField::Kind::Text) {
         const bool same = equalIgnoringCase(field->text(state), text);
-        return comparison == Comparison::Equal ? same : !same;
+        return comparison == ComparisonOperator::Equal ? same : !same;
     }
     const double value = field->number(state);
     if (std::isnan(value))
         return false;
     switch (comparison) {
-    case Comparison::AtLeast: return value >= number;
-    case Comparison::AtMost: return value <= number;
-    case Comparison::Greater: return value > number;
-    case Comparison::Less: return value < number;
-    case Comparison::Equal: return value == number;
-    case Comparison::NotEqual: return value != number;
+    case ComparisonOperator::AtLeast: return value >= number;
+    case ComparisonOperator::AtMost: return value <= number;
+    case ComparisonOperator::Greater: return value > number;
+    case ComparisonOperator::Less: return value < number;
+    case ComparisonOperator::Equal: return value == number;
+    case ComparisonOperator::NotEqual: return value != number;
     }
     return false;
 }

@@ -92,8 +92,8 @@ int printRatios()
         if (info.id == SuiteId::None || !crypto::suiteAvailable(info.id))
             continue;
         for (const std::size_t size : kSizes) {
-            const BareCall sealCall = bareRecord(info.id, experiment::Direction::Seal);
-            const BareCall openCall = bareRecord(info.id, experiment::Direction::Open);
+            const BareCall sealCall = bareRecord(info.id, experiment::RecordOperation::Seal);
+            const BareCall openCall = bareRecord(info.id, experiment::RecordOperation::Open);
             Bench bench(info.id, size);
             double bareSealed = 1e9, sealed = 1e9, bareOpened = 1e9, opened = 1e9;
             const auto repeat = [size](const BareCall &call) {

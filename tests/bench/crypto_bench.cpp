@@ -79,9 +79,9 @@ int printRatios()
         if (info.id == SuiteId::None || !suiteAvailable(info.id))
             continue;
         for (const std::size_t size : kSizes) {
-            const BareCall cipherCall = info.isAead() ? BareCall() : bareCipher(info.id, Direction::Seal);
-            const BareCall sealCall = bareRecord(info.id, Direction::Seal);
-            const BareCall openCall = bareRecord(info.id, Direction::Open);
+            const BareCall cipherCall = info.isAead() ? BareCall() : bareCipher(info.id, RecordOperation::Seal);
+            const BareCall sealCall = bareRecord(info.id, RecordOperation::Seal);
+            const BareCall openCall = bareRecord(info.id, RecordOperation::Open);
             const auto sealing = makeRecordCipher(info.id, benchSecret());
             const std::array<std::uint8_t, kAssociatedSize> associated{};
             std::array<std::uint8_t, 512> text{};
@@ -130,7 +130,7 @@ void open(benchmark::State &state, SuiteId suite)
 
 void bareSealing(benchmark::State &state, SuiteId suite)
 {
-    const BareCall call = bareRecord(suite, Direction::Seal);
+    const BareCall call = bareRecord(suite, RecordOperation::Seal);
     for (auto _ : state) {
         call(static_cast<std::size_t>(state.range(0)));
         benchmark::ClobberMemory();

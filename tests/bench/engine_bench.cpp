@@ -23,7 +23,7 @@ namespace {
 class BareReceiver
 {
 public:
-    explicit BareReceiver(SuiteId suite) : m_open(experiment::bareRecord(suite, experiment::Direction::Open)) {}
+    explicit BareReceiver(SuiteId suite) : m_open(experiment::bareRecord(suite, experiment::RecordOperation::Open)) {}
 
     double receive()
     {

@@ -112,9 +112,9 @@ void AnalysisTest::sameSuiteTwiceSeldomDiffers()
                  {Metric::Packets, Metric::Latency, Metric::AgentCpuPerFrame, Metric::ByteRate, Metric::Cpu})
                 sample.values[metric] = around(random);
         }
-        const std::vector<Noise> noise = noiseOf(results);
+        const std::vector<NoiseCheck> noise = noiseOf(results);
         QCOMPARE(noise.size(), std::size_t(6));
-        differing += std::any_of(noise.begin(), noise.end(), [](const Noise &one) { return one.differs(); });
+        differing += std::any_of(noise.begin(), noise.end(), [](const NoiseCheck &one) { return one.differs(); });
     }
     qInfo("seed %u: of six A/A tests any differs in %.1f %% of sweeps", kSeed, 100.0 * differing / kSweeps);
     QVERIFY(differing > 0.03 * kSweeps && differing < 0.06 * kSweeps); // one in twenty, as the report says
@@ -187,8 +187,8 @@ void AnalysisTest::framesAtTheEdgesAreNoDifference()
                 for (const Metric metric : {Metric::Packets, Metric::FrameRate}) {
                     Comparison comparison = comparisonOf(results, 0, 1, metric);
                     if (other == 3) {
-                        const std::vector<Noise> noise = noiseOf(results);
-                        comparison = std::find_if(noise.begin(), noise.end(), [&](const Noise &one) {
+                        const std::vector<NoiseCheck> noise = noiseOf(results);
+                        comparison = std::find_if(noise.begin(), noise.end(), [&](const NoiseCheck &one) {
                                          return one.metric == metric;
                                      })->comparison;
                     }

@@ -372,7 +372,7 @@ void ReportTest::howPlainTravelsIsSaid()
 void ReportTest::noiseIsNoDifference()
 {
     const Results results = resultsWith(Metric::Packets, [](SuiteId) { return 1000.0; });
-    const std::vector<Noise> noise = noiseOf(results);
+    const std::vector<NoiseCheck> noise = noiseOf(results);
     QCOMPARE(noise.size(), std::size_t(1)); // nothing else was measured
     QVERIFY(noise[0].metric == Metric::Packets && !noise[0].differs());
     QCOMPARE(results.plan.arms[noise[0].arm].suite, SuiteId::ChaCha20);
@@ -423,9 +423,10 @@ void ReportTest::noiseIsJudgedAsSuitesAre()
         for (const Metric metric : {Metric::Cpu, Metric::AgentCpu, Metric::Latency, Metric::OpenP50, Metric::WirePerFrame})
             sample.values[metric] = 1000 + noise;
     }
-    const std::vector<Noise> all = noiseOf(results);
+    const std::vector<NoiseCheck> all = noiseOf(results);
     QCOMPARE(all.size(), std::size_t(6));
-    const auto found = std::find_if(all.begin(), all.end(), [](const Noise &one) { return one.metric == Metric::CpuPerFrame; });
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [](const NoiseCheck &one) { return one.metric == Metric::CpuPerFrame; });
     QVERIFY(found->comparison.significantAlone() && !found->differs());
     const std::string page = htmlReport({results, {}, {}, {}});
     const std::size_t begin = page.find("machine's noise");

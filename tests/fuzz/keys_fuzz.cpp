@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     static_cast<void>(parseSecretFile(SecretKind::PresharedKey, text, "fuzz"));
     static_cast<void>(parseIdentity(text, "fuzz", {}));
     readSealed(text);
-    if (const auto counters = Counters::parse(text, "fuzz"))
-        must(Counters::parse(counters->text(), "fuzz")->text() == counters->text());
+    if (const auto counters = StoredCounters::parse(text, "fuzz"))
+        must(StoredCounters::parse(counters->text(), "fuzz")->text() == counters->text());
     return 0;
 }

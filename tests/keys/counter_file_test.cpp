@@ -75,7 +75,7 @@ void CounterFileTest::blocksAreReservedAhead()
 {
     const std::string path = m_folder.path("ahead");
     const auto store = std::move(*FileCounterStore::open(path));
-    const auto reserved = [&path] { return Counters::parse(test::readText(path), path)->next; };
+    const auto reserved = [&path] { return StoredCounters::parse(test::readText(path), path)->next; };
     const std::uint64_t first = *store->next();
     QCOMPARE(reserved(), first + FileCounterStore::kBlock);
     std::uint64_t last = first;
@@ -187,22 +187,22 @@ void CounterFileTest::remembersPeers()
     // A number that was stored outlives a kill.
     (*store)->remember(one, 18);
     QVERIFY((*store)->waitUntilStored().message.empty());
-    QCOMPARE(Counters::parse(test::readText(path), path)->seen.at(one), std::uint64_t(18));
+    QCOMPARE(StoredCounters::parse(test::readText(path), path)->seen.at(one), std::uint64_t(18));
 }
 
 void CounterFileTest::refusesDamagedFiles()
 {
     const std::string key(64, 'a');
     const std::string good = "skyseal-counters-v1\nnext 12\nseen " + key + " 34\n";
-    QVERIFY(Counters::parse(good, "f").has_value());
-    QCOMPARE(Counters::parse(good, "f")->text(), good);
+    QVERIFY(StoredCounters::parse(good, "f").has_value());
+    QCOMPARE(StoredCounters::parse(good, "f")->text(), good);
     for (std::size_t size = 0; size < good.size(); ++size) {
-        const auto cut = Counters::parse(good.substr(0, size), "f");
+        const auto cut = StoredCounters::parse(good.substr(0, size), "f");
         QVERIFY2(!cut || good.substr(0, size).ends_with("next 12\n"), std::to_string(size).c_str());
     }
     for (const char *bad :
          {"next -1", "next 18446744073709551616", "next 1x", "next ", "next 1\nnext 2", "seen 12 3", "what 1"})
-        QVERIFY2(!Counters::parse(std::string("skyseal-counters-v1\n") + bad + "\n", "f"), bad);
+        QVERIFY2(!StoredCounters::parse(std::string("skyseal-counters-v1\n") + bad + "\n", "f"), bad);
     const auto refused = FileCounterStore::open(m_folder.write("damaged", "skyseal-counters-v1\nnext 1\nseen\n"));
     QVERIFY(!refused && refused.error().line == 3);
     QVERIFY(!FileCounterStore::open(m_folder.path("no/such/folder")));

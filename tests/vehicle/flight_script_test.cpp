@@ -53,7 +53,7 @@ void FlightScriptTest::readsAWholeFlight()
     QCOMPARE(command<TakeOff>((*steps)[2]).altitude, 10.);
     const auto &wait = std::get<WaitUntil>((*steps)[3].action);
     QCOMPARE(wait.field, findStateField("alt_rel"));
-    QCOMPARE(wait.comparison, Comparison::AtLeast);
+    QCOMPARE(wait.comparison, ComparisonOperator::AtLeast);
     QCOMPARE(wait.number, 9.5);
     QCOMPARE(wait.timeout, Duration(std::chrono::seconds(60)));
     QCOMPARE((*steps)[4].systemId, std::optional<std::uint8_t>(2));
@@ -260,8 +260,9 @@ void FlightScriptTest::stepsRoundTrip()
             WaitUntil wait;
             wait.field = &field;
             const bool isText = field.kind == StateField::Kind::Text;
-            wait.comparison = isText ? Comparison::NotEqual
-                                     : *rc::gen::element(Comparison::AtLeast, Comparison::Less, Comparison::Equal);
+            wait.comparison = isText
+                ? ComparisonOperator::NotEqual
+                : *rc::gen::element(ComparisonOperator::AtLeast, ComparisonOperator::Less, ComparisonOperator::Equal);
             wait.text = isText ? "LAND" : "";
             wait.number = isText ? 0 : *milli;
             wait.timeout = std::chrono::milliseconds(*rc::gen::inRange(0, 86400000));

@@ -38,19 +38,19 @@ FlightPanel::FlightPanel(VehicleCommands &commands, QWidget *parent)
 
 void FlightPanel::onSnapshot(const ViewState &view)
 {
-    Attitude attitude;
+    HorizonValues values;
     if (view.vehicle) {
         const auto &state = view.vehicle->state;
         const bool metric = m_units == UnitSystem::Metric;
-        attitude.roll = degrees(state.roll);
-        attitude.pitch = degrees(state.pitch);
-        attitude.heading = state.heading;
-        attitude.speed = state.groundSpeed * (metric ? 1 : kMilesPerHourPerMetreASecond);
-        attitude.altitude = state.altitudeRelative * (metric ? 1 : kFeetPerMetre);
-        attitude.climb = state.climb;
-        attitude.stale = view.stale();
+        values.roll = degrees(state.roll);
+        values.pitch = degrees(state.pitch);
+        values.heading = state.heading;
+        values.speed = state.groundSpeed * (metric ? 1 : kMilesPerHourPerMetreASecond);
+        values.altitude = state.altitudeRelative * (metric ? 1 : kFeetPerMetre);
+        values.climb = state.climb;
+        values.stale = view.stale();
     }
-    m_horizon->setAttitude(attitude);
+    m_horizon->showValues(values);
 }
 
 void FlightPanel::showViewState(const ViewState &view)

@@ -36,17 +36,17 @@ Horizon::Horizon(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
-void Horizon::setAttitude(const Attitude &attitude)
+void Horizon::showValues(const HorizonValues &values)
 {
-    const Attitude &old = m_attitude;
-    const bool seen = attitude.stale != old.stale || differs(attitude.roll, old.roll, 0.15)
-        || differs(attitude.pitch, old.pitch, 0.15) || differs(attitude.heading, old.heading, 0.3)
-        || differs(attitude.speed, old.speed, 0.05) || differs(attitude.altitude, old.altitude, 0.05);
+    const HorizonValues &old = m_values;
+    const bool seen = values.stale != old.stale || differs(values.roll, old.roll, 0.15)
+        || differs(values.pitch, old.pitch, 0.15) || differs(values.heading, old.heading, 0.3)
+        || differs(values.speed, old.speed, 0.05) || differs(values.altitude, old.altitude, 0.05);
     if (!seen)
         return;
-    m_attitude = attitude;
-    setAccessibleDescription(tr("roll %1°, pitch %2°, heading %3°")
-                                 .arg(number(attitude.roll, 0), number(attitude.pitch, 0), number(attitude.heading, 0)));
+    m_values = values;
+    setAccessibleDescription(
+        tr("roll %1°, pitch %2°, heading %3°").arg(number(values.roll, 0), number(values.pitch, 0), number(values.heading, 0)));
     update();
 }
 
@@ -68,16 +68,16 @@ void Horizon::paintEvent(QPaintEvent *)
     paintWorld(painter, world);
 
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor ink = m_attitude.stale ? colors.dim : palette().color(QPalette::WindowText);
+    const QColor ink = m_values.stale ? colors.dim : palette().color(QPalette::WindowText);
     const TapeStyle style{colors.panel, ink, colors.dim, palette().color(QPalette::Base)};
     const QRectF left(0, 0, kTape, height() - kCompass);
     const QRectF right(width() - kTape, 0, kTape, height() - kCompass);
     const double altitudeStep = m_units == UnitSystem::Metric ? 5 : 20;
-    paintVerticalTape(painter, left, m_attitude.speed, 2, 11, 1, true, style);
-    paintVerticalTape(painter, right, m_attitude.altitude, altitudeStep, 22.0 / altitudeStep,
+    paintVerticalTape(painter, left, m_values.speed, 2, 11, 1, true, style);
+    paintVerticalTape(painter, right, m_values.altitude, altitudeStep, 22.0 / altitudeStep,
                       m_units == UnitSystem::Metric ? 1 : 0, false, style);
     painter.fillRect(QRectF(0, height() - kCompass, width(), kCompass), colors.panel);
-    paintCompassTape(painter, QRectF(kTape, height() - kCompass, width() - 2 * kTape, kCompass), m_attitude.heading, style);
+    paintCompassTape(painter, QRectF(kTape, height() - kCompass, width() - 2 * kTape, kCompass), m_values.heading, style);
 
     painter.setPen(colors.dim);
     const QString speedUnit = speedFigure(0, m_units).unit, altitudeUnit = altitudeFigure(0, m_units).unit;
@@ -92,7 +92,7 @@ void Horizon::paintWorld(QPainter &painter, const QRectF &area) const
     const StateColors &colors = stateColors(palette());
     painter.save();
     painter.setClipRect(area);
-    if (!std::isfinite(m_attitude.roll) || !std::isfinite(m_attitude.pitch)) {
+    if (!std::isfinite(m_values.roll) || !std::isfinite(m_values.pitch)) {
         painter.fillRect(area, colors.panel);
         painter.setPen(colors.dim);
         painter.drawText(area, Qt::AlignCenter, tr("no attitude"));
@@ -102,10 +102,10 @@ void Horizon::paintWorld(QPainter &painter, const QRectF &area) const
     const double pixelsPerDegree = area.height() / kDegreesShown;
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(area.center());
-    painter.rotate(-m_attitude.roll);
-    const double horizon = m_attitude.pitch * pixelsPerDegree;
+    painter.rotate(-m_values.roll);
+    const double horizon = m_values.pitch * pixelsPerDegree;
     const double far = area.width() + area.height() + 90 * pixelsPerDegree;
-    const auto shade = [&](QColor color) { return m_attitude.stale ? QColor::fromHsl(0, 0, color.lightness()) : color; };
+    const auto shade = [&](QColor color) { return m_values.stale ? QColor::fromHsl(0, 0, color.lightness()) : color; };
     painter.fillRect(QRectF(-far, horizon - 2 * far, 2 * far, 2 * far), shade(colors.sky));
     painter.fillRect(QRectF(-far, horizon, 2 * far, 2 * far), shade(colors.ground));
     painter.setPen(QPen(Qt::white, 1.5));
@@ -125,12 +125,12 @@ void Horizon::paintLadder(QPainter &painter, double pixelsPerDegree, double reac
 {
     const QFontMetricsF metrics(painter.font());
     painter.setPen(QPen(QColor(255, 255, 255, 210), 1));
-    const int middle = static_cast<int>(std::lround(m_attitude.pitch / 5));
+    const int middle = static_cast<int>(std::lround(m_values.pitch / 5));
     for (int i = middle - 4; i <= middle + 4; ++i) {
         const int degrees = i * 5;
         if (degrees == 0 || std::abs(degrees) > 90)
             continue;
-        const double y = (m_attitude.pitch - degrees) * pixelsPerDegree;
+        const double y = (m_values.pitch - degrees) * pixelsPerDegree;
         if (std::abs(y) > reach)
             continue; // keeps clear of the roll scale
         const double half = degrees % 10 == 0 ? 22 : 10;
@@ -156,7 +156,7 @@ void Horizon::paintRollScale(QPainter &painter, const QRectF &area) const
         painter.restore();
     }
     painter.save();
-    painter.rotate(-m_attitude.roll);
+    painter.rotate(-m_values.roll);
     QPainterPath pointer;
     pointer.moveTo(0, -radius + 9);
     pointer.lineTo(-5, -radius + 17);

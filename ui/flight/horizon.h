@@ -2,7 +2,7 @@
 // when a visible value has changed.
 #pragma once
 
-#include "ui/flight/attitude.h"
+#include "ui/flight/horizon_values.h"
 #include "ui/text/units.h"
 
 #include <QtWidgets/QWidget>
@@ -16,9 +16,8 @@ class Horizon : public QWidget
 public:
     explicit Horizon(QWidget *parent = nullptr);
 
-    void setAttitude(const Attitude &attitude);
+    void showValues(const HorizonValues &values);
     void setUnits(UnitSystem units);
-    const Attitude &attitude() const { return m_attitude; }
 
     QSize sizeHint() const override { return {272, 224}; }
     QSize minimumSizeHint() const override { return {216, 136}; }
@@ -32,7 +31,7 @@ private:
     void paintRollScale(QPainter &painter, const QRectF &area) const;
     void paintAircraft(QPainter &painter, const QRectF &area) const;
 
-    Attitude m_attitude;
+    HorizonValues m_values;
     UnitSystem m_units = UnitSystem::Metric;
 };
 

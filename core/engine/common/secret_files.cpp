@@ -34,7 +34,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     return out;
 }
 
-keys::PeersInForce PeerList::inForce() const
+keys::PeersInForce UsablePeers::inForce() const
 {
     keys::PeersInForce out{peers.size(), {}};
     for (const InputError &error : unusable)
@@ -42,14 +42,14 @@ keys::PeersInForce PeerList::inForce() const
     return out;
 }
 
-Result<PeerList, InputError> readPeers(const KeyPaths &paths)
+Result<UsablePeers, InputError> readPeers(const KeyPaths &paths)
 {
     if (paths.peers.empty())
-        return PeerList{};
+        return UsablePeers{};
     const auto file = keys::PeersFile::load(paths.peers);
     if (!file)
         return tl::unexpected(file.error());
-    PeerList out;
+    UsablePeers out;
     for (const keys::PeerEntry &entry : file->entries()) {
         channel::Peer peer = entry.peer;
         if (!entry.presharedKeyFile.empty()) {

@@ -33,7 +33,7 @@ inline std::string sealedSystemsFile(const KeyPaths &paths)
 
 /// The peers of the current file, except those whose pre-shared key cannot be used: one bad key file must not keep peers in
 /// force that were removed from the list.
-struct PeerList
+struct UsablePeers
 {
     std::vector<channel::Peer> peers;
     std::vector<InputError> unusable; ///< pre-shared keys; each message names its peer
@@ -41,6 +41,6 @@ struct PeerList
     keys::PeersInForce inForce() const;
 };
 /// An error if the list itself cannot be read.
-Result<PeerList, InputError> readPeers(const KeyPaths &paths);
+Result<UsablePeers, InputError> readPeers(const KeyPaths &paths);
 
 } // namespace skyseal::engine

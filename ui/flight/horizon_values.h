@@ -5,7 +5,7 @@
 
 namespace skyseal::ui {
 
-struct Attitude
+struct HorizonValues
 {
     double roll = vehicle::kUnknown;     ///< degrees, right wing down positive
     double pitch = vehicle::kUnknown;    ///< degrees, nose up positive
