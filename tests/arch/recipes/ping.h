@@ -1,0 +1,23 @@
+// Example of a micro-protocol, for recipes_test: request and result of a PING. https://mavlink.io/en/services/ping.html
+#pragma once
+
+#include "core/vehicle/request_id.h"
+
+#include <cstdint>
+#include <string>
+
+namespace skyseal::vehicle {
+
+struct Ping
+{};
+
+struct PingResult
+{
+    RequestId id{};
+    std::uint8_t systemId = 0;
+    bool ok = false;
+    double trip = 0; ///< seconds
+    std::string reason = {};
+};
+
+} // namespace skyseal::vehicle

@@ -1,0 +1,194 @@
+// Follows two recipes of core/README.md, with the examples in tests/arch/recipes: the files that a recipe adds and edits go to
+// a folder that the compiler searches before the source tree, and every file that they concern must compile. The number of
+// edited files is the cost of adding one more, and the recipe must name each of them.
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QDir>
+#include <QtCore/QFile>
+#include <QtCore/QFileInfo>
+#include <QtCore/QJsonArray>
+#include <QtCore/QJsonDocument>
+#include <QtCore/QJsonObject>
+#include <QtCore/QProcess>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <algorithm>
+
+namespace {
+
+QString q(const char *text)
+{
+    return QString::fromLatin1(text);
+}
+
+const QString kTree = q(SKYSEAL_SOURCE_DIR "/");
+
+QString read(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// The compiler's command for a file of the tree.
+QStringList commandFor(const QString &file)
+{
+    static const QJsonArray kCommands =
+        QJsonDocument::fromJson(read(q(SKYSEAL_BUILD_DIR "/compile_commands.json")).toUtf8()).array();
+    const auto found = std::ranges::find_if(
+        kCommands, [&](const QJsonValue &entry) { return entry[q("file")].toString() == kTree + file; });
+    return found == kCommands.end() ? QStringList() : QProcess::splitCommand((*found)[q("command")].toString());
+}
+
+/// The tree with the changes of a recipe.
+class ChangedTree
+{
+public:
+    /// Adds the example with this file's name.
+    void add(const QString &file)
+    {
+        write(file, read(kTree + q("tests/arch/recipes/") + QFileInfo(file).fileName()));
+        m_added << file;
+    }
+
+    /// Inserts `line` behind `anchor`, which the file contains once.
+    void insert(const QString &file, const char *anchor, const char *line)
+    {
+        QString text = read(m_edited.contains(file) ? m_folder.filePath(file) : kTree + file);
+        QVERIFY2(text.count(q(anchor)) == 1, qPrintable(file + q(": ") + q(anchor)));
+        write(file, text.replace(q(anchor), q(anchor) + q(line)));
+        if (!m_edited.contains(file))
+            m_edited << file;
+    }
+
+    /// Compiles `file` with the options of `like`, a file of the tree; returns the errors.
+    QString errorsIn(const QString &file, const QString &like) const
+    {
+        const QStringList command = commandFor(like);
+        if (command.isEmpty())
+            return q("no command to compile ") + like;
+        QStringList arguments;
+        for (qsizetype i = 1; i < command.size(); ++i) {
+            const QString &argument = command[i];
+            if (argument == q("-o") || argument == q("-c") || argument == q("-include"))
+                ++i; // neither an output nor precompiled headers, which contain the unchanged tree
+            else if (argument != q("-Winvalid-pch") && argument != q("-fpch-preprocess"))
+                arguments << argument;
+        }
+        const bool changed = m_added.contains(file) || m_edited.contains(file);
+        arguments = QStringList{q("-I"), m_folder.path()} + arguments
+            + QStringList{q("-fsyntax-only"), changed ? m_folder.filePath(file) : kTree + file};
+        QProcess compiler;
+        compiler.setProcessChannelMode(QProcess::MergedChannels);
+        compiler.start(command.front(), arguments);
+        compiler.waitForFinished(-1);
+        return compiler.exitCode() == 0 ? QString() : QString::fromUtf8(compiler.readAll());
+    }
+    QString errorsIn(const QString &file) const { return errorsIn(file, file); }
+
+    const QStringList &added() const { return m_added; }
+    const QStringList &edited() const { return m_edited; }
+
+private:
+    void write(const QString &file, const QString &text)
+    {
+        QVERIFY(!text.isEmpty());
+        const QString path = m_folder.filePath(file);
+        QVERIFY(QDir().mkpath(QFileInfo(path).path()));
+        QFile out(path);
+        QVERIFY(out.open(QIODevice::WriteOnly) && out.write(text.toUtf8()) > 0);
+    }
+
+    QTemporaryDir m_folder;
+    QStringList m_added, m_edited;
+};
+
+/// The section "### Add …" of the map.
+QString recipe(const char *title)
+{
+    const QString map = read(kTree + q("core/README.md"));
+    const qsizetype begin = map.indexOf(q("### Add ") + q(title));
+    return begin < 0 ? QString() : map.mid(begin, map.indexOf(q("\n### "), begin + 1) - begin);
+}
+
+void addPing(ChangedTree &tree)
+{
+    for (const char *file : {"core/vehicle/ping.h", "core/vehicle/ping_client.h", "core/vehicle/ping_client.cpp"})
+        tree.add(q(file));
+    tree.insert(q("core/vehicle/request.h"), "#include \"core/vehicle/parameter.h\"\n", "#include \"core/vehicle/ping.h\"\n");
+    tree.insert(q("core/vehicle/request.h"), "using Request = std::variant<", "Ping, ");
+    tree.insert(q("core/vehicle/event.h"), "#include \"core/vehicle/parameter.h\"\n", "#include \"core/vehicle/ping.h\"\n");
+    tree.insert(q("core/vehicle/event.h"), "using Event = std::variant<CommandResult, ", "PingResult, ");
+    tree.insert(
+        q("core/vehicle/request_failure.cpp"), "    std::string reason;\n",
+        "    Event operator()(const Ping &) const { return PingResult{.id = id, .systemId = systemId, .reason = reason}; }\n");
+    tree.insert(q("core/vehicle/vehicle_parts.h"), "#include \"core/vehicle/parameter_client.h\"\n",
+                "#include \"core/vehicle/ping_client.h\"\n");
+    tree.insert(q("core/vehicle/vehicle_parts.h"), "    MissionClient mission{context};\n", "    PingClient ping{context};\n");
+    tree.insert(q("core/vehicle/CMakeLists.txt"), " parameter_client.cpp request_failure.cpp", " ping_client.cpp");
+    tree.insert(q("app/cli/json_report.cpp"), "[](const vehicle::ParameterResult &) {},",
+                " [](const vehicle::PingResult &) {},");
+}
+
+void addTextOfPing(ChangedTree &tree)
+{
+    tree.insert(q("core/engine/text/event_text.cpp"), "    explicit Describe(const PeerNames &names) : m_names(names) {}\n",
+                "    EventText operator()(const vehicle::PingResult &e) const { return {qt(e.reason), kInfo, e.systemId}; }\n");
+}
+
+void checkThatRecipeNames(const QString &text, const QStringList &files)
+{
+    QVERIFY(!text.isEmpty());
+    for (const QString &file : files)
+        QVERIFY2(text.contains(QFileInfo(file).fileName()), qPrintable(file));
+}
+
+} // namespace
+
+class RecipesTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void microProtocolTakesSevenEdits();
+    void eventWithoutATextDoesNotCompile();
+    void cipherSuiteTakesOneEdit();
+};
+
+void RecipesTest::microProtocolTakesSevenEdits()
+{
+    ChangedTree tree;
+    addPing(tree);
+    addTextOfPing(tree);
+    QCOMPARE(tree.edited().size(), 7);
+    QCOMPARE(tree.added().size(), 3);
+    checkThatRecipeNames(recipe("a MAVLink micro-protocol client"), tree.edited());
+    const QString client = q("core/vehicle/mission_client.cpp"); // a neighbour with the same options
+    QCOMPARE(tree.errorsIn(q("core/vehicle/ping_client.cpp"), client), QString());
+    // The edited files, and some that pass requests and events on unchanged.
+    for (const char *file : {"core/vehicle/request_failure.cpp", "core/vehicle/vehicle_parts.cpp", "core/vehicle/vehicle.cpp",
+                             "core/engine/station/fleet.cpp", "core/engine/text/event_text.cpp", "app/cli/json_report.cpp"})
+        QCOMPARE(tree.errorsIn(q(file)), QString());
+}
+
+void RecipesTest::eventWithoutATextDoesNotCompile()
+{
+    ChangedTree tree;
+    addPing(tree);
+    QVERIFY(tree.errorsIn(q("core/engine/text/event_text.cpp")).contains(q("PingResult")));
+}
+
+void RecipesTest::cipherSuiteTakesOneEdit()
+{
+    ChangedTree tree;
+    tree.add(q("core/crypto/suites/dummy.cpp"));
+    tree.insert(q("core/crypto/suite.cpp"), "SuiteInfo rc4Suite();\n", "SuiteInfo dummySuite();\n");
+    tree.insert(q("core/crypto/suite.cpp"), "        rc4Suite(),\n", "        dummySuite(),\n");
+    QCOMPARE(tree.edited().size(), 1);
+    checkThatRecipeNames(recipe("a cipher suite"), tree.edited());
+    QCOMPARE(tree.errorsIn(q("core/crypto/suites/dummy.cpp"), q("core/crypto/suites/rc4.cpp")), QString());
+    QCOMPARE(tree.errorsIn(q("core/crypto/suite.cpp")), QString());
+}
+
+SKYSEAL_TEST_APPLESS(RecipesTest)
+#include "recipes_test.moc"
