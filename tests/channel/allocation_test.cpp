@@ -49,7 +49,7 @@ private Q_SLOTS:
     void sealAndOpen();
     void sealAndOpenInline_data() { everyInlineSuite(); }
     void sealAndOpenInline();
-    void strangersLeaveNothing();
+    void unknownSendersLeaveNoState();
 };
 
 void AllocationTest::countsAtAll()
@@ -83,7 +83,7 @@ void AllocationTest::sealAndOpen()
     const std::size_t after = allocations;
     QCOMPARE(opened, std::size_t(1000));
     QCOMPARE(refused, std::size_t(2000));
-    QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before))); // The one alarm may need a place to wait.
+    QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before))); // the alarm may extend its queue
 }
 
 void AllocationTest::sealAndOpenInline()
@@ -113,9 +113,9 @@ void AllocationTest::sealAndOpenInline()
     QVERIFY2(after - before <= 1, qPrintable(QString::number(after - before)));
 }
 
-void AllocationTest::strangersLeaveNothing()
+void AllocationTest::unknownSendersLeaveNoState()
 {
-    // First messages from a hundred thousand addresses, with a right mac1 and without: nothing is kept of any of them.
+    // First messages from a hundred thousand addresses, with and without a valid mac1: no state is kept for any of them.
     Pair pair(attackOptions());
     pair.kill(Ground);
     pair.run(1s);

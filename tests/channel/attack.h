@@ -68,18 +68,18 @@ inline Caught catchOne(Pair &pair, std::size_t size = 28, Side from = Air)
     });
     caught.number = pair.sendFrame(from, size);
     pair.link.attacker = before;
-    pair.dropped[from].erase(caught.number); // It will be delivered by hand.
+    pair.dropped[from].erase(caught.number); // the test delivers it
     return caught;
 }
 
-/// Hands a datagram to an endpoint; true when frames came out.
+/// Passes a datagram to an endpoint; returns true if it yielded frames.
 inline bool offer(Pair &pair, Side to, Bytes bytes, std::optional<Path> from = {})
 {
     const Path path = from.value_or(pair.pathOf(to == Air ? Ground : Air));
     return pair.ends[to].endpoint->handleDatagram(pair.now, path, bytes).has_value();
 }
 
-/// Hands all of them to whom they were sent, at once: how many were taken.
+/// Delivers all of them to their receivers at once; returns the number of accepted ones.
 inline std::size_t offerAll(Pair &pair, const std::vector<Flight> &flights)
 {
     std::size_t taken = 0;
@@ -111,7 +111,7 @@ inline std::uint64_t refusedInAll(const Pair::End &end)
     return refused(received(end)) + refused(end.endpoint->unmatched());
 }
 
-/// The session of before still carries frames both ways.
+/// Returns true if the session that existed before still carries frames in both directions.
 inline bool aliveAndExact(Pair &pair)
 {
     pair.run(10ms);

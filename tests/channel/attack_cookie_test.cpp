@@ -1,5 +1,5 @@
-// Floods of first messages with a right mac1, from forged and from real addresses: a true station gets its session in each
-// case.
+// Floods of first messages with a valid mac1, from forged and from real addresses: the legitimate station gets its session in
+// each case.
 #include "attack.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_limit.h"
@@ -19,8 +19,8 @@ private Q_SLOTS:
     void floodFromForgedAddresses();
     void floodFromRealAddresses();
     void floodFromRealAddressesOfAStranger();
-    void announcementsAreNoAmplifier();
-    void forgedCookiesAreNoAmplifier();
+    void replayedAnnouncementsDoNotAmplify();
+    void forgedCookiesDoNotAmplify();
 };
 
 void AttackCookieTest::floodFromForgedAddresses()
@@ -34,7 +34,7 @@ void AttackCookieTest::floodFromForgedAddresses()
         Flood flood(pair, 1u << 20);
         const TimePoint start = pair.now;
         HOLDS(connectsIn(pair, flood), "a station gets its session");
-        // What was computed was refused as forged: at most 50 a second, 20 at once.
+        // Each computed handshake was refused as forged: at most 50 a second, 20 at once.
         const double computed = static_cast<double>(pair.air().endpoint->unmatched().forged);
         QVERIFY2(computed <= 50 * seconds(pair.now - start) + 20, qPrintable(QString::number(computed)));
         QVERIFY(flood.bytesOut <= flood.bytesIn);
@@ -46,7 +46,7 @@ void AttackCookieTest::floodFromForgedAddresses()
 
 void AttackCookieTest::floodFromRealAddresses()
 {
-    // A thousand hosts that receive what is sent to them. The station is where the agent announces itself to.
+    // A thousand hosts with real addresses. The agent announces itself to the address of the station.
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         PairOptions options;
         options.seed = seed;
@@ -60,7 +60,7 @@ void AttackCookieTest::floodFromRealAddresses()
 
 void AttackCookieTest::floodFromRealAddressesOfAStranger()
 {
-    // The agent expects nobody at any address; some hosts take their shares and leave the rest.
+    // The agent has no expected address; some hosts use up their shares only.
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         PairOptions options;
         options.seed = seed;
@@ -73,9 +73,9 @@ void AttackCookieTest::floodFromRealAddressesOfAStranger()
     }
 }
 
-void AttackCookieTest::announcementsAreNoAmplifier()
+void AttackCookieTest::replayedAnnouncementsDoNotAmplify()
 {
-    // One recorded announcement, given from many addresses: each is answered once, and not more.
+    // One recorded announcement, replayed from many addresses: each copy is answered once.
     Pair pair;
     std::optional<Flight> announcement;
     std::uint64_t in = 0, out = 0;
@@ -100,9 +100,10 @@ void AttackCookieTest::announcementsAreNoAmplifier()
     HOLDS(out <= in, "no more goes out than came in");
 }
 
-void AttackCookieTest::forgedCookiesAreNoAmplifier()
+void AttackCookieTest::forgedCookiesDoNotAmplify()
 {
-    // Who knows the public key gets the first message at his own address, and makes cookies for it in another's name.
+    // An attacker with the public key receives the first message at his own address and forges cookies for it from another
+    // address.
     Pair pair;
     SeededRandom random(7);
     CookieMaker imitator(pair.air().identity->publicKey, random);

@@ -29,10 +29,10 @@ private Q_SLOTS:
     void answerFloodWithTheRightMac_data();
     void answerFloodWithTheRightMac();
     void numberFloodWithTheRightMac();
-    void floodIsToldInFewWords();
+    void floodRaisesFewEvents();
     void noMoreOutThanIn();
-    void noMoreOutThanInBesideASession_data();
-    void noMoreOutThanInBesideASession();
+    void noMoreOutThanInDuringASession_data();
+    void noMoreOutThanInDuringASession();
 
 private:
     void floodAnswers(Pair &pair, std::size_t length, double &took);
@@ -115,7 +115,7 @@ void AttackFloodTest::forgeriesInAFlood()
 
 void AttackFloodTest::handshakeFlood()
 {
-    // First messages without the right mac1: no answer, no state, and a station that calls meanwhile gets its session.
+    // First messages without a valid mac1: no answer, no state, and the station gets its session meanwhile.
     Pair pair(attackOptions());
     pair.kill(Ground);
     std::uint64_t answered = 0;
@@ -139,7 +139,7 @@ void AttackFloodTest::handshakeFlood()
 
 void AttackFloodTest::handshakeFloodWithTheRightMac()
 {
-    // Whoever knows the agent's public key can make mac1 right; what is then computed for him is little.
+    // A sender that knows the agent's public key can compute mac1; the agent computes few handshakes for it.
     Pair pair(attackOptions());
     pair.kill(Ground);
     pair.run(1s);
@@ -155,15 +155,14 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
         }
     });
     pair.run(2s);
-    // Each that was computed was refused and counted; the others were not even looked at.
+    // Each computed handshake was refused and counted; the others were not read.
     const auto computed = pair.air().endpoint->unmatched().forged - before;
     HOLDS(computed <= 20 + 2 * 50, "at most fifty computations a second");
     QVERIFY(!pair.air().up());
 }
 
-/// Who hears the link learns from an answer what number the station has given itself, and who knows the station's key can
-/// make mac1 right. The true answers are kept off the wire for a while, so that there is something to learn; then the
-/// session comes up. How many seconds that took.
+/// An eavesdropper learns the station's handshake number from an answer, and with the station's key computes mac1. The true
+/// answers are withheld for a while; then the session comes up. Returns the seconds that this took.
 void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
 {
     const std::size_t sessions = pair.ground().all<SessionUp>().size();
@@ -174,7 +173,7 @@ void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
         if (flight.bytes[0] != 0x5a)
             return true;
         heard = flight.bytes;
-        knownFrom = at + 2ms; // it is no nearer to the agent than the station is
+        knownFrom = at + 2ms; // its distance to the agent is that of the station
         return !jammed;
     };
     const Mac1 mac(pair.ground().identity->publicKey);
@@ -187,7 +186,7 @@ void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
             forged[0] = length == kNumberLength ? 0x5b : 0x5a;
             forged[1] = pair.now >= knownFrom ? heard[1] : 0;
             if (pair.now >= knownFrom && i % 2 == 0)
-                forged[2] = heard[2]; // the others go where they may
+                forged[2] = heard[2]; // the other bytes are arbitrary
             mac.sign(forged);
             offer(pair, Ground, forged);
         }
@@ -225,7 +224,7 @@ void AttackFloodTest::answerFloodWithTheRightMac()
     double took = 0;
     floodAnswers(pair, kAnswerLength, took);
     QVERIFY(took > 0);
-    // Each that was computed on was counted so.
+    // Each computed answer was counted as forged.
     const auto computed = pair.ground().endpoint->unmatched().forged - before;
     HOLDS(static_cast<double>(computed) <= 20 + 50 * took, "at most fifty computations a second");
     QVERIFY(computed > 0);
@@ -233,8 +232,8 @@ void AttackFloodTest::answerFloodWithTheRightMac()
 
 void AttackFloodTest::numberFloodWithTheRightMac()
 {
-    // The same with the message that tells a station how far it had counted. A few false ones, and what is said to this
-    // first message is not computed on any more, not even the true one: a fresh first message takes its place.
+    // The same with the message that corrects the counter of a station. After a few forged ones no correction for this first
+    // message is computed, not even the true one: a new first message replaces it.
     Pair pair(attackOptions());
     for (std::size_t life = 1; life <= 5; ++life) { // a past
         QVERIFY(pair.run(4s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == life; }));
@@ -271,7 +270,7 @@ void AttackFloodTest::numberFloodWithTheRightMac()
     QVERIFY(took > 0);
 }
 
-void AttackFloodTest::floodIsToldInFewWords()
+void AttackFloodTest::floodRaisesFewEvents()
 {
     Pair pair(attackOptions());
     pair.kill(Ground);
@@ -290,24 +289,24 @@ void AttackFloodTest::floodIsToldInFewWords()
 
 void AttackFloodTest::noMoreOutThanIn()
 {
-    // Nobody authenticated: whatever is repeated at either end, no more comes out than goes in.
+    // No sender is authenticated: whatever is replayed to either end, it sends no more bytes than it receives.
     Pair pair(attackOptions());
     Tap tap(pair);
     pair.run(2s);
     QVERIFY(pair.bothUp());
     for (const Side victim : {Ground, Air}) {
-        Pair fresh(attackOptions()); // The same keys, so what was recorded is meant for these.
+        Pair fresh(attackOptions()); // the same keys, so that the recorded messages are addressed to these ends
         fresh.kill(victim == Ground ? Air : Ground);
         fresh.run(10ms);
         std::uint64_t in = 0, out = 0;
         fresh.link.attacker = [&](TimePoint, Flight &flight) {
-            out += flight.bytes[0] != 0x58 ? flight.bytes.size() : 0; // Announcements are no answer to anything.
+            out += flight.bytes[0] != 0x58 ? flight.bytes.size() : 0; // announcements are not answers
             return false;
         };
         for (int round = 0; round < 100; ++round) {
             for (const Flight &flight : tap.flights) {
                 if (flight.from == victim || (flight.bytes[0] & 0xfc) != 0x58)
-                    continue; // What only looks like an answer to a handshake costs its sender nothing more.
+                    continue; // shaped like an answer to a handshake
                 offer(fresh, victim, flight.bytes);
                 in += flight.bytes.size();
                 fresh.run(20ms);
@@ -317,7 +316,7 @@ void AttackFloodTest::noMoreOutThanIn()
     }
 }
 
-void AttackFloodTest::noMoreOutThanInBesideASession_data()
+void AttackFloodTest::noMoreOutThanInDuringASession_data()
 {
     QTest::addColumn<int>("messages");
     QTest::addColumn<int>("times");
@@ -326,16 +325,16 @@ void AttackFloodTest::noMoreOutThanInBesideASession_data()
     QTest::newRow("five in turn, ten a second") << 5 << 200 << 10 << false;
     QTest::newRow("five in turn, one a second") << 5 << 20 << 1 << false;
     QTest::newRow("one again and again") << 1 << 200 << 10 << false;
-    // The agent hears nothing of its station but what is replayed.
+    // The agent receives replayed messages only.
     QTest::newRow("deaf, five in turn, ten a second") << 5 << 200 << 10 << true;
     QTest::newRow("deaf, five in turn, one a second") << 5 << 20 << 1 << true;
 }
 
-void AttackFloodTest::noMoreOutThanInBesideASession()
+void AttackFloodTest::noMoreOutThanInDuringASession()
 {
-    // Who jammed a link for a while has first messages that the station made meanwhile and nobody ever confirmed, so that
-    // their counters stay good while the session goes on by records. An agent keeps four answers of one peer: of five messages
-    // in turn all but the newest are new to it each time. The same flight without the attack tells what the attack causes.
+    // An attacker who jammed a link for a while holds first messages that were never confirmed, whose counters stay valid while
+    // the session continues. An agent keeps four answers of one peer: of five messages replayed in turn, all but the newest are
+    // new to it each time. The same flight without the attack is the reference.
     QFETCH(int, messages);
     QFETCH(int, times);
     QFETCH(int, aSecond);
@@ -353,7 +352,7 @@ void AttackFloodTest::noMoreOutThanInBesideASession()
                 firsts.push_back(flight.bytes);
             return !jammed && (flight.bytes[0] & 0xfc) != 0x58;
         };
-        pair.run(45s); // The station makes a fresh one once the last went out four times.
+        pair.run(45s); // the station makes a new one after four transmissions
         QVERIFY2(firsts.size() >= 5, qPrintable(QString::number(firsts.size())));
         jammed = false;
         pair.run(5s);
@@ -390,7 +389,7 @@ void AttackFloodTest::noMoreOutThanInBesideASession()
     const std::uint64_t caused = said[1] - said[0];
     qInfo("in %llu, to the thief %llu, caused in all %llu", static_cast<unsigned long long>(in),
           static_cast<unsigned long long>(toTheThief), static_cast<unsigned long long>(caused));
-    QVERIFY(caused > 0); // Each might be the true station's, so there is an answer.
+    QVERIFY(caused > 0); // each may be of the legitimate station and is answered
     HOLDS(toTheThief <= in && caused <= in, "no more goes out than came in");
 }
 

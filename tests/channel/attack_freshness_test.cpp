@@ -25,7 +25,7 @@ private Q_SLOTS:
     void wholeFlowDelayed();
     void growingDelay();
     void staleTelemetry();
-    void limitIsTheOwners();
+    void limitIsConfigurable();
 };
 
 void AttackFreshnessTest::withheldCommand_data()
@@ -91,7 +91,7 @@ void AttackFreshnessTest::releasedAfterClose()
     pair->ground().endpoint->close(pair->now, pair->ground().session());
     pair->stopTraffic();
     pair->run(50ms);           // less than either limit
-    QVERIFY(pair->air().up()); // it waits for what the close overtook
+    QVERIFY(pair->air().up()); // it waits for records that the close overtook
     HOLDS(!commands(release(*pair, command)), "nothing commands after the close");
 }
 
@@ -101,7 +101,7 @@ void AttackFreshnessTest::releasedAfterASwitch()
     const Caught command = catchOne(*pair, 40, Ground);
     pair->ground().endpoint->switchSuite(pair->now, pair->ground().session(), SuiteId::Aes256Gcm);
     pair->run(1s, [&] { return !pair->ground().all<SwitchDone>().empty(); });
-    pair->run(1500ms); // the keys of the epoch before live for 3 s
+    pair->run(1500ms); // the keys of the previous epoch live for 3 s
     const auto judged = release(*pair, command);
     QVERIFY(judged);
     HOLDS(!commands(judged), "no overtaken command is obeyed");
@@ -119,7 +119,7 @@ void AttackFreshnessTest::wholeFlowHeldThenReleased_data()
 
 void AttackFreshnessTest::wholeFlowHeldThenReleased()
 {
-    // Nothing overtakes the first commands of the outage: their age alone can be their undoing.
+    // No record overtakes the first commands of the outage: only their age can reveal the delay.
     QFETCH(int, seconds);
     QFETCH(bool, newestFirst);
     auto pair = flight(optionsWith(Carrier::Datagram, kAge));
@@ -199,7 +199,7 @@ void AttackFreshnessTest::staleTelemetry()
     QCOMPARE(received(pair->ground()).stale, std::uint64_t(1));
 }
 
-void AttackFreshnessTest::limitIsTheOwners()
+void AttackFreshnessTest::limitIsConfigurable()
 {
     // 1.2 s each way, of which the agent knows the sum.
     const auto share = [](std::optional<Duration> limit) {

@@ -29,9 +29,9 @@ private Q_SLOTS:
     void revealedKeysOpenNothing_data();
     void revealedKeysOpenNothing();
     void replayedFirstMessage();
-    void everyBitOfTheFirst();
+    void everyBitOfTheFirstMessage();
     void everyBitOfTheAnswer();
-    void weakerChoice();
+    void suiteOutsideTheOffers();
     void otherVersionOrCarrier();
 
 private:
@@ -83,14 +83,14 @@ Bytes recordUnder(const RevealedSession &session, ConnectionId connection)
 
 void AttackHandshakeTest::interception()
 {
-    // Somebody in the middle with a key of his own, who answers both sides in the other's place.
+    // A man in the middle with a key of his own answers both sides in place of the other.
     Pair pair(attackOptions());
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
     const X25519KeyPair middle = X25519KeyPair::generate(m_random);
 
-    // Towards the agent he calls as a station.
+    // To the agent he acts as a station.
     const auto called = Initiator::begin(middle, known(*pair.air().identity), {ConnectionId{7}, m_offer, 99}, m_random);
     QVERIFY(called);
     const std::size_t answers = tap.ofKind(0x5a).size();
@@ -100,9 +100,9 @@ void AttackHandshakeTest::interception()
     const auto refused = pair.air().all<HandshakeRefused>();
     QCOMPARE(refused.size(), 1u);
     QCOMPARE(refused[0].reason, RefusalReason::UnknownPeer);
-    QCOMPARE(refused[0].peer, middle.publicKey); // Shown, so that a person can compare it.
+    QCOMPARE(refused[0].peer, middle.publicKey); // reported for comparison
 
-    // Towards the station he announces himself, and he catches what it sends to the agent, which he cannot read.
+    // To the station he announces himself; he intercepts its first message to the agent and cannot read it.
     const auto announced = Announcement(middle.publicKey).make(m_random);
     const std::size_t firsts = tap.ofKind(0x59).size();
     offer(pair, Ground, Bytes(announced.begin(), announced.end()));
@@ -115,8 +115,8 @@ void AttackHandshakeTest::interception()
 
 void AttackHandshakeTest::unknownKeyShare()
 {
-    // A first message that the station meant for one agent is carried to another that knows the station as well; the one
-    // thing about it that needs no secret, mac1, is made right.
+    // A first message for one agent is delivered to another agent that knows the station as well, with a recomputed mac1, which
+    // needs no secret.
     Pair one(attackOptions());
     PairOptions options = attackOptions();
     ++options.seed;
@@ -140,8 +140,8 @@ void AttackHandshakeTest::unknownKeyShare()
 
 void AttackHandshakeTest::keyCompromiseImpersonation()
 {
-    // Who stole the agent's own secret writes a first message in the station's name, with the greatest counter there is. The
-    // agent answers it; to go on takes what only the station's secret or the agent's ephemeral one gives.
+    // An attacker with the agent's private key forges a first message of the station with the greatest counter. The agent
+    // answers it; to continue, the private key of the station or the ephemeral one of the agent is needed.
     Pair pair(attackOptions());
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -158,7 +158,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     const Bytes answer = tap.ofKind(0x5a).back().bytes;
     QCOMPARE(tap.ofKind(0x5a).size(), 2u);
     QCOMPARE(pair.air().endpoint->unmatched().forged, std::uint64_t(0));
-    // He is even told where the agent expects his records.
+    // The answer contains the connection id for his records.
     const auto se = crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(answer));
     const auto truth = thief.withGuess(answer, se->clone());
     QVERIFY(truth.read);
@@ -171,12 +171,12 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     pair.run(15s);
     HOLDS(taken == 0 && pair.air().all<SessionUp>().size() == 1 && pair.air().all<SessionDown>().empty(),
           "no session comes of it, and none ends");
-    QCOMPARE(pair.air().counters.lastSeen(station), before); // Not spent either.
+    QCOMPARE(pair.air().counters.lastSeen(station), before); // nor used up
     QVERIFY(aliveAndExact(pair));
     pair.kill(Ground);
     pair.start(Ground); // with a counter far below that of the forged one
     QVERIFY(pair.run(3s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == 2; }));
-    // Nothing else was missing: the same record made with the station's secret as well is taken.
+    // Control: the same record made with the station's private key is accepted.
     const Thief both = call(kGreatestCounter);
     const Bytes last = tap.ofKind(0x5a).back().bytes;
     const auto session = both.withGuess(last, crypto::x25519(pair.ground().identity->secret, Thief::ephemeralOf(last)));
@@ -240,8 +240,8 @@ void AttackHandshakeTest::revealedKeysOpenNothing()
         }
     }
     HOLDS(opened == 0, "the static keys open no record");
-    // The first message's own payload is read by who has the agent's key: Noise IK gives it no forward secrecy, and nothing
-    // but suites and a counter stands in it. It also shows that the reconstruction is right as far as it goes.
+    // The payload of the first message can be read with the agent's key: Noise IK gives it no forward secrecy, and it contains
+    // only suites and a counter. This also verifies the reconstruction up to that point.
     QVERIFY(reconstruction.firstPayloadRead);
 }
 
@@ -260,7 +260,7 @@ void AttackHandshakeTest::replayedFirstMessage()
     HOLDS(tap.ofKind(0x5a).size() == 1, "an old first message gets no answer");
     QCOMPARE(pair.air().endpoint->unmatched().replayed, std::uint64_t(20));
     QVERIFY(aliveAndExact(pair));
-    // Nor from an agent that was restarted, when its station is gone.
+    // The same for an agent that was restarted after its station ended.
     pair.kill(Ground);
     pair.kill(Air);
     pair.start(Air);
@@ -269,9 +269,9 @@ void AttackHandshakeTest::replayedFirstMessage()
     HOLDS(tap.ofKind(0x5a).size() == 1, "an old first message gets no answer");
 }
 
-void AttackHandshakeTest::everyBitOfTheFirst()
+void AttackHandshakeTest::everyBitOfTheFirstMessage()
 {
-    // Offers, connection id and counter are in there, too: none can be stripped or weakened on the way.
+    // This covers offers, connection id and counter: none can be removed or weakened in transit.
     const FirstMessage message = begin().message();
     const Mac1 mac(m_agent.publicKey);
     QVERIFY(Responder::read(m_agent, message));
@@ -280,7 +280,7 @@ void AttackHandshakeTest::everyBitOfTheFirst()
         QVERIFY(!mac.verify(changed));
         if (bit < 8 || bit >= (kFirstLength - kMacLength) * 8)
             continue;
-        // An attacker knows the public key and can make the MAC good again; the rest is refused all the same.
+        // An attacker with the public key can recompute mac1; the message is still refused.
         mac.sign(changed);
         HOLDS(!Responder::read(m_agent, changed), "no changed first message is read");
     }
@@ -302,12 +302,12 @@ void AttackHandshakeTest::everyBitOfTheAnswer()
         mac.sign(changed);
         HOLDS(!initiator.readAnswer(changed), "no changed answer is taken");
     }
-    QVERIFY(initiator.readAnswer(answer->message)); // None of them spoilt it.
+    QVERIFY(initiator.readAnswer(answer->message)); // unaffected by the refused ones
 }
 
-void AttackHandshakeTest::weakerChoice()
+void AttackHandshakeTest::suiteOutsideTheOffers()
 {
-    // An agent, or who speaks for it, that chooses what the two offers do not give.
+    // An agent, or an attacker in its place, chooses a suite that does not follow from the two offers.
     for (const auto &suite : crypto::suites()) {
         auto initiator = begin();
         auto state = noise::HandshakeState::initialize(noiseConfig(noise::Role::Responder, m_agent, asBytes(kPrologueText)));

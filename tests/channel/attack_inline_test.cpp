@@ -29,7 +29,7 @@ bool offerFrame(Pair &pair, Side to, Bytes bytes)
     return pair.ends[to].endpoint->handleInlineFrame(pair.now, pair.pathOf(to == Air ? Ground : Air), bytes).has_value();
 }
 
-/// As an attacker makes it: the checksum of MAVLink needs no key.
+/// Recomputes the checksum as an attacker can: it needs no key.
 Bytes withRightChecksum(Bytes frame)
 {
     const engine::DialectTraits facts(mavlink::Dialect::builtin());
@@ -86,7 +86,7 @@ void AttackInlineTest::everyLengthOfAFrame()
         if (length != full)
             offerFrame(pair, Ground, changed);
     }
-    // And with everything that needs no key made to fit: the length that the frame tells, its checksum, its trailer.
+    // The same with matching length field, checksum and trailer, none of which needs a key.
     const Bytes &whole = caught.flight.bytes;
     for (std::size_t payload = 1; payload <= 255; ++payload) {
         Bytes changed(whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(2 + kInlineTrailer));

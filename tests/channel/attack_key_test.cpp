@@ -22,8 +22,8 @@ private Q_SLOTS:
     void initTestCase() { QVERIFY(initCrypto()); }
     void contextIsSealedIn_data();
     void contextIsSealedIn();
-    void directionsHaveTheirOwnKeys_data() { everySuite(); }
-    void directionsHaveTheirOwnKeys();
+    void directionsHaveSeparateKeys_data() { everySuite(); }
+    void directionsHaveSeparateKeys();
     void badPaddingLooksLikeABadTag();
 
 private:
@@ -86,7 +86,7 @@ void AttackKeyTest::contextIsSealedIn()
     HOLDS(others == 0, "header, suite, direction and carrier are sealed in");
 }
 
-void AttackKeyTest::directionsHaveTheirOwnKeys()
+void AttackKeyTest::directionsHaveSeparateKeys()
 {
     QFETCH(int, suite);
     const auto id = static_cast<SuiteId>(suite);
@@ -101,8 +101,8 @@ void AttackKeyTest::directionsHaveTheirOwnKeys()
 
 void AttackKeyTest::badPaddingLooksLikeABadTag()
 {
-    // Two blocks whose last byte is no padding, under a tag that is right: only who has the keys can make it, and the
-    // answer is the same as to a wrong tag, plaintext wiped.
+    // Two blocks whose last byte is not valid padding, under a valid tag: only an owner of the keys can make them, and the
+    // result is the same as for a wrong tag, with the plaintext wiped.
     const RecordKeys keys = RecordKeys::derive(m_secret, SuiteId::Aes256Cbc);
     const RecordMac mac(keys.mac);
     const auto cipher = makeRecordCipher(SuiteId::Aes256Cbc, m_secret.clone());
@@ -118,7 +118,7 @@ void AttackKeyTest::badPaddingLooksLikeABadTag()
         const bool badPadding = cipher->open(9, {}, record).has_value(), badTag = cipher->open(9, {}, wrongTag).has_value();
         QVERIFY(!badTag);
         HOLDS(badPadding == badTag || last == 0x05, "bad padding is refused as a bad tag is");
-        if (last != 0x05) // five fives at the end are good padding, or the test would not test padding at all
+        if (last != 0x05) // five fives at the end are valid padding: a control of the test itself
             QVERIFY(std::all_of(record.begin(), record.begin() + 32, [](std::uint8_t byte) { return byte == 0; }));
         else
             QVERIFY(badPadding);

@@ -31,8 +31,8 @@ class AttackPartsTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void splicedParts();
-    void sendersDoNotMix();
+    void splicedTunnelParts();
+    void partsOfSendersAreNotMixed();
 
 private:
     Bytes message()
@@ -46,7 +46,7 @@ private:
     std::mt19937 m_random{kSeed};
 };
 
-void AttackPartsTest::splicedParts()
+void AttackPartsTest::splicedTunnelParts()
 {
     std::size_t whole = 0;
     for (int round = 0; round < 500; ++round) {
@@ -75,7 +75,7 @@ void AttackPartsTest::splicedParts()
     QVERIFY(whole > 500);
 }
 
-void AttackPartsTest::sendersDoNotMix()
+void AttackPartsTest::partsOfSendersAreNotMixed()
 {
     const Path first{LinkId{1}, {}, Carrier::Tunnel, {1, 191}}, second{LinkId{1}, {}, Carrier::Tunnel, {2, 191}};
     const Bytes one(300, 0x50), other(300, 0x51);

@@ -46,7 +46,7 @@ private:
 void AttackRecordTest::eavesdropping()
 {
     PAIR_UNDER_SUITE;
-    // Frames of zeros but for their number: on the wire every byte behind the header is as good as random.
+    // Frames of zeros except for their number: on the wire every byte behind the header looks random.
     std::array<std::uint64_t, 256> histogram{};
     std::uint64_t total = 0;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
@@ -126,7 +126,7 @@ void AttackRecordTest::everyLength()
 void AttackRecordTest::splicedRecords()
 {
     PAIR_UNDER_SUITE;
-    // A record is one datagram, so there are no fragments to reassemble; what an attacker can do is to cut and to join.
+    // A record is one datagram and is never reassembled; an attacker can only truncate and join.
     const Caught one = catchOne(pair, 64), two = catchOne(pair, 64);
     const auto good = received(pair.ground()).good;
     const Bytes &a = one.flight.bytes, &b = two.flight.bytes;
@@ -209,7 +209,7 @@ void AttackRecordTest::replayAtTheEdgeOfTheWindow()
 {
     auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
     Pair &pair = *owner;
-    // One that arrived and one that did not, both to be repeated when they are just inside, at and outside the window.
+    // One delivered and one lost record, both replayed just inside, at the edge of and outside the window.
     pair.sendFrame(Air);
     const Caught withheld = catchOne(pair);
     Tap tap(pair);
@@ -247,7 +247,7 @@ void AttackRecordTest::acrossSuitesAndEpochs()
             if (changed != before.flight.bytes)
                 HOLDS(!offer(pair, Ground, changed), "no record opens under another suite");
         }
-        // As it is, it is a late one of the previous epoch.
+        // Unchanged, it is a late record of the previous epoch.
         pair.link.inject(pair.now, before.flight);
         QVERIFY(aliveAndExact(pair));
         QCOMPARE(pair.ground().delivered[before.number], 1);
@@ -266,7 +266,7 @@ void AttackRecordTest::replayFourEpochsLater()
         pair.ground().endpoint->rekey(pair.now, pair.ground().session());
         pair.run(5s);
     }
-    // Only two bits of the epoch travel, so the old record's header is good again, and its counter is new.
+    // Records carry only two bits of the epoch, so the old record's header fits again, and its counter is new.
     QCOMPARE(static_cast<int>(pair.ground().endpoint->sessionInfo(pair.ground().session())->epoch), 5);
     HOLDS(!offer(pair, Ground, old.flight.bytes), "no record opens in a later epoch");
     QVERIFY(aliveAndExact(pair));
@@ -283,7 +283,7 @@ void AttackRecordTest::acrossSessions()
     const Caught own = catchOne(*one);
     Bytes changed = foreign.flight.bytes;
     std::copy_n(own.flight.bytes.begin(), 3, changed.begin());
-    changed[4] = 0x10; // A counter that is new to it.
+    changed[4] = 0x10; // a counter that it has not received
     const auto before = received(one->ground()).forged;
     HOLDS(!offer(*one, Ground, changed), "no record opens in another session");
     QCOMPARE(received(one->ground()).forged, before + 1);

@@ -30,7 +30,7 @@ namespace {
 
 struct Memory
 {
-    std::size_t allocated = 0; ///< bytes that were asked for and not given back
+    std::size_t allocated = 0; ///< bytes that are allocated and not freed
     std::size_t resident = 0;  ///< bytes
 };
 
@@ -51,8 +51,8 @@ Memory memoryNow()
     return now;
 }
 
-/// What is allocated moves by no more than the simulation's own queues; what is resident, where it says something, by no
-/// more than an allocator may keep for itself. A sanitizer keeps what was freed.
+/// Allocated memory varies by the queues of the simulation only; resident memory, where it is meaningful, by the reserve of the
+/// allocator. A sanitizer delays the release of freed memory.
 bool isAsBefore(const Memory &before, const Memory &now)
 {
     qInfo("allocated %zu bytes, then %zu; resident %zu kB, then %zu kB", before.allocated, now.allocated,

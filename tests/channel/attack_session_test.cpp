@@ -25,13 +25,13 @@ private Q_SLOTS:
     void windowPoisoning();
     void hijackOfAnAddress();
     void newPortResumesAtOnce();
-    void keptRecordDivertsForMoments();
-    void storm();
+    void withheldRecordDivertsForSeconds();
+    void jitterReorderingAndDuplicates();
     void deletion_data();
     void deletion();
     void outageOfFiveMinutes();
-    void jammedThenBad();
-    void clocksJump();
+    void jammedThenLossyLink();
+    void clockSteps();
     void replayedAnnouncementsEndNothing();
     void killedTwoHundredTimes();
     void everyControlRecordDropped();
@@ -87,7 +87,7 @@ void AttackSessionTest::replayOfAnEarlierSession()
 
 void AttackSessionTest::replayOnAnotherLink()
 {
-    // Everything that was heard on one link, handshake included, is said again on another, in the same carrier.
+    // All messages of one link, including the handshake, are replayed on another link with the same carrier.
     Pair pair(attackOptions());
     Tap tap(pair);
     traffic(pair);
@@ -116,8 +116,8 @@ void AttackSessionTest::replayOnAnotherLink()
     QVERIFY(received(pair.ground()).replayed > 200 && received(pair.air()).replayed > 200);
     QCOMPARE(pair.air().endpoint->unmatched().replayed, static_cast<std::uint64_t>(tap.ofKind(0x59).size()));
     QCOMPARE(linkOfRecords(), LinkId{1});
-    // What a record is bound to is its carrier. One that never arrived is as good from another link, once, and the session
-    // follows it there: so it goes on where a second modem takes over.
+    // A record is bound to its carrier, not to its link. A record that never arrived is accepted once from another link, and
+    // the session follows it: so a second modem can take over.
     const Caught kept = catchOne(pair);
     QVERIFY(offer(pair, Ground, kept.flight.bytes, onAnother(Air)));
     ++pair.ground().delivered[kept.number];
@@ -130,8 +130,8 @@ void AttackSessionTest::replayOnAnotherLink()
 
 void AttackSessionTest::reflection()
 {
-    // Each datagram, handshake included, also goes back to where it came from. The connection ids of both ends are made
-    // equal, as one session in 256 has them, so that a record is well addressed on its way back.
+    // Each datagram, including the handshake, is also reflected to its sender. The connection ids of both ends are made equal,
+    // as in one of 256 sessions, so that a reflected record has a valid address.
     PairOptions options = attackOptions();
     std::unique_ptr<Pair> owner;
     std::unique_ptr<Tap> tap;
@@ -150,7 +150,7 @@ void AttackSessionTest::reflection()
     } while (idFrom(Ground) != idFrom(Air));
     Pair &pair = *owner;
     pair.every(10ms, [&] { pair.sendFrame(Air); });
-    pair.every(50ms, [&] { pair.sendFrame(Ground); }); // Fewer, so that the agent's counters are new to itself.
+    pair.every(50ms, [&] { pair.sendFrame(Ground); }); // fewer, so that the agent has not received its own counters
     for (int i = 0; i < 100; ++i) {
         pair.run(30ms);
         for (const Flight &flight : std::exchange(tap->flights, {}))
@@ -204,7 +204,7 @@ void AttackSessionTest::hijackOfAnAddress()
         offer(pair, Ground, damaged, thief);
     }
     HOLDS(where() == home, "no refused record moves the session");
-    // Even a genuine record that was held back and is not the newest any more does not move it.
+    // A genuine record that was delayed and is not the newest does not move it either.
     QVERIFY(offer(pair, Ground, late.flight.bytes, thief));
     ++pair.ground().delivered[late.number];
     HOLDS(where() == home, "no late record moves the session");
@@ -218,7 +218,7 @@ void AttackSessionTest::newPortResumesAtOnce()
     Pair &pair = *owner;
     traffic(pair);
     pair.run(1s);
-    // What a router's new mapping does. A forger who follows the session to its new port gains nothing either.
+    // As after a new NAT mapping. An attacker who follows the session to its new port gains nothing either.
     const Caught sample = catchOne(pair);
     pair.link.inject(pair.now, sample.flight);
     Path thief = pair.pathOf(Air);
@@ -240,10 +240,10 @@ void AttackSessionTest::newPortResumesAtOnce()
     QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::keptRecordDivertsForMoments()
+void AttackSessionTest::withheldRecordDivertsForSeconds()
 {
-    // Somebody keeps the newest record from the agent, lets nothing more of the station through, and delivers that one from
-    // his own address: the telemetry is his for two and a half seconds, not until the session is forgotten.
+    // An attacker withholds the newest record from the agent, blocks the station, and delivers that record from his own
+    // address: he receives the telemetry for two and a half seconds, not until the session times out.
     auto owner = pairUnder(SuiteId::ChaCha20Poly1305);
     Pair &pair = *owner;
     const auto where = [&] { return pair.air().endpoint->recordPath(pair.air().session()); };
@@ -262,14 +262,14 @@ void AttackSessionTest::keptRecordDivertsForMoments()
     pair.run(1s);
     HOLDS(where() == home, "the session goes back to its peer");
     const auto moved = pair.air().all<PeerMoved>();
-    QCOMPARE(moved.size(), std::size_t(2)); // there and back: the owner is told
+    QCOMPARE(moved.size(), std::size_t(2)); // there and back, each reported
     QVERIFY(moved[0].to == thief && moved[1].to == home);
     pair.link.attacker = nullptr;
     pair.stopTraffic();
     QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::storm()
+void AttackSessionTest::jitterReorderingAndDuplicates()
 {
     LinkModel link;
     link.delay = 50ms;
@@ -313,7 +313,7 @@ void AttackSessionTest::deletion()
     pair.link.model.loss = loss;
     pair.link.model.burst = burst;
     pair.link.model.burstEnd = burstEnd;
-    // While the link loses, a forger names counters that have not come yet: neither loss may hide in the other.
+    // On a lossy link an attacker forges counters that have not arrived yet: loss and forgeries are counted apart.
     std::uint64_t sealedByAir = 0;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
         sealedByAir = flight.from == Air ? counterOf(flight.bytes) + 1 : sealedByAir;
@@ -357,7 +357,7 @@ void AttackSessionTest::outageOfFiveMinutes()
     QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::jammedThenBad()
+void AttackSessionTest::jammedThenLossyLink()
 {
     auto owner = pairUnder(SuiteId::Aes256Cbc);
     Pair &pair = *owner;
@@ -381,7 +381,7 @@ void AttackSessionTest::jammedThenBad()
     QVERIFY(aliveAndExact(pair));
 }
 
-void AttackSessionTest::clocksJump()
+void AttackSessionTest::clockSteps()
 {
     constexpr std::uint64_t kTenYears = 10ull * 365 * 24 * 3600;
     PairOptions options = attackOptions();
@@ -425,7 +425,7 @@ void AttackSessionTest::replayedAnnouncementsEndNothing()
 
 void AttackSessionTest::killedTwoHundredTimes()
 {
-    // Equal plaintexts through 200 lives of either end: no two records are equal, so no pair of key and nonce came twice.
+    // Equal plaintexts over 200 restarts of either end: no two records are equal, so no pair of key and nonce repeated.
     Pair pair(attackOptions());
     std::unordered_set<std::string> bodies;
     std::uint64_t records = 0;
@@ -464,7 +464,7 @@ void AttackSessionTest::everyControlRecordDropped()
     QCOMPARE(down.reason, DownReason::Exhausted);
     QCOMPARE(down.stats.tx.records, std::uint64_t(3000));
     QVERIFY(before < 100);
-    // The owner was warned: rekeys were tried and rolled back.
+    // The failed rekeys were reported.
     const auto done = pair.air().all<SwitchDone>();
     QVERIFY(!done.empty());
     for (const SwitchDone &d : done)

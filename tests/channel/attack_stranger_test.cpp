@@ -1,5 +1,5 @@
-// What messages of strangers cost an end, counted in keyed hashes over them: none for a wrong form, few for a right one, however
-// many peers are listed.
+// The cost of messages from unknown senders, counted in keyed hashes: none for malformed messages, few for well-formed ones,
+// regardless of the number of listed peers.
 #include "attack.h"
 #include "core/channel/cookie.h"
 #include "core/channel/mac1.h"
@@ -51,21 +51,21 @@ class AttackStrangerTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void wrongFormCostsNoHash_data();
-    void wrongFormCostsNoHash();
+    void malformedMessagesCostNoHash_data();
+    void malformedMessagesCostNoHash();
     void announcementsForManyPeers();
     void cookiesForManyAttempts();
-    void floodIsOneLineASecond();
+    void floodRaisesOneEventASecond();
 };
 
-void AttackStrangerTest::wrongFormCostsNoHash_data()
+void AttackStrangerTest::malformedMessagesCostNoHash_data()
 {
     QTest::addColumn<int>("firstByte");
     QTest::newRow("announcements") << 0x58;
     QTest::newRow("cookies") << 0x5b;
 }
 
-void AttackStrangerTest::wrongFormCostsNoHash()
+void AttackStrangerTest::malformedMessagesCostNoHash()
 {
     QFETCH(int, firstByte);
     ManyListed many;
@@ -87,7 +87,7 @@ void AttackStrangerTest::wrongFormCostsNoHash()
 
 void AttackStrangerTest::announcementsForManyPeers()
 {
-    // 50,000 announcements of nobody a second, in their true form, from everywhere.
+    // 50,000 well-formed announcements of unknown keys a second, from many addresses.
     ManyListed many;
     Pair &pair = many.pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -104,7 +104,7 @@ void AttackStrangerTest::announcementsForManyPeers()
     });
     pair.run(300ms);
     HOLDS(many.hashes() - before <= 2 * datagrams + 12'000, "a message of a stranger costs two hashes");
-    // The agent restarts meanwhile. It is recognised where it was before, whatever else arrives.
+    // The agent restarts meanwhile. It is recognised at its former address during the flood.
     pair.kill(Air);
     pair.run(100ms);
     pair.start(Air);
@@ -115,7 +115,7 @@ void AttackStrangerTest::announcementsForManyPeers()
 
 void AttackStrangerTest::cookiesForManyAttempts()
 {
-    // Copies of true announcements have the station wait for many agents at once; then cookies that none of them made.
+    // Replayed announcements make the station wait for many agents at once; then forged cookies arrive.
     ManyListed many;
     Pair &pair = many.pair;
     pair.kill(Air);
@@ -139,9 +139,10 @@ void AttackStrangerTest::cookiesForManyAttempts()
     QVERIFY(datagrams >= 9000);
 }
 
-void AttackStrangerTest::floodIsOneLineASecond()
+void AttackStrangerTest::floodRaisesOneEventASecond()
 {
-    // Every message that an agent refuses, from everywhere: of another key, of an unknown peer, of another version, and old ones.
+    // Every kind of message that an agent refuses, from many addresses: for another key, of an unknown peer, of another
+    // version, and replayed ones.
     Pair pair(attackOptions());
     std::vector<Bytes> firsts;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
@@ -150,7 +151,7 @@ void AttackStrangerTest::floodIsOneLineASecond()
         return true;
     };
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.run(11s); // the answer to it is forgotten
+    pair.run(11s); // its answer has expired
     pair.kill(Ground);
     pair.air().events.clear();
     const Mac1 mac(pair.air().identity->publicKey);

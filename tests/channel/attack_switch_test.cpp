@@ -70,12 +70,12 @@ void AttackSwitchTest::raceOfBothEnds()
     HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "a switch loses nothing and repeats nothing");
     QVERIFY2(committed(pair.ground()) >= wanted, qPrintable(QString::number(committed(pair.ground()))));
     QCOMPARE(committed(pair.ground()), committed(pair.air()));
-    QCOMPARE(pair.ground().all<SessionUp>().size(), sessions); // Over this link two may have been made at the start.
+    QCOMPARE(pair.ground().all<SessionUp>().size(), sessions); // over this link two may have come up at the start
 }
 
 void AttackSwitchTest::acceptancesAreDropped()
 {
-    // The agent accepts, and nothing that it says reaches the station for six seconds: both go on under the old epoch.
+    // The agent accepts, and none of its messages reaches the station for six seconds: both continue under the old epoch.
     Pair pair(attackOptions());
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));

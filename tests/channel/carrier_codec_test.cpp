@@ -24,7 +24,7 @@ Bytes written(ByteView message)
     return out;
 }
 
-/// The algorithm as its paper gives it, block by block, without the zero at the end.
+/// The algorithm of the paper, block by block, without the final zero.
 Bytes paperCobs(ByteView message)
 {
     Bytes out;
@@ -85,18 +85,18 @@ class CarrierCodecTest : public QObject
 
 private Q_SLOTS:
     void cobsExamples();
-    void cobsIsThePapers();
+    void cobsMatchesThePaper();
     void cobsSurvivesAnyCut();
     void cobsResynchronises();
     void cobsIsBounded();
-    void cobsNeverRepeatsWhatIsDamaged();
+    void cobsDropsDamagedFrames();
     void handshakesBeginWithAZero();
     void shortMessagesAreOnePayload();
     void longMessagesInAnyOrder();
     void lostPartsCostOneMessage();
     void wrongPartsAreIgnored();
-    void numbersThatComeAgain();
-    void moreSendersThanRoom();
+    void messageNumbersWrap();
+    void sendersAreEvicted();
 };
 
 void CarrierCodecTest::cobsExamples()
@@ -115,7 +115,7 @@ void CarrierCodecTest::cobsExamples()
     QCOMPARE(writeCobs(fromHex("5400").value(), narrow), std::size_t(0));
 }
 
-void CarrierCodecTest::cobsIsThePapers()
+void CarrierCodecTest::cobsMatchesThePaper()
 {
     QVERIFY(rc::check([] {
         const Bytes message = *messages(1, kMaxDatagram);
@@ -161,7 +161,7 @@ void CarrierCodecTest::cobsResynchronises()
             const Bytes frame = written(message);
             line.insert(line.end(), frame.begin(), frame.end());
         }
-        // The noise may swallow the message that follows it, and no more.
+        // Noise may destroy the message that follows it, and no other.
         const auto got = read(reader, line);
         RC_ASSERT(!got.empty() && got.back() == second);
     }));
@@ -188,7 +188,7 @@ void CarrierCodecTest::cobsIsBounded()
     QCOMPARE(read(reader, frame), (std::vector<Bytes>{message}));
 }
 
-void CarrierCodecTest::cobsNeverRepeatsWhatIsDamaged()
+void CarrierCodecTest::cobsDropsDamagedFrames()
 {
     QVERIFY(rc::check([] {
         const Bytes message = *messages(2, 300);
@@ -285,25 +285,25 @@ void CarrierCodecTest::wrongPartsAreIgnored()
          })
         QVERIFY(!reader.take(now, {}, wrong));
     QVERIFY(!reader.take(now, {}, parts[2]));
-    QVERIFY(!reader.take(now, {}, changed(parts[1], 0x85, 50))); // says that the second is the last, after all
+    QVERIFY(!reader.take(now, {}, changed(parts[1], 0x85, 50))); // claims that the second is the last
     QVERIFY(!reader.take(now, {}, parts[0]));
     QVERIFY(same(reader.take(now, {}, parts[1]), message));
     QVERIFY(!reader.take(now, {}, parts[1]));
 }
 
-void CarrierCodecTest::numbersThatComeAgain()
+void CarrierCodecTest::messageNumbersWrap()
 {
     TunnelReader reader;
     const Bytes first(200, 0x50), second(200, 0x51);
     const auto old = partsOf(first, 9), fresh = partsOf(second, 9);
     QVERIFY(!reader.take(TimePoint{1s}, {}, old[0]));
-    // 65,536 messages later: what is left of the old one is not put together with the new one.
+    // 65,536 messages later: remaining parts of the old message are not joined with the new one.
     const TimePoint later = TimePoint{1s} + UnfinishedMessage::kKept;
     QVERIFY(!reader.take(later, {}, fresh[1]));
     QVERIFY(same(reader.take(later, {}, fresh[0]), second));
 }
 
-void CarrierCodecTest::moreSendersThanRoom()
+void CarrierCodecTest::sendersAreEvicted()
 {
     TunnelReader reader;
     const Bytes message(200, 0x50);
@@ -314,7 +314,7 @@ void CarrierCodecTest::moreSendersThanRoom()
     TimePoint now{1s};
     for (std::size_t i = 0; i <= TunnelReader::kSenders; ++i)
         QVERIFY(!reader.take(now += 1ms, path(i), parts[0]));
-    QVERIFY(!reader.take(now, path(0), parts[1])); // had to make room, and begins again
+    QVERIFY(!reader.take(now, path(0), parts[1])); // was evicted and starts again
     for (std::size_t i = 2; i <= TunnelReader::kSenders; ++i)
         QVERIFY(same(reader.take(now, path(i), parts[1]), message));
     QVERIFY(same(reader.take(now, path(0), parts[0]), message));

@@ -40,10 +40,10 @@ private Q_SLOTS:
     void switchesUnderLoss();
     void handshakesStayInTheirCarrier();
     void recordsStayInTheirCarrier();
-    void twentyBytesOnALine();
+    void recordOverheadIsTwentyBytesOnALine();
     void restartsOnALine();
-    void aLineJoinedAnew();
-    void aLineJoinedAgainAndAgain();
+    void lineReconnects();
+    void lineReconnectsRepeatedly();
     void anotherStationOnTheLine();
     void singleRecordsAreForLines();
     void noInlineFramesElsewhere();
@@ -81,7 +81,7 @@ void CarrierSessionTest::handshakesStayInTheirCarrier()
     for (const Carrier sent : kCarriers) {
         for (const Carrier arrived : kCarriers) {
             Pair pair(in(sent));
-            // The station announces nothing, so what it answers goes by where it heard the agent.
+            // The station sends no announcements; it answers in the carrier in which it received the agent.
             pair.setArrival(arrived);
             pair.link.attacker = [&](TimePoint, Flight &flight) {
                 pair.setArrival(flight.from == Ground ? arrived : sent);
@@ -107,14 +107,14 @@ void CarrierSessionTest::recordsStayInTheirCarrier()
             pair.sendFrame(Air);
             pair.run(100ms);
             QCOMPARE(pair.ground().delivered.size() - before, sent == arrived ? 1u : 0u);
-            // Where the session is did not change either.
+            // The path of the session did not change either.
             const auto path = pair.ground().endpoint->recordPath(pair.ground().session());
             QCOMPARE(path.carrier, sent);
         }
     }
 }
 
-void CarrierSessionTest::twentyBytesOnALine()
+void CarrierSessionTest::recordOverheadIsTwentyBytesOnALine()
 {
     for (const Carrier carrier : kCarriers) {
         Pair pair(in(carrier));
@@ -146,7 +146,7 @@ void CarrierSessionTest::restartsOnALine()
             pair.start(restarting);
             QVERIFY(pair.run(5s, [&] { return pair.bothUp() && pair.ground().all<SessionUp>().size() > before; }));
             pair.run(1s);
-            // Records of the session before met the new one; nobody may cry for a forgery.
+            // Records of the previous session reached the new one; they must not raise a forgery alarm.
             for (const Side side : {Ground, Air}) {
                 QCOMPARE(received(pair, side).forged, std::uint64_t(0));
                 QVERIFY(pair.ends[side].all<ForgeryAlarm>().empty());
@@ -161,7 +161,7 @@ void CarrierSessionTest::restartsOnALine()
     }
 }
 
-void CarrierSessionTest::aLineJoinedAnew()
+void CarrierSessionTest::lineReconnects()
 {
     Pair pair(in(Carrier::Serial));
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
@@ -177,7 +177,7 @@ void CarrierSessionTest::aLineJoinedAnew()
     QCOMPARE(pair.ground().delivered.size(), delivered + 20);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(40001));
-    // And where nobody notices, within a second by the next report.
+    // Without such an event, within a second by the next report.
     pair.air().port = 40002;
     pair.run(1100ms);
     pair.sendFrame(Air);
@@ -186,9 +186,9 @@ void CarrierSessionTest::aLineJoinedAnew()
     QCOMPARE(received(pair, Ground).forged, std::uint64_t(0));
 }
 
-void CarrierSessionTest::aLineJoinedAgainAndAgain()
+void CarrierSessionTest::lineReconnectsRepeatedly()
 {
-    // Somebody who connects a hundred times a second makes nobody say more than two reports in it: the call, and its own.
+    // A hundred connections a second cause at most two reports a second: the reply, and the regular one.
     for (const Carrier carrier : kCarriers) {
         Pair pair(in(carrier));
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));

@@ -17,17 +17,17 @@ class CookieTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void opensForItsMessageAlone();
+    void opensOnlyForItsMessage();
     void isBoundToAddressAndMessage();
     void livesTwoToFourMinutes();
     void limitIsShared();
     void floodForMinutes();
-    void sessionThatIsUpDoesNotNotice();
-    void strangeCookiesChangeNothing();
-    void forgedCookieCostsATurn();
+    void activeSessionIsUnaffected();
+    void unrelatedCookiesHaveNoEffect();
+    void forgedCookieDelaysOneAttempt();
 };
 
-void CookieTest::opensForItsMessageAlone()
+void CookieTest::opensOnlyForItsMessage()
 {
     SeededRandom random(1);
     const auto agent = crypto::X25519KeyPair::generate(random), other = crypto::X25519KeyPair::generate(random);
@@ -47,7 +47,7 @@ void CookieTest::opensForItsMessageAlone()
     }
     for (std::size_t size = 0; size < message.size(); ++size)
         QVERIFY(!openCookie(agent.publicKey, mac, ByteView(message).first(size)));
-    // Two for the same message hold the same cookie and have nothing else in common.
+    // Two replies to the same message contain the same cookie and have no other bytes in common.
     const CookieMessage again = maker.make(TimePoint{}, addressNumber(1), first);
     QCOMPARE(*openCookie(agent.publicKey, mac, again), *openCookie(agent.publicKey, mac, message));
     QVERIFY(!std::equal(message.begin() + 17, message.end(), again.begin() + 17));
@@ -135,7 +135,7 @@ void CookieTest::limitIsShared()
 
 void CookieTest::floodForMinutes()
 {
-    // Secrets change, stations come and go.
+    // Secrets rotate, stations start and stop.
     Pair pair;
     Flood flood(pair, 1u << 20);
     pair.every(5ms, [&flood] { flood.sendOne(); });
@@ -149,7 +149,7 @@ void CookieTest::floodForMinutes()
     }
 }
 
-void CookieTest::sessionThatIsUpDoesNotNotice()
+void CookieTest::activeSessionIsUnaffected()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -168,9 +168,9 @@ void CookieTest::sessionThatIsUpDoesNotNotice()
     QVERIFY(pair.ground().all<SessionDown>().empty() && pair.air().all<SessionDown>().empty());
 }
 
-void CookieTest::strangeCookiesChangeNothing()
+void CookieTest::unrelatedCookiesHaveNoEffect()
 {
-    // At every moment: before an attempt, within one, and with a session.
+    // In every state: before an attempt, during one, and with a session.
     Pair pair;
     SeededRandom random(5);
     CookieMaker stranger(pair.ground().identity->publicKey, random), imitator(pair.air().identity->publicKey, random);
@@ -200,13 +200,13 @@ void CookieTest::strangeCookiesChangeNothing()
     QCOMPARE(pair.air().endpoint->unmatched().malformed, malformed + 1);
 }
 
-void CookieTest::forgedCookieCostsATurn()
+void CookieTest::forgedCookieDelaysOneAttempt()
 {
-    // Who knows the public key and reads the wire can give a false cookie. Each second copy goes without one.
+    // An attacker with the public key who reads the wire can forge a cookie. Every second copy is sent without one.
     Pair pair;
     SeededRandom random(6);
     CookieMaker imitator(pair.air().identity->publicKey, random);
-    int swallow = 1; // The first one must not simply succeed.
+    int swallow = 1; // so that the first one does not succeed at once
     std::uint64_t copies = 0;
     pair.link.attacker = [&](TimePoint, Flight &flight) {
         if (flight.bytes[0] != 0x59)

@@ -1,4 +1,4 @@
-// A pair in flight whose records an attacker, or the link, delays; and what the agent may still obey.
+// A pair in flight whose records an attacker or the link delays, and the freshness of the frames that arrive.
 #pragma once
 
 #include "attack.h"

@@ -23,7 +23,7 @@ inline Path addressNumber(std::uint32_t number)
     return path;
 }
 
-/// Someone who knows the agent's public key: first messages with a right mac1 and nothing behind it.
+/// A sender that knows the agent's public key: its first messages have a valid mac1 and random bytes behind it.
 class Flood
 {
 public:
@@ -41,7 +41,7 @@ public:
             signWithCookie(m_cookies[from], message);
         give(from, message);
         while (const auto out = m_pair.air().endpoint->pollTransmit()) {
-            if (out->to != addressNumber(from)) { // Not to us: the agent's usual business.
+            if (out->to != addressNumber(from)) { // addressed to others: normal traffic of the agent
                 m_pair.link.send(m_pair.now, {Air, m_pair.air().port, 0, Bytes(out->bytes.begin(), out->bytes.end())});
                 continue;
             }
@@ -74,7 +74,7 @@ private:
     std::map<std::uint32_t, Cookie> m_cookies;
 };
 
-/// The agent alone, flooded for two seconds; then the station comes. Whether it has its session within three.
+/// Floods an agent for two seconds before the station starts. Returns whether the session is up within three seconds.
 inline bool connectsIn(Pair &pair, Flood &flood, Duration before = 2s)
 {
     pair.every(1ms, [&flood] {

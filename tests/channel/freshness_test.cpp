@@ -1,4 +1,4 @@
-// How late commands may arrive: what slow links and sleeping machines may do, and what both ends report.
+// The limits on the age of commands: slow links and suspended machines stay within them, and both ends report late commands.
 #include "core/channel/arrival_history.h"
 #include "core/channel/peer_clock.h"
 #include "core/crypto/init_crypto.h"
@@ -15,17 +15,17 @@ class FreshnessTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void overtakenIsNeverLate();
+    void overtakenRecordsAreDetected();
     void ageIsNeverTooSmall();
-    void slowLinkFlies_data();
-    void slowLinkFlies();
+    void slowLinkStaysFresh_data();
+    void slowLinkStaysFresh();
     void suspendedMachineRecovers_data();
     void suspendedMachineRecovers();
     void limitsAndRefusalsReachTheStation();
-    void framesSealedInPlaceAreAsOldAsTheReportBefore();
+    void framesSealedInPlaceHaveTheAgeOfTheLastReport();
 };
 
-void FreshnessTest::overtakenIsNeverLate()
+void FreshnessTest::overtakenRecordsAreDetected()
 {
     // Against the list of all arrivals.
     constexpr Duration kLimit = 1s;
@@ -84,7 +84,7 @@ void FreshnessTest::ageIsNeverTooSmall()
     }
 }
 
-void FreshnessTest::slowLinkFlies_data()
+void FreshnessTest::slowLinkStaysFresh_data()
 {
     QTest::addColumn<int>("loss");
     QTest::addColumn<double>("rate");
@@ -93,7 +93,7 @@ void FreshnessTest::slowLinkFlies_data()
     QTest::addRow("half lost, a clock 200 ppm slow") << 50 << .9998;
 }
 
-void FreshnessTest::slowLinkFlies()
+void FreshnessTest::slowLinkStaysFresh()
 {
     QFETCH(int, loss);
     QFETCH(double, rate);
@@ -148,7 +148,7 @@ void FreshnessTest::limitsAndRefusalsReachTheStation()
     QCOMPARE(pair->ground().all<CommandsLate>().size(), 1u); // once
 }
 
-void FreshnessTest::framesSealedInPlaceAreAsOldAsTheReportBefore()
+void FreshnessTest::framesSealedInPlaceHaveTheAgeOfTheLastReport()
 {
     PairOptions options = inlineOptions();
     options.freshness = {kOvertaken, 2500ms};
@@ -159,7 +159,7 @@ void FreshnessTest::framesSealedInPlaceAreAsOldAsTheReportBefore()
     const TimePoint begin = pair->now;
     pair->run(20s);
     QCOMPARE(shareOfFresh(*pair, begin), 1.);
-    // Without reports the agent cannot know how old they are.
+    // Without reports the agent cannot determine their age.
     pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air || datagram.bytes[0] == 0xfd; };
     pair->run(5s);
     const TimePoint silent = pair->now;

@@ -22,25 +22,25 @@ private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void bothEndsAgree();
     void fitsOneTunnel();
-    void wrongAnswerSpoilsNothing();
+    void wrongAnswerIsIgnored();
     void presharedKeyMustBeTheSame();
     void weakKeysAreRefused();
 
     void lostMessagesAreRepeated();
     void repeatedMessagesAreAnsweredTheSame();
-    void replayedFirstKillsNothing();
+    void replayedFirstMessageKeepsTheSession();
     void replayAfterRestartIsRefused();
     void counterThatCannotBeStored();
-    void unknownPeerIsTold();
-    void firstForAnotherAgentIsRefused();
+    void unknownPeerIsReported();
+    void firstMessageForAnotherAgentIsRefused();
     void noCommonSuite();
     void researchIsNeverChosen();
-    void otherVersionIsTold();
+    void otherVersionIsReported();
     void refusalsDoNotFlood();
-    void revokedPeerIsOut();
+    void revokedPeerLosesItsSession();
     void newPresharedKeyEndsTheSession();
-    void newPresharedKeyReachesHandshakesUnderWay_data();
-    void newPresharedKeyReachesHandshakesUnderWay();
+    void newPresharedKeyAppliesToPendingHandshakes_data();
+    void newPresharedKeyAppliesToPendingHandshakes();
 
 private:
     SeededRandom m_random{11};
@@ -97,7 +97,7 @@ void HandshakeTest::fitsOneTunnel()
     QVERIFY(kAnswerLength <= kFirstLength);
 }
 
-void HandshakeTest::wrongAnswerSpoilsNothing()
+void HandshakeTest::wrongAnswerIsIgnored()
 {
     auto first = begin(1);
     auto second = begin(2);
@@ -107,7 +107,7 @@ void HandshakeTest::wrongAnswerSpoilsNothing()
     QVERIFY(!second.readAnswer(ByteView(answerToSecond).first(kAnswerLength - 1)));
     QVERIFY(!second.readAnswer({}));
     QVERIFY(second.readAnswer(answerToSecond));
-    QVERIFY(!second.readAnswer(answerToSecond)); // And once only.
+    QVERIFY(!second.readAnswer(answerToSecond)); // accepted only once
 }
 
 void HandshakeTest::presharedKeyMustBeTheSame()
@@ -172,14 +172,14 @@ void HandshakeTest::repeatedMessagesAreAnsweredTheSame()
     QVERIFY(answers.size() > 1);
     for (const Flight &flight : answers)
         QCOMPARE(toHex(flight.bytes), toHex(answers[0].bytes));
-    // The station has used the first of them; the others are repetitions, not damaged or forged.
+    // The station used the first of them; the others count as repeated, not as malformed or forged.
     const ReceiveCounters &unmatched = pair.ground().endpoint->unmatched();
     QVERIFY(unmatched.replayed > 0);
     QCOMPARE(unmatched.malformed, std::uint64_t(0));
     QCOMPARE(unmatched.forged, std::uint64_t(0));
 }
 
-void HandshakeTest::replayedFirstKillsNothing()
+void HandshakeTest::replayedFirstMessageKeepsTheSession()
 {
     Pair pair;
     Tap tap(pair);
@@ -228,7 +228,7 @@ void HandshakeTest::counterThatCannotBeStored()
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
 }
 
-void HandshakeTest::unknownPeerIsTold()
+void HandshakeTest::unknownPeerIsReported()
 {
     Pair pair;
     const auto peersOf = [&](Side side) { return pair.configOf(side).peers; };
@@ -249,7 +249,7 @@ void HandshakeTest::unknownPeerIsTold()
     QCOMPARE(other.ground().datagramsOut, std::uint64_t(0));
 }
 
-void HandshakeTest::firstForAnotherAgentIsRefused()
+void HandshakeTest::firstMessageForAnotherAgentIsRefused()
 {
     PairOptions options;
     Pair one(options);
@@ -292,7 +292,7 @@ void HandshakeTest::researchIsNeverChosen()
     QVERIFY(!only.ground().up());
 }
 
-void HandshakeTest::otherVersionIsTold()
+void HandshakeTest::otherVersionIsReported()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -329,7 +329,7 @@ void HandshakeTest::refusalsDoNotFlood()
     QVERIFY(pair.bothUp());
 }
 
-void HandshakeTest::revokedPeerIsOut()
+void HandshakeTest::revokedPeerLosesItsSession()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -371,7 +371,7 @@ void HandshakeTest::newPresharedKeyEndsTheSession()
     QVERIFY(!pair.air().up() && !pair.ground().up());
 }
 
-void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay_data()
+void HandshakeTest::newPresharedKeyAppliesToPendingHandshakes_data()
 {
     QTest::addColumn<int>("after");
     QTest::newRow("first message") << 150;
@@ -379,7 +379,7 @@ void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay_data()
     QTest::newRow("first record") << 350;
 }
 
-void HandshakeTest::newPresharedKeyReachesHandshakesUnderWay()
+void HandshakeTest::newPresharedKeyAppliesToPendingHandshakes()
 {
     QFETCH(int, after);
     PairOptions options;

@@ -33,11 +33,11 @@ std::unique_ptr<crypto::InlineCipher> cipherOf(SuiteId suite, std::uint8_t seed 
     return crypto::makeInlineCipher(suite, secret);
 }
 
-/// Exactly these payload bytes, whatever the message says of its length: frames of other dialects come like that.
+/// A frame with exactly these payload bytes, whatever the length of the message: frames of other dialects differ in length.
 Bytes frameOf(const mavlink::MessageInfo &info, const Bytes &payload, std::uint8_t sequence = 0)
 {
     Bytes out(mavlink::kMaxFrameLength);
-    Bytes longest(payload.size(), 1); // nothing to be trimmed
+    Bytes longest(payload.size(), 1); // no trailing zeros
     const auto frame = mavlink::writeFrame(out, 2, sequence, 7, 9, info.id, info.crcExtra, info.minLength, longest);
     std::copy(payload.begin(), payload.end(), frame.begin() + 10);
     const std::size_t end = 10 + payload.size();
@@ -95,18 +95,18 @@ class InlineFrameTest : public QObject
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void anyFrameOpensAgain();
-    void clearBytesStandAnywhere();
+    void targetBytesAtAnyOffset();
     void everyMessageEveryLength();
-    void theLayoutIsAsWritten();
+    void layoutMatchesTheSpecification();
     void knownAnswers();
-    void everyBitCounts();
+    void everyBitIsAuthenticated();
     void everyOtherLengthIsRefused();
     void nothingElseOpensIt();
     void targetsElsewhereAreRefused();
-    void whatCannotBeSealedInPlace();
+    void framesThatCannotBeSealedInPlace();
     void trimmedTargetsReadAsZero();
     void unknownFlagsToTheReferenceParser();
-    void ourOwnScannerFindsThem();
+    void frameScannerFindsThem();
 };
 
 void InlineFrameTest::anyFrameOpensAgain()
@@ -134,9 +134,9 @@ void InlineFrameTest::anyFrameOpensAgain()
     }));
 }
 
-void InlineFrameTest::clearBytesStandAnywhere()
+void InlineFrameTest::targetBytesAtAnyOffset()
 {
-    // Also where no message of today has them: the component in front, only one of them, beyond the end.
+    // Also at positions that no present message uses: component first, only one of them, beyond the end.
     QVERIFY(rc::check([] {
         MessageTraits::Message message;
         message.targetSystemOffset = static_cast<std::int16_t>(*rc::gen::inRange(-1, 256));
@@ -186,7 +186,7 @@ void InlineFrameTest::everyMessageEveryLength()
     }
 }
 
-void InlineFrameTest::theLayoutIsAsWritten()
+void InlineFrameTest::layoutMatchesTheSpecification()
 {
     const mavlink::MessageInfo &info = *Dialect::builtin().find("COMMAND_LONG");
     Bytes payload(33);
@@ -252,7 +252,7 @@ void InlineFrameTest::knownAnswers()
     }
 }
 
-void InlineFrameTest::everyBitCounts()
+void InlineFrameTest::everyBitIsAuthenticated()
 {
     const mavlink::MessageInfo &info = *Dialect::builtin().find("COMMAND_LONG");
     for (const SuiteId suite : kSuites) {
@@ -266,7 +266,7 @@ void InlineFrameTest::everyBitCounts()
                 other[bit / 8] ^= static_cast<std::uint8_t>(1 << bit % 8);
                 const auto read = InlineFrame::read(other, kFacts);
                 QVERIFY2(!read || !read->open(place.direction, place.carrier, *cipher), qPrintable(QString::number(bit)));
-                // Also when the attacker makes the checksum right again: then it is the tag that speaks.
+                // The same with a recomputed checksum: then the tag fails.
                 if (bit / 8 < 10 + length && bit / 8 != 1 && bit / 8 != 0) {
                     const std::uint32_t id = other[7] | other[8] << 8 | other[9] << 16;
                     const auto message = kFacts.message(id);
@@ -351,11 +351,11 @@ void InlineFrameTest::targetsElsewhereAreRefused()
     const Bytes whole = seal(frameOf(info, Bytes(10, 4)), place, *cipher);
     QVERIFY(open(whole, place, *cipher));
     QVERIFY(!open(whole, place, *cipher, Older()));
-    const Bytes trimmed = seal(frameOf(info, Bytes(3, 4)), place, *cipher); // without them both say the same
+    const Bytes trimmed = seal(frameOf(info, Bytes(3, 4)), place, *cipher); // trimmed, both read the same
     QVERIFY(open(trimmed, place, *cipher, Older()));
 }
 
-void InlineFrameTest::whatCannotBeSealedInPlace()
+void InlineFrameTest::framesThatCannotBeSealedInPlace()
 {
     const mavlink::MessageInfo &info = *Dialect::builtin().find("ATTITUDE");
     const Bytes payload(info.maxLength, 1);
@@ -393,7 +393,7 @@ void InlineFrameTest::trimmedTargetsReadAsZero()
     const auto cipher = cipherOf(SuiteId::Aes256Cbc);
     const InlinePlace place{0, 0, Direction::FromInitiator, Carrier::Datagram};
     const Bytes sealed = seal({frame.begin(), frame.end()}, place, *cipher);
-    QCOMPARE(sealed[1], std::uint8_t(1)); // the target bytes are as absent as before: whoever routes takes them for zero
+    QCOMPARE(sealed[1], std::uint8_t(1)); // the target bytes stay trimmed: routers read them as zero
     const auto opened = open(sealed, place, *cipher);
     QVERIFY(opened);
     const auto read = mavlink::readFrame(*opened, Dialect::builtin());
@@ -423,13 +423,13 @@ void InlineFrameTest::unknownFlagsToTheReferenceParser()
     }
     const double lost = 1.0 - static_cast<double>(plainSeen) / kPairs;
     qInfo("seen as telemetry: %zu of %u sealed frames; plain frames lost behind them: %.1f %%", sealedSeen, kPairs, lost * 100);
-    // A magic byte among the some 40 that look random (2 of 256 values) opens a false frame, which may swallow what follows;
-    // only a checksum of 16 bits then stands between it and the receiver.
+    // A magic byte among about 40 random bytes (2 of 256 values) starts a false frame, which may consume the following bytes;
+    // only a 16-bit checksum protects the receiver from it.
     QVERIFY(sealedSeen <= 3);
     QVERIFY(lost < 0.30);
 }
 
-void InlineFrameTest::ourOwnScannerFindsThem()
+void InlineFrameTest::frameScannerFindsThem()
 {
     QVERIFY(rc::check("sealed frames between plain ones and noise are found whole", [] {
         Bytes stream;

@@ -15,7 +15,7 @@ namespace skyseal::test {
 using crypto::SuiteId;
 using namespace std::chrono_literals;
 
-/// A real frame: the number first, as Pair wants it, then bytes that are not zero.
+/// A real frame: the number that Pair expects, then bytes other than zero.
 inline Bytes numberedFrame(std::uint64_t number, std::size_t size)
 {
     static const mavlink::MessageInfo &info = *mavlink::Dialect::builtin().find("COMMAND_LONG");

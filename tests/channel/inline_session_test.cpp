@@ -1,5 +1,4 @@
-// Sessions with inline framing: its negotiation, switches and bad links without loss, and the limits of an attacker who has
-// such frames.
+// Sessions with inline framing: negotiation, switches and bad links without loss, and attacks with recorded frames.
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
@@ -39,11 +38,11 @@ class InlineSessionTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void takesConsentOfBoth_data();
-    void takesConsentOfBoth();
+    void inlineFramingNeedsBothEnds_data();
+    void inlineFramingNeedsBothEnds();
     void allSuitesBothWays();
     void stormOfSwitches();
-    void recordsUntilThePeerWasHeard();
+    void sendsRecordsUntilThePeerIsHeard();
     void neverMovesTheAddress();
     void replayedReflectedForged_data() { everyInlineSuite(); }
     void replayedReflectedForged();
@@ -52,7 +51,7 @@ private Q_SLOTS:
     void hardStopExactlyThere();
 };
 
-void InlineSessionTest::takesConsentOfBoth_data()
+void InlineSessionTest::inlineFramingNeedsBothEnds_data()
 {
     QTest::addColumn<int>("ground");
     QTest::addColumn<int>("air");
@@ -65,7 +64,7 @@ void InlineSessionTest::takesConsentOfBoth_data()
     }
 }
 
-void InlineSessionTest::takesConsentOfBoth()
+void InlineSessionTest::inlineFramingNeedsBothEnds()
 {
     QFETCH(int, ground);
     QFETCH(int, air);
@@ -80,7 +79,7 @@ void InlineSessionTest::takesConsentOfBoth()
         QCOMPARE(!sealOne(*pair, side).empty(), agreed);
     }
 
-    // Without facts about frames nothing is agreed to, whatever the policy says.
+    // Without message traits inline framing is not negotiated, whatever the policy.
     options.messageTraits = nullptr;
     const auto blind = inlinePair(SuiteId::ChaCha20, options);
     QVERIFY(blind->bothUp() && framingOf(blind->ground()) == Framing::Sealed);
@@ -114,7 +113,7 @@ void InlineSessionTest::allSuitesBothWays()
         const auto stats = pair.ends[side].endpoint->stats(pair.ends[side].session());
         QCOMPARE(stats->rx.lost + stats->rx.forged + stats->rx.replayed + stats->rx.malformed, std::uint64_t(0));
         QCOMPARE(stats->peerTx.records + 1,
-                 stats->rx.good); // one account of records and frames; it told before its report counted
+                 stats->rx.good); // records and frames are counted together; the report was sent before it was counted itself
     }
     QVERIFY(inPlace > 1500);
 }
@@ -148,13 +147,13 @@ void InlineSessionTest::stormOfSwitches()
     QCOMPARE(pair.ground().all<SessionUp>().size(), std::size_t(1));
 }
 
-void InlineSessionTest::recordsUntilThePeerWasHeard()
+void InlineSessionTest::sendsRecordsUntilThePeerIsHeard()
 {
     PairOptions options = inlineOptions();
     for (Policy *policy : {&options.ground, &options.air})
         policy->suites = {SuiteId::Aes256Ctr};
     Pair pair(options);
-    // The station is up with the answer. Before it has heard a record it uses none but records itself.
+    // The station is up with the answer. It sends records until it has received a record.
     QVERIFY(pair.run(5s, [&] { return pair.ground().up(); }));
     QCOMPARE(framingOf(pair.ground()), Framing::Sealed);
     QVERIFY(pair.sendFrame(Ground) != 0);
@@ -173,12 +172,12 @@ void InlineSessionTest::neverMovesTheAddress()
     Path elsewhere = pair.pathOf(Air);
     elsewhere.remote.port = 41000;
     const Bytes frame = sealOne(pair, Air);
-    QVERIFY(!offer(pair, Ground, frame, elsewhere)); // authentic, and yet of no session that lives there
+    QVERIFY(!offer(pair, Ground, frame, elsewhere)); // authentic, but its session has another address
     QCOMPARE(pair.ground().endpoint->unmatched().malformed, std::uint64_t(1));
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()), home);
     QVERIFY(offer(pair, Ground, frame));
 
-    // The agent gets another port: its next report moves the session, and frames are taken again from then on.
+    // The agent gets another port: its next report moves the session, and frames are accepted again from then on.
     pair.air().port = 41000;
     pair.run(1500ms);
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(41000));

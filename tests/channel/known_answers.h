@@ -9,14 +9,14 @@
 
 namespace skyseal::test {
 
-/// Examples by name. Each name that was asked for is remembered, so that a test can tell which ones nobody checked.
+/// Examples by name. Remembers each requested name, so that a test can find examples that were never checked.
 class KnownAnswers
 {
 public:
     /// Reads the section "Known answers". Empty when there is none; `problem` then says why.
     static KnownAnswers read(const std::string &path);
 
-    /// The bytes of an example (of a text: its characters); empty for a name that the document has not.
+    /// The bytes of an example (of a text: its characters); empty if the document does not contain the name.
     const Bytes &operator[](const std::string &name) const;
     std::string text(const std::string &name) const { return std::string(asText((*this)[name])); }
     bool empty() const { return m_examples.empty(); }

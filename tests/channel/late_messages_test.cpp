@@ -1,5 +1,5 @@
-// Messages that arrive after their context has changed: handshakes of peers that were removed, switches that one end gave
-// up, counts and closes that overtook records.
+// Messages that arrive after their context has changed: handshakes of removed peers, abandoned switches, and counts and closes
+// that overtook records.
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
@@ -15,18 +15,18 @@ class LateMessagesTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void recordOfAPeerRemovedMeanwhile();
-    void answerOfAPeerRemovedMeanwhile();
+    void recordOfARemovedPeer();
+    void answerOfARemovedPeer();
     void forgedAnswerBeforeTheTrueOne();
-    void countOfAnEpochWhoseKeysAreGone();
+    void countOfADeletedEpoch();
     void refusalIsRepeated();
     void suiteThatThePeerNeverOffered();
-    void commitThatWasGivenUpHere();
+    void commitOfAnAbandonedSwitch();
     void closedWhileASwitchIsInDoubt();
     void policyThatLeavesNothing();
     void closeThatOvertookALostRecord();
     void inlineFrameEndsTheAttempt();
-    void inlineFrameOfAnEpochThatHasNone();
+    void inlineFrameOfAnEpochWithoutInlineFraming();
 };
 
 namespace {
@@ -50,7 +50,7 @@ void give(Pair &pair, Side to, Bytes datagram)
     pair.pump();
 }
 
-/// The agent's answer to a handshake, kept off the wire as are all others until the attacker goes; empty when none came.
+/// The agent's answer to a handshake. It and all others are withheld while the attacker is present; empty if there was none.
 Bytes catchAnswer(Pair &pair)
 {
     Bytes answer;
@@ -72,7 +72,7 @@ SuiteId suiteOf(Pair &pair, Side side)
 
 } // namespace
 
-void LateMessagesTest::recordOfAPeerRemovedMeanwhile()
+void LateMessagesTest::recordOfARemovedPeer()
 {
     Pair pair;
     std::optional<Bytes> proof; // the record by which the station confirms the session
@@ -90,13 +90,13 @@ void LateMessagesTest::recordOfAPeerRemovedMeanwhile()
     QVERIFY(pair.air().all<SessionUp>().empty());
     QCOMPARE(pair.air().endpoint->unmatched().malformed, std::uint64_t(1));
     pair.air().endpoint->setPeers(pair.now, peers);
-    give(pair, Air, *proof); // Its keys are gone for good.
+    give(pair, Air, *proof); // its keys were deleted
     QVERIFY(!pair.air().up());
     pair.link.attacker = {};
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
 }
 
-void LateMessagesTest::answerOfAPeerRemovedMeanwhile()
+void LateMessagesTest::answerOfARemovedPeer()
 {
     Pair pair;
     const Bytes answer = catchAnswer(pair);
@@ -121,7 +121,7 @@ void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
     for (const std::size_t at : {3u, 34u, 35u, 57u}) {
         Bytes forged = answer;
         forged[at] ^= 1;
-        Mac1(pair.ground().identity->publicKey).sign(forged); // as anyone can who knows the key
+        Mac1(pair.ground().identity->publicKey).sign(forged); // possible with the public key
         give(pair, Ground, forged);
         QVERIFY(!pair.ground().up());
     }
@@ -132,9 +132,10 @@ void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
     QVERIFY(pair.ground().up());
 }
 
-void LateMessagesTest::countOfAnEpochWhoseKeysAreGone()
+void LateMessagesTest::countOfADeletedEpoch()
 {
-    // The last frames of an epoch are lost, and the word how many there were takes longer than the epoch's keys live.
+    // The last frames of an epoch are lost, and the message with their number is delayed beyond the lifetime of the epoch's
+    // keys.
     auto pair = settledPair();
     std::uint64_t lost = 0;
     bool losing = false;
@@ -188,13 +189,13 @@ void LateMessagesTest::suiteThatThePeerNeverOffered()
     const auto done = pair->ground().all<SwitchDone>();
     QCOMPARE(done.size(), 1u);
     QCOMPARE(done[0].failure, SwitchFailure::NotAllowedByPeer);
-    QCOMPARE(pair->ground().datagramsOut, sent); // The peer need not be asked.
+    QCOMPARE(pair->ground().datagramsOut, sent); // no request to the peer is needed
 }
 
-void LateMessagesTest::commitThatWasGivenUpHere()
+void LateMessagesTest::commitOfAnAbandonedSwitch()
 {
-    // The agent accepts, hears nothing for so long that it tells of a failure, and wishes for another suite. But the station
-    // had committed: its records must open, and its choice stands.
+    // The agent accepts, receives nothing until it reports a failure, and requests another suite. But the station had
+    // committed: its records must open, and its choice stands.
     auto pair = settledPair();
     bool deaf = false;
     pair->link.attacker = [&](TimePoint, Flight &flight) { return !(deaf && flight.from == Ground); };
@@ -268,7 +269,7 @@ void LateMessagesTest::closeThatOvertookALostRecord()
 
 void LateMessagesTest::inlineFrameEndsTheAttempt()
 {
-    // A silent agent comes back, and the first that is heard of it is a frame, not a record.
+    // A silent agent returns, and its first message is a frame, not a record.
     auto pair = inlinePair(SuiteId::Aes256Ctr);
     QCOMPARE(framingOf(pair->air()), Framing::Inline);
     bool frames = false;
@@ -289,7 +290,7 @@ void LateMessagesTest::inlineFrameEndsTheAttempt()
     QCOMPARE(pair->ground().all<SessionDown>().size(), 0u);
 }
 
-void LateMessagesTest::inlineFrameOfAnEpochThatHasNone()
+void LateMessagesTest::inlineFrameOfAnEpochWithoutInlineFraming()
 {
     auto pair = inlinePair(SuiteId::Aes256Ctr);
     const auto seal = [&](ByteView frame, MutableByteView out) {
@@ -300,7 +301,7 @@ void LateMessagesTest::inlineFrameOfAnEpochThatHasNone()
     QCOMPARE(seal(frame, MutableByteView(sealed).first(sealed.size() - 1)).error(), SealError::NoRoom);
     Bytes damaged = frame;
     damaged.back() ^= 1;
-    QCOMPARE(seal(damaged, sealed).error(), SealError::NotInline); // It goes as it is, in a record.
+    QCOMPARE(seal(damaged, sealed).error(), SealError::NotInline); // sent in a record instead
     const auto records = pair->air().endpoint->stats(pair->air().session())->tx.records;
     QVERIFY(seal(frame, sealed));
     QCOMPARE(pair->air().endpoint->stats(pair->air().session())->tx.records, records + 1);

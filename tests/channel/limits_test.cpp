@@ -1,5 +1,4 @@
-// Where an endpoint comes to the end of its room, and what it makes of owners, peers and keys that ask for what cannot be:
-// each refusal leaves everything as it was.
+// The limits of an endpoint, and impossible requests of owners, peers and keys: each refusal leaves the state unchanged.
 #include "core/channel/handshake.h"
 #include "core/channel/datagram_queue.h"
 #include "core/crypto/init_crypto.h"
@@ -21,16 +20,16 @@ class LimitsTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void refusedSealingSpendsNothing_data();
-    void refusedSealingSpendsNothing();
-    void commandsForNoSession();
-    void moreSessionsThanRoom();
+    void refusedSealingUsesNoCounter_data();
+    void refusedSealingUsesNoCounter();
+    void commandsWithoutASession();
+    void unconfirmedSessionsAreLimited();
     void peerWithAnUnusableKey();
     void agentThatChoosesAnUnknownSuite();
     void fullOutboxKeepsTheOldest();
 };
 
-void LimitsTest::refusedSealingSpendsNothing_data()
+void LimitsTest::refusedSealingUsesNoCounter_data()
 {
     QTest::addColumn<int>("suite");
     for (const auto &info : crypto::suites()) {
@@ -39,7 +38,7 @@ void LimitsTest::refusedSealingSpendsNothing_data()
     }
 }
 
-void LimitsTest::refusedSealingSpendsNothing()
+void LimitsTest::refusedSealingUsesNoCounter()
 {
     QFETCH(int, suite);
     Pair pair;
@@ -74,7 +73,7 @@ void LimitsTest::refusedSealingSpendsNothing()
     QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost, std::uint64_t(0));
 }
 
-void LimitsTest::commandsForNoSession()
+void LimitsTest::commandsWithoutASession()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -99,9 +98,9 @@ void LimitsTest::commandsForNoSession()
     QVERIFY(pair.bothUp());
 }
 
-void LimitsTest::moreSessionsThanRoom()
+void LimitsTest::unconfirmedSessionsAreLimited()
 {
-    // An agent that knows more stations than it has room for sessions: all call, and none proves itself.
+    // An agent that knows more stations than it can have sessions: all send first messages, and none confirms its session.
     constexpr std::size_t kStations = 257;
     SeededRandom random(1);
     MemoryCounterStore counters;
@@ -140,7 +139,7 @@ void LimitsTest::moreSessionsThanRoom()
 
 void LimitsTest::peerWithAnUnusableKey()
 {
-    // A point of small order in the list of peers, announced again and again: nothing goes out, and no room is lost by it.
+    // A point of small order in the list of peers, announced repeatedly: no message is sent, and no session slot is used.
     Pair pair;
     Peer bad{{}, "bad", {}, {}, {}};
     bad.key[0] = 1;

@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint8_t kAnnouncement = 0x58;
 constexpr Duration kStep = 10ms;
 
-/// Everybody hears what is sent to nobody in particular; nothing is lost, and everything takes one step.
+/// Broadcasts reach every end; nothing is lost, and each delivery takes one step.
 class Crowd
 {
 public:
@@ -38,7 +38,7 @@ public:
         config.peers.push_back({m_air.identity->publicKey, "air", PeerRole::Pilot, {}, {}});
         end.endpoint = std::make_unique<Endpoint>(std::move(config), m_random, end.counters, m_now);
     }
-    /// It comes back, if it does, from another port.
+    /// Restarts, if requested, from another port.
     void move(std::size_t station) { ++m_stations[station].port; }
     void kill(std::size_t station) { m_stations[station].endpoint.reset(); }
     bool up(std::size_t station) const
@@ -56,7 +56,7 @@ public:
         }
         return until && until();
     }
-    /// Of so long a time.
+    /// Within this time.
     int announcementsIn(Duration span)
     {
         m_announcements = 0;
@@ -145,8 +145,8 @@ class ManyStationsTest : public QObject
 
 private Q_SLOTS:
     void initTestCase();
-    void whoCameFirstKeepsNobodyOut();
-    void nobodyAnnouncesForNothing();
+    void firstStationDoesNotBlockOthers();
+    void activeSessionsNeedFewAnnouncements();
     void restartedStationIsBackSoon();
 };
 
@@ -155,7 +155,7 @@ void ManyStationsTest::initTestCase()
     QVERIFY(crypto::initCrypto());
 }
 
-void ManyStationsTest::whoCameFirstKeepsNobodyOut()
+void ManyStationsTest::firstStationDoesNotBlockOthers()
 {
     Crowd crowd(2);
     crowd.start(0);
@@ -169,7 +169,7 @@ void ManyStationsTest::whoCameFirstKeepsNobodyOut()
     QCOMPARE(crowd.events(1).size(), std::size_t(1));
 }
 
-void ManyStationsTest::nobodyAnnouncesForNothing()
+void ManyStationsTest::activeSessionsNeedFewAnnouncements()
 {
     Crowd crowd(2);
     const int alone = crowd.announcementsIn(10s);

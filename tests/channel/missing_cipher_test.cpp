@@ -76,7 +76,7 @@ void MissingCipherTest::isNotOffered()
         QCOMPARE(end.endpoint->sessionInfo(end.session())->suite, SuiteId::ChaCha20Poly1305);
         end.events.clear();
     }
-    // A new policy is no way around it.
+    // A new policy does not change this.
     pair.air().endpoint->setPolicy(pair.now, pair.air().policy);
     const auto permitted = pair.air().endpoint->sessionInfo(pair.air().session())->permitted;
     QCOMPARE(std::count(permitted.begin(), permitted.end(), SuiteId::Rc4), 0);

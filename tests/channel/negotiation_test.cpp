@@ -21,17 +21,17 @@ class NegotiationTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void defaultsBeginWithTheDefault();
+    void defaultSuiteIsFirst();
     void everyPairOfSets();
-    void strippingNeverHelpsAnAttacker();
+    void strippedOffersAreDetected();
     void offersSurviveTheWire();
     void unknownNumbersAreSkipped();
     void seventhSuiteTakesPart();
     void everySuiteOfThePolicyIsOffered();
-    void numberHoldsWhatAMessageCanCarry();
+    void suiteCountFitsTheMessage();
     void payloadsOfOtherLengthsAreRefused();
     void policyWithDuplicatesAndNone();
-    void weakestAllowedHoldsWhateverTheOtherEndOffers();
+    void weakestAllowedSuiteIsEnforced();
 };
 
 namespace {
@@ -67,7 +67,7 @@ template<typename Check> void forEveryPair(Check check)
 
 } // namespace
 
-void NegotiationTest::defaultsBeginWithTheDefault()
+void NegotiationTest::defaultSuiteIsFirst()
 {
     const SuiteOffer offer = offerOf(Policy{defaultSuites(), false, false});
     QCOMPARE(chooseSuite(offer, offer), SuiteId::ChaCha20Poly1305);
@@ -96,7 +96,7 @@ void NegotiationTest::everyPairOfSets()
         }
         QVERIFY(holds(permitted, *chosen));
         QVERIFY(*chosen != SuiteId::None && !crypto::suiteInfo(*chosen).research);
-        // The initiator's first that both have.
+        // the first suite of the initiator that both allow
         const auto first = std::find_if(initiator.suites.begin(), initiator.suites.end(), [&](SuiteId suite) {
             return holds(responder.suites, suite) && !crypto::suiteInfo(suite).research;
         });
@@ -105,22 +105,22 @@ void NegotiationTest::everyPairOfSets()
     QCOMPARE(pairs, std::size_t(64 * 64 * 16));
 }
 
-void NegotiationTest::strippingNeverHelpsAnAttacker()
+void NegotiationTest::strippedOffersAreDetected()
 {
-    // Were the offers changed on the way (they cannot be, they are hashed into the session), the initiator's own result and
-    // the responder's choice would differ, or be one that both really allow.
+    // If an attacker could change the offers (they are hashed into the session), the initiator's own result and the responder's
+    // choice would differ, or be a suite that both allow.
     QVERIFY(rc::check([] {
         const auto bits = rc::gen::inRange(0u, 64u);
         const SuiteOffer initiator = offerOf(Policy{subset(*bits), *rc::gen::arbitrary<bool>(), false});
         const SuiteOffer responder = offerOf(Policy{subset(*bits), *rc::gen::arbitrary<bool>(), false});
-        SuiteOffer stripped = initiator; // What the responder is made to see.
+        SuiteOffer stripped = initiator; // the changed offer
         std::erase_if(stripped.suites, [&](SuiteId) { return *rc::gen::arbitrary<bool>(); });
         const auto choice = chooseSuite(stripped, responder);
         const auto expected = chooseSuite(initiator, responder);
         if (choice && choice == expected)
             RC_ASSERT(holds(permittedSuites(initiator, responder), *choice));
         else if (choice)
-            RC_ASSERT(choice != expected); // Noticed: the handshake ends as OfferTampered.
+            RC_ASSERT(choice != expected); // detected: the handshake ends with OfferTampered
     }));
 }
 
@@ -191,7 +191,7 @@ void NegotiationTest::everySuiteOfThePolicyIsOffered()
     QCOMPARE(AnswerPayload::read(AnswerPayload{ConnectionId{1}, offer, all.front()}.write())->offer.suites, all);
 }
 
-void NegotiationTest::numberHoldsWhatAMessageCanCarry()
+void NegotiationTest::suiteCountFitsTheMessage()
 {
     for (const std::uint64_t counter : {std::uint64_t(0), std::uint64_t(41), kGreatestCounter})
         QCOMPARE(NumberPayload::read(NumberPayload{counter}.write())->lastSeen, counter);
@@ -216,13 +216,13 @@ void NegotiationTest::policyWithDuplicatesAndNone()
     QVERIFY(offerOf(policy).allowPlain);
 }
 
-void NegotiationTest::weakestAllowedHoldsWhateverTheOtherEndOffers()
+void NegotiationTest::weakestAllowedSuiteIsEnforced()
 {
     using enum SuiteId;
     QCOMPARE(notWeakerThan(Rc4, kAll), kAll);
     QCOMPARE(notWeakerThan(Aes256Gcm, kAll), (std::vector{ChaCha20Poly1305, Aes256Gcm}));
     QCOMPARE(notWeakerThan(ChaCha20, kAll), (std::vector{ChaCha20Poly1305, Aes256Gcm, Aes256Ctr, ChaCha20}));
-    // No research suite and no plain is ever as strong as a sound one.
+    // Research suites and plain MAVLink are weaker than every other suite.
     for (const crypto::SuiteInfo &info : crypto::suites()) {
         if (info.id != None)
             QCOMPARE(info.strength <= crypto::suiteInfo(Rc4).strength, info.research);

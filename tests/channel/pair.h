@@ -48,8 +48,8 @@ public:
         return true;
     }
     bool fails = false;
-    std::uint64_t timeOfDay = 1; ///< which nothing may depend on
-    /// As if the file was lost, or put back from an old copy.
+    std::uint64_t timeOfDay = 1; ///< wall clock; no result may depend on it
+    /// Simulates a file that was lost, or restored from an old copy.
     void loseOwn() { m_own = 0; }
 
 private:
@@ -91,8 +91,8 @@ struct PairOptions
     std::shared_ptr<const Key32> presharedKey; ///< of both ends; none = they have none
     Policy ground{defaultSuites(), true, false};
     Policy air{defaultSuites(), true, false};
-    /// For frames sealed in place: what they look like, and a real one whose payload begins with a number. Without these,
-    /// frames are anything that begins like one.
+    /// For frames sealed in place: their traits, and a factory of real frames whose payload begins with a number. Without
+    /// these, a frame is any block with a first byte of MAVLink.
     std::shared_ptr<const MessageTraits> messageTraits;
     std::function<Bytes(std::uint64_t number, std::size_t size)> makeFrame;
 };
@@ -138,27 +138,27 @@ public:
     void start(Side side);
     void kill(Side side) { ends[side].endpoint.reset(); }
 
-    /// Runs the clock to now + `span`; `until` ends it early and gives true.
+    /// Runs the clock to now + `span`; returns true if `until` ended it early.
     bool run(Duration span, const std::function<bool()> &until = {});
-    /// Lets `act` happen every `period` from now on.
+    /// Calls `act` every `period` from now on.
     void every(Duration period, std::function<void()> act);
-    /// Ends all that every() began.
+    /// Cancels all calls of every().
     void stopTasks() { m_tasks.clear(); }
     void stopTraffic() { m_tasks.clear(); }
 
-    /// Seals one frame of `size` bytes (at least 9) and sends it; its number, 0 when there was no session.
+    /// Seals and sends one frame of `size` bytes (at least 9). Returns its number; 0 without a session.
     /// With PairOptions::makeFrame in place, where the session does so.
     std::uint64_t sendFrame(Side from, std::size_t size = 28);
-    /// Sends whatever the endpoints want to send, and collects their events. run() does so by itself.
+    /// Sends the output of the endpoints and collects their events. run() includes this.
     void pump();
 
-    /// What went wrong with the frames that went from `side` to the other one; empty when all is as it must be.
+    /// Describes the first fault in the delivery of the frames of `side`; empty if there is none.
     std::string accountFrom(Side side) const;
 
-    /// In what messages arrive from now on, whatever they were sent in: somebody takes them from one carrier to another.
+    /// Carrier in which messages arrive from now on, whichever they were sent in: an attacker moves them to another carrier.
     void setArrival(Carrier carrier) { m_arrival = carrier; }
 
-    /// What the clock of an end shows now.
+    /// The present time by the clock of an end.
     TimePoint nowAt(Side side) const { return ends[side].clock.local(now); }
 
     TimePoint now{};
@@ -166,7 +166,7 @@ public:
     std::array<End, 2> ends;
     std::set<std::uint64_t> sent[2]; ///< frame numbers sealed, by sender
     std::unordered_map<std::uint64_t, TimePoint> sentAt;
-    std::set<std::uint64_t> dropped[2]; ///< of these, what the link swallowed or damaged
+    std::set<std::uint64_t> dropped[2]; ///< of these, lost or damaged by the link
 
     Config configOf(Side side) const;
     Path pathOf(Side side) const; ///< where its datagrams come from

@@ -22,24 +22,24 @@ private Q_SLOTS:
     void outageBeyondTenMinutes();
     void retriesAreJittered();
     void repeatedAnnouncementsDoNotRenew();
-    void repeatedAnnouncementsDoNotCrowdOut();
-    void repeatedAnnouncementsDoNotHoldUp();
-    void lostCountersHeal();
-    void countersPutBackHeal();
-    void numberIsForItsStationAlone();
-    void numberThatCannotBeKept();
-    void greatestNumberIsNotBelieved();
+    void repeatedAnnouncementsDoNotEvictTheAgent();
+    void repeatedAnnouncementsDoNotDelayRetries();
+    void lostCountersRecover();
+    void restoredCountersRecover();
+    void counterCorrectionIsBoundToItsStation();
+    void counterCorrectionThatCannotBeStored();
+    void greatestCounterIsNotAccepted();
     void lastCounterIsTheLast();
-    void changedNumberIsRefused();
-    void firstsOfAThiefKeepNobodyOut_data();
-    void firstsOfAThiefKeepNobodyOut();
-    void repeatedOlderFirstsDisplaceNothing();
+    void changedCounterCorrectionIsRefused();
+    void firstMessagesOfAThiefDoNotBlock_data();
+    void firstMessagesOfAThiefDoNotBlock();
+    void repeatedOlderFirstMessagesDisplaceNothing();
     void unconfirmedAnswersAreBounded();
 
 private:
     SeededRandom m_random{13};
 
-    /// In the name of the pair's station, as who has the agent's key can write it: the answer is of no use to the thief.
+    /// A forged first message of the pair's station, possible with the agent's key; the thief cannot use the answer.
     Bytes firstOfAThief(Pair &pair, std::uint64_t counter)
     {
         const Peer agent{pair.air().identity->publicKey, "air", {}, {}, {}};
@@ -105,7 +105,7 @@ void ReconnectTest::fiveMinutesOutage()
     QCOMPARE(pair.ground().endpoint->stats(pair.ground().session())->rx.lost > 29000, true);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
-    QVERIFY(handshakes <= 2); // One that was on its way.
+    QVERIFY(handshakes <= 2); // one was already in transit
 }
 
 void ReconnectTest::outageBeyondTenMinutes()
@@ -123,7 +123,7 @@ void ReconnectTest::outageBeyondTenMinutes()
 
 void ReconnectTest::retriesAreJittered()
 {
-    // The silent session's copies: 250 ms, 500 ms, 1 s, 2 s, 2 s …, each a quarter more or less, and not the same twice.
+    // Retransmissions of the silent session: 250 ms, 500 ms, 1 s, 2 s, 2 s …, each varied by up to a quarter.
     std::set<Duration> firstPauses;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         PairOptions options;
@@ -151,7 +151,7 @@ void ReconnectTest::retriesAreJittered()
 
 void ReconnectTest::repeatedAnnouncementsDoNotRenew()
 {
-    // The answer takes a second and a half; meanwhile somebody repeats an old announcement twenty times a second.
+    // The answer takes 1.5 s; meanwhile an attacker replays an old announcement twenty times a second.
     PairOptions options;
     options.link.delay = 750ms;
     Pair pair(options);
@@ -168,9 +168,9 @@ void ReconnectTest::repeatedAnnouncementsDoNotRenew()
     QVERIFY(pair.run(4s, [&] { return pair.bothUp(); }));
 }
 
-void ReconnectTest::repeatedAnnouncementsDoNotCrowdOut()
+void ReconnectTest::repeatedAnnouncementsDoNotEvictTheAgent()
 {
-    // The same from many addresses. Each is answered where it says that it is, and the true agent as well.
+    // The same from many addresses. Each is answered at its source address, and the legitimate agent as well.
     PairOptions options;
     options.link.delay = 40ms;
     Pair pair(options);
@@ -201,10 +201,10 @@ void ReconnectTest::repeatedAnnouncementsDoNotCrowdOut()
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
 }
 
-void ReconnectTest::repeatedAnnouncementsDoNotHoldUp()
+void ReconnectTest::repeatedAnnouncementsDoNotDelayRetries()
 {
-    // The agent has fallen silent. Ten times a second somebody repeats an announcement of it from elsewhere; the copies by
-    // timer go to where the agent was all the same.
+    // The agent is silent. An attacker replays its announcement ten times a second from another address; the timed
+    // retransmissions still go to the address of the agent.
     Pair pair;
     std::optional<Bytes> announcement;
     std::size_t copies = 0;
@@ -231,11 +231,11 @@ void ReconnectTest::repeatedAnnouncementsDoNotHoldUp()
     pair.run(2s); // It is silent by then.
     copies = 0;
     pair.run(20s);
-    QVERIFY2(copies >= 8, qPrintable(QString::number(copies))); // as when nobody disturbs
+    QVERIFY2(copies >= 8, qPrintable(QString::number(copies))); // as without an attack
     QVERIFY2(answers > 100, qPrintable(QString::number(answers)));
 }
 
-void ReconnectTest::lostCountersHeal()
+void ReconnectTest::lostCountersRecover()
 {
     Pair pair;
     for (int i = 0; i < 30; ++i) { // A past.
@@ -250,7 +250,7 @@ void ReconnectTest::lostCountersHeal()
     pair.start(Ground);
     QVERIFY(pair.run(4s, [&] { return pair.air().all<SessionUp>().size() == 31; }));
     QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) > before);
-    // Both ends were told.
+    // Reported at both ends.
     const auto refused = [](const Pair::End &end, RefusalReason reason) {
         const auto events = end.all<HandshakeRefused>();
         return std::count_if(events.begin(), events.end(), [&](const auto &e) { return e.reason == reason; });
@@ -260,7 +260,7 @@ void ReconnectTest::lostCountersHeal()
     QCOMPARE(pair.ground().all<HandshakeRefused>().back().peer, pair.air().identity->publicKey);
 }
 
-void ReconnectTest::countersPutBackHeal()
+void ReconnectTest::restoredCountersRecover()
 {
     // On a bad link as well, where the number may be lost.
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -275,10 +275,10 @@ void ReconnectTest::countersPutBackHeal()
     }
 }
 
-void ReconnectTest::numberIsForItsStationAlone()
+void ReconnectTest::counterCorrectionIsBoundToItsStation()
 {
-    // Somebody repeats an old first message to an agent that is alone: it gets bytes that it cannot read, no longer than
-    // its own, seldom, and they do nothing at the station, now or later.
+    // An attacker replays an old first message to an agent without a station: it receives short answers that it cannot read, at
+    // a limited rate, and they have no effect at the station, then or later.
     Pair pair;
     std::vector<Bytes> firsts, numbers;
     std::uint64_t in = 0, out = 0;
@@ -322,9 +322,9 @@ void ReconnectTest::numberIsForItsStationAlone()
     QVERIFY(pair.ground().counters.next() <= own + 3);
 }
 
-void ReconnectTest::numberThatCannotBeKept()
+void ReconnectTest::counterCorrectionThatCannotBeStored()
 {
-    // The store does not take it: no session, and the operator is told again and again, once a second at most.
+    // The store fails: no session, and the event is repeated, at most once a second.
     class Stubborn final : public CounterStore
     {
     public:
@@ -345,7 +345,7 @@ void ReconnectTest::numberThatCannotBeKept()
     QVERIFY2(told >= 4 && told <= 11, qPrintable(QString::number(told)));
 }
 
-void ReconnectTest::greatestNumberIsNotBelieved()
+void ReconnectTest::greatestCounterIsNotAccepted()
 {
     Pair pair;
     pair.air().counters.remember(pair.ground().identity->publicKey, kGreatestCounter - 5);
@@ -378,7 +378,7 @@ void ReconnectTest::lastCounterIsTheLast()
     QCOMPARE(refusals.back().peer, pair.air().identity->publicKey);
 }
 
-void ReconnectTest::changedNumberIsRefused()
+void ReconnectTest::changedCounterCorrectionIsRefused()
 {
     SeededRandom random(7);
     const auto station = crypto::X25519KeyPair::generate(random), agent = crypto::X25519KeyPair::generate(random);
@@ -401,7 +401,7 @@ void ReconnectTest::changedNumberIsRefused()
     QVERIFY(!initiator->readNumber(number));
 }
 
-void ReconnectTest::firstsOfAThiefKeepNobodyOut_data()
+void ReconnectTest::firstMessagesOfAThiefDoNotBlock_data()
 {
     QTest::addColumn<quint64>("counter");
     QTest::addColumn<bool>("rising");
@@ -410,7 +410,7 @@ void ReconnectTest::firstsOfAThiefKeepNobodyOut_data()
     QTest::newRow("those that the station is about to use") << quint64(1) << true;
 }
 
-void ReconnectTest::firstsOfAThiefKeepNobodyOut()
+void ReconnectTest::firstMessagesOfAThiefDoNotBlock()
 {
     QFETCH(quint64, counter);
     QFETCH(bool, rising);
@@ -432,10 +432,10 @@ void ReconnectTest::firstsOfAThiefKeepNobodyOut()
     QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) < 10);
 }
 
-void ReconnectTest::repeatedOlderFirstsDisplaceNothing()
+void ReconnectTest::repeatedOlderFirstMessagesDisplaceNothing()
 {
-    // Somebody kept the answers of a minute off the wire, and with them first messages that nobody ever confirmed. Later he
-    // repeats them all behind each true one.
+    // An attacker withheld the answers for a minute and recorded first messages that were never confirmed. Later he replays all
+    // of them behind each true one.
     Pair pair;
     std::vector<Flight> kept;
     bool jammed = true;
@@ -463,7 +463,7 @@ void ReconnectTest::repeatedOlderFirstsDisplaceNothing()
 
 void ReconnectTest::unconfirmedAnswersAreBounded()
 {
-    // As fast as the agent computes, for as long as it keeps an answer: it never runs out of room for the true station.
+    // At the rate that the agent computes, for as long as it keeps an answer: there is always room for the legitimate station.
     Pair pair;
     pair.kill(Ground);
     for (int i = 0; i < 400; ++i) {

@@ -1,5 +1,5 @@
-// What can be computed of a recorded handshake by somebody who has both static keys, and the pre-shared one: everything but
-// the secret of the two ephemeral keys, for which something has to be put in.
+// Computes the keys of a recorded handshake from both static keys and the pre-shared key. The shared secret of the two
+// ephemeral keys is missing; the test supplies guesses.
 #pragma once
 
 #include "core/channel/handshake.h"
@@ -19,7 +19,7 @@ struct RevealedSession
     Key32 initiators, responders; ///< the transport keys of Noise
     crypto::Hash64 hash{};
 
-    /// The first link of the chain, which the channel hands to nobody.
+    /// First key of the chain; private to the channel.
     Key32 chain() const
     {
         SecretBytes<64> both;
@@ -40,8 +40,8 @@ public:
         : m_station(station), m_agent(agent), m_first(first), m_answer(answer)
     {}
 
-    /// `guess`: for the shared secret of the ephemeral keys; nullopt mixes nothing in. `psk`: zeros when there was none.
-    /// nullopt when the answer does not open.
+    /// `guess`: shared secret of the ephemeral keys; nullopt omits it. `psk`: zeros if there was none. Returns nullopt if the
+    /// answer does not open.
     std::optional<RevealedSession> withGuess(const std::optional<Key32> &guess, const Key32 &psk = Key32())
     {
         noise::SymmetricState state;
@@ -68,7 +68,7 @@ public:
         return RevealedSession{std::move(initiators), std::move(responders), state.handshakeHash()};
     }
 
-    /// The first message's own payload was read with the agent's key alone: Noise IK gives it no forward secrecy.
+    /// True if the payload of the first message was read with the agent's key alone: Noise IK gives it no forward secrecy.
     bool firstPayloadRead = false;
 
     static crypto::PublicKey asKey(ByteView bytes)

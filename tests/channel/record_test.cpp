@@ -21,14 +21,14 @@ class RecordTest : public QObject
 private Q_SLOTS:
     void headerBytes();
     void headersSurviveTheWire();
-    void otherFirstBytesAreNoRecords();
-    void shortOnesAreNoRecords();
-    void associatedDataTellsEverythingApart();
+    void otherFirstBytesAreRefused();
+    void shortRecordsAreRefused();
+    void associatedDataIsUnambiguous();
     void controlBytes();
     void controlSurvivesTheWire();
-    void anyBytesAreSafeAsControl();
+    void randomControlMessagesAreSafe();
     void numbersOfReportsHave64Bits();
-    void announcementsAreRecognisedByKeyOnly();
+    void announcementsNeedTheKeyToBeRecognised();
     void epochKeysDependOnEverything();
 };
 
@@ -60,7 +60,7 @@ void RecordTest::headersSurviveTheWire()
     }));
 }
 
-void RecordTest::otherFirstBytesAreNoRecords()
+void RecordTest::otherFirstBytesAreRefused()
 {
     Bytes bytes(60);
     for (int first = 0; first < 256; ++first) {
@@ -70,7 +70,7 @@ void RecordTest::otherFirstBytesAreNoRecords()
     }
 }
 
-void RecordTest::shortOnesAreNoRecords()
+void RecordTest::shortRecordsAreRefused()
 {
     Bytes bytes(60, 0x50);
     for (std::size_t length = 0; length < bytes.size(); ++length)
@@ -80,7 +80,7 @@ void RecordTest::shortOnesAreNoRecords()
         QCOMPARE(RecordHeader::read(ByteView(bytes).first(length)).has_value(), length >= 20);
 }
 
-void RecordTest::associatedDataTellsEverythingApart()
+void RecordTest::associatedDataIsUnambiguous()
 {
     std::set<std::string> seen;
     std::size_t count = 0;
@@ -151,14 +151,14 @@ void RecordTest::controlSurvivesTheWire()
         RC_ASSERT(copy.stamp == report.stamp && copy.rx.good == report.rx.good && copy.rx.openedBytes == UINT64_MAX);
         RC_ASSERT(copy.tx.records == report.tx.records && copy.tx.sealedBytes == report.tx.sealedBytes);
         RC_ASSERT(copy.frames.has_value() == report.frames.has_value());
-        // In brackets of its own: the macro overloads the operators, and those evaluate both sides.
+        // The parentheses are needed: the operators that the macro overloads evaluate both sides.
         RC_ASSERT((!copy.frames || (copy.frames->taken == report.frames->taken && copy.frames->lost == UINT64_MAX)));
         for (std::size_t shorter = 0; shorter < length; ++shorter)
             RC_ASSERT(!readControl(ByteView(out).first(shorter)));
     }));
 }
 
-void RecordTest::anyBytesAreSafeAsControl()
+void RecordTest::randomControlMessagesAreSafe()
 {
     QVERIFY(rc::check([] {
         auto bytes = *rc::gen::arbitrary<Bytes>();
@@ -193,7 +193,7 @@ void RecordTest::numbersOfReportsHave64Bits()
     }
 }
 
-void RecordTest::announcementsAreRecognisedByKeyOnly()
+void RecordTest::announcementsNeedTheKeyToBeRecognised()
 {
     test::SeededRandom random(3);
     const auto agent = crypto::X25519KeyPair::generate(random);
@@ -203,7 +203,7 @@ void RecordTest::announcementsAreRecognisedByKeyOnly()
     QVERIFY(Announcement(agent.publicKey).recognises(one));
     QVERIFY(Announcement(agent.publicKey).recognises(two));
     QVERIFY(!Announcement(other.publicKey).recognises(one));
-    // Nothing that a stranger could tell two of them by.
+    // No bytes by which an observer could link two of them.
     QVERIFY(!std::equal(one.begin() + 1, one.begin() + 17, two.begin() + 1));
     QVERIFY(!std::equal(one.begin() + 17, one.begin() + 33, two.begin() + 17));
     for (std::size_t bit = 8; bit < 33 * 8; ++bit) {
@@ -242,7 +242,7 @@ void RecordTest::epochKeysDependOnEverything()
     note(KeyChain(a, b, otherHash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
     note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero).next.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
     QCOMPARE(seen.size(), count);
-    // And on nothing else.
+    // and not on other inputs
     note(KeyChain(a, b, hash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
     QCOMPARE(seen.size(), count - 2);
 }

@@ -16,10 +16,10 @@ class RekeyTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void byCountOfEitherEnd();
-    void byAgeOncePerTerm();
-    void onCommand();
-    void bySwitchingToTheSuiteInUse();
+    void rekeyByRecordsOfEitherEnd();
+    void rekeyByAgeOncePerTerm();
+    void rekeyOnCommand();
+    void rekeyBySwitchingToTheSuiteInUse();
     void hardStopExactlyThere();
     void sessionComesBackAfterHardStop();
     void sixteenEpochsAreRemembered();
@@ -38,7 +38,7 @@ std::size_t rekeys(const Pair::End &end)
 
 } // namespace
 
-void RekeyTest::byCountOfEitherEnd()
+void RekeyTest::rekeyByRecordsOfEitherEnd()
 {
     for (const Side busy : {Ground, Air}) {
         PairOptions options;
@@ -62,7 +62,7 @@ void RekeyTest::byCountOfEitherEnd()
     }
 }
 
-void RekeyTest::byAgeOncePerTerm()
+void RekeyTest::rekeyByAgeOncePerTerm()
 {
     Pair pair;
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
@@ -74,7 +74,7 @@ void RekeyTest::byAgeOncePerTerm()
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
 }
 
-void RekeyTest::onCommand()
+void RekeyTest::rekeyOnCommand()
 {
     Pair pair;
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
@@ -86,9 +86,9 @@ void RekeyTest::onCommand()
     QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->epoch, Epoch{1});
 }
 
-void RekeyTest::bySwitchingToTheSuiteInUse()
+void RekeyTest::rekeyBySwitchingToTheSuiteInUse()
 {
-    // As the window asks for it.
+    // As requested from the window.
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
@@ -101,7 +101,7 @@ void RekeyTest::bySwitchingToTheSuiteInUse()
 void RekeyTest::hardStopExactlyThere()
 {
     PairOptions options;
-    options.timing.rekeyAfterRecords = 1u << 22; // Never in this test.
+    options.timing.rekeyAfterRecords = 1u << 22; // not reached in this test
     options.timing.hardStopRecords = 5000;
     Pair pair(options);
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
@@ -134,7 +134,7 @@ void RekeyTest::sessionComesBackAfterHardStop()
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
         pair.every(10ms, [&] { pair.sendFrame(busy); });
         pair.run(30s);
-        // Each time it takes silence to notice at the other end, so there are several, and never a stuck one.
+        // The other end notices each one by silence, so there are several, and none blocks.
         QVERIFY(pair.ends[busy].all<SessionUp>().size() >= 4);
         QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
     }

@@ -21,9 +21,9 @@ private Q_SLOTS:
     void replaysAtTheEdge_data();
     void replaysAtTheEdge();
     void sweepsBackwards();
-    void agreesWithASet();
+    void matchesASetOfCounters();
     void lossIsExactInAnyOrder();
-    void asking_changesNothing();
+    void checkingDoesNotMark();
     void expectedTailCountsAsMissing();
 };
 
@@ -126,7 +126,7 @@ void ReplayWindowTest::sweepsBackwards()
     QCOMPARE(window.missing(), std::uint64_t(kTop + 1 - N));
 }
 
-void ReplayWindowTest::agreesWithASet()
+void ReplayWindowTest::matchesASetOfCounters()
 {
     QVERIFY(rc::check("a counter is taken if it is new and less than the window behind the newest", [] {
         const auto seed = *rc::gen::arbitrary<std::uint32_t>();
@@ -176,9 +176,9 @@ void ReplayWindowTest::lossIsExactInAnyOrder()
     }));
 }
 
-void ReplayWindowTest::asking_changesNothing()
+void ReplayWindowTest::checkingDoesNotMark()
 {
-    // A forged record far ahead is asked for and never marked: the window stays where it was.
+    // A forged counter far ahead is checked but never marked: the window does not move.
     ReplayWindow window;
     for (std::uint32_t i = 0; i < 100; ++i)
         QVERIFY(take(window, i));
@@ -198,7 +198,7 @@ void ReplayWindowTest::expectedTailCountsAsMissing()
     QCOMPARE(window.missing(), std::uint64_t(3));
     QVERIFY(take(window, 11));
     QCOMPARE(window.missing(), std::uint64_t(2));
-    window.expect(5); // An older word of the peer changes nothing.
+    window.expect(5); // an older count of the peer has no effect
     QCOMPARE(window.missing(), std::uint64_t(2));
 }
 

@@ -34,7 +34,7 @@ private Q_SLOTS:
     void previousKeysAreWipedAfterThePeerMoved();
     void rekeyIsDueByAgeOrRecords();
     void failedRekeyIsNotDueAtOnce();
-    void alarmsAreBoundedAndCountAll();
+    void alarmsAreLimitedAndCountAll();
     void permissionsFollowOurPolicy();
     void inlineFramingNeedsBothAndThePolicy();
 
@@ -58,7 +58,7 @@ void SessionPartsTest::newPathIsKeptAfterItsConfirmation()
     peer.moveTo(m_second, m_start, 1000);
     QVERIFY(peer.takeMove(m_start));
     QCOMPARE(peer.deadline(), m_start + 2500ms);
-    peer.confirm(m_second, 999);  // a stamp of before the move
+    peer.confirm(m_second, 999);  // a stamp from before the move
     peer.confirm(m_first, 1001);  // from elsewhere
     peer.confirm(m_second, 1000); // the stamp of the move itself
     QCOMPARE(peer.deadline(), m_start + 2500ms);
@@ -77,7 +77,7 @@ void SessionPartsTest::newPathWithoutRecordsIsLeft()
     QVERIFY(peer.current() == m_second);
     peer.handleDeadline(m_start + 3500ms);
     QVERIFY(peer.current() == m_first);
-    QCOMPARE(peer.deadline(), kNever); // The owner never heard of the other path.
+    QCOMPARE(peer.deadline(), kNever); // the other path was never reported
 }
 
 void SessionPartsTest::returnToTheFormerPathEndsTheTrial()
@@ -233,7 +233,7 @@ void SessionPartsTest::failedRekeyIsNotDueAtOnce()
     QVERIFY(schedule.due(due + 22s, timing.rekeyAfterRecords)); // The limit of the new epoch counts at once.
 }
 
-void SessionPartsTest::alarmsAreBoundedAndCountAll()
+void SessionPartsTest::alarmsAreLimitedAndCountAll()
 {
     ForgeryCounter counter(m_start);
     counter.addReplayed();
@@ -277,7 +277,7 @@ void SessionPartsTest::inlineFramingNeedsBothAndThePolicy()
     QCOMPARE(Permissions(ours, peers, true, false).framing(), Framing::Sealed);
     const Permissions agreed(ours, peers, true, true);
     QCOMPARE(agreed.framing(), Framing::Inline);
-    ours.preferInline = false; // Nobody prefers it.
+    ours.preferInline = false; // neither end prefers it
     QVERIFY(agreed.inlineAllowed() && agreed.framing() == Framing::Sealed);
     ours.preferInline = true;
     ours.allowInline = false;

@@ -23,13 +23,13 @@ private Q_SLOTS:
     void comesUpOverABadLink();
     void stationRestarts();
     void agentRestarts();
-    void restartsAgainAndAgain();
+    void restartsRepeatedly();
     void outageResumesWithoutHandshake();
-    void roams();
-    void staysWhereItWasHeard();
+    void followsTheAddressOfThePeer();
+    void staysAtTheConfirmedAddress();
     void closesOnce();
     void countersAgreeOnBothEnds();
-    void costsAreToldToWhoAsks();
+    void costsAreReportedOnRequest();
 };
 
 namespace {
@@ -172,7 +172,7 @@ void SessionTest::agentRestarts()
     QCOMPARE(pair.ground().endpoint->sessions().size(), 1u);
 }
 
-void SessionTest::restartsAgainAndAgain()
+void SessionTest::restartsRepeatedly()
 {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         PairOptions options;
@@ -214,7 +214,7 @@ void SessionTest::outageResumesWithoutHandshake()
     }
 }
 
-void SessionTest::roams()
+void SessionTest::followsTheAddressOfThePeer()
 {
     Pair pair;
     traffic(pair);
@@ -224,7 +224,7 @@ void SessionTest::roams()
     QCOMPARE(pair.ground().endpoint->recordPath(pair.ground().session()).remote.port, std::uint16_t(50001));
     QCOMPARE(pair.ground().all<PeerMoved>().size(), 1u);
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
-    // To and fro with every record: told, but no more than once a second.
+    // Moves with every record: reported, at most once a second.
     pair.every(20ms, [&pair] { pair.air().port = static_cast<std::uint16_t>(50000 + (pair.air().port + 1) % 100); });
     pair.run(10s);
     QVERIFY(pair.ground().all<PeerMoved>().size() <= 12);
@@ -233,9 +233,9 @@ void SessionTest::roams()
     VERIFY_ACCOUNTS(pair);
 }
 
-void SessionTest::staysWhereItWasHeard()
+void SessionTest::staysAtTheConfirmedAddress()
 {
-    // An end that moved, heard the other one there, and then is out of reach for long, is looked for where it moved to.
+    // An end that moved, was confirmed there, and then is unreachable for long is addressed at its new address.
     Pair pair;
     pair.run(3s);
     pair.air().port = 50001;
@@ -285,7 +285,7 @@ void SessionTest::countersAgreeOnBothEnds()
         const auto yours = there.endpoint->stats(there.session());
         QVERIFY(mine && yours && mine->peerReported);
         QVERIFY(mine->rx.good <= yours->tx.records);
-        // Everything that was sent arrived or is lost; nothing is under way any more but the report of this moment.
+        // Every record arrived or is lost; only the report of this moment is in transit.
         const auto accounted = mine->rx.good + mine->rx.lost;
         QCOMPARE(accounted, yours->tx.records);
         QVERIFY(yours->peerRx.good + 3 >= mine->rx.good && yours->peerRx.good <= mine->rx.good);
@@ -296,7 +296,7 @@ void SessionTest::countersAgreeOnBothEnds()
     QVERIFY(recordsDropped[Ground] >= pair.dropped[Air].size());
 }
 
-void SessionTest::costsAreToldToWhoAsks()
+void SessionTest::costsAreReportedOnRequest()
 {
     Pair pair;
     pair.start(Ground);
@@ -308,7 +308,7 @@ void SessionTest::costsAreToldToWhoAsks()
     });
     QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
     pair.run(3s);
-    QCOMPARE(asked, std::uint64_t(0)); // a flight pays nothing for it
+    QCOMPARE(asked, std::uint64_t(0)); // no cost in normal flight
     QVERIFY(!toldCosts(pair, Ground));
 
     pair.ground().endpoint->askCosts(true);

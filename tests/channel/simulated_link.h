@@ -33,7 +33,7 @@ struct Flight
 {
     Side from = Ground;
     std::uint16_t sourcePort = 0;
-    std::uint64_t tag = 0; ///< what the harness knows about it; 0 = nothing
+    std::uint64_t tag = 0; ///< number of the frame inside, for the harness; 0 = none
     Bytes bytes;
 };
 
@@ -42,13 +42,13 @@ class SimulatedLink
 public:
     SimulatedLink(LinkModel linkModel, std::uint64_t seed) : model(linkModel), m_random(seed) {}
 
-    /// Looks at each datagram before chance does; may change it; false swallows it.
+    /// Called for each datagram before random loss; may change it; returns false to drop it.
     std::function<bool(TimePoint, Flight &)> attacker;
     LinkModel model;
 
-    /// Sends, and says whether at least one intact copy will arrive.
+    /// Sends; returns whether at least one intact copy will arrive.
     bool send(TimePoint now, Flight flight);
-    /// Puts a datagram on the wire past the attacker and past chance.
+    /// Puts a datagram on the wire, unaffected by the attacker and by random loss.
     void inject(TimePoint at, Flight flight) { m_flying.emplace(at, std::move(flight)); }
 
     TimePoint next() const { return m_flying.empty() ? kNever : m_flying.begin()->first; }

@@ -18,8 +18,8 @@ class SwitchTest : public QObject
 
 private Q_SLOTS:
     void stricterPolicyMovesOrEndsTheSession();
-    void stricterPolicyReachesHandshakesUnderWay_data();
-    void stricterPolicyReachesHandshakesUnderWay();
+    void stricterPolicyAppliesToPendingHandshakes_data();
+    void stricterPolicyAppliesToPendingHandshakes();
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void everySecondOnABadLink();
     void every50MillisecondsOnAGoodLink();
@@ -28,9 +28,9 @@ private Q_SLOTS:
     void refusedByPolicyHere();
     void refusedByThePeer();
     void unansweredRollsBackOnce();
-    void confirmationLostForLong();
-    void noneIsRefused();
-    void replacedWishIsSuperseded();
+    void confirmationLostForAMinute();
+    void plainSuiteIsRefused();
+    void replacedRequestIsSuperseded();
     void endsWithTheSession();
 };
 
@@ -199,7 +199,7 @@ void SwitchTest::bothAtTheSameInstant()
         pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
         pair.air().endpoint->switchSuite(pair.now, pair.air().session(), SuiteId::Aes256Ctr);
         pair.run(5s);
-        // The station's stands; the agent's is told as superseded.
+        // The station's proposal wins; the agent's is reported as superseded.
         for (auto &end : pair.ends)
             QCOMPARE(end.endpoint->sessionInfo(end.session())->suite, SuiteId::Aes256Gcm);
         const auto done = pair.air().all<SwitchDone>();
@@ -232,7 +232,7 @@ void SwitchTest::refusedByThePeer()
 {
     Pair pair;
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    // Its policy became stricter after the handshake, so only the peer itself knows.
+    // Its policy became stricter after the handshake, which the station does not know.
     channel::Policy strict = pair.air().policy;
     strict.suites = {SuiteId::ChaCha20Poly1305};
     pair.air().endpoint->setPolicy(pair.now, strict);
@@ -245,7 +245,7 @@ void SwitchTest::refusedByThePeer()
     QCOMPARE(pair.ground().endpoint->sessionInfo(pair.ground().session())->suite, SuiteId::ChaCha20Poly1305);
 }
 
-void SwitchTest::stricterPolicyReachesHandshakesUnderWay_data()
+void SwitchTest::stricterPolicyAppliesToPendingHandshakes_data()
 {
     QTest::addColumn<int>("side");
     QTest::addColumn<int>("after");
@@ -255,7 +255,7 @@ void SwitchTest::stricterPolicyReachesHandshakesUnderWay_data()
     }
 }
 
-void SwitchTest::stricterPolicyReachesHandshakesUnderWay()
+void SwitchTest::stricterPolicyAppliesToPendingHandshakes()
 {
     QFETCH(int, side);
     QFETCH(int, after);
@@ -278,7 +278,7 @@ void SwitchTest::unansweredRollsBackOnce()
     Pair pair;
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; }; // Nothing comes back.
+    pair.link.attacker = [](TimePoint, Flight &flight) { return flight.from == Ground; }; // nothing reaches the station
     pair.ground().endpoint->switchSuite(pair.now, pair.ground().session(), SuiteId::Aes256Gcm);
     pair.run(4900ms);
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 0u);
@@ -302,10 +302,10 @@ void SwitchTest::unansweredRollsBackOnce()
     VERIFY_ALL(pair);
 }
 
-void SwitchTest::confirmationLostForLong()
+void SwitchTest::confirmationLostForAMinute()
 {
-    // The agent has accepted, the station has committed, and then the station is not heard for a minute: the agent tells
-    // that nothing came of it, and yet reads the new epoch when the link is back.
+    // The agent has accepted, the station has committed, and then nothing of the station arrives for a minute: the agent
+    // reports a failure, and still reads the new epoch when the link returns.
     Pair pair;
     traffic(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
@@ -329,7 +329,7 @@ void SwitchTest::confirmationLostForLong()
     VERIFY_ALL(pair);
 }
 
-void SwitchTest::noneIsRefused()
+void SwitchTest::plainSuiteIsRefused()
 {
     PairOptions options;
     options.ground.allowPlain = options.air.allowPlain = true;
@@ -341,7 +341,7 @@ void SwitchTest::noneIsRefused()
     QCOMPARE(pair.ground().all<SwitchDone>()[0].failure, SwitchFailure::NotAllowedHere);
 }
 
-void SwitchTest::replacedWishIsSuperseded()
+void SwitchTest::replacedRequestIsSuperseded()
 {
     Pair pair;
     traffic(pair);
@@ -386,7 +386,7 @@ void SwitchTest::stricterPolicyMovesOrEndsTheSession()
     QVERIFY(pair.run(10s, [&] { return pair.ground().all<SwitchDone>().size() == 2; }));
     const SuiteId now = pair.ground().endpoint->sessionInfo(pair.ground().session())->suite;
     QVERIFY(crypto::suiteInfo(now).strength >= crypto::suiteInfo(SuiteId::Aes256Gcm).strength);
-    // Nothing that both allow is left.
+    // No suite remains that both allow.
     pair.air().endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Cbc}, false, false});
     QVERIFY(pair.run(20s, [&] { return !pair.air().up() && !pair.ground().up(); }));
     pair.run(10s);

@@ -1,4 +1,4 @@
-// Keeps a copy of every datagram that a simulated link is given to transport.
+// Records a copy of every datagram sent over a simulated link.
 #pragma once
 
 #include "simulated_link.h"
@@ -11,7 +11,7 @@ namespace skyseal::test {
 
 struct Tap
 {
-    /// `ends` has the link; the tap must outlive what it sends.
+    /// `ends` owns the link. The tap must outlive its traffic.
     template<typename Ends> explicit Tap(Ends &ends)
     {
         ends.link.attacker = [this](TimePoint, Flight &flight) {

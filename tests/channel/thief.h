@@ -1,5 +1,6 @@
-// A first message in a station's name, written by who stole the agent's secret and knows the public keys alone: Noise's "ss"
-// is computed from either end's secret. To go on from the answer takes "se" as well, for which something has to be put in.
+// An attacker who stole the agent's private key and knows the public keys forges a first message of the station: Noise's "ss"
+// can be computed from either end's private key. To continue from the answer he also needs "se", for which the test supplies
+// guesses.
 #pragma once
 
 #include "reconstruction.h"
@@ -31,7 +32,7 @@ public:
 
     const channel::FirstMessage &message() const { return m_message; }
 
-    /// All that the thief's secrets give with the public keys of this handshake, nothing, and zeros.
+    /// All guesses: the shared secrets of the stolen keys with the public keys of this handshake, none, and zeros.
     std::vector<std::optional<Key32>> guesses(ByteView answer) const
     {
         std::vector<std::optional<Key32>> out;
@@ -47,7 +48,7 @@ public:
 
     struct Guessed
     {
-        std::optional<channel::AnswerPayload> read; ///< nullopt when the answer does not open
+        std::optional<channel::AnswerPayload> read; ///< nullopt if the answer does not open
         RevealedSession session;
     };
     Guessed withGuess(ByteView answer, const std::optional<Key32> &se) const

@@ -41,7 +41,7 @@ constexpr std::uint64_t kAllowed = kRounds * kFrames / 100;
 
 template<typename Round> std::uint64_t allocationsOf(Round &&round)
 {
-    round(); // whatever is made once
+    round(); // one-time allocations
     const std::uint64_t before = s_allocations;
     for (int i = 0; i < kRounds; ++i)
         round();

@@ -13,7 +13,7 @@
 
 namespace skyseal::test {
 
-/// Lost at the end of the program, which is as long as anything here lives.
+/// Counters in memory.
 class VolatileCounters final : public channel::CounterStore
 {
 public:
@@ -30,7 +30,7 @@ private:
     std::map<channel::PublicKey, std::uint64_t> m_seen;
 };
 
-/// Two ends that know each other's keys, which live in memory alone.
+/// Two ends that know each other's keys; no files.
 struct Introduced
 {
     Introduced();
@@ -49,15 +49,15 @@ public:
     channel::SessionId session() const { return *m_session; } ///< the newest
     channel::Endpoint &endpoint() { return *m_endpoint; }
 
-    /// Takes all that has arrived, says what is due, and gives how many MAVLink frames it got.
+    /// Handles all received datagrams, sends due messages, and returns the number of received MAVLink frames.
     std::size_t pump();
     /// Seals each of the frames into a record of its own and sends them.
     void sendEach(std::span<const ByteView> frames);
-    /// A record of the frame, which is not sent yet.
+    /// Seals the frame without sending it.
     Bytes seal(ByteView frame);
     /// Sends a datagram as it is.
     void send(ByteView datagram) { m_socket.send(m_peerPort, std::array{datagram}); }
-    /// Waits for at most so long for a datagram.
+    /// Waits for a datagram for at most this time.
     bool waitReadable(int milliseconds) { return m_socket.waitReadable(milliseconds); }
 
 private:

@@ -31,8 +31,7 @@ public:
         m_port = portOf(m_agent->snapshot().vehicle.localAddress);
     }
 
-    /// The datagrams in which these came out again, each of which went in as a datagram; what the agent says of itself is
-    /// left out.
+    /// Sends each frame as a datagram and returns the datagrams that the agent forwards, without its own messages.
     std::vector<Bytes> carry(std::span<const ByteView> frames)
     {
         m_vehicle.send(m_port, frames); // all are there before the agent wakes
@@ -77,7 +76,7 @@ class ClearFrameCoalescerTest : public QObject
 private Q_SLOTS:
     void oneFrameGoesAtOnce();
     void framesOfOneWakeUpShareADatagram();
-    void noneIsLargerThanASealedOne();
+    void datagramsAreNotLargerThanSealedOnes();
 };
 
 void ClearFrameCoalescerTest::oneFrameGoesAtOnce()
@@ -107,7 +106,7 @@ void ClearFrameCoalescerTest::framesOfOneWakeUpShareADatagram()
     }
 }
 
-void ClearFrameCoalescerTest::noneIsLargerThanASealedOne()
+void ClearFrameCoalescerTest::datagramsAreNotLargerThanSealedOnes()
 {
     ClearAgent agent;
     const Traffic traffic(256);

@@ -38,7 +38,7 @@ private:
             const QByteArray bytes = datagram.data();
             const auto from = static_cast<quint16>(datagram.senderPort());
             if (m_station == 0)
-                m_station = from; // it calls before anybody else is started
+                m_station = from; // it is the first program that sends
             const auto frame = mavlink::readFrame(
                 ByteView(reinterpret_cast<const std::uint8_t *>(bytes.constData()), static_cast<std::size_t>(bytes.size())),
                 mavlink::Dialect::builtin());
@@ -71,7 +71,7 @@ struct CallingStation
     std::unique_ptr<StationEars> ears;
 };
 
-/// For three beats' time.
+/// For three heartbeat intervals.
 bool beatsWithin(const Middle &middle)
 {
     const int before = middle.heartbeats;
@@ -85,12 +85,12 @@ class ClearHeartbeatTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void whoKnowsNoAgentBeats();
-    void noneBesideASessionOrAfterIt();
-    void vehicleThatIsTakenGetsThem();
+    void stationWithoutAgentsSendsHeartbeats();
+    void noClearHeartbeatDuringOrAfterASession();
+    void approvedVehicleGetsHeartbeats();
 };
 
-void ClearHeartbeatTest::whoKnowsNoAgentBeats()
+void ClearHeartbeatTest::stationWithoutAgentsSendsHeartbeats()
 {
     FlightRig rig;
     const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
@@ -100,7 +100,7 @@ void ClearHeartbeatTest::whoKnowsNoAgentBeats()
     EVENTUALLY(middle.heartbeats >= 2);
 }
 
-void ClearHeartbeatTest::noneBesideASessionOrAfterIt()
+void ClearHeartbeatTest::noClearHeartbeatDuringOrAfterASession()
 {
     FlightRig rig;
     Middle middle;
@@ -113,12 +113,12 @@ void ClearHeartbeatTest::noneBesideASessionOrAfterIt()
     EVENTUALLY(!ground.ears->all<engine::VehicleFound>().empty());
     QVERIFY(ground.ears->all<engine::VehicleFound>()[0].sealed);
     QVERIFY(!beatsWithin(middle));
-    // The sealed link dies: the autopilot, which may hear the router as well, has to notice.
+    // The sealed link dies: the autopilot, which may be connected to the router as well, must detect this.
     rig.killAgent();
     QVERIFY(!beatsWithin(middle));
 }
 
-void ClearHeartbeatTest::vehicleThatIsTakenGetsThem()
+void ClearHeartbeatTest::approvedVehicleGetsHeartbeats()
 {
     FlightRig rig;
     Middle middle;

@@ -14,7 +14,7 @@ std::string loopback(std::uint16_t port)
     return "127.0.0.1:" + std::to_string(port);
 }
 
-/// Work that does not end is a fault of the rig, not a slow engine.
+/// Endless work is a fault of the rig, not a slow engine.
 class Patience
 {
 public:
@@ -46,7 +46,7 @@ void bringUp(BareEnd &end, crypto::SuiteId suite)
         end.endpoint().switchSuite(steadyNow(), end.session(), suite);
     while (end.endpoint().sessionInfo(end.session())->suite != suite)
         turn();
-    // Until the keys of the epoch before are gone, as in the long time between two switches.
+    // Until the keys of the previous epoch are deleted, as during the time between two switches.
     for (const TimePoint settled = steadyNow() + std::chrono::milliseconds(3500); steadyNow() < settled;)
         turn();
 }
@@ -60,7 +60,7 @@ AgentRig::AgentRig(crypto::SuiteId suite) : m_ground(m_keys, channel::Role::Stat
     m_agent->start();
     m_port = portOf(m_agent->snapshot().vehicle.localAddress);
     bringUp(m_ground, suite);
-    toGround(kFrames); // makes the vehicle known, and is the first time of everything
+    toGround(kFrames); // makes the vehicle known and warms up
 }
 
 double AgentRig::toGround(std::size_t burst)
@@ -193,7 +193,7 @@ double StationRig::receive()
     CpuTimer cpu;
     m_air->pump();
     m_air->sendEach(m_telemetry.frames());
-    // As often as there is something: a link takes some of them a turn. frames() tells whether all were taken.
+    // Until nothing is left: a link receives a limited number per turn. frames() shows whether all were accepted.
     bool any = true;
     for (std::size_t turn = 0; any && turn < kFrames; ++turn)
         cpu.time([&] { any = QAbstractEventDispatcher::instance()->processEvents(QEventLoop::AllEvents); });

@@ -12,7 +12,7 @@
 
 namespace skyseal::test {
 
-inline constexpr std::size_t kFrames = 512; ///< of one round; what a wake-up takes in at the most
+inline constexpr std::size_t kFrames = 512; ///< of one round; the most that one wake-up receives
 
 inline channel::Policy everySuite()
 {
@@ -58,7 +58,7 @@ private:
     std::uint16_t m_port = 0;
 };
 
-/// What no forwarder can do without: wait, recvmmsg, sendmmsg.
+/// The minimum of any forwarder: wait, recvmmsg, sendmmsg.
 class BareForwarder
 {
 public:
@@ -69,7 +69,7 @@ private:
     Traffic m_telemetry{kFrames};
 };
 
-/// The station's way from a socket to frames without what it does with them: link, channel, parser.
+/// The station's receive path up to the frames: link, channel, parser.
 class Receiver final : private link::LinkListener
 {
 public:
@@ -98,9 +98,9 @@ public:
     explicit StationRig(crypto::SuiteId suite, std::vector<std::uint8_t> bound = {});
     ~StationRig();
     double receive();
-    /// All frames that it has taken so far.
+    /// Frames accepted so far.
     std::uint64_t frames();
-    /// Those that it refused since their sender may not speak as system 1.
+    /// Frames refused because their sender may not use system 1.
     std::uint64_t refused();
 
 private:

@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// One of the flooding hosts: 127.1.0.x. It knows the agent's public key, and brings back the cookie that it is given.
+/// One of the flooding hosts, 127.1.0.x. It knows the agent's public key and returns the cookies that it receives.
 class FloodingHost
 {
 public:
@@ -98,7 +98,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
     EVENTUALLY_EQUAL(int(agent.snapshot().ground.phase), int(engine::LinkPhase::Connected));
     const std::uint16_t port = portOf(agent.snapshot().ground.localAddress);
 
-    // Each host has a share of two a second; sixty of them want more than the fifty that there are.
+    // Each host has a share of two a second; sixty hosts exceed the total of fifty.
     std::vector<std::unique_ptr<FloodingHost>> hosts;
     for (unsigned i = 1; i <= 60; ++i)
         hosts.push_back(std::make_unique<FloodingHost>(i, port, keys.air->publicKey));
@@ -113,7 +113,7 @@ void ExpectedHostTest::stationAtTheNamedHostComesFirst()
         return std::all_of(hosts.begin(), hosts.end(), [](const auto &host) { return host->hasCookie(); });
     };
     EVENTUALLY(allHaveCookies() && floodTold);
-    const std::size_t exhausted = next + 1500; // the shares that they had at once are used up by then
+    const std::size_t exhausted = next + 1500; // by then the initial shares are used up
     EVENTUALLY(next >= exhausted);
 
     // Counted in messages of the flood, which slows down with the machine: these take 3 s at full pace. Without a share of its

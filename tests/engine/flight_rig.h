@@ -36,8 +36,8 @@ private:
 class FlightRig
 {
 public:
-    /// `stationRole`: what the agent lets the station do; `pinned`: system ids that the station binds to the agent's key;
-    /// `stationSystems`: those that the agent binds to the station's.
+    /// `stationRole`: rights of the station at the agent; `pinned`: system ids that the station binds to the agent's key;
+    /// `stationSystems`: system ids that the agent binds to the station's key.
     explicit FlightRig(channel::PeerRole stationRole = channel::PeerRole::Pilot, std::vector<std::uint8_t> pinned = {},
                        std::vector<std::uint8_t> stationSystems = {});
 
@@ -46,7 +46,7 @@ public:
     void startAgent(const std::string &ground);
     /// Whether agents that start from now on know the station's key.
     void introduceStation(bool known);
-    /// As kill -9: without a goodbye.
+    /// Like kill -9: no close message is sent.
     void killAgent() { agent.reset(); }
     std::string vehicleAddress(); ///< where a vehicle sends to
 
@@ -65,7 +65,7 @@ private:
     std::string m_vehiclePort = "0"; ///< kept over restarts
 };
 
-/// What a station said, kept.
+/// Collects the output of a station.
 class StationEars
 {
 public:

@@ -57,7 +57,7 @@ public:
     std::uint64_t sent() const { return m_sent; }
 
 private:
-    /// The pace of the flood; nothing is expected to happen meanwhile.
+    /// The interval of the flood.
     static void waitUntil(TimePoint due)
     {
         const Duration left = due - steadyNow();
@@ -68,15 +68,15 @@ private:
 
     void run(std::uint16_t port)
     {
-        // It stands for another machine: its place on the processor is not the agent's to pay.
+        // It represents another machine and must not use CPU time of the agent.
         ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), 10);
         BareSocket socket;
         const std::vector<ByteView> views(m_datagrams.begin(), m_datagrams.end());
-        // A few at a time: the system interrupts no call that sends, and who is measured may wait for this processor.
+        // In small batches: a send call is not interrupted, and the measured process may wait for this processor.
         const std::size_t atOnce = (views.size() + 3999) / 4000;
         std::size_t next = 0;
         for (TimePoint due = steadyNow(); !m_ends; due += 250us) {
-            // Its cookies go unread, as those of a sender under a false address do: waking up for them would cost the agent.
+            // Cookies are not read, as by a sender with a forged address: reading them would take CPU time from the agent.
             waitUntil(due);
             if (!m_on) {
                 due = steadyNow();

@@ -82,7 +82,7 @@ void FrameGateTest::olderFramesAreNotPresent()
 void FrameGateTest::clearFrameByItsOrigin()
 {
     FrameGate gate(SecureMode::Preferred);
-    gate.policy().setPeers({peer(1)}); // was never heard, so any vehicle in clear may be in its place
+    gate.policy().setPeers({peer(1)}); // never heard, so any plain vehicle may impersonate it
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Live, false)), int(Verdict::AwaitApproval));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::ListenOnly, false)), int(Verdict::Accept));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
@@ -93,7 +93,7 @@ void FrameGateTest::clearFrameByItsOrigin()
     gate.sessionDown(kSession);
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, true)), int(Verdict::Refuse));
     QCOMPARE(int(gate.judgeClear(kElsewhere, 5, FrameOrigin::Recording, false)), int(Verdict::Accept));
-    QCOMPARE(int(gate.judgeClear(kElsewhere, 6, FrameOrigin::Live, false)), int(Verdict::Accept)); // every agent was heard
+    QCOMPARE(int(gate.judgeClear(kElsewhere, 6, FrameOrigin::Live, false)), int(Verdict::Accept)); // all agents have been heard
 }
 
 void FrameGateTest::vehicleAwaitsApprovalAndIsAnnouncedOnce()

@@ -10,7 +10,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-/// Kills the agent while it is asked to switch, so that the switch is neither confirmed nor refused.
+/// Kills the agent during a switch, which is then neither confirmed nor refused.
 class KillingListener final : public engine::RunListener
 {
 public:
@@ -40,10 +40,10 @@ class HeadlessRunTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void switchUnderWayIsLetFinish();
+    void pendingSwitchMayFinish();
 };
 
-void HeadlessRunTest::switchUnderWayIsLetFinish()
+void HeadlessRunTest::pendingSwitchMayFinish()
 {
     FlightRig rig;
     Ground ground(rig.stationConfig());

@@ -17,7 +17,7 @@ namespace {
 constexpr LinkId kLink{1};
 constexpr TimePoint kNow{std::chrono::seconds(100)};
 
-/// A link that never carries anything by itself.
+/// A link without traffic of its own.
 class IdleLink final : public link::Link, private link::LinkListener
 {
 public:
@@ -74,7 +74,7 @@ Bytes damaged()
     return out;
 }
 
-/// The first message of a handshake, as far as its first byte and its length say.
+/// A block with the first byte and the length of a first message.
 Bytes firstMessage()
 {
     Bytes out(channel::kFirstLength, 7);
@@ -155,7 +155,7 @@ private Q_SLOTS:
     void pairingComesFirst();
     void clearFramesOnASharedStream();
     void streamOfCobsIsNotSearched();
-    void neverMeansNever();
+    void unsearchedLinkIsNeverSearched();
     void tunnelOnBothKindsOfLinks();
     void rulesChangeWithinABlock();
     void unregisteredLinkIsSilent();
@@ -189,7 +189,7 @@ void IngressTest::unsearchedDatagrams()
     Bench bench(rules, "udpin:127.0.0.1:0");
     QCOMPARE(bench.take(firstMessage()), std::string("R"));
     QCOMPARE(bench.take(kHeartbeat), std::string("c"));
-    QCOMPARE(bench.take(Bytes(2048, 0xfe)), std::string("c")); // one call, whatever else seems to begin in it
+    QCOMPARE(bench.take(Bytes(2048, 0xfe)), std::string("c")); // one call: the block is not searched
     QCOMPARE(bench.take(damaged()), std::string("c"));
     QCOMPARE(bench.take({1, 2, 3}), std::string("g"));
     QCOMPARE(bench.take({}), std::string("g"));
@@ -227,11 +227,11 @@ void IngressTest::streamOfCobsIsNotSearched()
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
 }
 
-void IngressTest::neverMeansNever()
+void IngressTest::unsearchedLinkIsNeverSearched()
 {
     Bench bench({.isStream = true, .takesCobs = true, .clear = ClearScan::Never}, "tcp:127.0.0.1:1");
     QCOMPARE(bench.take(kHeartbeat), std::string(""));
-    QCOMPARE(bench.take({0}), std::string("")); // ends what the COBS reader took the heartbeat for
+    QCOMPARE(bench.take({0}), std::string("")); // ends the COBS frame that the heartbeat was taken for
     QCOMPARE(bench.take(inCobs(firstMessage())), std::string("C"));
     bench.ingress.setRules(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Always});
     QCOMPARE(bench.take(kHeartbeat), std::string("f")); // though COBS was heard

@@ -27,7 +27,7 @@ template<typename Message> Bytes frameOf(const Message &message, std::uint8_t sy
     return Bytes(frame.begin(), frame.end());
 }
 
-/// Sends the frame behind the goodbye that followed it.
+/// Sends the record after the goodbye that followed it.
 void sayLate(BareEnd &end, ByteView frame)
 {
     const Bytes late = end.seal(frame);
@@ -74,7 +74,7 @@ void LateRecordTest::agentTakesIt()
     QVERIFY(waitFor(ground, [&] { return ground.up() && agent.snapshot().mavlink.frames > 0; }));
 
     const std::uint64_t before = agent.snapshot().counters.toVehicle;
-    // A question is answered; a command would be refused (attack_freshness: releasedAfterClose).
+    // A request for information is answered; a command would be refused (attack_freshness: releasedAfterClose).
     mavlink::ParamRequestList question;
     question.target_system = 1;
     question.target_component = 1;

@@ -28,13 +28,13 @@ class MavsecStreamTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { QVERIFY(crypto::initCrypto()); }
-    void opensWhatOthersEncrypted_data();
-    void opensWhatOthersEncrypted();
+    void opensFramesOfAnotherImplementation_data();
+    void opensFramesOfAnotherImplementation();
     void otherKeysGiveOtherBytes();
     void nonceHasOneLength();
 };
 
-void MavsecStreamTest::opensWhatOthersEncrypted_data()
+void MavsecStreamTest::opensFramesOfAnotherImplementation_data()
 {
     QTest::addColumn<int>("kind");
     QTest::addColumn<std::string>("encrypted");
@@ -54,7 +54,7 @@ void MavsecStreamTest::opensWhatOthersEncrypted_data()
     QTest::newRow("aes-256-ctr, MAVLink 1") << aes << std::string("fe09090101000fdf7df15b1447375d98d9") << old;
 }
 
-void MavsecStreamTest::opensWhatOthersEncrypted()
+void MavsecStreamTest::opensFramesOfAnotherImplementation()
 {
     QFETCH(int, kind);
     QFETCH(std::string, encrypted);

@@ -1,5 +1,5 @@
-// An observer's frame does not become another message when bytes of it are lost: no frame begins in its middle, whatever is
-// missing at the front; one lost byte anywhere makes no other message; and no question becomes a command.
+// An observer's frame does not turn into another message when bytes are lost: no frame starts inside it, however many bytes are
+// missing at the front; one lost byte anywhere makes no other message; and no request for information becomes a command.
 #include "core/engine/agent/misreading.h"
 #include "core/engine/agent/observer_rules.h"
 #include "core/mavlink/enums.h"
@@ -21,7 +21,7 @@ using namespace skyseal::engine;
 namespace {
 
 constexpr std::uint64_t kSeed = 20261121;
-/// All that an observer may send.
+/// All messages that an observer may send.
 const std::set<std::uint32_t> kKinds{20, 21, 40, 43, 47, 51, 66, 75, 76, 111, 320, 321};
 
 const mavlink::MessageInfo &infoOf(std::uint32_t id)
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> kindsIn(ByteView stream)
     return out;
 }
 
-/// A payload of this kind that an observer may send, otherwise as hostile as chance makes it.
+/// A permitted payload of this kind, with random content otherwise.
 Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
 {
     Bytes out(infoOf(id).maxLength);
@@ -114,7 +114,7 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
     return out;
 }
 
-/// Calls `check(frame)` with so many frames of each kind that pass.
+/// Calls `check(frame)` with this number of permitted frames of each kind.
 template<typename Check> void forPassing(int each, Check check)
 {
     std::mt19937_64 random(kSeed);
@@ -142,20 +142,20 @@ class MisreadingTest : public QObject
 
 private Q_SLOTS:
     void initTestCase() { qInfo("seed %llu", static_cast<unsigned long long>(kSeed)); }
-    void whateverIsMissingAtTheFront();
+    void anyNumberOfMissingFirstBytes();
     void nestedFramesAreRefused_data();
     void nestedFramesAreRefused();
-    void nestedOverTwoFrames();
+    void frameNestedOverTwoFrames();
     void oneLostByteMakesNoOtherMessage();
-    void lostBytesMakeNoCommandOfAQuestion();
-    void questionsBesideACommandAreRefused_data();
-    void questionsBesideACommandAreRefused();
+    void lostBytesDoNotMakeACommand();
+    void requestsAdjacentToACommandAreRefused_data();
+    void requestsAdjacentToACommandAreRefused();
     void unusualFormsAreRefused();
-    void honestQuestionsPass();
-    void fewVehiclesCannotBeAsked();
+    void usualRequestsPass();
+    void fewSystemIdsAreRefused();
 };
 
-void MisreadingTest::whateverIsMissingAtTheFront()
+void MisreadingTest::anyNumberOfMissingFirstBytes()
 {
     mavlink::FrameWriter pilot(255, 190);
     const Bytes next = written(0, Bytes(9, 3), pilot);
@@ -216,7 +216,7 @@ void MisreadingTest::nestedFramesAreRefused()
     QVERIFY(mayBeMisread(read(written(id, payload, outer))) || !observerMaySend(read(written(id, payload, outer)), false));
 }
 
-void MisreadingTest::nestedOverTwoFrames()
+void MisreadingTest::frameNestedOverTwoFrames()
 {
     // One frame that begins in the time of a TIMESYNC, and whose payload and checksum are the next TIMESYNC's head and time:
     // neither holds a whole one, and a search for whole ones in each would let both through.
@@ -241,15 +241,15 @@ void MisreadingTest::nestedOverTwoFrames()
         tried[end + 1] = static_cast<std::uint8_t>(guess >> 8);
         found = mavlink::readFrame(ByteView(tried).subspan(nested), mavlink::Dialect::builtin()).has_value();
     }
-    QVERIFY(found); // so the attacker has only to choose that time
+    QVERIFY(found); // so an attacker only needs to choose that time
     QVERIFY(!passes(first));
     QVERIFY(passes(plain));
 }
 
 void MisreadingTest::oneLostByteMakesNoOtherMessage()
 {
-    // By what its head says, whatever the checksum: that is the sender's to find. These are a vehicle's to tell, and no
-    // autopilot acts on them: HEARTBEAT, SYS_STATUS, LOCAL_POSITION_NED_COV, RC_CHANNELS.
+    // Judged by the header, whatever the checksum, which a sender can choose. Vehicles send these messages, and no autopilot
+    // acts on them: HEARTBEAT, SYS_STATUS, LOCAL_POSITION_NED_COV, RC_CHANNELS.
     const std::set<std::uint32_t> harmless{0, 1, 64, 65};
     forPassing(2000, [&](const Bytes &frame) {
         for (std::size_t lost = 1; lost < frame.size(); ++lost) {
@@ -263,7 +263,7 @@ void MisreadingTest::oneLostByteMakesNoOtherMessage()
     });
 }
 
-void MisreadingTest::lostBytesMakeNoCommandOfAQuestion()
+void MisreadingTest::lostBytesDoNotMakeACommand()
 {
     const mavlink::EnumInfo *commands = mavlink::Dialect::builtin().enumeration("MAV_CMD");
     forPassing(500, [&](const Bytes &frame) {
@@ -291,7 +291,7 @@ void MisreadingTest::lostBytesMakeNoCommandOfAQuestion()
     });
 }
 
-void MisreadingTest::questionsBesideACommandAreRefused_data()
+void MisreadingTest::requestsAdjacentToACommandAreRefused_data()
 {
     QTest::addColumn<int>("question");
     QTest::addColumn<int>("target");
@@ -303,7 +303,7 @@ void MisreadingTest::questionsBesideACommandAreRefused_data()
     QTest::newRow("its high byte: another of the autopilot's own") << 519 << 166 << 39 << 42503;
 }
 
-void MisreadingTest::questionsBesideACommandAreRefused()
+void MisreadingTest::requestsAdjacentToACommandAreRefused()
 {
     QFETCH(int, question);
     QFETCH(int, target);
@@ -353,7 +353,7 @@ void MisreadingTest::unusualFormsAreRefused()
     QVERIFY(!passes(frameOf()));
 }
 
-void MisreadingTest::honestQuestionsPass()
+void MisreadingTest::usualRequestsPass()
 {
     // Times of a clock in nanoseconds: one in thirteen holds such a byte, with sequence and checksum.
     mavlink::FrameWriter writer(255, 190);
@@ -390,7 +390,7 @@ void MisreadingTest::honestQuestionsPass()
                                            [](auto byte) { return byte == 0xfd || byte == 0xfe; });
         QVERIFY2(any != unsayable, info.name.data());
         never += unsayable;
-        if (unsayable) { // is not counted beside those that chance drops
+        if (unsayable) { // not counted with those that are dropped by chance
             tried -= 5;
             dropped -= 5;
         }
@@ -402,9 +402,9 @@ void MisreadingTest::honestQuestionsPass()
     QVERIFY(never < 10);
 }
 
-void MisreadingTest::fewVehiclesCannotBeAsked()
+void MisreadingTest::fewSystemIdsAreRefused()
 {
-    // Whose system id is a command together with the bytes beside it, whatever else the question says.
+    // The system id forms a command together with the adjacent bytes, whatever the rest of the request.
     mavlink::FrameWriter writer(255, 190);
     const auto unaskable = [&](std::uint16_t question) {
         std::vector<unsigned> out;

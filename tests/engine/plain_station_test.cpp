@@ -24,20 +24,20 @@ class PlainStationTest : public QObject
 
 private Q_SLOTS:
     void plainVehicleIsShownAsPlain();
-    void plainVehicleWaitsForAPerson();
-    void recordingReleasesNobody();
-    void pendingVehicleIsNoAttacker();
+    void plainVehicleAwaitsApproval();
+    void recordingApprovesNoVehicle();
+    void pendingVehicleIsNotReportedAsAnAttack();
     void noVehicleNeedsApprovalWithoutPeers();
     void takenPortIsNamed();
-    void heartbeatStopsWithItsReader();
+    void heartbeatStopsIfTheReaderHangs();
     void noTargetWithoutAHeartbeat();
-    void announcementsAreNoGarbage();
+    void announcementsAreNotCountedAsMalformed();
     void requestToAnUnknownVehicleFails();
 };
 
 void PlainStationTest::plainVehicleIsShownAsPlain()
 {
-    // Of who is new to it: with a key, and without any peers yet.
+    // A new user: with a key, and without peers.
     FlightRig rig;
     const engine::StationConfig config = rig.stationConfig(engine::SecureMode::Preferred);
     QVERIFY(keys::PeersFile().save(config.keys.peers));
@@ -50,13 +50,13 @@ void PlainStationTest::plainVehicleIsShownAsPlain()
     EVENTUALLY(!ears.all<engine::VehicleFound>().empty());
     QVERIFY(!ears.all<engine::VehicleFound>()[0].sealed);
     EVENTUALLY_EQUAL(int(ears.snapshot->security), int(engine::Security::Plain));
-    // It hears us, too: streams start only when they were asked for.
+    // It also receives us: streams start only on request.
     EVENTUALLY(!ears.snapshot->vehicles.empty() && !std::isnan(ears.snapshot->vehicles[0].state.roll));
 }
 
-void PlainStationTest::plainVehicleWaitsForAPerson()
+void PlainStationTest::plainVehicleAwaitsApproval()
 {
-    // An agent is known and was never heard: this vehicle could be an impostor.
+    // A known agent was never heard: this vehicle could be an impostor.
     FlightRig rig;
     auto station = engine::Station::create(rig.stationConfig(engine::SecureMode::Preferred));
     QVERIFY(station);
@@ -69,7 +69,7 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QCOMPARE(int(held.systemId), 1);
     QCOMPARE(held.mayBe, std::string("air-1"));
     QCOMPARE(int(ears.snapshot->security), int(engine::Security::Plain));
-    // It sends on, and gets nothing: no heartbeat, and no request for its streams, without which it sends few frames.
+    // It continues to send and receives nothing: no heartbeat, and no request for streams, without which it sends few frames.
     QVERIFY(!QTest::qWaitFor([&] { return !ears.snapshot->vehicles.empty(); }, 2500));
     const auto txDatagrams = [&] { return ears.snapshot->links.empty() ? 0 : ears.snapshot->links[0].txDatagrams; };
     QCOMPARE(txDatagrams(), std::uint64_t(0));
@@ -83,9 +83,9 @@ void PlainStationTest::plainVehicleWaitsForAPerson()
     QVERIFY(!ears.snapshot->vehicles[0].session);
 }
 
-void PlainStationTest::recordingReleasesNobody()
+void PlainStationTest::recordingApprovesNoVehicle()
 {
-    // One that is held back is there whatever is looked at meanwhile under its system id.
+    // A vehicle that awaits approval stays listed while a recording with its system id is shown.
     FlightRig rig;
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
     QUdpSocket vehicle;
@@ -101,7 +101,7 @@ void PlainStationTest::recordingReleasesNobody()
     QCOMPARE(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
 }
 
-void PlainStationTest::pendingVehicleIsNoAttacker()
+void PlainStationTest::pendingVehicleIsNotReportedAsAnAttack()
 {
     FlightRig rig;
     Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
@@ -210,7 +210,7 @@ struct ListeningCore
 
 } // namespace
 
-void PlainStationTest::heartbeatStopsWithItsReader()
+void PlainStationTest::heartbeatStopsIfTheReaderHangs()
 {
     QUdpSocket remote;
     QVERIFY(remote.bind(QHostAddress::LocalHost, 0));
@@ -235,7 +235,7 @@ void PlainStationTest::noTargetWithoutAHeartbeat()
 }
 
 /// An agent that can seal announces itself to every station.
-void PlainStationTest::announcementsAreNoGarbage()
+void PlainStationTest::announcementsAreNotCountedAsMalformed()
 {
     ListeningCore station;
     QUdpSocket agent;

@@ -51,10 +51,10 @@ private Q_SLOTS:
     void init() { m_folder = std::make_unique<QTemporaryDir>(); }
     void writesWhatItWasGiven();
     void onlyTheOwnerReadsIt();
-    void killedProcessLosesTheLastSecondAtMost();
+    void killedProcessLosesAtMostASecond();
     void fullBufferDropsAndCounts();
-    void unwritableFolderIsAProblemAndNoMore();
-    void noFrameNoFile();
+    void unwritableFolderIsReported();
+    void emptyRecordingLeavesNoFile();
     void leavesSpaceFree();
     void failedWriteLeavesNoEmptyFile();
 
@@ -90,7 +90,7 @@ void RecorderTest::onlyTheOwnerReadsIt()
     QVERIFY(!(files[0].permissions() & (QFile::ReadGroup | QFile::ReadOther | QFile::WriteGroup | QFile::WriteOther)));
 }
 
-void RecorderTest::killedProcessLosesTheLastSecondAtMost()
+void RecorderTest::killedProcessLosesAtMostASecond()
 {
     const std::string folder = m_folder->path().toStdString();
     const pid_t child = fork();
@@ -123,7 +123,7 @@ void RecorderTest::fullBufferDropsAndCounts()
     EVENTUALLY_EQUAL(recorder.snapshot().frames + recorder.snapshot().dropped, std::uint64_t(1000));
 }
 
-void RecorderTest::unwritableFolderIsAProblemAndNoMore()
+void RecorderTest::unwritableFolderIsReported()
 {
     Recorder recorder("/dev/null/flights");
     recorder.record(timeOf(0), kFrame);
@@ -136,7 +136,7 @@ void RecorderTest::unwritableFolderIsAProblemAndNoMore()
     EVENTUALLY_EQUAL(recorder.snapshot().dropped, std::uint64_t(2));
 }
 
-void RecorderTest::noFrameNoFile()
+void RecorderTest::emptyRecordingLeavesNoFile()
 {
     {
         Recorder recorder(m_folder->path().toStdString());
@@ -163,7 +163,7 @@ void RecorderTest::failedWriteLeavesNoEmptyFile()
     const std::string folder = m_folder->path().toStdString();
     const pid_t child = fork();
     QVERIFY(child >= 0);
-    if (child == 0) { // whose files cannot grow: they can be created, and not written
+    if (child == 0) { // its files can be created but not written
         signal(SIGXFSZ, SIG_IGN);
         const rlimit none{0, 0};
         setrlimit(RLIMIT_FSIZE, &none);

@@ -24,14 +24,14 @@ class RouteTableTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void sealedWayWins();
+    void sealedRouteWins();
     void clearTargetsExpire();
-    void fixedOnesStay();
+    void fixedRoutesStay();
     void boundedAgainstForgedHeartbeats();
-    void goneWithTheirLink();
+    void routesEndWithTheirLink();
 };
 
-void RouteTableTest::sealedWayWins()
+void RouteTableTest::sealedRouteWins()
 {
     RouteTable routes;
     routes.ofSession(kSession);
@@ -55,7 +55,7 @@ void RouteTableTest::clearTargetsExpire()
     QVERIFY(routes.all().empty());
 }
 
-void RouteTableTest::fixedOnesStay()
+void RouteTableTest::fixedRoutesStay()
 {
     RouteTable routes;
     routes.addFixed(pathOf(10));
@@ -74,7 +74,7 @@ void RouteTableTest::boundedAgainstForgedHeartbeats()
     QVERIFY(routes.all().size() <= RouteTable::kMost);
 }
 
-void RouteTableTest::goneWithTheirLink()
+void RouteTableTest::routesEndWithTheirLink()
 {
     RouteTable routes;
     routes.heardClear(kNow, 1, pathOf(10));

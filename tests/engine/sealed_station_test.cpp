@@ -23,11 +23,11 @@ class SealedStationTest : public QObject
 private Q_SLOTS:
     void sessionComesUp();
     void carriesEverythingWhileSuitesChange();
-    void comesBackAfterTheAgentWasKilled();
+    void returnsAfterTheAgentWasKilled();
     void clearFramesOfAPinnedVehicleAreRefused();
     void clearFramesAreRefusedAfterARestartAsWell();
-    void recordingOfASealedVehicleCanBeLookedAt();
-    void systemOfAnotherPeerIsRefusedAndTold();
+    void recordingOfASealedVehicleIsShown();
+    void systemOfAnotherPeerIsRefusedAndReported();
     void observerCannotCommand();
     void pilotCanCommand();
     void unknownStationGetsNothing();
@@ -81,7 +81,7 @@ void SealedStationTest::carriesEverythingWhileSuitesChange()
     QVERIFY(!seen.samples.empty());
 }
 
-void SealedStationTest::comesBackAfterTheAgentWasKilled()
+void SealedStationTest::returnsAfterTheAgentWasKilled()
 {
     FlightRig rig;
     Ground ground(rig.stationConfig());
@@ -99,7 +99,7 @@ void SealedStationTest::comesBackAfterTheAgentWasKilled()
     EVENTUALLY_EQUAL(ground.ears->all<channel::SessionUp>().size(), std::size_t(2));
     const std::uint64_t frames = ground.ears->snapshot->mavlink.frames;
     EVENTUALLY(ground.ears->snapshot->mavlink.frames > frames);
-    // What was received before the restart is not forgotten.
+    // Data received before the restart is kept.
     QVERIFY(ground.ears->snapshot->channel.rx.good > before);
 }
 
@@ -123,7 +123,7 @@ void SealedStationTest::clearFramesOfAPinnedVehicleAreRefused()
 
 void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
 {
-    FlightRig rig; // the agent's key is bound to no system: what it speaks as is learned
+    FlightRig rig; // the agent's key is bound to no system: its system id is learned
     {
         Ground ground(rig.stationConfig(engine::SecureMode::Preferred));
         rig.startAgent(ground.ears->listening());
@@ -143,7 +143,7 @@ void SealedStationTest::clearFramesAreRefusedAfterARestartAsWell()
     QVERIFY(again.ears->snapshot->vehicles.empty());
 }
 
-void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
+void SealedStationTest::recordingOfASealedVehicleIsShown()
 {
     FlightRig rig(channel::PeerRole::Pilot, {1});
     QTemporaryDir folder;
@@ -158,7 +158,7 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
     EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles.size(), std::size_t(1));
     QVERIFY(!ground.ears->all<engine::VehicleFound>()[0].sealed);
 
-    // While the vehicle itself is there, a recording is not mixed into what it says.
+    // While the vehicle is live, a recording is not mixed into its state.
     Ground flying(rig.stationConfig(engine::SecureMode::Preferred));
     rig.startAgent(flying.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
@@ -167,7 +167,7 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
     EVENTUALLY_EQUAL(flying.ears->snapshot->plaintextRefused, std::uint64_t(600));
     QVERIFY(flying.ears->all<engine::VehicleFound>()[0].sealed);
 
-    // Nor does one take the place of what it last said, and of the word that its session was lost.
+    // Nor does a recording replace its last state and the message that its session was lost.
     rig.agent->stop();
     EVENTUALLY(flying.ears->snapshot->vehicles[0].ended);
     const std::uint64_t messages = flying.ears->snapshot->vehicles[0].state.sequence.frames;
@@ -178,7 +178,7 @@ void SealedStationTest::recordingOfASealedVehicleCanBeLookedAt()
     QCOMPARE(flying.ears->snapshot->vehicles[0].state.sequence.frames, messages);
 }
 
-void SealedStationTest::systemOfAnotherPeerIsRefusedAndTold()
+void SealedStationTest::systemOfAnotherPeerIsRefusedAndReported()
 {
     // Another agent, which is silent now, was heard as system 1 in an earlier run.
     FlightRig rig;
@@ -288,7 +288,7 @@ void SealedStationTest::agentThatDoesNotKnowUsIsNamed()
     QCOMPARE(told()[0].agent.peerName, std::string("air-1"));
     QVERIFY(told()[0].agent.remoteAddress.starts_with("127.0.0.1:"));
     EVENTUALLY_EQUAL(ground.ears->snapshot->unanswering.size(), std::size_t(1));
-    // The fingerprint is the one that the agent itself said when it refused us.
+    // The fingerprint equals the one that the agent reported when it refused this station.
     QVERIFY(std::any_of(rig.agentEvents.begin(), rig.agentEvents.end(), [&](const engine::AgentEvent &event) {
         const auto *channelEvent = std::get_if<channel::Event>(&event);
         const auto *refused = channelEvent ? std::get_if<channel::HandshakeRefused>(channelEvent) : nullptr;

@@ -17,8 +17,8 @@ class SealedSystemsTest : public QObject
 private Q_SLOTS:
     void missingFileIsEmpty();
     void readsWhatItWrote();
-    void damageIsNamed_data();
-    void damageIsNamed();
+    void damageIsReported_data();
+    void damageIsReported();
 
 private:
     std::string path(const char *name) const { return m_folder.filePath(QLatin1String(name)).toStdString(); }
@@ -47,7 +47,7 @@ void SealedSystemsTest::readsWhatItWrote()
     QVERIFY(readSealedSystems(path("systems"))->empty());
 }
 
-void SealedSystemsTest::damageIsNamed_data()
+void SealedSystemsTest::damageIsReported_data()
 {
     QTest::addColumn<QByteArray>("line");
     const QByteArray key(64, 'a');
@@ -59,7 +59,7 @@ void SealedSystemsTest::damageIsNamed_data()
     QTest::newRow("more behind") << "1 " + key + " 2";
 }
 
-void SealedSystemsTest::damageIsNamed()
+void SealedSystemsTest::damageIsReported()
 {
     QFETCH(QByteArray, line);
     std::ofstream(path("damaged")) << "7 " << std::string(64, 'b') << "\n" << line.toStdString() << "\n";

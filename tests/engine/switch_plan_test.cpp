@@ -29,14 +29,14 @@ class SwitchPlanTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void walksRoundAndRound();
-    void neverTwoAtOnce();
-    void goesOnFromTheSuiteInUse();
+    void cyclesThroughTheList();
+    void oneSwitchAtATime();
+    void continuesFromTheSuiteInUse();
     void endsWithItsSession();
     void remembersWhatWasNeverReached();
 };
 
-void SwitchPlanTest::walksRoundAndRound()
+void SwitchPlanTest::cyclesThroughTheList()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm, SuiteId::ChaCha20}, std::chrono::seconds(1));
     QVERIFY(plan.poll(kStart).empty());
@@ -52,7 +52,7 @@ void SwitchPlanTest::walksRoundAndRound()
     QCOMPARE(seen, (std::vector{SuiteId::Aes256Gcm, SuiteId::ChaCha20, SuiteId::Aes256Gcm}));
 }
 
-void SwitchPlanTest::neverTwoAtOnce()
+void SwitchPlanTest::oneSwitchAtATime()
 {
     SwitchPlan plan({SuiteId::Aes256Gcm, SuiteId::ChaCha20}, std::chrono::seconds(1));
     plan.sessionUp(kStart, kSession);
@@ -67,12 +67,12 @@ void SwitchPlanTest::neverTwoAtOnce()
     QVERIFY(plan.poll(kStart + std::chrono::milliseconds(7100)).empty()); // no burst to catch up
 }
 
-void SwitchPlanTest::goesOnFromTheSuiteInUse()
+void SwitchPlanTest::continuesFromTheSuiteInUse()
 {
     SwitchPlan plan({SuiteId::ChaCha20Poly1305, SuiteId::Aes256Gcm}, std::chrono::seconds(1));
     plan.sessionUp(kStart, kSession);
     QCOMPARE(plan.poll(kStart + std::chrono::seconds(1)).size(), std::size_t(1));
-    auto rekey = done(SuiteId::Aes256Ctr); // not the one that was ordered
+    auto rekey = done(SuiteId::Aes256Ctr); // not the requested suite
     rekey.rekey = true;
     plan.switchDone(rekey);
     QVERIFY(plan.poll(kStart + std::chrono::seconds(2)).empty());

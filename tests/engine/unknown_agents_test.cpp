@@ -29,7 +29,7 @@ class UnknownAgentsTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
-    void toldOnceAMinute()
+    void reportedOnceAMinute()
     {
         UnknownAgents agents;
         int told = 0;
@@ -40,7 +40,7 @@ private Q_SLOTS:
         QCOMPARE(told, 3); // at 0, 60 and 120
     }
 
-    void comesAndGoes()
+    void listedWhileItAnnouncesItself()
     {
         UnknownAgents agents;
         QVERIFY(agents.all(at(0)).empty());
@@ -53,7 +53,7 @@ private Q_SLOTS:
         QVERIFY(agents.note(at(70), from(1))); // and after it
     }
 
-    void manyAreFewWords()
+    void manyAgentsRaiseFewEvents()
     {
         UnknownAgents agents;
         std::size_t told = 0;

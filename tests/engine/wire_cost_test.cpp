@@ -283,10 +283,10 @@ private Q_SLOTS:
     void initTestCase();
     void sealedCostsNoMoreThanSigned_data();
     void sealedCostsNoMoreThanSigned();
-    void eachFrameAlone();
+    void withoutCoalescing();
     void framesAreCoalesced_data() { sealedCostsNoMoreThanSigned_data(); }
     void framesAreCoalesced();
-    void urgentFramesDoNot();
+    void urgentFramesAreSentAtOnce();
 };
 
 void WireCostTest::initTestCase()
@@ -304,7 +304,7 @@ void WireCostTest::sealedCostsNoMoreThanSigned_data()
     const auto add = [](const char *name, Carrier carrier, crypto::SuiteId suite, double most) {
         QTest::newRow(name) << static_cast<int>(carrier) << static_cast<int>(suite) << most;
     };
-    // The bar is what signing costs, 13 bytes a frame; TUNNEL wraps each record in a frame of its own, and may cost more.
+    // The limit is the cost of signing, 13 bytes a frame; TUNNEL adds a frame for each record and may cost more.
     add("COBS", Carrier::Serial, crypto::SuiteId::ChaCha20Poly1305, 0);
     add("COBS, aes-256-cbc", Carrier::Serial, crypto::SuiteId::Aes256Cbc, 0);
     add("TUNNEL", Carrier::Tunnel, crypto::SuiteId::ChaCha20Poly1305, 0.55);
@@ -322,8 +322,8 @@ void WireCostTest::sealedCostsNoMoreThanSigned()
     QVERIFY2(cost.sealedPercent <= bar, qPrintable(QString::number(cost.sealedPercent)));
 }
 
-/// What coalescing saves.
-void WireCostTest::eachFrameAlone()
+/// The bytes saved by coalescing.
+void WireCostTest::withoutCoalescing()
 {
     const Cost alone = measure(Carrier::Serial, crypto::SuiteId::ChaCha20Poly1305, false);
     QVERIFY(alone.complete);
@@ -353,7 +353,7 @@ void WireCostTest::framesAreCoalesced()
     QCOMPARE(link.driver().flushDue(), kNever);
 }
 
-void WireCostTest::urgentFramesDoNot()
+void WireCostTest::urgentFramesAreSentAtOnce()
 {
     Downlink link(Carrier::Serial, crypto::SuiteId::ChaCha20Poly1305);
     waitForSession(link);
@@ -369,7 +369,7 @@ void WireCostTest::urgentFramesDoNot()
         link.driver().queue(link.now, link.session(), frames[0].bytes);
         link.driver().queue(link.now, link.session(), frame);
         link.turn();
-        return link.frames == 2; // and what waited goes with it
+        return link.frames == 2; // the waiting frame is sent with it
     };
     QVERIFY(isSentAtOnce(station.write(mavlink::CommandLong{}, buffer)));
     QVERIFY(isSentAtOnce(station.write(mavlink::CommandInt{}, buffer)));

@@ -1,6 +1,6 @@
-// Real programs over bad lines, with connections that are cut or idle, and beside a MAVLink router at which somebody speaks
-// in every name: the session holds and loses nothing that was not spoilt. With SKYSEAL_MAVLINK_ROUTERD naming the program,
-// also at the real mavlink-router.
+// Real programs over bad serial lines, with cut or idle connections, and behind a MAVLink router with an attacker that uses
+// every system id: the session stays up and loses only damaged records. With SKYSEAL_MAVLINK_ROUTERD set to the program, the
+// real mavlink-router is tested as well.
 #include "carrier_flight.h"
 #include "tests/support/eventually.h"
 #include "tests/support/mavlink_hub.h"
@@ -26,8 +26,8 @@ class HostileCarriersTest : public QObject
 private Q_SLOTS:
     void noisySerialLine();
     void tcpConnectionCut();
-    void idleConnectionsKeepNobodyOut();
-    void routersSeeNoMore();
+    void idleConnectionsDoNotBlock();
+    void routersSeeNoTelemetry();
     void spoofersAtTheHub();
     void spoofersAtMavlinkRouter();
 };
@@ -35,8 +35,8 @@ private Q_SLOTS:
 void HostileCarriersTest::noisySerialLine()
 {
     NullModem line;
-    int spoilt = 0; // at most so many records: a spoilt delimiter makes one of two
-    // One byte of some 2000, as a bad radio does it; from the beginning.
+    int spoilt = 0; // damaged records at most: a damaged delimiter joins two
+    // One of about 2000 bytes is damaged, as on a bad radio, from the beginning.
     line.noise = [&spoilt, at = std::uint64_t(0)](std::size_t, std::array<char, 4096> &bytes, std::size_t size) mutable {
         for (std::size_t i = 0; i < size; ++i) {
             if (++at % 2003 == 0) {
@@ -86,21 +86,21 @@ void HostileCarriersTest::tcpConnectionCut()
         const qint64 before = received("good");
         EVENTUALLY(received("good") > before + 20);
     }
-    // It is the same session all the time, found again by its first report.
+    // The same session all the time, resumed by its first report.
     QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
     QCOMPARE(received("forged"), 0);
 }
 
-void HostileCarriersTest::idleConnectionsKeepNobodyOut()
+void HostileCarriersTest::idleConnectionsDoNotBlock()
 {
-    // More connections than there are places, from which nothing ever comes; and more of them while a session is up.
+    // More idle connections than the agent accepts, before a session and during it.
     Flight flight;
     QVERIFY(flight.ready());
     const quint16 port = freeTcpPort();
     Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
     QVERIFY(!monitor.waitFor(QStringLiteral("link")).isEmpty());
     std::vector<std::unique_ptr<QTcpSocket>> idle;
-    int connected = 0; // not one that is turned away before it has noticed that it was connected
+    int connected = 0; // excluding those closed before they were reported as connected
     const auto connectIdle = [&](int count) {
         for (int i = 0; i < count; ++i) {
             idle.push_back(std::make_unique<QTcpSocket>());
@@ -124,7 +124,7 @@ void HostileCarriersTest::idleConnectionsKeepNobodyOut()
     QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
 }
 
-void HostileCarriersTest::routersSeeNoMore()
+void HostileCarriersTest::routersSeeNoTelemetry()
 {
     MavlinkHub hub;
     Flight flight;
@@ -152,7 +152,8 @@ void HostileCarriersTest::routersSeeNoMore()
     QCOMPARE(number(channel[QLatin1String("rx")].toObject(), "plaintext_dropped"), 0);
 }
 
-/// Armed heartbeats in all three names, from before the session until after it: it comes up, flies and holds all the same.
+/// Spoofed armed heartbeats under all three system ids, from before the session until after it: the session comes up and stays
+/// up.
 void HostileCarriersTest::spoofersAtTheHub()
 {
     MavlinkHub hub(5);

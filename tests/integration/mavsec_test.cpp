@@ -1,5 +1,5 @@
-// --framing mavsec2019: frames that the openssl program encrypted are shown as what they were, by decode and by monitor; and
-// the monitor never sends a byte to where they come from.
+// --framing mavsec2019: decode and monitor show frames that the openssl program encrypted, and the monitor never sends a byte
+// to their source.
 #include "core/base/hex.h"
 #include "core/mavlink/crc.h"
 #include "core/mavlink/frame_scanner.h"
@@ -74,7 +74,7 @@ struct Setting
     QString cipher, opensslIv, nonce, counter;
 };
 
-/// ChaCha20 of openssl takes its block number in front of the nonce, little-endian.
+/// ChaCha20 of openssl expects the block number before the nonce, little-endian.
 const Setting kSettings[] = {
     {QStringLiteral("chacha20"), QStringLiteral("05000000000102030405060708090a0b"), QStringLiteral("000102030405060708090a0b"),
      QStringLiteral("5")},
@@ -92,8 +92,8 @@ class MavsecTest : public QObject
 
 private Q_SLOTS:
     void initTestCase();
-    void decodeShowsWhatItWas_data();
-    void decodeShowsWhatItWas();
+    void decodeShowsThePlaintext_data();
+    void decodeShowsThePlaintext();
     void keyFilesAreForTheirOwner();
     void monitorReadsAndNeverSends_data();
     void monitorReadsAndNeverSends();
@@ -119,14 +119,14 @@ QString MavsecTest::writeFile(const char *name, const QByteArray &content)
     return file.fileName();
 }
 
-void MavsecTest::decodeShowsWhatItWas_data()
+void MavsecTest::decodeShowsThePlaintext_data()
 {
     QTest::addColumn<int>("setting");
     QTest::newRow("chacha20") << 0;
     QTest::newRow("aes-256-ctr") << 1;
 }
 
-void MavsecTest::decodeShowsWhatItWas()
+void MavsecTest::decodeShowsThePlaintext()
 {
     QFETCH(int, setting);
     const Setting &how = kSettings[setting];
@@ -182,7 +182,7 @@ void MavsecTest::keyFilesAreForTheirOwner()
 
 void MavsecTest::monitorReadsAndNeverSends_data()
 {
-    decodeShowsWhatItWas_data();
+    decodeShowsThePlaintext_data();
 }
 
 void MavsecTest::monitorReadsAndNeverSends()
@@ -230,7 +230,7 @@ void MavsecTest::monitorReadsAndNeverSends()
     EVENTUALLY(turned());
     QCOMPARE(monitor.events(QStringLiteral("vehicle")).front()[QLatin1String("type")].toInt(), 2);
     QVERIFY(monitor.events(QStringLiteral("session")).empty());
-    // Longer than a station goes without a heartbeat or a request of its own.
+    // Longer than the interval of the heartbeats and requests of a station.
     const std::size_t seconds = monitor.events(QStringLiteral("stats")).size();
     EVENTUALLY(monitor.events(QStringLiteral("stats")).size() >= seconds + 4);
     QCOMPARE(monitor.terminate(), 0);

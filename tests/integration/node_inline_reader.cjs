@@ -1,7 +1,7 @@
-// Reads a MAVLink byte stream from standard input with the npm package node-mavlink and says what it took for frames:
+// Reads a MAVLink byte stream from standard input with the npm package node-mavlink and prints the frames that it found:
 //   node node_inline_reader.cjs SIGNING-KEY-HEX < stream
-// One JSON object: plain frames, frames with a signature that the key made, frames with incompatibility flags that nobody
-// knows (a reader has to drop those; this package leaves it to its user), and all others.
+// One JSON object: plain frames, frames with a valid signature, frames with unknown incompatibility flags (a reader must drop
+// them; this package leaves that to its user), and all others.
 'use strict';
 const { PassThrough } = require('stream');
 const { MavLinkPacketSplitter, MavLinkPacketParser } = require('node-mavlink');

@@ -1,8 +1,7 @@
-// What a reader that knows nothing of inline framing makes of a stream in which sealed frames stand between plain ones: the
-// npm package node-mavlink finds every plain frame, and hands out the sealed ones with flags that say that they must be
-// dropped and signatures that no key made.
+// A reader without inline framing on a stream of sealed and plain frames: the npm package node-mavlink finds every plain frame,
+// and reports the sealed ones with incompatibility flags that require dropping them, and with invalid signatures.
 //
-// Needs node and the package: SKYSEAL_NODE_MODULES names the folder that holds it (./test puts it into build/node).
+// Needs node and the package: SKYSEAL_NODE_MODULES is its folder (./test installs it into build/node).
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"
@@ -93,7 +92,7 @@ void NodeInlineTest::findsEveryPlainFrame()
     QVERIFY(node.waitForFinished(30000));
     const QJsonObject seen = QJsonDocument::fromJson(node.readAllStandardOutput()).object();
     qInfo("%s", QJsonDocument(seen).toJson(QJsonDocument::Compact).constData());
-    QCOMPARE(seen[QLatin1String("plain")].toInt(), kEach); // not one lost behind a sealed frame, none made of one
+    QCOMPARE(seen[QLatin1String("plain")].toInt(), kEach); // none lost behind a sealed frame, none read from one
     QCOMPARE(seen[QLatin1String("unknownFlags")].toInt(), kEach);
     QCOMPARE(seen[QLatin1String("unknownFlagsSigned")].toInt(), 0);
     QCOMPARE(seen[QLatin1String("signed")].toInt() + seen[QLatin1String("other")].toInt(), 0);

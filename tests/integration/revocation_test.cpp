@@ -1,5 +1,6 @@
 // The peers file changes while real programs use it: a removed peer loses its session at once, at either end, changed roles
-// apply at once, and an invalid edit changes nothing. That the session ends without delay: HandshakeTest::revokedPeerIsOut.
+// apply at once, and an invalid edit changes nothing. That the session ends without delay:
+// HandshakeTest::revokedPeerLosesItsSession.
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"
 
