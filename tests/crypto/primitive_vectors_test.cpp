@@ -5,10 +5,12 @@
 #include "core/crypto/kdf.h"
 #include "core/crypto/rc4_stream.h"
 #include "core/crypto/record_keys.h"
+#include "core/crypto/cpace.h"
 #include "core/crypto/x25519.h"
 #include "tests/support/test_runner.h"
 
 #include "tests/crypto/vector_file.h"
+#include "tests/noise/fixed_random.h"
 
 #include <QtTest/QTest>
 
@@ -60,6 +62,7 @@ private Q_SLOTS:
     void rfc6229();
     void rfc7748();
     void x25519RefusesPointsOfSmallOrder();
+    void cpace();
     void rfc5869();
     void hkdfRefusesTooMuch();
     void rfc4231();
@@ -150,6 +153,33 @@ void PrimitiveVectorsTest::x25519RefusesPointsOfSmallOrder()
         std::copy(bytes.begin(), bytes.end(), key.begin());
         QVERIFY2(!x25519(key32(Bytes(32, 0x42)), key), point);
     }
+}
+
+void PrimitiveVectorsTest::cpace()
+{
+    const auto vectors = readVectors("cpace_ristretto255.txt");
+    QCOMPARE(vectors.size(), std::size_t(1));
+    const Vector &vector = vectors[0];
+    const Bytes passphrase = vector.bytes("passphrase"), channel = vector.bytes("channel"), session = vector.bytes("session");
+    const CpaceInputs inputs{passphrase, channel, session};
+    QCOMPARE(toHex(cpaceGenerator(inputs)), vector.text("generator"));
+    const auto begin = [&](Cpace::Role role, const char *scalar) {
+        test::FixedRandom random(vector.bytes(scalar));
+        return Cpace::begin(role, inputs, random);
+    };
+    const Cpace a = begin(Cpace::Role::Initiator, "scalar a"), b = begin(Cpace::Role::Responder, "scalar b");
+    QCOMPARE(toHex(a.share()), vector.text("share a"));
+    QCOMPARE(toHex(b.share()), vector.text("share b"));
+    const Bytes dataA = vector.bytes("data a"), dataB = vector.bytes("data b");
+    const CpaceMessage fromA{a.share(), dataA}, fromB{b.share(), dataB};
+    QCOMPARE(toHex(a.key(session, fromA, fromB)->view()), vector.text("key"));
+    QCOMPARE(toHex(b.key(session, fromA, fromB)->view()), vector.text("key"));
+    for (const char *refused : {"invalid", "identity"}) {
+        const Bytes share = vector.bytes(refused);
+        QVERIFY(!a.key(session, fromA, {share, dataB}));
+        QVERIFY(!b.key(session, {share, dataA}, fromB));
+    }
+    QVERIFY(!a.key(session, fromA, {{}, dataB}));
 }
 
 void PrimitiveVectorsTest::rfc5869()
