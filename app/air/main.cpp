@@ -61,9 +61,10 @@ void declare(Options &options)
                      "5");
     options.addFlag("pair",
                     "Open the pairing window of the agent that runs with this --identity, and confirm the station there.");
-    options.addValue("role", "pilot|observer",
-                     "With --pair: role of the station. Without it a known station keeps its role, and a new one gets the role "
-                     "that it asks for, usually pilot.");
+    options.addValue(
+        "role", "pilot|observer",
+        "With --pair: role of the station. Without it a known station keeps its role, and you choose that of a new "
+        "one; with --expect it becomes an observer.");
     PairingPrompt::declare(options); // with --json
     PairingPassphraseInput::declare(options);
 }
@@ -112,7 +113,7 @@ bool isHopeless(const engine::AgentEvent &event)
 void refusePairingOptions(Options &options)
 {
     for (const char *option :
-         {"role", "replace", "expect", "as", "pair-passphrase", "pair-passphrase-file", "pair-passphrase-fd"}) {
+         {"role", "replace", "expect", "as", "fingerprints", "pair-passphrase", "pair-passphrase-file", "pair-passphrase-fd"}) {
         if (options.has(option))
             options.fail(std::string("--") + option + " requires --pair");
     }
@@ -136,12 +137,12 @@ int pair(Options &options)
         complain(kName, "the system provides no randomness");
         return kCannotOpen;
     }
-    const auto passphraseKey = passphrase.key();
-    if (!passphraseKey) {
-        complain(kName, passphraseKey.error().text());
+    const auto typed = passphrase.passphrase();
+    if (!typed) {
+        complain(kName, typed.error().text());
         return kCannotOpen;
     }
-    return runPairClient(kName, identity, std::move(settings), passphraseKey->get());
+    return runPairClient(kName, identity, std::move(settings), typed->get());
 }
 
 } // namespace

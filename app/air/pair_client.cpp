@@ -30,7 +30,7 @@ void order(QLocalSocket &socket, std::string_view what)
 } // namespace
 
 int runPairClient(const QString &program, const std::string &identityFile, PairingPrompt::Settings settings,
-                  const Key32 *passphraseKey)
+                  const crypto::Passphrase *passphrase)
 {
     QLocalSocket socket;
     const QString name = controlSocket(identityFile);
@@ -40,6 +40,7 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
         return kCannotOpen;
     }
     settings.decidesRole = true;
+    settings.hasPassphrase = passphrase != nullptr;
     const std::string callIt = settings.callIt;
     PairingPrompt talk(std::move(settings));
     QObject::connect(&socket, &QLocalSocket::readyRead, &talk, [&] {
@@ -68,13 +69,13 @@ int runPairClient(const QString &program, const std::string &identityFile, Pairi
     QObject::connect(&talk, &PairingPrompt::finished, &socket, leave);
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &socket, [&] { leave(kNotReached); });
+    const auto length = static_cast<std::int32_t>(passphrase ? passphrase->view().size() : 0);
     JsonWriter open;
-    open.beginObject().field("do", "open").field("as", callIt).field("passphrase", passphraseKey != nullptr).endObject();
+    open.beginObject().field("do", "open").field("as", callIt).field("passphrase", length).endObject();
     const auto openIt = [&] {
         order(socket, open);
-        if (passphraseKey) {
-            const ByteView key = passphraseKey->view();
-            socket.write(reinterpret_cast<const char *>(key.data()), static_cast<qint64>(key.size()));
+        if (passphrase) {
+            socket.write(reinterpret_cast<const char *>(passphrase->view().data()), length);
             socket.flush();
         }
     };

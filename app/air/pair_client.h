@@ -7,8 +7,8 @@
 
 namespace skyseal::app {
 
-/// Runs the event loop until the pairing ends; returns an exit status. `passphraseKey` is null without a passphrase.
+/// Runs the event loop until the pairing ends; returns an exit status. `passphrase` is null without one.
 int runPairClient(const QString &program, const std::string &identityFile, PairingPrompt::Settings settings,
-                  const Key32 *passphraseKey);
+                  const crypto::Passphrase *passphrase);
 
 } // namespace skyseal::app

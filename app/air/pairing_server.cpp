@@ -7,12 +7,14 @@
 #include <QtCore/QJsonDocument>
 #include <QtCore/QSysInfo>
 
+#include <algorithm>
+#include <utility>
+
 namespace skyseal::app {
 
 namespace {
 
 constexpr qint64 kLongestOrder = 4096;
-constexpr qint64 kKeySize = Key32::size();
 constexpr int kPatienceMs = 200;
 
 PairingStatus refusal(std::string reason)
@@ -84,15 +86,18 @@ void PairingServer::leave()
 {
     m_visitor->deleteLater();
     m_visitor = nullptr;
-    m_keyFollows = false;
+    m_passphraseLength = 0;
     m_agent.cancelPairing();
 }
 
 void PairingServer::hear()
 {
-    while (m_visitor && (m_keyFollows ? m_visitor->bytesAvailable() >= kKeySize : m_visitor->canReadLine())) {
-        if (m_keyFollows)
-            takeKey();
+    const auto arrived = [this] {
+        return m_passphraseLength > 0 ? m_visitor->bytesAvailable() >= m_passphraseLength : m_visitor->canReadLine();
+    };
+    while (m_visitor && arrived()) {
+        if (m_passphraseLength > 0)
+            takePassphrase();
         else
             obey(QJsonDocument::fromJson(m_visitor->readLine(kLongestOrder)).object());
     }
@@ -105,8 +110,9 @@ void PairingServer::obey(const QJsonObject &order)
     const QString what = order[QLatin1String("do")].toString();
     if (what == QLatin1String("open")) {
         m_callIt = order[QLatin1String("as")].toString().toStdString();
-        m_keyFollows = order[QLatin1String("passphrase")].toBool();
-        if (!m_keyFollows)
+        const int length = order[QLatin1String("passphrase")].toInt();
+        m_passphraseLength = std::clamp(length, 0, static_cast<int>(crypto::Passphrase::kMaxLength));
+        if (m_passphraseLength == 0)
             open(nullptr);
     } else if (what == QLatin1String("confirm")) {
         confirm(order);
@@ -115,18 +121,20 @@ void PairingServer::obey(const QJsonObject &order)
     }
 }
 
-void PairingServer::takeKey()
+void PairingServer::takePassphrase()
 {
-    m_keyFollows = false;
-    auto key = std::make_shared<Key32>();
-    const MutableByteView room = key->mutableView();
-    if (m_visitor->read(reinterpret_cast<char *>(room.data()), kKeySize) == kKeySize)
-        open(std::move(key));
+    const qint64 length = std::exchange(m_passphraseLength, 0);
+    SecretBytes<crypto::Passphrase::kMaxLength> bytes;
+    const MutableByteView room = bytes.mutableView();
+    if (m_visitor->read(reinterpret_cast<char *>(room.data()), length) != length)
+        return;
+    if (auto passphrase = crypto::Passphrase::fromBytes(ByteView(room).first(static_cast<std::size_t>(length))))
+        open(std::make_shared<const crypto::Passphrase>(std::move(*passphrase)));
 }
 
-void PairingServer::open(std::shared_ptr<const Key32> passphraseKey)
+void PairingServer::open(std::shared_ptr<const crypto::Passphrase> passphrase)
 {
-    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphraseKey));
+    const auto opened = m_agent.openPairing(QSysInfo::machineHostName().toStdString(), std::move(passphrase));
     if (!opened) {
         notify(refusal(opened.error() == engine::PairingRefusal::Armed ? "the vehicle is armed"
                                                                        : "the pairing window is already open"));
@@ -168,6 +176,11 @@ void PairingServer::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
     peer.role = m_role;
+    // Stations may share an id. To bind it to this one would take it from those that are bound to none.
+    const auto list = known().entries();
+    if (std::ranges::any_of(
+            list, [&](const keys::PeerEntry &other) { return other.peer.key != peer.key && other.peer.systemIds.empty(); }))
+        peer.systemIds.clear();
     const auto kept = keys::keepPairedPeer(m_paths.peers, peer,
                                            m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
     if (!kept) {

@@ -1,7 +1,7 @@
 // The control socket through which the pairing window of a running agent is opened: a local socket next to its private key,
 // accessible by the same user only. Its client is `skyseal-air --pair`; one JSON object per line in each direction:
 //
-//   to the agent     {"do":"open","as":…,"passphrase":true|false}, with true followed by the 32 bytes of its key
+//   to the agent     {"do":"open","as":…,"passphrase":N}, followed by the N bytes of the passphrase, 0 = none
 //                    {"do":"confirm","public":…,"name":…,"role":…,"replace":…}  {"do":"refuse"}
 //   from the agent   {"event":"pairing",…}, see pairing_status.h
 //
@@ -43,8 +43,8 @@ private:
     void admit();
     void hear();
     void obey(const QJsonObject &order);
-    void takeKey();
-    void open(std::shared_ptr<const Key32> passphraseKey);
+    void takePassphrase();
+    void open(std::shared_ptr<const crypto::Passphrase> passphrase);
     void confirm(const QJsonObject &order);
     void keep(channel::Peer peer);
     void leave();
@@ -57,9 +57,9 @@ private:
     QLocalServer m_server;
     QLocalSocket *m_visitor = nullptr; ///< a child of the server
     QString m_problem;
-    bool m_keyFollows = false; ///< the client's next 32 bytes are the key of a passphrase
-    std::string m_callIt;      ///< name chosen by the client for the peer; empty = the name the peer claims
-    std::string m_name;        ///< the confirmed name of the peer
+    qint64 m_passphraseLength = 0; ///< of the passphrase that the client sends next; 0 = none
+    std::string m_callIt;          ///< name chosen by the client for the peer; empty = the name the peer claims
+    std::string m_name;            ///< the confirmed name of the peer
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;
 };

@@ -1,7 +1,5 @@
 #include "app/common/pairing_passphrase_input.h"
 
-#include "core/channel/pairing_passphrase.h"
-
 namespace skyseal::app {
 
 void PairingPassphraseInput::declare(Options &options)
@@ -18,17 +16,14 @@ PairingPassphraseInput PairingPassphraseInput::read(Options &options)
     return out;
 }
 
-Result<std::shared_ptr<const Key32>, InputError> PairingPassphraseInput::key() const
+Result<std::shared_ptr<const crypto::Passphrase>, InputError> PairingPassphraseInput::passphrase() const
 {
     if (!m_wanted)
         return nullptr;
-    const auto passphrase = m_input.once("Passphrase of this pairing, the same at both ends: ");
+    auto passphrase = m_input.once("Passphrase of this pairing, the same at both ends: ");
     if (!passphrase)
         return tl::unexpected(passphrase.error());
-    auto key = channel::pairingPassphraseKey(*passphrase);
-    if (!key)
-        return tl::unexpected(InputError{"not enough memory to derive a key from the passphrase", {}});
-    return key;
+    return std::make_shared<const crypto::Passphrase>(std::move(*passphrase));
 }
 
 } // namespace skyseal::app

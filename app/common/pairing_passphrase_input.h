@@ -1,4 +1,4 @@
-// Reads the passphrase of a pairing and derives its key.
+// Reads the passphrase of a pairing.
 #pragma once
 
 #include "app/common/passphrase_input.h"
@@ -15,8 +15,8 @@ public:
     static PairingPassphraseInput read(Options &options);
 
     bool isWanted() const { return m_wanted; }
-    /// Null if no passphrase was requested; an error if it cannot be read or was not entered. Call crypto::initCrypto() first.
-    Result<std::shared_ptr<const Key32>, InputError> key() const;
+    /// Null if no passphrase was requested; an error if it cannot be read or was not entered.
+    Result<std::shared_ptr<const crypto::Passphrase>, InputError> passphrase() const;
 
 private:
     PassphraseInput m_input;

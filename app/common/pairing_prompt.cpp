@@ -28,6 +28,7 @@ std::string withoutBlanks(std::string text)
 void PairingPrompt::declare(Options &options)
 {
     options.addFlag("json", "One JSON object per line on stdout.");
+    options.addFlag("fingerprints", "Also show the fingerprints of both ends.");
     options.addValue("expect", "FINGERPRINT", "Confirm the peer with this fingerprint without asking, and refuse any other.");
     options.addFlag("replace", "With --expect: replace the key if the name is known with another one.");
     options.addValue("as", "NAME", "Name of the peer here, in place of the one it claims.");
@@ -37,6 +38,7 @@ PairingPrompt::Settings PairingPrompt::read(Options &options)
 {
     Settings out;
     out.json = options.has("json");
+    out.showsFingerprints = options.has("fingerprints");
     if (options.has("expect")) {
         out.expected = withoutBlanks(options.required("expect"));
         constexpr std::size_t kDigits = 64; // complete: a key with a matching part can be found by search
@@ -75,9 +77,10 @@ void PairingPrompt::take(PairingStatus status)
         printLine(status.toJson());
     switch (status.state) {
     case State::Open:
-        say("Open for pairing for " + std::to_string(status.seconds) + " s. The fingerprint of this device:");
-        say("    " + keys::fingerprint(status.key));
-        if (m_settings.asks)
+        say("Open for pairing for " + std::to_string(status.seconds) + " s.");
+        if (m_settings.showsFingerprints)
+            say("The fingerprint of this device:\n    " + keys::fingerprint(status.key));
+        if (!m_settings.decidesRole)
             say("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
         say("Waiting for the other end …");
         return;
@@ -86,24 +89,19 @@ void PairingPrompt::take(PairingStatus status)
         ask();
         return;
     case State::Confirmed: say("The other end has confirmed."); return;
-    case State::Gone:
-        m_asked.reset();
-        say("The other end is gone: " + status.reason + ". Waiting for the other end …");
-        return;
     case State::Other:
         say("WARNING: another device tried to pair meanwhile, fingerprint " + keys::fingerprint(status.key));
         return;
     case State::Differs:
         if (!std::exchange(m_differs, true)) // the event repeats each second
-            say("The passphrases of the two ends differ, or only one end has one. Start again with the same passphrase at both.");
+            say("The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the "
+                "same passphrase at both ends.");
         return;
     case State::Paired:
         m_paired = true;
         say("Paired with " + status.name + ".");
-        if (m_settings.asks)
-            say("This station asked to be " + std::string(keys::peerRoleText(*m_settings.asks))
-                + ". Its role, pilot (may command) or observer (may only observe), is the one that was confirmed at the agent; "
-                  "it is stored only in the agent's list of peers.");
+        if (!m_settings.decidesRole)
+            say("The role of this station, pilot (may command) or observer (may only observe), was chosen at the agent.");
         return;
     case State::Refused:
         m_failed = true;
@@ -121,28 +119,42 @@ void PairingPrompt::take(PairingStatus status)
 void PairingPrompt::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
-    const std::string asked = m_settings.decidesRole ? ", as " + std::string(keys::peerRoleText(m_asked->role)) : "";
-    say("\"" + m_asked->name + "\" asks to be paired" + asked + ". Its fingerprint:");
-    say("    " + print);
+    const std::string system = m_asked->systemId != 0 ? " (system id " + std::to_string(m_asked->systemId) + ")" : "";
+    say("\"" + m_asked->name + "\"" + system + " asks to be paired.");
+    if (m_settings.hasPassphrase)
+        say("It knows the passphrase.");
+    else
+        say("Compare this code with the one that the other end shows:\n    " + m_asked->code);
+    if (m_settings.showsFingerprints)
+        say("The fingerprint of the other end:\n    " + print);
     if (m_asked->knownKey) {
-        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key:");
-        say("    " + keys::fingerprint(*m_asked->knownKey));
+        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key, and this one:");
+        say("    " + keys::fingerprint(*m_asked->knownKey) + "\n    " + print);
         say("Either the device has a new key, or this is an impersonation.");
     }
-    if (m_settings.decidesRole && role() != m_asked->role)
-        say("Its role here: " + std::string(keys::peerRoleText(role())) + ".");
-    if (!m_settings.expected.empty()) {
-        if (withoutBlanks(print) != m_settings.expected)
-            refuse("Not the expected fingerprint: refused.");
-        else if (m_asked->knownKey && !m_settings.replaces)
-            refuse("The fingerprint is the expected one, but a known key is replaced only with --replace: refused.");
-        else
-            confirm(role());
+    if (m_settings.decidesRole && role())
+        say("Its role here: " + std::string(keys::peerRoleText(*role())) + ".");
+    if (m_settings.expected.empty()) {
+        say(question());
         return;
     }
-    const std::string yes = m_asked->knownKey ? "replace" : "yes";
-    say("Compare both fingerprints with those shown at the other end. Are both the same? Type " + yes
-        + (mayBeObserver() ? ", observer (may only observe)" : "") + " or no:");
+    if (withoutBlanks(print) != m_settings.expected)
+        refuse("Not the expected fingerprint: refused.");
+    else if (m_asked->knownKey && !m_settings.replaces)
+        refuse("The fingerprint is the expected one, but a known key is replaced only with --replace: refused.");
+    else
+        confirm(role().value_or(channel::PeerRole::Observer));
+}
+
+std::string PairingPrompt::question() const
+{
+    const std::string same = m_settings.hasPassphrase ? "Is this the right device?" : "Are the codes the same?";
+    if (m_asked->knownKey)
+        return same + " Type replace or no:";
+    if (!m_settings.decidesRole)
+        return same + " Type yes or no:";
+    return same + " Type " + (role() ? "yes, or another role: " : "the role that it gets: ")
+        + "pilot (may command) or observer (may only observe); or no:";
 }
 
 void PairingPrompt::hear()
@@ -173,26 +185,26 @@ void PairingPrompt::answer(const std::string &line)
     if (!m_asked)
         return; // input before the question is not an answer
     const std::string word = withoutBlanks(line);
-    if (word == "no") {
-        refuse("Refused. Waiting for the other end …");
-    } else if (word == (m_asked->knownKey ? "replace" : "yes")) {
-        confirm(role());
-    } else if (word == "observer" && mayBeObserver()) {
-        confirm(channel::PeerRole::Observer);
-    } else {
+    const auto chosen = choosesRole() ? keys::peerRoleFromText(word) : std::nullopt;
+    if (word == "no")
+        refuse("Refused.");
+    else if (chosen)
+        confirm(*chosen);
+    else if (word == (m_asked->knownKey ? "replace" : "yes") && (role() || !m_settings.decidesRole))
+        confirm(role().value_or(channel::PeerRole::Observer));
+    else
         ask();
-    }
 }
 
-/// A role that is known here cannot be changed by the other end.
-channel::PeerRole PairingPrompt::role() const
+/// The role that is given by an option or known here.
+std::optional<channel::PeerRole> PairingPrompt::role() const
 {
-    return m_settings.role ? *m_settings.role : m_asked->knownRole.value_or(m_asked->role);
+    return m_settings.role ? m_settings.role : m_asked->knownRole;
 }
 
-bool PairingPrompt::mayBeObserver() const
+bool PairingPrompt::choosesRole() const
 {
-    return m_settings.decidesRole && !m_asked->knownKey && role() == channel::PeerRole::Pilot;
+    return m_settings.decidesRole && !m_asked->knownKey;
 }
 
 void PairingPrompt::refuse(const std::string &text)

@@ -1,5 +1,5 @@
-// The terminal dialog of a pairing, used by the agent and the station: shows the fingerprints and asks whether they match those
-// at the other end, as ssh does for a new host.
+// The terminal dialog of a pairing, used by the agent and the station: shows the code and asks whether the other end shows the
+// same one; the agent's side asks for the role of the station as well.
 #pragma once
 
 #include "app/common/options.h"
@@ -23,7 +23,7 @@ public:
     {
         channel::PublicKey key{};
         std::string name; ///< its name here
-        channel::PeerRole role = channel::PeerRole::Pilot;
+        channel::PeerRole role = channel::PeerRole::Observer;
         bool replace = false; ///< replace the key known by that name
     };
     struct Settings
@@ -33,13 +33,13 @@ public:
         std::string callIt;       ///< name for the peer (see statusOf); empty = the name it claims
         bool replaces = false;    ///< with `expected`: replace a key known by that name
         bool decidesRole = false; ///< the agent's side: it decides the role of the peer
-        /// The granted role; if empty, a known peer keeps its role and a new one gets the role it asks for.
+        /// The granted role; if empty, a known peer keeps its role, and the user decides on a new one (with `expected`: observer).
         std::optional<channel::PeerRole> role;
-        /// The station's side: the role it asks for.
-        std::optional<channel::PeerRole> asks;
+        bool hasPassphrase = false; ///< then there is no code to compare
+        bool showsFingerprints = false;
     };
 
-    /// --json, --expect, --replace and --as.
+    /// --json, --fingerprints, --expect, --replace and --as.
     static void declare(Options &options);
     static Settings read(Options &options);
 
@@ -59,8 +59,9 @@ private:
     void ask();
     void hear();
     void answer(const std::string &line);
-    channel::PeerRole role() const;
-    bool mayBeObserver() const;
+    std::optional<channel::PeerRole> role() const;
+    bool choosesRole() const;
+    std::string question() const;
     void refuse(const std::string &text);
     void confirm(channel::PeerRole role);
     void say(const std::string &text) const;

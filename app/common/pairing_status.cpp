@@ -22,20 +22,15 @@ struct StateName
     std::string_view word;
 };
 constexpr std::array kStateNames{
-    StateName{State::Open, "open"},     StateName{State::Seen, "seen"},   StateName{State::Confirmed, "confirmed"},
-    StateName{State::Gone, "gone"},     StateName{State::Other, "other"}, StateName{State::Differs, "passphrase-differs"},
-    StateName{State::Paired, "paired"}, StateName{State::Over, "over"},   StateName{State::Refused, "refused"},
+    StateName{State::Open, "open"},
+    StateName{State::Seen, "seen"},
+    StateName{State::Confirmed, "confirmed"},
+    StateName{State::Other, "other"},
+    StateName{State::Differs, "passphrase-differs"},
+    StateName{State::Paired, "paired"},
+    StateName{State::Over, "over"},
+    StateName{State::Refused, "refused"},
 };
-
-const char *reasonText(channel::PairingGone reason)
-{
-    switch (reason) {
-    case channel::PairingGone::Silent: return "it stopped responding";
-    case channel::PairingGone::Refused: return "the other end refused";
-    case channel::PairingGone::Replaced: return "it started again";
-    }
-    return "";
-}
 
 const char *reasonText(channel::PairingEnd reason)
 {
@@ -44,6 +39,11 @@ const char *reasonText(channel::PairingEnd reason)
     case channel::PairingEnd::TimedOut: return "timed out";
     case channel::PairingEnd::Cancelled: return "cancelled";
     case channel::PairingEnd::Armed: return "the vehicle was armed";
+    case channel::PairingEnd::Refused: return "refused here";
+    case channel::PairingEnd::RefusedThere: return "the other end refused";
+    case channel::PairingEnd::Interrupted: return "the pairing was interrupted; start again at both ends";
+    case channel::PairingEnd::Guessed:
+        return "three wrong passphrases: they differ, or somebody guesses; start again at both ends";
     }
     return "";
 }
@@ -53,7 +53,8 @@ PairingStatus about(State state, const channel::PairingPeer &peer)
     PairingStatus status;
     status.state = state;
     status.name = keys::fitPeerName(peer.name, peer.key);
-    status.role = peer.roleAsked;
+    status.code = peer.code;
+    status.systemId = peer.systemId;
     status.key = peer.key;
     return status;
 }
@@ -94,7 +95,6 @@ std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const 
     return std::visit(Overloaded{
                           [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
                           [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed, ""); },
-                          [&](const channel::PairingPeerGone &e) { return plain(State::Gone, reasonText(e.reason)); },
                           [&](const channel::PairingOtherTried &e) { return Out(about(State::Other, e.peer)); },
                           [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs, ""); },
                           [&](const channel::Paired &) { return Out(); },
@@ -112,7 +112,13 @@ std::string PairingStatus::toJson() const
             json.field("state", word.word);
     }
     if (!name.empty())
-        json.field("name", name).field("role", keys::peerRoleText(role));
+        json.field("name", name);
+    if (!code.empty())
+        json.field("code", code);
+    if (systemId != 0)
+        json.field("system", std::int32_t{systemId});
+    if (role)
+        json.field("role", keys::peerRoleText(*role));
     if (key != channel::PublicKey{})
         json.field("public", keys::publicKeyText(key)).field("fingerprint", keys::fingerprint(key));
     if (knownKey)
@@ -137,8 +143,9 @@ std::optional<PairingStatus> PairingStatus::fromJson(const QByteArray &line)
         PairingStatus status;
         status.state = candidate.state;
         status.name = object[QLatin1String("name")].toString().toStdString();
-        status.role =
-            keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString()).value_or(channel::PeerRole::Pilot);
+        status.code = object[QLatin1String("code")].toString().toStdString();
+        status.systemId = static_cast<std::uint8_t>(object[QLatin1String("system")].toInt());
+        status.role = keys::peerRoleFromText(object[QLatin1String("role")].toString().toStdString());
         status.key = keyIn(object, "public").value_or(channel::PublicKey{});
         status.knownKey = keyIn(object, "known_public");
         status.knownRole = keys::peerRoleFromText(object[QLatin1String("known_role")].toString().toStdString());

@@ -16,9 +16,8 @@ struct PairingStatus
 {
     enum class State {
         Open,      ///< the window is open; `key` is our own
-        Seen,      ///< a peer is present; its fingerprint is to be compared
+        Seen,      ///< a peer is present; the code is to be compared
         Confirmed, ///< the other end has confirmed
-        Gone,      ///< the peer is gone
         Other,     ///< another device tried
         Differs,   ///< the passphrases differ, or only one end has one
         Paired,    ///< stored under `name`
@@ -27,8 +26,10 @@ struct PairingStatus
     };
 
     State state = State::Over;
-    std::string name; ///< of the peer, made valid for the list
-    channel::PeerRole role = channel::PeerRole::Pilot;
+    std::string name;                      ///< of the peer, made valid for the list
+    std::string code;                      ///< "123 456", to be compared
+    std::uint8_t systemId = 0;             ///< MAVLink system id of the peer; 0 = unknown
+    std::optional<channel::PeerRole> role; ///< as it was stored
     channel::PublicKey key{};
     std::optional<channel::PublicKey> knownKey; ///< the other key that is known by this name
     std::optional<channel::PeerRole> knownRole; ///< of that key or name, if known

@@ -49,6 +49,9 @@ enum class Weakness : std::uint8_t {
     // pairing
     PairOnOneYes, ///< the other user's confirmation is enough
     NoPassphrase, ///< the passphrase is not mixed into the handshake
+    NoCommitment, ///< an agent may show another opening than it committed to
+    OpenAgain,    ///< an end shows an opening of another handshake after one was interrupted
+    GuessAgain,   ///< the agent's window stays open, however often the passphrase was wrong
     ShowNewest,   ///< a new device replaces the one being compared
     // carriers
     LoosePart, ///< parts of TUNNEL messages are joined across messages and senders

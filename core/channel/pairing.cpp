@@ -8,16 +8,15 @@ namespace skyseal::channel {
 
 namespace {
 
-constexpr int kFarewells = 3;
-constexpr Duration kFarewellEvery = std::chrono::milliseconds(250);
-constexpr std::size_t kMaxFarewells = 4;
+constexpr int kRefusals = 3;
+constexpr Duration kRefusalEvery = std::chrono::milliseconds(250);
 
 } // namespace
 
 struct Pairing::State
 {
     State(PairingConfig configuration, RandomSource &random, TimePoint start)
-        : core{std::move(configuration), random, {}, {}, {}}, closesAt(start + core.config.window), now(start)
+        : core{std::move(configuration), random}, closesAt(start + core.config.window)
     {
         if (core.config.role == Role::Agent)
             agent.emplace(core, start);
@@ -27,75 +26,58 @@ struct Pairing::State
     State(const State &) = delete;
     State &operator=(const State &) = delete;
 
-    void takeUp(TimePoint at, std::optional<PairingConfirmation> &&next);
+    void takeUp(std::optional<PairingConfirmation> &&next);
     void handleWord(TimePoint at, const Path &from, ByteView datagram);
-    void weigh(TimePoint at);
-    void dropTalk(PairingGone reason);
-    void turnDown(TimePoint at);
-    void sayNo(TimePoint at);
+    void judge(TimePoint at);
     void close(TimePoint at, PairingEnd reason);
     void handleDeadline(TimePoint at);
+    void sendRefusal(TimePoint at);
     TimePoint deadline() const;
 
     /// Repetitions of a refusal after the confirmation has ended.
-    struct Farewell
+    struct Refusal
     {
         Path path;
         WordDatagram word{};
-        int left = kFarewells;
+        int left = kRefusals;
         TimePoint due{};
     };
 
     PairingCore core;
     TimePoint closesAt;
-    TimePoint now; ///< of the last input or command
     std::optional<PairingAgent> agent;
     std::optional<PairingStation> station;
     std::optional<PairingConfirmation> talk;
-    std::vector<Farewell> farewells;
+    std::optional<Refusal> refusal;
     std::optional<PairingEnd> over;
-    TimePoint otherTold = TimePoint::min();
 };
 
-/// A handshake has finished. Only the first peer is shown, so that nobody can replace the key that a person is comparing.
-void Pairing::State::takeUp(TimePoint at, std::optional<PairingConfirmation> &&next)
+/// A handshake has finished. The peer is shown after its first word.
+void Pairing::State::takeUp(std::optional<PairingConfirmation> &&next)
 {
-    if (!next)
-        return;
-    if (talk && talk->peer().key != next->peer().key && !weakened(Weakness::ShowNewest)) {
-        if (at >= otherTold) {
-            core.events.push_back(PairingOtherTried{next->peer()});
-            otherTold = at + std::chrono::seconds(1);
-        }
-        return;
-    }
-    if (talk)
-        dropTalk(PairingGone::Replaced);
-    talk = std::move(next);
-    core.events.push_back(PairingPeerSeen{talk->peer()});
-    weigh(at);
+    if (next && (!talk || weakened(Weakness::ShowNewest)))
+        talk = std::move(next);
 }
 
 void Pairing::State::handleWord(TimePoint at, const Path &from, ByteView datagram)
 {
-    if (!talk) {
-        if (station && !over)
-            takeUp(at, station->handleWord(at, from, datagram));
+    if (!talk)
         return;
-    }
+    const bool wasShown = talk->isShown();
     const Decision before = talk->theirs();
-    if (talk->hear(at, from, datagram) && talk->theirs() != before)
-        weigh(at);
+    if (!talk->hear(at, from, datagram))
+        return;
+    if (!wasShown)
+        core.events.push_back(PairingPeerSeen{talk->peer()});
+    if (talk->theirs() != before)
+        judge(at);
 }
 
 /// After either person decided.
-void Pairing::State::weigh(TimePoint at)
+void Pairing::State::judge(TimePoint at)
 {
     if (talk->theirs() == Decision::No) {
-        core.turnedDown.push_back(talk->peer().key); // Neither person is asked again about it in this window.
-        if (station)
-            station->setAside(talk->peer().path);
-        dropTalk(PairingGone::Refused);
+        close(at, PairingEnd::RefusedThere);
     } else if (talk->paired()) {
         core.events.push_back(Paired{talk->pairedPeer()});
         close(at, PairingEnd::Paired);
@@ -104,62 +86,52 @@ void Pairing::State::weigh(TimePoint at)
     }
 }
 
-void Pairing::State::dropTalk(PairingGone reason)
-{
-    core.events.push_back(PairingPeerGone{talk->peer().key, reason});
-    talk.reset();
-}
-
-void Pairing::State::sayNo(TimePoint at)
-{
-    talk->decide(at, Decision::No);
-    if (farewells.size() == kMaxFarewells)
-        farewells.erase(farewells.begin());
-    farewells.push_back({talk->peer().path, talk->word(), kFarewells, at});
-    talk.reset();
-}
-
-void Pairing::State::turnDown(TimePoint at)
-{
-    core.turnedDown.push_back(talk->peer().key);
-    if (station)
-        station->setAside(talk->peer().path);
-    sayNo(at);
-}
-
 void Pairing::State::close(TimePoint at, PairingEnd reason)
 {
     if (over)
         return;
     over = reason;
     core.events.push_back(PairingOver{reason});
-    if (talk && reason != PairingEnd::Paired)
-        sayNo(at);
+    if (!talk || reason == PairingEnd::Paired)
+        return;
+    if (reason != PairingEnd::RefusedThere) {
+        talk->decide(at, Decision::No);
+        refusal = Refusal{talk->peer().path, talk->word(), kRefusals, at};
+    }
+    talk.reset();
+}
+
+void Pairing::State::sendRefusal(TimePoint at)
+{
+    if (!refusal || at < refusal->due)
+        return;
+    core.outgoing.push(refusal->path, refusal->word);
+    refusal->due = at + core.jittered(kRefusalEvery);
+    if (--refusal->left == 0)
+        refusal.reset();
 }
 
 void Pairing::State::handleDeadline(TimePoint at)
 {
-    now = at;
     if (!over && at >= closesAt)
         close(at, PairingEnd::TimedOut);
-    if (talk && talk->silent(at))
-        dropTalk(PairingGone::Silent);
+    if (talk && talk->silent(at)) {
+        if (weakened(Weakness::OpenAgain))
+            talk.reset();
+        else
+            core.failure = PairingEnd::Interrupted;
+    }
+    if (!over && !talk && station)
+        station->handleDeadline(at);
+    if (core.failure)
+        close(at, *core.failure);
     if (talk)
         talk->handleDeadline(at, core);
     if (talk && talk->settled(at))
         talk.reset();
     if (!over && !talk && agent)
         agent->call(at);
-    if (!over && !talk && station)
-        station->handleDeadline(at);
-    for (Farewell &farewell : farewells) {
-        if (at < farewell.due)
-            continue;
-        core.outgoing.push(farewell.path, farewell.word);
-        --farewell.left;
-        farewell.due = at + core.jittered(kFarewellEvery);
-    }
-    std::erase_if(farewells, [](const Farewell &farewell) { return farewell.left == 0; });
+    sendRefusal(at);
 }
 
 TimePoint Pairing::State::deadline() const
@@ -171,8 +143,8 @@ TimePoint Pairing::State::deadline() const
         due = std::min(due, agent->callDue());
     if (!over && !talk && station)
         due = std::min(due, station->deadline());
-    for (const Farewell &farewell : farewells)
-        due = std::min(due, farewell.due);
+    if (refusal)
+        due = std::min(due, refusal->due);
     return due;
 }
 
@@ -193,7 +165,7 @@ bool Pairing::owns(std::uint8_t first)
 
 const PairingPeer *Pairing::peer() const
 {
-    return m_state->talk ? &m_state->talk->peer() : nullptr;
+    return m_state->talk && m_state->talk->isShown() ? &m_state->talk->peer() : nullptr;
 }
 
 bool Pairing::confirmedHere() const
@@ -208,7 +180,7 @@ bool Pairing::confirmedThere() const
 
 bool Pairing::finished() const
 {
-    return m_state->over && !m_state->talk && m_state->farewells.empty();
+    return m_state->over && !m_state->talk && !m_state->refusal;
 }
 
 TimePoint Pairing::nextDeadline() const
@@ -230,15 +202,14 @@ void Pairing::handleDatagram(TimePoint now, const Path &from, ByteView datagram)
         return;
     } else if (state.agent && message == PairingMessage::First) {
         state.agent->handleFirst(now, from, datagram);
-    } else if (state.agent && isThird(datagram)) {
-        if (state.talk && state.talk->isOf(from, sealedPairing(datagram)))
-            state.talk->repeat(now);
-        else
-            state.takeUp(now, state.agent->handleThird(now, from, datagram));
+    } else if (state.agent && isOpening(datagram)) {
+        state.takeUp(state.agent->handleOpening(now, from, datagram));
     } else if (state.station && !state.talk && message == PairingMessage::Call) {
         state.station->handleCall(now, from, datagram);
     } else if (state.station && !state.talk && message == PairingMessage::Answer) {
         state.station->handleAnswer(now, from, datagram);
+    } else if (state.station && !state.talk && isOpening(datagram)) {
+        state.takeUp(state.station->handleOpening(now, from, datagram));
     }
     state.handleDeadline(now);
 }
@@ -253,19 +224,19 @@ void Pairing::handleDeadline(TimePoint now)
 void Pairing::confirm(TimePoint now, const PublicKey &key)
 {
     State &state = *m_state;
-    if (state.over || !state.talk || state.talk->peer().key != key || state.talk->mine() != Decision::None)
+    if (state.over || !peer() || peer()->key != key || state.talk->mine() != Decision::None)
         return;
     state.talk->decide(now, Decision::Yes);
     if (state.talk->paired())
-        state.weigh(now);
+        state.judge(now);
     state.handleDeadline(now);
 }
 
 void Pairing::refuse(TimePoint now)
 {
-    if (m_state->over || !m_state->talk)
+    if (!peer())
         return;
-    m_state->turnDown(now);
+    m_state->close(now, PairingEnd::Refused);
     m_state->handleDeadline(now);
 }
 

@@ -4,21 +4,20 @@
 //
 //   station                                    agent
 //     <- call                                    the window is open (twice a second, no key in it)
-//     first ->  <- answer  third ->              Noise XXpsk3; no peer is shown before it has finished
+//     first ->      <- answer                    shares of CPace, and the agent's commitment to its opening
+//     opening ->    <- opening                   keys, names and nonces: once in a window
 //     <- words ->                                the decision of each person, sealed and repeated
 //
-// Each person compares the full fingerprints on both screens; a man in the middle has other keys.
+// Without a passphrase both people compare the code; a man in the middle makes two codes agree once in a million attempts, and
+// has one attempt in a window. With a passphrase he has one guess at the station's window and three at the agent's.
 // Poll the outputs after each input and command, as with an endpoint.
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/clock.h"
-#include "core/base/path.h"
 #include "core/base/random_source.h"
 #include "core/channel/delivery.h"
+#include "core/channel/pairing_config.h"
 #include "core/channel/policy.h"
-#include "core/channel/role.h"
-#include "core/crypto/x25519.h"
 
 #include <memory>
 #include <optional>
@@ -27,33 +26,18 @@
 
 namespace skyseal::channel {
 
-inline constexpr Duration kPairingWindow = std::chrono::seconds(120);
-inline constexpr std::size_t kMaxPairingName = 24; ///< bytes; longer ones are cut between characters
-
-struct PairingConfig
-{
-    Role role = Role::Station;
-    std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
-    std::string name;                                      ///< our name for the other end
-    PeerRole roleAsked = PeerRole::Pilot;                  ///< a station's: role that it asks for at the agent
-    /// Slow hash of a passphrase that both people typed, for this pairing only; null = none. An additional obstacle to a man in
-    /// the middle, who can guess at it offline: it does not replace the comparison of fingerprints.
-    std::shared_ptr<const Key32> passphraseKey;
-    bool wantPresharedKey = true; ///< a pre-shared key for the pair is made when both ends want one
-    std::vector<Path> callTo;     ///< an agent's: targets of its calls; an all-zero address is the only peer of a link
-    Duration window = kPairingWindow;
-};
-
-/// The peer to confirm. Name and role are claims of the other end.
+/// The peer to confirm. Name and system id are claims of the other end.
 struct PairingPeer
 {
     PublicKey key{};
     std::string name;
-    PeerRole roleAsked = PeerRole::Pilot;
+    std::uint8_t systemId = 0; ///< its MAVLink system id, an agent's vehicle's; 0 = unknown
+    std::string code;          ///< "123 456", the same at the other end; to be compared unless there is a passphrase
     Path path;
 };
 
-/// Show both fingerprints; then confirm(peer.key) or refuse().
+/// The other end has proved that it holds the private key, and knows the passphrase if there is one. Show the code and the
+/// peer; then confirm(peer.key) or refuse().
 struct PairingPeerSeen
 {
     PairingPeer peer;
@@ -63,19 +47,6 @@ struct PairingPeerSeen
 struct PairingPeerConfirmed
 {
     PublicKey key{};
-};
-
-enum class PairingGone : std::uint8_t {
-    Silent,   ///< nothing for 10 s
-    Refused,  ///< the person at the other end refused, or the window there closed
-    Replaced, ///< it started again; PairingPeerSeen follows, earlier decisions are void
-};
-
-/// The peer shown before is gone; its question is void.
-struct PairingPeerGone
-{
-    PublicKey key{};
-    PairingGone reason{};
 };
 
 /// Another device finished the handshake while one was shown. At most one event a second.
@@ -88,13 +59,22 @@ struct PairingOtherTried
 struct PairingPassphraseDiffers
 {};
 
-/// Both people confirmed: store the peer. It has no system ids; the pre-shared key is null unless both ends wanted one.
+/// Both people confirmed: store the peer, with its pre-shared key and the system id that was shown.
 struct Paired
 {
     Peer peer;
 };
 
-enum class PairingEnd : std::uint8_t { Paired, TimedOut, Cancelled, Armed };
+enum class PairingEnd : std::uint8_t {
+    Paired,
+    TimedOut,
+    Cancelled,
+    Armed,
+    Refused,      ///< by the person here
+    RefusedThere, ///< by the person at the other end, or the window there closed
+    Interrupted,  ///< the other end did not continue after our opening; the next attempt needs a new window
+    Guessed,      ///< three wrong passphrases: they differ, or somebody guesses
+};
 
 /// The last event, exactly one.
 struct PairingOver
@@ -102,8 +82,8 @@ struct PairingOver
     PairingEnd reason{};
 };
 
-using PairingEvent = std::variant<PairingPeerSeen, PairingPeerConfirmed, PairingPeerGone, PairingOtherTried,
-                                  PairingPassphraseDiffers, Paired, PairingOver>;
+using PairingEvent =
+    std::variant<PairingPeerSeen, PairingPeerConfirmed, PairingOtherTried, PairingPassphraseDiffers, Paired, PairingOver>;
 
 class Pairing
 {
@@ -131,7 +111,7 @@ public:
     // command
     /// The person confirmed this key. Ignored unless it is that of peer().
     void confirm(TimePoint now, const PublicKey &key);
-    /// The person refused the peer that is shown: it is notified and ignored, while the window stays open for others.
+    /// The person refused the peer that is shown: closes the window, and notifies the other end.
     void refuse(TimePoint now);
     /// Closes the window. No effect once both ends have confirmed.
     void cancel(TimePoint now, PairingEnd reason = PairingEnd::Cancelled);

@@ -10,12 +10,10 @@ namespace {
 
 constexpr Duration kCallEvery = std::chrono::milliseconds(500);
 constexpr std::size_t kMaxAnswered = 8;
-/// Three Diffie-Hellman computations each.
+/// Three scalar multiplications each, and the derivation of a generator.
 constexpr double kFirstsPerSecond = 15;
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
-/// Up to one Diffie-Hellman computation each. Per answer, so that the receiver of another answer cannot use them up.
-constexpr double kThirdsPerSecond = 5;
-constexpr double kThirdsAtOnce = 5;
+constexpr unsigned kMaxWrongPassphrases = 3;
 
 } // namespace
 
@@ -52,53 +50,71 @@ void PairingAgent::forgetOldAnswers(TimePoint now)
 void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagram)
 {
     // A sender that has not received a call of this window costs no more than a comparison.
-    const auto head = firstHead(datagram);
-    if (!head || sodium_memcmp(head->token.data(), m_token.data(), m_token.size()) != 0)
+    const auto hello = readFirst(datagram);
+    if (!hello || sodium_memcmp(hello->token.data(), m_token.data(), m_token.size()) != 0)
         return;
     forgetOldAnswers(now);
     for (const Answered &answered : m_answered) {
-        if (answered.path == from && std::equal(datagram.begin(), datagram.end(), answered.first.begin())) {
-            m_core.outgoing.push(from, answered.answer);
+        if (answered.path == from && std::ranges::equal(datagram, answered.handshake.first())) {
+            m_core.outgoing.push(from, answered.handshake.answer());
             return;
         }
     }
     if (!mayCompute(now, from))
         return;
-    auto handshake = PairingHandshake::begin(noise::Role::Responder, *m_core.config.identity, m_core.config.passphraseKey.get(),
-                                             head->id, head->token, from.carrier);
-    if (!handshake || !handshake->takeFirst(datagram))
-        return;
-    const auto answer = handshake->answer(m_core.about(), m_core.random);
-    if (!answer)
+    auto handshake = PairingHandshake::begin(m_core.config, hello->id, hello->token, from.carrier, m_core.random);
+    if (!handshake.takeFirst(datagram))
         return;
     if (m_answered.size() == kMaxAnswered)
         m_answered.erase(m_answered.begin());
-    Answered answered{std::move(*handshake), from, {}, *answer, now, {}};
-    std::copy(datagram.begin(), datagram.end(), answered.first.begin());
-    m_answered.push_back(std::move(answered));
-    m_core.outgoing.push(from, *answer);
+    m_core.outgoing.push(from, handshake.answer());
+    m_answered.push_back({std::move(handshake), from, now});
 }
 
-std::optional<PairingConfirmation> PairingAgent::handleThird(TimePoint now, const Path &from, ByteView datagram)
+void PairingAgent::noteWrongOpening(TimePoint now, Answered &answered)
 {
+    if (m_opened || answered.failed)
+        return;
+    answered.failed = true;
+    m_core.hintAtPassphrase(now);
+    if (m_core.config.passphrase && ++m_wrongPassphrases == kMaxWrongPassphrases && !weakened(Weakness::GuessAgain))
+        m_core.failure = PairingEnd::Guessed;
+}
+
+std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, const Path &from, ByteView datagram)
+{
+    if (m_opened && m_opened->path == from && std::ranges::equal(datagram, m_opened->theirs)) {
+        m_core.outgoing.push(from, m_opened->ours); // The station repeats its opening: ours was lost.
+        return std::nullopt;
+    }
     forgetOldAnswers(now);
     const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &answered) {
         return answered.path == from && answered.handshake.id() == sealedPairing(datagram);
     });
-    if (found == m_answered.end() || !found->thirds.take(now, kThirdsPerSecond, kThirdsAtOnce))
+    if (found == m_answered.end())
         return std::nullopt;
-    const auto about = found->handshake.takeThird(datagram);
-    if (!about) {
-        m_core.hintAtPassphrase(now);
+    const auto opening = found->handshake.takeOpening(datagram);
+    if (!opening) {
+        noteWrongOpening(now, *found);
         return std::nullopt;
     }
-    const PublicKey key = found->handshake.peer();
-    auto voice = std::move(found->handshake).finish();
+    PairingHandshake handshake = std::move(found->handshake);
     m_answered.erase(found);
-    if (!voice || !m_core.mayShow(key))
+    if (opening->key == m_core.config.identity->publicKey)
         return std::nullopt;
-    return PairingConfirmation({key, about->name, about->roleAsked, from}, std::move(*voice),
-                               about->wantPresharedKey && m_core.config.wantPresharedKey, now);
+    PairingPeer peer{opening->key, opening->name, opening->systemId, handshake.code(), from};
+    if (m_opened && !weakened(Weakness::ShowNewest) && !weakened(Weakness::OpenAgain)) {
+        m_core.reportOther(now, std::move(peer));
+        return std::nullopt;
+    }
+    const OpeningDatagram ours = handshake.opening();
+    auto voice = std::move(handshake).finish();
+    if (!voice)
+        return std::nullopt;
+    m_opened = Opened{from, {}, ours};
+    std::ranges::copy(datagram, m_opened->theirs.begin());
+    m_core.outgoing.push(from, ours);
+    return PairingConfirmation(std::move(peer), std::move(*voice), now);
 }
 
 } // namespace skyseal::channel

@@ -1,9 +1,10 @@
 // The agent's part of a pairing handshake: it calls while its window is open, and answers stations that received a call.
 #pragma once
 
-#include "core/channel/token_bucket.h"
 #include "core/channel/handshake_limit.h"
 #include "core/channel/pairing_confirmation.h"
+
+#include <vector>
 
 namespace skyseal::channel {
 
@@ -13,8 +14,8 @@ public:
     PairingAgent(PairingCore &core, TimePoint now);
 
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// Finishes a handshake: the writer has the key, and knows the passphrase if there is one.
-    std::optional<PairingConfirmation> handleThird(TimePoint now, const Path &from, ByteView datagram);
+    /// The station's opening. The first right one of a window is answered by our own.
+    std::optional<PairingConfirmation> handleOpening(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
     TimePoint callDue() const { return m_callDue; }
 
@@ -24,18 +25,26 @@ private:
     {
         PairingHandshake handshake;
         Path path;
-        PairingDatagram first{};
-        PairingDatagram answer{};
         TimePoint at{};
-        TokenBucket thirds; ///< third messages that may be computed on
+        bool failed = false; ///< an opening was wrong; counts once, since one share tests one passphrase
+    };
+    /// The handshake in which this end showed its opening.
+    struct Opened
+    {
+        Path path;
+        OpeningDatagram theirs{};
+        OpeningDatagram ours{};
     };
     void forgetOldAnswers(TimePoint now);
     bool mayCompute(TimePoint now, const Path &from);
+    void noteWrongOpening(TimePoint now, Answered &answered);
 
     PairingCore &m_core;
     PairingToken m_token{};
     HandshakeLimit m_limit;
     std::vector<Answered> m_answered;
+    std::optional<Opened> m_opened;
+    unsigned m_wrongPassphrases = 0;
     TimePoint m_callDue;
 };
 

@@ -12,8 +12,8 @@ constexpr Duration kLongLinger = std::chrono::seconds(10); ///< when it is not
 
 } // namespace
 
-PairingConfirmation::PairingConfirmation(PairingPeer peer, PairingVoice voice, bool presharedKeyWanted, TimePoint now)
-    : m_peer(std::move(peer)), m_voice(std::move(voice)), m_presharedKeyWanted(presharedKeyWanted), m_lastHeard(now), m_due(now)
+PairingConfirmation::PairingConfirmation(PairingPeer peer, PairingVoice voice, TimePoint now)
+    : m_peer(std::move(peer)), m_voice(std::move(voice)), m_lastHeard(now), m_due(now)
 {}
 
 bool PairingConfirmation::settled(TimePoint now) const
@@ -42,6 +42,7 @@ bool PairingConfirmation::hear(TimePoint now, const Path &from, ByteView datagra
     if (!word)
         return false;
     m_lastHeard = now;
+    m_isShown = true;
     // Old words may arrive late or be replayed: a decision never goes back.
     m_heardByPeer = std::max(m_heardByPeer, word->heard);
     if (word->mine > m_theirs && !paired()) {
@@ -84,7 +85,10 @@ TimePoint PairingConfirmation::deadline() const
 
 Peer PairingConfirmation::pairedPeer() const
 {
-    return {m_peer.key, m_peer.name, m_peer.roleAsked, {}, m_presharedKeyWanted ? m_voice.presharedKey() : nullptr};
+    Peer peer{m_peer.key, m_peer.name, PeerRole::Observer, {}, m_voice.presharedKey()};
+    if (m_peer.systemId != 0)
+        peer.systemIds = {m_peer.systemId};
+    return peer;
 }
 
 } // namespace skyseal::channel

@@ -10,10 +10,11 @@ namespace skyseal::channel {
 class PairingConfirmation
 {
 public:
-    PairingConfirmation(PairingPeer peer, PairingVoice voice, bool presharedKeyWanted, TimePoint now);
+    PairingConfirmation(PairingPeer peer, PairingVoice voice, TimePoint now);
 
     const PairingPeer &peer() const { return m_peer; }
-    bool isOf(const Path &from, PairingId id) const { return from == m_peer.path && id == m_voice.id(); }
+    /// The other end has proved by a word that it holds its private key.
+    bool isShown() const { return m_isShown; }
     Decision mine() const { return m_mine; }
     Decision theirs() const { return m_theirs; }
     bool paired() const { return (m_mine == Decision::Yes || weakened(Weakness::PairOnOneYes)) && m_theirs == Decision::Yes; }
@@ -24,13 +25,11 @@ public:
     void decide(TimePoint now, Decision decision);
     /// Returns false if it is not a word of this pairing. A new decision changes theirs().
     bool hear(TimePoint now, const Path &from, ByteView datagram);
-    /// The other end repeats its third message: it has not received our word.
-    void repeat(TimePoint now) { m_due = std::min(m_due, now); }
     void handleDeadline(TimePoint now, PairingCore &core);
     TimePoint deadline() const;
     WordDatagram word();
 
-    /// Result if both have confirmed.
+    /// Result if both have confirmed. The owner decides the role.
     Peer pairedPeer() const;
 
 private:
@@ -41,7 +40,7 @@ private:
 
     PairingPeer m_peer;
     PairingVoice m_voice;
-    bool m_presharedKeyWanted;
+    bool m_isShown = false;
     Decision m_mine = Decision::None;
     Decision m_theirs = Decision::None;
     Heard m_heardByPeer = Heard::Nothing;

@@ -1,13 +1,11 @@
-// State that both roles of a pairing share: outputs, refused keys, jitter of repetitions.
+// State that both roles of a pairing share: outputs, the reason to close the window, jitter of repetitions.
 #pragma once
 
 #include "core/channel/datagram_queue.h"
 #include "core/channel/pairing.h"
 #include "core/channel/pairing_handshake.h"
 
-#include <algorithm>
 #include <deque>
-#include <vector>
 
 namespace skyseal::channel {
 
@@ -15,19 +13,12 @@ struct PairingCore
 {
     PairingConfig config;
     RandomSource &random;
-    DatagramQueue outgoing;
-    std::deque<PairingEvent> events;
-    std::vector<PublicKey> turnedDown; ///< in this window; bounded by 15 handshakes a second for two minutes
-    TimePoint hintTold = TimePoint::min();
+    DatagramQueue outgoing = {};
+    std::deque<PairingEvent> events = {};
+    std::optional<PairingEnd> failure = std::nullopt; ///< why the window has to close
+    TimePoint hintFrom = TimePoint::min();
+    TimePoint otherFrom = TimePoint::min();
 
-    PairingAbout about() const
-    {
-        return {config.wantPresharedKey, config.passphraseKey != nullptr, config.roleAsked, config.name};
-    }
-    bool mayShow(const PublicKey &key) const
-    {
-        return key != config.identity->publicKey && std::find(turnedDown.begin(), turnedDown.end(), key) == turnedDown.end();
-    }
     /// Adds up to a quarter of jitter, so that ends that began together do not stay in step.
     Duration jittered(Duration pause)
     {
@@ -37,10 +28,17 @@ struct PairingCore
     }
     void hintAtPassphrase(TimePoint now)
     {
-        if (now < hintTold)
+        if (now < hintFrom)
             return;
         events.push_back(PairingPassphraseDiffers{});
-        hintTold = now + std::chrono::seconds(1);
+        hintFrom = now + std::chrono::seconds(1);
+    }
+    void reportOther(TimePoint now, PairingPeer peer)
+    {
+        if (now < otherFrom)
+            return;
+        events.push_back(PairingOtherTried{std::move(peer)});
+        otherFrom = now + std::chrono::seconds(1);
     }
 };
 

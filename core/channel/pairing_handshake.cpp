@@ -1,126 +1,86 @@
 #include "core/channel/pairing_handshake.h"
 
-#include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
 #include "core/base/weakness.h"
+#include "core/crypto/hash.h"
 #include "core/crypto/kdf.h"
 
 #include <algorithm>
+#include <string_view>
 
 namespace skyseal::channel {
 
 namespace {
 
-constexpr std::size_t kFirstHead = 1 + 4 + 16;
-constexpr std::size_t kAnswerHead = 1 + 4;
-constexpr std::size_t kSealedHead = 1 + 4 + 1;
-constexpr std::size_t kFirstPadding = kPairingLength - kFirstHead - 32 - 16;
-constexpr std::size_t kNameLength = PairingAbout::kLength - 2;
-constexpr std::uint8_t kWordMark = 0x80; ///< of a word's number, which is 0 for the third message
-enum Flag : std::uint8_t { WantsPresharedKey = 1, HasPassphrase = 2 };
+constexpr std::uint8_t kOpeningNumber = 0;
 
-static_assert(kPairingLength == kAnswerHead + 32 + 48 + PairingAbout::kLength + 16);
-static_assert(kThirdLength == kSealedHead + 48 + PairingAbout::kLength + 16);
-static_assert(kWordLength == kSealedHead + noise::kTagLength);
-
-void writeHead(MutableByteView out, PairingMessage message, PairingId id)
+std::string_view nameOf(Role role)
 {
-    out[0] = firstByte(message);
-    for (unsigned i = 0; i < 4; ++i)
-        out[1 + i] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(id) >> 8 * i);
+    return role == Role::Station ? "station" : "agent";
 }
 
-PairingId idIn(ByteView datagram)
+Role otherThan(Role role)
 {
-    ByteReader in(datagram.subspan(1, 4));
-    return PairingId{in.u32()};
+    return role == Role::Station ? Role::Agent : Role::Station;
 }
 
-/// Cut between two characters of UTF-8.
-std::string_view fitting(std::string_view name)
+/// HKDF-Expand for one purpose, and for the openings `context`.
+Key32 derived(const Key32 &secret, std::string_view purpose, ByteView context = {})
 {
-    if (name.size() <= kNameLength)
-        return name;
-    std::size_t size = kNameLength;
-    while (size > 0 && (static_cast<std::uint8_t>(name[size]) & 0xc0) == 0x80)
-        --size;
-    return name.substr(0, size);
+    std::array<std::uint8_t, 96> info;
+    ByteWriter out(info);
+    out.bytes(asBytes("skyseal v1 pairing "));
+    out.bytes(asBytes(purpose));
+    out.bytes(context);
+    return crypto::hkdfExpandKey(secret, out.written());
 }
 
-/// Characters that the peers file accepts, so that a received name can be stored.
-char fitCharacter(char c)
+/// CPace's sid.
+std::array<std::uint8_t, 20> sessionId(const PairingToken &token, PairingId id)
 {
-    const bool fits = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_'
-        || c == '.' || static_cast<std::uint8_t>(c) >= 0x80;
-    return fits ? c : '-';
+    std::array<std::uint8_t, 20> out;
+    ByteWriter writer(out);
+    writer.bytes(token);
+    writer.u32(static_cast<std::uint32_t>(id));
+    return out;
+}
+
+noise::CipherState cipher(Key32 &&key)
+{
+    noise::CipherState out;
+    out.initializeKey(std::move(key));
+    return out;
 }
 
 } // namespace
 
-std::array<std::uint8_t, PairingAbout::kLength> PairingAbout::write() const
-{
-    std::array<std::uint8_t, kLength> out{};
-    out[0] = static_cast<std::uint8_t>((wantPresharedKey ? WantsPresharedKey : 0) | (hasPassphrase ? HasPassphrase : 0));
-    out[1] = static_cast<std::uint8_t>(roleAsked);
-    const std::string_view sent = fitting(name);
-    std::copy(sent.begin(), sent.end(), out.begin() + 2);
-    return out;
-}
-
-std::optional<PairingAbout> PairingAbout::read(ByteView bytes)
-{
-    if (bytes.size() != kLength)
-        return std::nullopt;
-    PairingAbout about;
-    about.wantPresharedKey = bytes[0] & WantsPresharedKey;
-    about.hasPassphrase = bytes[0] & HasPassphrase;
-    about.roleAsked = bytes[1] == static_cast<std::uint8_t>(PeerRole::Pilot) ? PeerRole::Pilot : PeerRole::Observer;
-    const ByteView name = bytes.subspan(2);
-    const auto end = std::find(name.begin(), name.end(), 0);
-    std::transform(name.begin(), end, std::back_inserter(about.name),
-                   [](std::uint8_t c) { return fitCharacter(static_cast<char>(c)); });
-    return about;
-}
-
 // ---- words
 
-PairingVoice::PairingVoice(PairingId id, noise::Role role, noise::TransportSecrets &&secrets) : m_id(id)
-{
-    const bool initiator = role == noise::Role::Initiator;
-    const Key32 &stations = initiator ? secrets.send : secrets.receive;
-    const Key32 &agents = initiator ? secrets.receive : secrets.send;
-    SecretBytes<64> both;
-    std::copy(stations.view().begin(), stations.view().end(), both.mutableView().begin());
-    std::copy(agents.view().begin(), agents.view().end(), both.mutableView().begin() + 32);
-    const Key32 extracted = crypto::hkdfExtractSha256(secrets.handshakeHash, both.view());
-    m_presharedKey = std::make_shared<const Key32>(
-        crypto::hkdfExpandKey(extracted, asBytes("skyseal v1 pairing preshared key")));
-    m_send.initializeKey(std::move(secrets.send));
-    m_receive.initializeKey(std::move(secrets.receive));
-}
+PairingVoice::PairingVoice(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey)
+    : m_id(id), m_presharedKey(std::make_shared<const Key32>(std::move(presharedKey))), m_send(cipher(std::move(send))),
+      m_receive(cipher(std::move(receive)))
+{}
 
 WordDatagram PairingVoice::say(const Word &word)
 {
     WordDatagram out{};
-    writeHead(out, PairingMessage::Sealed, m_id);
-    out[5] = static_cast<std::uint8_t>(kWordMark | static_cast<unsigned>(word.mine) << 2 | static_cast<unsigned>(word.heard));
+    const auto head = sealedHead(m_id, word.number());
+    std::copy(head.begin(), head.end(), out.begin());
     // The number is the nonce: the content for one nonce never changes.
-    m_send.setNonce(out[5]);
-    const MutableByteView tag = MutableByteView(out).subspan(kSealedHead);
-    if (!m_send.encryptWithAd(ByteView(out).first(kSealedHead), {}, tag))
+    m_send.setNonce(word.number());
+    if (!m_send.encryptWithAd(head, {}, MutableByteView(out).subspan(kSealedHead)))
         out.fill(0);
     return out;
 }
 
 std::optional<Word> PairingVoice::hear(ByteView datagram)
 {
-    if (!isWord(datagram) || idIn(datagram) != m_id)
+    if (!isWord(datagram) || sealedPairing(datagram) != m_id)
         return std::nullopt;
-    const std::uint8_t number = datagram[5];
-    const Word word{static_cast<Decision>(number >> 2 & 3), static_cast<Heard>(number & 3)};
-    if ((number & 0xf0) != kWordMark || word.mine > Decision::No)
+    const auto word = Word::fromNumber(datagram[5]);
+    if (!word)
         return std::nullopt;
-    m_receive.setNonce(number);
+    m_receive.setNonce(datagram[5]);
     if (!m_receive.decryptWithAd(datagram.first(kSealedHead), datagram.subspan(kSealedHead), {}))
         return std::nullopt;
     return word;
@@ -128,139 +88,100 @@ std::optional<Word> PairingVoice::hear(ByteView datagram)
 
 // ---- handshake
 
-std::optional<PairingHandshake> PairingHandshake::begin(noise::Role role, const crypto::X25519KeyPair &identity,
-                                                        const Key32 *passphraseKey, PairingId id, const PairingToken &token,
-                                                        Carrier carrier)
+PairingHandshake PairingHandshake::begin(const PairingConfig &config, PairingId id, const PairingToken &token, Carrier carrier,
+                                         RandomSource &random)
 {
-    // Fields that must be the same at both ends and are otherwise sent in clear.
-    std::array<std::uint8_t, 19 + 4 + 16> prologue;
-    ByteWriter out(prologue);
+    PairingOpening mine{config.identity->publicKey, config.systemId, config.name};
+    random.fill(mine.nonce);
+
+    std::array<std::uint8_t, 19> channel;
+    ByteWriter out(channel);
     out.bytes(asBytes("skyseal pairing v1"));
     out.u8(static_cast<std::uint8_t>(carrier));
-    out.u32(static_cast<std::uint32_t>(id));
-    out.bytes(token);
+    const bool hasPassphrase = config.passphrase && !weakened(Weakness::NoPassphrase);
+    const ByteView passphrase = hasPassphrase ? config.passphrase->view() : ByteView();
+    const auto role = config.role == Role::Station ? crypto::Cpace::Role::Initiator : crypto::Cpace::Role::Responder;
 
-    noise::HandshakeConfig config;
-    config.role = role;
-    config.pattern = noise::kPairing;
-    config.prologue = prologue;
-    config.localStatic = identity.clone();
-    config.psks.push_back(passphraseKey && !weakened(Weakness::NoPassphrase) ? passphraseKey->clone() : Key32());
-    auto noise = noise::HandshakeState::initialize(std::move(config));
-    if (!noise)
-        return std::nullopt;
-    return PairingHandshake(std::move(*noise), role, id, token);
+    PairingHandshake handshake(crypto::Cpace::begin(role, {passphrase, channel, sessionId(token, id)}, random));
+    handshake.m_role = config.role;
+    handshake.m_id = id;
+    handshake.m_token = token;
+    handshake.m_identity = config.identity;
+    handshake.m_mine = std::move(mine);
+    const PairingHello hello{id, handshake.m_cpace.share(), token, commitmentTo(handshake.m_mine.write())};
+    if (config.role == Role::Station)
+        handshake.m_first = pairingFirst(hello);
+    else
+        handshake.m_answer = pairingAnswer(hello);
+    return handshake;
 }
 
-std::optional<PairingDatagram> PairingHandshake::first(RandomSource &random)
+bool PairingHandshake::takeAnswer(ByteView datagram)
 {
-    PairingDatagram out{};
-    writeHead(out, PairingMessage::First, m_id);
-    std::copy(m_token.begin(), m_token.end(), out.begin() + 5);
-    static constexpr std::array<std::uint8_t, kFirstPadding> kZeros{};
-    if (!m_noise.writeMessage(kZeros, MutableByteView(out).subspan(kFirstHead), random))
-        return std::nullopt;
-    return out;
+    const auto answer = readAnswer(datagram);
+    if (!answer || answer->id != m_id || !agree(*readFirst(m_first), *answer))
+        return false;
+    std::copy(datagram.begin(), datagram.end(), m_answer.begin());
+    m_promised = answer->commitment;
+    return true;
 }
 
 bool PairingHandshake::takeFirst(ByteView datagram)
 {
-    std::array<std::uint8_t, kFirstPadding> padding;
-    return m_noise.readMessage(datagram.subspan(kFirstHead), padding).has_value();
+    const auto first = readFirst(datagram);
+    if (!first || first->id != m_id || first->token != m_token || !agree(*first, *readAnswer(m_answer)))
+        return false;
+    std::copy(datagram.begin(), datagram.end(), m_first.begin());
+    return true;
 }
 
-std::optional<PairingDatagram> PairingHandshake::answer(const PairingAbout &about, RandomSource &random)
+/// Derives the keys of the openings and seals ours.
+bool PairingHandshake::agree(const PairingHello &station, const PairingHello &agent)
 {
-    PairingDatagram out{};
-    writeHead(out, PairingMessage::Answer, m_id);
-    if (!m_noise.writeMessage(about.write(), MutableByteView(out).subspan(kAnswerHead), random))
-        return std::nullopt;
-    return out;
+    const auto shared = m_cpace.key(sessionId(m_token, m_id), {station.share, {}}, {agent.share, agent.commitment});
+    if (!shared)
+        return false;
+    m_root = crypto::hkdfExtractSha256(asBytes("skyseal pairing v1"), shared->view());
+    const auto openingKey = [this](Role sender) { return derived(m_root, "opening " + std::string(nameOf(sender))); };
+    m_receive = cipher(openingKey(otherThan(m_role)));
+    const auto head = sealedHead(m_id, kOpeningNumber);
+    std::copy(head.begin(), head.end(), m_sentOpening.begin());
+    return cipher(openingKey(m_role))
+        .encryptWithAd(head, m_mine.write(), MutableByteView(m_sentOpening).subspan(kSealedHead))
+        .has_value();
 }
 
-std::optional<PairingAbout> PairingHandshake::readAnswer(ByteView datagram)
+Result<PairingOpening, OpeningError> PairingHandshake::takeOpening(ByteView datagram)
 {
-    std::array<std::uint8_t, PairingAbout::kLength> about;
-    if (answeredPairing(datagram) != m_id || !m_noise.readMessage(datagram.subspan(kAnswerHead), about))
-        return std::nullopt;
-    about[1] = 0; // An agent asks for no role.
-    return PairingAbout::read(about);
+    PairingOpening::Bytes bytes;
+    m_receive.setNonce(kOpeningNumber);
+    if (!m_receive.hasKey() || !isOpening(datagram) || sealedPairing(datagram) != m_id
+        || !m_receive.decryptWithAd(datagram.first(kSealedHead), datagram.subspan(kSealedHead), bytes))
+        return tl::unexpected(OpeningError::Unreadable);
+    if (m_role == Role::Station && commitmentTo(bytes) != m_promised && !weakened(Weakness::NoCommitment))
+        return tl::unexpected(OpeningError::Broken);
+    std::copy(datagram.begin(), datagram.end(), m_readOpening.begin());
+    m_theirs = PairingOpening::read(bytes);
+    return m_theirs;
 }
 
-std::optional<ThirdDatagram> PairingHandshake::third(const PairingAbout &about, RandomSource &random)
+std::string PairingHandshake::code() const
 {
-    ThirdDatagram out{};
-    writeHead(out, PairingMessage::Sealed, m_id);
-    if (!m_noise.writeMessage(about.write(), MutableByteView(out).subspan(kSealedHead), random))
-        return std::nullopt;
-    return out;
-}
-
-std::optional<PairingAbout> PairingHandshake::takeThird(ByteView datagram)
-{
-    std::array<std::uint8_t, PairingAbout::kLength> about;
-    if (!isThird(datagram) || idIn(datagram) != m_id || !m_noise.readMessage(datagram.subspan(kSealedHead), about))
-        return std::nullopt;
-    return PairingAbout::read(about);
+    const bool isStation = m_role == Role::Station;
+    return pairingCode(m_first, m_answer, isStation ? m_mine : m_theirs, isStation ? m_theirs : m_mine);
 }
 
 std::optional<PairingVoice> PairingHandshake::finish() &&
 {
-    auto secrets = std::move(m_noise).finish();
-    if (!secrets)
+    const auto shared = crypto::x25519(m_identity->secret, m_theirs.key);
+    if (!shared)
         return std::nullopt;
-    return PairingVoice(m_id, m_role, std::move(*secrets));
-}
-
-// ---- heads
-
-PairingDatagram pairingCall(const PairingToken &token)
-{
-    PairingDatagram out{};
-    out[0] = firstByte(PairingMessage::Call);
-    std::copy(token.begin(), token.end(), out.begin() + 1);
-    return out;
-}
-
-std::optional<PairingToken> calledToken(ByteView datagram)
-{
-    if (datagram.size() != kPairingLength || datagram[0] != firstByte(PairingMessage::Call))
-        return std::nullopt;
-    PairingToken token;
-    std::copy_n(datagram.begin() + 1, token.size(), token.begin());
-    return token;
-}
-
-std::optional<FirstHead> firstHead(ByteView datagram)
-{
-    if (datagram.size() != kPairingLength || datagram[0] != firstByte(PairingMessage::First))
-        return std::nullopt;
-    FirstHead head;
-    head.id = idIn(datagram);
-    std::copy_n(datagram.begin() + 5, head.token.size(), head.token.begin());
-    return head;
-}
-
-std::optional<PairingId> answeredPairing(ByteView datagram)
-{
-    if (datagram.size() != kPairingLength || datagram[0] != firstByte(PairingMessage::Answer))
-        return std::nullopt;
-    return idIn(datagram);
-}
-
-bool isThird(ByteView datagram)
-{
-    return datagram.size() == kThirdLength && datagram[0] == firstByte(PairingMessage::Sealed) && datagram[5] == 0;
-}
-
-bool isWord(ByteView datagram)
-{
-    return datagram.size() == kWordLength && datagram[0] == firstByte(PairingMessage::Sealed) && datagram[5] >= kWordMark;
-}
-
-PairingId sealedPairing(ByteView datagram)
-{
-    return idIn(datagram);
+    const Key32 secret = crypto::hkdfExtractSha256(m_root.view(), shared->view());
+    const bool isStation = m_role == Role::Station;
+    std::array<std::uint8_t, 32> openings;
+    crypto::blake2b(openings, {isStation ? m_sentOpening : m_readOpening, isStation ? m_readOpening : m_sentOpening});
+    const auto wordKey = [&](Role sender) { return derived(secret, "words " + std::string(nameOf(sender)), openings); };
+    return PairingVoice(m_id, wordKey(m_role), wordKey(otherThan(m_role)), derived(secret, "preshared key", openings));
 }
 
 } // namespace skyseal::channel

@@ -1,7 +1,5 @@
 #include "core/channel/pairing_station.h"
 
-#include "core/base/weakness.h"
-
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -10,15 +8,16 @@ namespace {
 
 constexpr std::size_t kMaxCallers = 16;
 constexpr Duration kHeardOfLate = std::chrono::seconds(3);
-/// Time-out for an answer, and then for a word. Afterwards the next caller has its turn, which may be the same one.
+/// Time-out for an answer. Afterwards the next caller has its turn, which may be the same one.
 constexpr Duration kAttempt = std::chrono::seconds(3);
 constexpr Duration kFirstPause = std::chrono::milliseconds(50);
-constexpr Duration kThirdRepeat = std::chrono::milliseconds(250);
-/// An eavesdropper can send false answers to the first message, one Diffie-Hellman computation each. When no more may be
-/// computed on, the true one would not be read either: the next call starts again, with a new id.
-constexpr double kAnswersPerSecond = 50;
-constexpr double kAnswersAtOnce = 20;
-constexpr Duration kPauseAfterFlood = std::chrono::milliseconds(250);
+constexpr Duration kPauseAfterBadAnswer = std::chrono::milliseconds(250);
+/// Time-out for the agent's opening. There is no second attempt in this window.
+constexpr Duration kContinued = std::chrono::seconds(10);
+constexpr Duration kOpeningRepeat = std::chrono::milliseconds(250);
+constexpr unsigned kSlowest = 2; ///< the pause is doubled so often
+/// By then a right opening was answered, except over a very bad link.
+constexpr unsigned kOpeningsBeforeHint = 5;
 
 } // namespace
 
@@ -43,10 +42,9 @@ void PairingStation::handleCall(TimePoint now, const Path &from, ByteView datagr
         return;
     }
     // One first message for one call, so that a forged source address yields no amplification.
-    const bool answered = m_attempt->voice.has_value();
-    if (m_attempt->path == from && !answered && now >= m_attempt->sentAt + kFirstPause) {
+    if (m_attempt->path == from && !m_attempt->opened && now >= m_attempt->sentAt + kFirstPause) {
         m_attempt->sentAt = now;
-        m_core.outgoing.push(from, m_attempt->first);
+        m_core.outgoing.push(from, m_attempt->handshake.first());
     }
 }
 
@@ -55,7 +53,7 @@ void PairingStation::begin(TimePoint now)
 {
     Caller *next = nullptr;
     for (Caller &caller : m_callers) {
-        if (!caller.aside && now < caller.heard + kHeardOfLate && (!next || caller.tried < next->tried))
+        if (now < caller.heard + kHeardOfLate && (!next || caller.tried < next->tried))
             next = &caller;
     }
     if (!next || next->heard != now)
@@ -63,91 +61,86 @@ void PairingStation::begin(TimePoint now)
     next->tried = now;
     std::array<std::uint8_t, 4> id;
     m_core.random.fill(id);
-    auto handshake = PairingHandshake::begin(
-        noise::Role::Initiator, *m_core.config.identity, m_core.config.passphraseKey.get(),
-        PairingId{static_cast<std::uint32_t>(id[0] | id[1] << 8 | id[2] << 16) | static_cast<std::uint32_t>(id[3]) << 24},
-        next->token, next->path.carrier);
-    const auto first = handshake ? handshake->first(m_core.random) : std::nullopt;
-    if (!first)
-        return;
-    m_attempt.emplace(Attempt{std::move(*handshake), next->path, *first, now + kAttempt, now});
-    m_core.outgoing.push(next->path, *first);
+    const PairingId pairing{static_cast<std::uint32_t>(id[0] | id[1] << 8 | id[2] << 16)
+                            | static_cast<std::uint32_t>(id[3]) << 24};
+    m_attempt.emplace(Attempt{PairingHandshake::begin(m_core.config, pairing, next->token, next->path.carrier, m_core.random),
+                              next->path, now + kAttempt, now});
+    m_core.outgoing.push(next->path, m_attempt->handshake.first());
 }
 
 void PairingStation::handleAnswer(TimePoint now, const Path &from, ByteView datagram)
 {
-    if (!m_attempt || m_attempt->voice || m_attempt->path != from || answeredPairing(datagram) != m_attempt->handshake.id())
+    if (!m_attempt || m_attempt->opened || m_attempt->path != from)
         return;
-    if (!m_answers.take(now, kAnswersPerSecond, kAnswersAtOnce) && !weakened(Weakness::NoRateLimit)) {
-        m_attempt.reset();
-        m_nextFrom = now + kPauseAfterFlood;
+    const auto answer = readAnswer(datagram);
+    if (!answer || answer->id != m_attempt->handshake.id())
         return;
-    }
-    const auto about = m_attempt->handshake.readAnswer(datagram);
-    if (!about)
-        return;
-    const PublicKey key = m_attempt->handshake.peer();
-    const auto third = m_attempt->handshake.third(m_core.about(), m_core.random);
-    if (!third || !m_core.mayShow(key)) {
-        setAside(from);
-        m_attempt.reset();
+    if (!m_attempt->handshake.takeAnswer(datagram)) {
+        m_attempt.reset(); // An eavesdropper reads the id. The next call starts again with another one.
+        m_nextFrom = now + kPauseAfterBadAnswer;
         return;
     }
-    if (about->hasPassphrase != (m_core.config.passphraseKey != nullptr))
-        m_core.hintAtPassphrase(now);
-    m_attempt->voice = std::move(m_attempt->handshake).finish();
-    if (!m_attempt->voice) {
-        m_attempt.reset();
-        return;
-    }
-    // A station asks for its own role; the role of an agent is fixed.
-    m_attempt->peer = {key, about->name, about->roleAsked, from};
-    m_attempt->presharedKeyWanted = about->wantPresharedKey && m_core.config.wantPresharedKey;
-    m_attempt->third = *third;
-    m_attempt->until = now + kAttempt;
-    sendThird(now);
+    m_attempt->opened = true;
+    m_attempt->until = now + kContinued;
+    sendOpening(now);
 }
 
-void PairingStation::sendThird(TimePoint now)
+void PairingStation::sendOpening(TimePoint now)
 {
     Attempt &attempt = *m_attempt;
-    m_core.outgoing.push(attempt.path, attempt.third);
-    attempt.due = now + m_core.jittered(kThirdRepeat * (1 << std::min(attempt.sent++, 3u)));
+    m_core.outgoing.push(attempt.path, attempt.handshake.opening());
+    attempt.openingDue = now + m_core.jittered(kOpeningRepeat * (1 << std::min(attempt.openingsSent, kSlowest)));
+    if (++attempt.openingsSent == kOpeningsBeforeHint)
+        m_core.hintAtPassphrase(now);
 }
 
-std::optional<PairingConfirmation> PairingStation::handleWord(TimePoint now, const Path &from, ByteView datagram)
+/// After our opening: its receiver may know the code, and must not have a second attempt.
+void PairingStation::giveUp()
 {
-    if (!m_attempt || !m_attempt->voice || m_attempt->path != from || !m_attempt->voice->hear(datagram))
-        return std::nullopt;
-    PairingConfirmation talk(m_attempt->peer, std::move(*m_attempt->voice), m_attempt->presharedKeyWanted, now);
     m_attempt.reset();
-    talk.hear(now, from, datagram);
-    return talk;
+    if (!weakened(Weakness::OpenAgain))
+        m_core.failure = PairingEnd::Interrupted;
 }
 
-void PairingStation::setAside(const Path &path)
+std::optional<PairingConfirmation> PairingStation::handleOpening(TimePoint now, const Path &from, ByteView datagram)
 {
-    for (Caller &caller : m_callers)
-        caller.aside = caller.aside || caller.path == path;
+    if (!m_attempt || !m_attempt->opened || m_attempt->path != from)
+        return std::nullopt;
+    const auto opening = m_attempt->handshake.takeOpening(datagram);
+    if (!opening && opening.error() == OpeningError::Unreadable)
+        return std::nullopt;
+    if (!opening || opening->key == m_core.config.identity->publicKey) {
+        giveUp();
+        return std::nullopt;
+    }
+    PairingPeer peer{opening->key, opening->name, opening->systemId, m_attempt->handshake.code(), from};
+    auto voice = std::move(m_attempt->handshake).finish();
+    m_attempt.reset();
+    if (!voice) {
+        giveUp();
+        return std::nullopt;
+    }
+    return PairingConfirmation(std::move(peer), std::move(*voice), now);
 }
 
 void PairingStation::handleDeadline(TimePoint now)
 {
-    std::erase_if(m_callers, [now](const Caller &caller) { return !caller.aside && now >= caller.heard + kHeardOfLate; });
+    std::erase_if(m_callers, [now](const Caller &caller) { return now >= caller.heard + kHeardOfLate; });
     if (!m_attempt)
         return;
     if (now >= m_attempt->until) {
-        if (m_attempt->voice && m_core.config.passphraseKey)
-            m_core.hintAtPassphrase(now); // It answers, but not to the message that needs the passphrase.
-        m_attempt.reset();                // The next call starts another attempt.
-    } else if (now >= m_attempt->due) {
-        sendThird(now);
+        if (m_attempt->opened)
+            giveUp();
+        else
+            m_attempt.reset(); // The next call starts another attempt.
+    } else if (now >= m_attempt->openingDue) {
+        sendOpening(now);
     }
 }
 
 TimePoint PairingStation::deadline() const
 {
-    return m_attempt ? std::min(m_attempt->until, m_attempt->due) : kNever;
+    return m_attempt ? std::min(m_attempt->until, m_attempt->openingDue) : kNever;
 }
 
 } // namespace skyseal::channel

@@ -29,8 +29,6 @@ struct HandshakePattern
 
 /// Between peers that know each other's static key; the psk is zero if they share none.
 inline constexpr std::string_view kKnownPeers = "IKpsk2";
-/// For pairing: static keys are exchanged, then confirmed by the users.
-inline constexpr std::string_view kPairing = "XXpsk3";
 
 /// A pattern by its name, for instance "XX", "IKpsk2", "NNpsk0+psk2"; nullopt if the specification does not define it.
 std::optional<HandshakePattern> handshakePattern(std::string_view name);

@@ -232,10 +232,6 @@
 <context>
     <name>skyseal::app::WindowPairing</name>
     <message>
-        <source>this machine has not the memory to make a key of the passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>the station is not running</source>
         <translation type="unfinished"></translation>
     </message>
@@ -260,6 +256,10 @@
     </message>
     <message>
         <source>Refused %1 frames of %2, which may not send as that system; the last one was %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 frames of %2, which arrived too late to be obeyed; the last one was %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -425,6 +425,14 @@
         <source>the peer</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4 messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::PairingText</name>
@@ -437,15 +445,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: %1 is gone</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Pairing: another device tried, %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pairing: the passphrases of the two ends differ</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -470,6 +470,26 @@
     </message>
     <message>
         <source>key %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: the passphrases of the two ends may differ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: refused here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: refused at the other end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: interrupted; start again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pairing: ended after three wrong passphrases</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -913,6 +933,41 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
 </context>
 <context>
+    <name>skyseal::ui::CommandAge</name>
+    <message>
+        <source>%1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands are ignored: they arrive up to %1 late, and the limit is %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands arrive up to %1 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands arrive within %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands ignored, %1 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands %1 late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent ignores commands that are older than %1, or that newer messages overtook by %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent ignores commands that newer messages overtook by %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>skyseal::ui::CommandPermits</name>
     <message>
         <source>no vehicle</source>
@@ -1003,6 +1058,14 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>to vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stale</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Valid, but too late to command or to be shown</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2244,10 +2307,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Both are the same</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>They &amp;differ</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2272,48 +2331,11 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Role that this station requests</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pilot: may send commands</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observer: receives telemetry only</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
-It is valid for this pairing only. The fingerprints must be compared nevertheless.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Re&amp;quest role</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The agent&apos;s side has confirmed. Compare both fingerprints with those that the agent shows.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The agent is gone: %1. Waiting for the agent …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Another device tried to pair at the same time, fingerprint %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Paired with %1. The link is sealed as soon as both ends are connected.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An agent answers, but the passphrases differ, or only one end has one. Enter the same passphrase at both ends.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused. If you compared the right fingerprints, this may be an attack on the link (man in the middle). Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2325,11 +2347,72 @@ Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent answers. Compare both fingerprints, every group, with those that the agent shows.</source>
+        <source>Confirmed here. The pairing must now be confirmed at the agent as well.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Confirmed here. The pairing must now be confirmed at the agent as well.</source>
+        <source>Code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
+Then there is no code to compare. It is valid for this pairing only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Fingerprints</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The complete fingerprints of both keys. They need not be compared: the code stands for them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent&apos;s side has confirmed. Confirm here as well.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent&apos;s side has confirmed. Does the agent show this code?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent answers, but the passphrases differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>system id %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Confirm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The codes are the &amp;same</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Refuse</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent that knows the passphrase answers. Is it the right one?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An agent answers. Does it show this code?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not paired: refused.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not paired: the codes differ. If both were codes of this pairing, somebody is between this station and the agent (man in the middle).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2928,6 +3011,18 @@ with a pre-shared key</source>
         <source>It continues automatically when the agent is received again.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sealed, commands are ignored</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, commands are late</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SettingsDialog</name>
@@ -3085,6 +3180,141 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Plain MAVLink is then neither shown nor answered. Takes effect at the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::StateText</name>
+    <message>
+        <source>no GPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2D fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>3D fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>DGPS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTK float</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RTK fixed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>PPP</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>emergency</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>alert</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>debug</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take off to %1 m</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Land</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Return to launch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mode %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fly to the point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed %1 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mission item %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start the mission</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Restart the autopilot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4016,141 +4246,6 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>&amp;About Skyseal</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>skyseal::ui::StateText</name>
-    <message>
-        <source>no GPS</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no fix</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>2D fix</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>3D fix</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>DGPS</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RTK float</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>RTK fixed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>static</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>PPP</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>emergency</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>alert</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>critical</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>error</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>warning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>notice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>info</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>debug</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>accepted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Disarm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take off to %1 m</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Land</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Return to launch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mode %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fly to the point</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Speed %1 m/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mission item %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Start the mission</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Restart the autopilot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Command %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

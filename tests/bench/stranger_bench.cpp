@@ -99,6 +99,8 @@ public:
             config.identity = end().identity;
             config.callTo = {m_pair.pathOf(side == Ground ? Air : Ground)};
             m_pairing.emplace(std::move(config), m_random, m_pair.now);
+            m_pairing->handleDeadline(m_pair.now);
+            noteCalls();
         }
         m_ingress.addLink(kLink, rules, *this);
     }
@@ -110,13 +112,18 @@ public:
 
 private:
     Pair::End &end() { return m_pair.ends[m_side]; }
+    void noteCalls()
+    {
+        while (const auto sent = m_pairing->pollTransmit())
+            m_knows.token = channel::calledToken(sent->bytes).value_or(m_knows.token);
+    }
 
     bool takePairing(const link::Link &, const link::ReceivedBlock &message) override
     {
         if (!m_pairing || message.bytes.empty() || !channel::Pairing::owns(message.bytes[0]))
             return false;
         m_pairing->handleDatagram(message.time, message.path, message.bytes);
-        while (m_pairing->pollTransmit()) {}
+        noteCalls();
         while (m_pairing->pollEvent()) {}
         return true;
     }

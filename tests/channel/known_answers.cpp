@@ -46,13 +46,17 @@ void KnownAnswers::take(const std::string &line)
     }
     const std::size_t equals = line.find(" = ");
     const std::string value = trimmed(equals == std::string::npos ? line : line.substr(equals + 3));
+    const std::string_view zeros = " | zeros ";
+    const std::size_t filled = value.find(zeros);
     Bytes bytes;
     if (value.size() >= 2 && value.front() == '"' && value.back() == '"')
         bytes.assign(value.begin() + 1, value.end() - 1);
-    else if (const auto hex = fromHex(value))
+    else if (const auto hex = fromHex(value.substr(0, filled)))
         bytes = *hex;
     else
         m_problem = "neither hex nor text: " + line;
+    if (filled != std::string::npos)
+        bytes.resize(bytes.size() + std::stoul(value.substr(filled + zeros.size())));
     if (equals == std::string::npos) {
         if (m_last.empty())
             m_problem = "continues nothing: " + line;

@@ -415,30 +415,37 @@ void KnownAnswersTest::controlMessages()
 void KnownAnswersTest::pairing()
 {
     const auto token = arrayOf<16>(m_answers["pairing token"]);
-    const Key32 passphrase = secretOf(m_answers["passphrase key"]);
-    const PairingId id{0x01020304};
-    FixedRandom stationsEphemeral(m_answers["station ephemeral private"]);
-    FixedRandom agentsEphemeral(m_answers["agent ephemeral private"]);
+    const auto handshakeOf = [&](Role role, const X25519KeyPair &identity, const std::string &name, std::uint8_t systemId,
+                                 const std::string &who) {
+        PairingConfig config;
+        config.role = role;
+        config.identity = std::make_shared<const X25519KeyPair>(identity.clone());
+        config.name = name;
+        config.systemId = systemId;
+        config.passphrase = std::make_shared<const crypto::Passphrase>(
+            *crypto::Passphrase::fromBytes(m_answers["pairing passphrase"]));
+        Bytes drawn = m_answers["pairing nonce of the " + who];
+        const Bytes scalar = m_answers["pairing scalar of the " + who];
+        drawn.insert(drawn.end(), scalar.begin(), scalar.end());
+        FixedRandom random(drawn);
+        return PairingHandshake::begin(config, PairingId{0x01020304}, token, Carrier::Datagram, random);
+    };
     COMPARE_WITH("pairing call", pairingCall(token));
+    auto station = handshakeOf(Role::Station, m_station, "ground", 255, "station");
+    auto agent = handshakeOf(Role::Agent, m_agent, "air-1", 1, "agent");
+    COMPARE_WITH("pairing first", station.first());
+    QVERIFY(agent.takeFirst(station.first()));
+    COMPARE_WITH("pairing answer", agent.answer());
+    QVERIFY(station.takeAnswer(agent.answer()));
+    COMPARE_WITH("pairing opening of the station", station.opening());
+    QVERIFY(agent.takeOpening(station.opening()));
+    COMPARE_WITH("pairing opening of the agent", agent.opening());
+    QVERIFY(station.takeOpening(agent.opening()));
+    COMPARE_WITH("pairing code", station.code());
+    COMPARE_WITH("pairing code", agent.code());
 
-    auto station = PairingHandshake::begin(noise::Role::Initiator, m_station, &passphrase, id, token);
-    auto agent = PairingHandshake::begin(noise::Role::Responder, m_agent, &passphrase, id, token);
-    QVERIFY(station && agent);
-    const auto first = station->first(stationsEphemeral);
-    QVERIFY(first);
-    COMPARE_WITH("pairing first", *first);
-    QVERIFY(agent->takeFirst(*first));
-    const auto answer = agent->answer({true, true, PeerRole::Pilot, "air-1"}, agentsEphemeral);
-    QVERIFY(answer);
-    COMPARE_WITH("pairing answer", *answer);
-    QVERIFY(station->readAnswer(*answer));
-    const auto third = station->third({true, true, PeerRole::Pilot, "ground"}, stationsEphemeral);
-    QVERIFY(third);
-    COMPARE_WITH("pairing third", *third);
-    QVERIFY(agent->takeThird(*third));
-
-    auto stations = std::move(*station).finish();
-    auto agents = std::move(*agent).finish();
+    auto stations = std::move(station).finish();
+    auto agents = std::move(agent).finish();
     QVERIFY(stations && agents);
     COMPARE_WITH("pairing pre-shared key", stations->presharedKey()->view());
     COMPARE_WITH("pairing word of the station", stations->say({Decision::Yes, Heard::Nothing}));

@@ -56,6 +56,7 @@ public:
         config.role = side == Ground ? Role::Station : Role::Agent;
         config.identity = std::move(identity);
         config.name = side == Ground ? "tablet" : "scout-1";
+        config.systemId = side == Ground ? 255 : 7;
         if (side == Air)
             config.callTo = {pathOf(Ground)};
         return config;
@@ -135,7 +136,7 @@ private:
     SeededRandom m_random;
 };
 
-/// Who hears the agent's calls, and what it answers to him.
+/// Another device that hears the agent's calls, and the agent's newest message to it.
 struct Stranger
 {
     explicit Stranger(PairingPair &pair)
@@ -145,11 +146,31 @@ struct Stranger
                 token = called;
             return true;
         };
-        pair.elsewhere = [this](Side, const Transmit &out) { answer.assign(out.bytes.begin(), out.bytes.end()); };
+        pair.elsewhere = [this](Side, const Transmit &out) { received.assign(out.bytes.begin(), out.bytes.end()); };
     }
 
     std::optional<PairingToken> token;
-    Bytes answer;
+    Bytes received;
 };
+
+inline std::shared_ptr<const crypto::X25519KeyPair> newKey(RandomSource &random)
+{
+    return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+}
+
+inline std::shared_ptr<const crypto::Passphrase> passphraseOf(std::string_view text)
+{
+    return std::make_shared<const crypto::Passphrase>(*crypto::Passphrase::fromBytes(asBytes(text)));
+}
+
+/// One end's handshake outside a Pairing.
+inline PairingHandshake handshakeAs(Side side, std::shared_ptr<const crypto::X25519KeyPair> identity, PairingId id,
+                                    const PairingToken &token, RandomSource &random,
+                                    std::shared_ptr<const crypto::Passphrase> passphrase = {})
+{
+    auto config = PairingPair::configOf(side, std::move(identity));
+    config.passphrase = std::move(passphrase);
+    return PairingHandshake::begin(config, id, token, Carrier::Datagram, random);
+}
 
 } // namespace skyseal::test

@@ -1,7 +1,5 @@
 // Datagrams of attackers during a pairing: recordings, reflections, changed bits and floods.
-#include "core/base/hex.h"
 #include "core/channel/pairing_handshake.h"
-#include "core/channel/pairing_passphrase.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 #include "tap.h"
@@ -24,25 +22,16 @@ private Q_SLOTS:
     void everyBitFlipped();
     void wordsOfElsewhere();
     void lateAnswerOfAnother();
+    void shownOnlyWithThePrivateKey();
     void floodWithoutTheToken();
     void floodWithTheToken();
-    void floodOfFalseThirds();
+    void floodOfFalseOpenings();
     void floodOfFalseAnswers();
     void forgedCalls();
     void noMoreOutThanIn();
     void onlyTheLastAnswersAreKept();
     void moreCallersThanPlaces();
-    void keyOfAPassphrase();
 };
-
-namespace {
-
-std::shared_ptr<const crypto::X25519KeyPair> newKey(RandomSource &random)
-{
-    return std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
-}
-
-} // namespace
 
 void PairingWireTest::replayOfAWholePairing()
 {
@@ -96,32 +85,42 @@ void PairingWireTest::everyBitFlipped()
     SeededRandom random(9);
     const auto station = newKey(random), agent = newKey(random);
     const PairingToken token{1, 2, 3};
-    const auto make = [&](noise::Role role, const auto &key) {
-        return *PairingHandshake::begin(role, *key, nullptr, PairingId{0x01020304}, token);
+    const auto sameStation = [&] {
+        SeededRandom same(10);
+        return handshakeAs(Ground, station, PairingId{0x01020304}, token, same);
     };
-    auto here = make(noise::Role::Initiator, station), there = make(noise::Role::Responder, agent);
+    auto here = sameStation();
     const auto flipped = [](auto bytes, std::size_t bit) {
         bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1u << bit % 8);
         return bytes;
     };
-    const auto first = *here.first(random);
+    // A changed hello is refused, or its reader cannot read the opening: shares and commitments are part of the keys.
+    const auto first = here.first();
     for (std::size_t bit = 8; bit < first.size() * 8; ++bit) {
         const auto changed = flipped(first, bit);
-        const auto head = firstHead(changed);
-        auto reader = *PairingHandshake::begin(noise::Role::Responder, *agent, nullptr, head->id, head->token);
-        QVERIFY(!reader.takeFirst(changed));
+        const auto head = readFirst(changed);
+        auto reader = handshakeAs(Air, agent, head ? head->id : PairingId{}, head ? head->token : token, random);
+        auto sender = sameStation();
+        if (reader.takeFirst(changed) && sender.takeAnswer(reader.answer()))
+            QVERIFY(!reader.takeOpening(sender.opening()));
     }
+    auto there = handshakeAs(Air, agent, PairingId{0x01020304}, token, random);
     QVERIFY(there.takeFirst(first));
-    const auto answer = *there.answer({}, random);
-    for (std::size_t bit = 0; bit < answer.size() * 8; ++bit)
-        QVERIFY(!here.readAnswer(flipped(answer, bit)));
-    QVERIFY(here.readAnswer(answer));
-    const auto third = *here.third({}, random);
-    for (std::size_t bit = 0; bit < third.size() * 8; ++bit)
-        QVERIFY(!there.takeThird(flipped(third, bit)));
-    QVERIFY(there.takeThird(third));
-    QCOMPARE(here.peer(), agent->publicKey);
-    QCOMPARE(there.peer(), station->publicKey);
+    const auto answer = there.answer();
+    QVERIFY(here.takeAnswer(answer));
+    const auto opening = here.opening();
+    for (std::size_t bit = 0; bit < opening.size() * 8; ++bit)
+        QVERIFY(!there.takeOpening(flipped(opening, bit)));
+    const auto seenThere = there.takeOpening(opening);
+    QVERIFY(seenThere);
+    for (std::size_t bit = 0; bit < opening.size() * 8; ++bit)
+        QVERIFY(!here.takeOpening(flipped(there.opening(), bit)));
+    QVERIFY(!here.takeOpening(opening)); // The directions have keys of their own.
+    const auto seenHere = here.takeOpening(there.opening());
+    QVERIFY(seenHere);
+    QCOMPARE(seenHere->key, agent->publicKey);
+    QCOMPARE(seenThere->key, station->publicKey);
+    QCOMPARE(here.code(), there.code());
     auto mouth = *std::move(here).finish(), ear = *std::move(there).finish();
     for (const Decision mine : {Decision::None, Decision::Yes, Decision::No}) {
         for (const Heard heard : {Heard::Nothing, Heard::Yes, Heard::No, Heard::AllIsSaid}) {
@@ -168,31 +167,69 @@ void PairingWireTest::wordsOfElsewhere()
 
 void PairingWireTest::lateAnswerOfAnother()
 {
-    // Somebody reads the station's first message and is quicker than the agent: its own key is all that it can show.
+    // Another device reads the station's first message and answers before the agent. It receives the only opening of this
+    // window, and cannot continue with the agent.
     PairingPair pair;
     SeededRandom random(15);
     const auto other = newKey(random);
     pair.link.attacker = [&](TimePoint, Flight &flight) {
-        const auto head = firstHead(flight.bytes);
+        const auto head = readFirst(flight.bytes);
         if (!head)
             return true;
-        auto quick = *PairingHandshake::begin(noise::Role::Responder, *other, nullptr, head->id, head->token);
+        auto quick = handshakeAs(Air, other, head->id, head->token, random);
         if (quick.takeFirst(flight.bytes)) {
-            const auto answer = *quick.answer({}, random);
+            const auto answer = quick.answer();
             pair.link.inject(pair.now, {Air, 0, 0, Bytes(answer.begin(), answer.end())});
         }
         return true;
     };
     pair.openBoth();
     pair.run(20s);
-    for (const PairingSide &side : pair.ends) {
-        for (const auto &seen : side.all<PairingPeerSeen>())
-            QVERIFY(seen.peer.key == other->publicKey || seen.peer.key == pair.air().identity->publicKey
-                    || seen.peer.key == pair.ground().identity->publicKey);
-        QVERIFY(side.all<Paired>().empty());
-    }
-    pair.link.attacker = {}; // It stops, and all is well.
+    QCOMPARE(pair.ground().over()->reason, channel::PairingEnd::Interrupted);
+    for (const PairingSide &side : pair.ends)
+        QVERIFY(side.all<PairingPeerSeen>().empty() && side.all<Paired>().empty());
+    pair.link.attacker = {};
+    pair.openBoth();
     QVERIFY(pair.run(30s, [&] { return pair.shown(); }));
+}
+
+void PairingWireTest::shownOnlyWithThePrivateKey()
+{
+    // A station shows the public key of another device, without its private key.
+    PairingPair pair;
+    SeededRandom random(16);
+    const auto victim = newKey(random);
+    auto claimed = crypto::X25519KeyPair::generate(random);
+    claimed.publicKey = victim->publicKey;
+    Stranger stranger(pair);
+    pair.open(Air);
+    QVERIFY(pair.run(1s, [&] { return stranger.token.has_value(); }));
+    Path from{LinkId{1}, {}};
+    from.remote.ip[15] = 77;
+    for (const bool holdsKey : {false, true}) {
+        if (holdsKey)
+            pair.open(Air);
+        pair.run(1s);
+        pair.elsewhere = [&](Side, const Transmit &out) { stranger.received.assign(out.bytes.begin(), out.bytes.end()); };
+        auto handshake = handshakeAs(Ground,
+                                     holdsKey ? victim : std::make_shared<const crypto::X25519KeyPair>(std::move(claimed)),
+                                     PairingId{1}, *stranger.token, random);
+        pair.air().pairing->handleDatagram(pair.now, from, handshake.first());
+        pair.pump();
+        QVERIFY(handshake.takeAnswer(stranger.received));
+        pair.elsewhere = [&](Side, const Transmit &out) {
+            if (isOpening(out.bytes))
+                stranger.received.assign(out.bytes.begin(), out.bytes.end());
+        };
+        pair.air().pairing->handleDatagram(pair.now, from, handshake.opening());
+        pair.pump();
+        QVERIFY(handshake.takeOpening(stranger.received));
+        auto voice = std::move(handshake).finish();
+        QVERIFY(voice);
+        pair.air().pairing->handleDatagram(pair.now, from, voice->say({}));
+        pair.pump();
+        QCOMPARE(pair.air().sees(victim->publicKey), holdsKey);
+    }
 }
 
 void PairingWireTest::floodWithoutTheToken()
@@ -246,14 +283,12 @@ void PairingWireTest::floodWithTheToken()
     };
     pair.open(Air);
     const TimePoint start = pair.now;
-    PairingHandshake handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1},
-                                                          token);
-    PairingDatagram sample = *handshake.first(random);
+    const PairingDatagram sample = handshakeAs(Ground, newKey(random), PairingId{1}, token, random).first();
     std::uint32_t count = 0;
     const auto flood = [&] {
         for (int i = 0; i < 20; ++i) {
             ++count;
-            PairingDatagram datagram = sample; // A right head; what is behind it fails after a Diffie-Hellman.
+            PairingDatagram datagram = sample;
             std::copy_n(reinterpret_cast<const std::uint8_t *>(&count), 4, datagram.begin() + 1);
             std::copy(token.begin(), token.end(), datagram.begin() + 5);
             Path from{LinkId{1}, {}};
@@ -281,10 +316,10 @@ void PairingWireTest::floodWithTheToken()
     QVERIFY(out <= in);
 }
 
-void PairingWireTest::floodOfFalseThirds()
+void PairingWireTest::floodOfFalseOpenings()
 {
-    // Somebody hears a call, has a first message of his own answered, and sends twenty false thirds a millisecond: each
-    // would cost a Diffie-Hellman, since his key can be read in it. A station beside him is shown all the same.
+    // Another device hears a call, has its first message answered, and sends twenty wrong openings a millisecond. Without a
+    // passphrase the window stays open, and a station beside it is shown.
     PairingPair pair;
     SeededRandom random(25);
     Path from{LinkId{1}, {}};
@@ -292,30 +327,27 @@ void PairingWireTest::floodOfFalseThirds()
     Stranger stranger(pair);
     pair.open(Air);
     QVERIFY(pair.run(1s, [&] { return stranger.token.has_value(); }));
-    auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *newKey(random), nullptr, PairingId{1}, *stranger.token);
-    pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
+    auto handshake = handshakeAs(Ground, newKey(random), PairingId{1}, *stranger.token, random);
+    pair.air().pairing->handleDatagram(pair.now, from, handshake.first());
     pair.pump();
-    QVERIFY(handshake.readAnswer(stranger.answer));
-    const ThirdDatagram good = *handshake.third({}, random);
-    ThirdDatagram wrong = good;
+    QVERIFY(handshake.takeAnswer(stranger.received));
+    OpeningDatagram wrong = handshake.opening();
     wrong.back() ^= 1;
     for (int ms = 0; ms < 3000 && (ms <= 100 || !pair.shown()); ++ms) {
         for (int i = 0; i < 20; ++i)
             pair.air().pairing->handleDatagram(pair.now, from, wrong);
-        if (ms == 100) {
-            pair.air().pairing->handleDatagram(pair.now, from, good);
-            QVERIFY(!pair.air().pairing->peer()); // not computed on, so it is not seen that it is right
+        if (ms == 100)
             pair.open(Ground);
-        }
         pair.run(1ms);
     }
     QVERIFY(pair.shown());
+    QVERIFY(!pair.air().over());
 }
 
 void PairingWireTest::floodOfFalseAnswers()
 {
-    // Somebody hears the station's first messages, which name the pairing in the clear, and sends twenty false answers a
-    // millisecond. What the station must not compute on is turned away with the id that it was sent to.
+    // An eavesdropper reads the pairing id in the station's first messages, and sends twenty answers with invalid shares a
+    // millisecond. Each id is given up after one of them.
     PairingPair pair;
     SeededRandom random(24);
     std::set<PairingId> ids;
@@ -323,7 +355,7 @@ void PairingWireTest::floodOfFalseAnswers()
     TimePoint knownFrom = kNever;
     bool jammed = true;
     pair.link.attacker = [&](TimePoint at, Flight &flight) {
-        if (const auto head = firstHead(flight.bytes); head && heard != head->id) {
+        if (const auto head = readFirst(flight.bytes); head && heard != head->id) {
             heard = head->id;
             knownFrom = at + 3ms; // it is no nearer than the agent
             ids.insert(head->id);
@@ -333,12 +365,11 @@ void PairingWireTest::floodOfFalseAnswers()
     const auto flood = [&] {
         if (pair.now >= knownFrom)
             known = heard;
-        PairingDatagram datagram;
         for (int i = 0; i < 20 && known; ++i) {
-            random.fill(datagram);
-            datagram[0] = firstByte(PairingMessage::Answer);
-            for (unsigned k = 0; k < 4; ++k)
-                datagram[1 + k] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(*known) >> 8 * k);
+            PairingHello hello{*known};
+            random.fill(hello.commitment);
+            hello.share.fill(0xff);
+            const PairingAnswer datagram = pairingAnswer(hello);
             pair.ground().pairing->handleDatagram(pair.now, PairingPair::pathOf(Air), datagram);
         }
         pair.pump();
@@ -426,28 +457,26 @@ void PairingWireTest::onlyTheLastAnswersAreKept()
     struct Caller
     {
         Path from;
-        channel::PublicKey key;
-        ThirdDatagram third;
+        OpeningDatagram opening;
     };
     std::vector<Caller> callers;
     for (unsigned i = 0; i < 9; ++i) {
         Path from = PairingPair::pathOf(Ground);
         from.remote.ip[0] = static_cast<std::uint8_t>(50 + i); // another host each: one has a share of five
-        const auto key = newKey(random);
-        auto handshake = *PairingHandshake::begin(noise::Role::Initiator, *key, nullptr, PairingId{i + 1}, *stranger.token);
-        pair.air().pairing->handleDatagram(pair.now, from, *handshake.first(random));
+        auto handshake = handshakeAs(Ground, newKey(random), PairingId{i + 1}, *stranger.token, random);
+        pair.air().pairing->handleDatagram(pair.now, from, handshake.first());
         pair.pump();
-        QVERIFY(handshake.readAnswer(stranger.answer));
-        callers.push_back({from, key->publicKey, *handshake.third({}, random)});
+        QVERIFY(handshake.takeAnswer(stranger.received));
+        callers.push_back({from, handshake.opening()});
     }
-    const auto finish = [&](const Caller &caller) {
-        pair.air().pairing->handleDatagram(pair.now, caller.from, caller.third);
+    const auto isAnswered = [&](const Caller &caller) {
+        stranger.received.clear();
+        pair.air().pairing->handleDatagram(pair.now, caller.from, caller.opening);
         pair.pump();
-        return pair.air().sees(caller.key);
+        return !stranger.received.empty();
     };
-    QVERIFY(!finish(callers.front()));
-    QVERIFY(!pair.air().pairing->peer());
-    QVERIFY(finish(callers.back()));
+    QVERIFY(!isAnswered(callers.front()));
+    QVERIFY(isAnswered(callers.back()));
 }
 
 void PairingWireTest::moreCallersThanPlaces()
@@ -469,18 +498,6 @@ void PairingWireTest::moreCallersThanPlaces()
     QVERIFY(out <= 1); // One at a time.
     pair.open(Air);
     QVERIFY(pair.run(30s, [&] { return pair.shown(); }));
-}
-
-/// The example of PROTOCOL.md, computed by the reference implementation:
-/// echo -n "correct horse battery staple" | argon2 "skyseal pairing1" -id -t 3 -k 65536 -p 1 -l 32 -r
-void PairingWireTest::keyOfAPassphrase()
-{
-    const std::string_view words = "correct horse battery staple";
-    const auto key = channel::pairingPassphraseKey(*crypto::Passphrase::fromBytes(asBytes(words)));
-    QVERIFY(key);
-    QCOMPARE(toHex(key->view()), std::string("9ff9e004e3238aa60b954e1348cd65a1722aec69ba15697f07ab9639aedc1980"));
-    const auto other = channel::pairingPassphraseKey(*crypto::Passphrase::fromBytes(asBytes(words.substr(1))));
-    QVERIFY(other && !other->equals(*key));
 }
 
 SKYSEAL_TEST(PairingWireTest)

@@ -2,6 +2,7 @@
 #include "core/engine/agent/armed_vehicles.h"
 #include "core/engine/agent/command_gate.h"
 #include "core/engine/agent/ground_sessions.h"
+#include "core/engine/agent/vehicle_routes.h"
 #include "core/mavlink/messages.h"
 #include "tests/support/clear_frames.h"
 #include "tests/support/heartbeat.h"
@@ -77,6 +78,7 @@ private Q_SLOTS:
     void heartbeatsOfAnObserverAreOnlyCounted();
     void lateFramesHaveTheRightsOfAnObserver();
     void anyArmedVehicleCounts();
+    void onlyVehicleIsNamed();
     void lossOfEachStationIsItsOwn();
 };
 
@@ -136,6 +138,20 @@ void CommandGateTest::heartbeatsOfAnObserverAreOnlyCounted()
     QVERIFY(!gate.take(kObserver, clearHeartbeat(255, 190, false)));
     QCOMPARE(gate.counters().observerRefused, std::uint64_t(1));
     QVERIFY(gate.takeRefused().empty());
+}
+
+/// The system id that an agent gives for its vehicle when it is paired.
+void CommandGateTest::onlyVehicleIsNamed()
+{
+    VehicleRoutes routes;
+    QCOMPARE(routes.onlySystem(), std::uint8_t(0));
+    const auto hear = [&](const QByteArray &frame) {
+        routes.heard({}, {}, *mavlink::readFrame(viewOf(frame), mavlink::Dialect::builtin()));
+    };
+    hear(clearHeartbeat(7, 1, false));
+    QCOMPARE(routes.onlySystem(), std::uint8_t(7));
+    hear(clearHeartbeat(9, 1, false));
+    QCOMPARE(routes.onlySystem(), std::uint8_t(0)); // to bind one would exclude the other
 }
 
 void CommandGateTest::anyArmedVehicleCounts()

@@ -15,7 +15,7 @@ using namespace skyseal::noise;
 
 static HandshakeState victim(std::uint8_t choice)
 {
-    static constexpr std::string_view kPatterns[] = {kKnownPeers, kPairing, "IK", "XX"};
+    static constexpr std::string_view kPatterns[] = {kKnownPeers, "XXpsk3", "IK", "XX"};
     Key32 ours;
     ours.mutableView()[0] = 1;
     Key32 theirs;

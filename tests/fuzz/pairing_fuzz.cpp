@@ -1,6 +1,5 @@
-// Pairing messages in every state of both roles: a window with nobody, one that waits for an answer or a third message, and
-// one with somebody on the screen. The input is a list of datagrams, each a length and its bytes; heads are made good.
-#include "core/channel/pairing_handshake.h"
+// Pairing messages in every state of both roles: a window without callers, one that waits for an answer or an opening, and one
+// with a peer on the screen. The input is a list of datagrams, each a length and its bytes; heads are made valid.
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 
@@ -59,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         pair.pump();
         pair.run(std::chrono::milliseconds(100));
     }
-    // Nobody can make a pairing, or a yes, or show a key, without the handshake.
+    // Without the handshake there is no pairing, no confirmation, and no peer on the screen.
     for (const PairingSide &end : pair.ends) {
         if (!end.all<Paired>().empty())
             std::abort();
@@ -72,6 +71,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     if (pair.air().pairing->peer() && !pair.air().sees(pair.ground().identity->publicKey))
         std::abort();
-    static_cast<void>(PairingAbout::read(ByteView(data, std::min<std::size_t>(size, PairingAbout::kLength))));
+    PairingOpening::Bytes opening{};
+    std::copy_n(data, std::min(size, opening.size()), opening.begin());
+    if (PairingOpening::read(opening).name.size() > kMaxPairingName)
+        std::abort();
     return 0;
 }

@@ -55,9 +55,11 @@ void PairedPeerTest::strangerIsAdded()
     QVERIFY(keepPairedPeer(m_file, peer("scout", 1), KeyChange::Refused));
     channel::Peer observer = peer("tablet", 2);
     observer.role = PeerRole::Observer;
+    observer.systemIds = {254};
     QVERIFY(keepPairedPeer(m_file, observer, KeyChange::Refused));
     QCOMPARE(list().entries().size(), std::size_t(2));
     QVERIFY(list().find("tablet")->peer.role == PeerRole::Observer);
+    QCOMPARE(list().find("tablet")->peer.systemIds, std::vector<std::uint8_t>{254}); // as the pairing showed it
     QVERIFY(list().find("scout")->presharedKeyFile.empty());
     QCOMPARE(test::modeOf(m_file), mode_t(0600));
 }
@@ -87,6 +89,7 @@ void PairedPeerTest::knownKeyKeepsNameAndSystems()
     QVERIFY(file.add(known) && file.save(m_file));
     channel::Peer paired = peer("what it calls itself", 1);
     paired.role = PeerRole::Observer;
+    paired.systemIds = {9};
     QVERIFY(keepPairedPeer(m_file, paired, KeyChange::Refused));
     QCOMPARE(list().entries().size(), std::size_t(1));
     QCOMPARE(list().find("heron")->peer.systemIds, std::vector<std::uint8_t>{4});

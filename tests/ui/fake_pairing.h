@@ -22,9 +22,8 @@ public:
 
     using PairingInterface::PairingInterface;
 
-    void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) override
+    void open(const std::optional<crypto::Passphrase> &passphrase) override
     {
-        opened.push_back(roleAsked);
         passphrases.push_back(passphrase ? std::string(asText(passphrase->view())) : std::string());
     }
     void confirm(const channel::PublicKey &key, const QString &name, bool replace) override
@@ -34,8 +33,7 @@ public:
     void refuse() override { ++refusals; }
     void cancel() override { ++cancels; }
 
-    std::vector<channel::PeerRole> opened;
-    std::vector<std::string> passphrases; ///< with which it was opened; empty = none
+    std::vector<std::string> passphrases; ///< of each opening; empty = none
     std::vector<Confirmation> confirmations;
     int refusals = 0, cancels = 0;
 };

@@ -9,6 +9,7 @@
 
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QLineEdit>
+#include <QtWidgets/QPushButton>
 
 #include <functional>
 #include <map>
@@ -52,6 +53,11 @@ QWidget *keysOf(const Stage &stage)
     return dialog;
 }
 
+PairingQuestion question(const char *name)
+{
+    return {keyOf(9), QLatin1String(name), QStringLiteral("482 907"), 1};
+}
+
 QWidget *pairingWith(const Stage &stage, const std::function<void(FakePairing &)> &what)
 {
     auto *dialog = new PairingDialog(stage.pairing, stage.keyring, &stage.window);
@@ -89,18 +95,44 @@ const std::map<QString, Open> &dialogs()
          }},
         {QStringLiteral("pairing-compare"),
          [](const Stage &stage) {
-             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")}); });
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen(question("heron")); });
+         }},
+        {QStringLiteral("pairing-fingerprints"),
+         [](const Stage &stage) {
+             auto *dialog = pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen(question("heron")); });
+             dialog->findChild<QPushButton *>(QStringLiteral("pairingFingerprints"))->click();
+             return dialog;
+         }},
+        {QStringLiteral("pairing-passphrase"),
+         [](const Stage &stage) {
+             auto *dialog = pairingWith(stage, [](FakePairing &) {});
+             auto *field = dialog->findChild<QLineEdit *>(QStringLiteral("pairingPassphrase"));
+             field->setText(QStringLiteral("blue heron"));
+             Q_EMIT field->textEdited(field->text());
+             Q_EMIT field->editingFinished();
+             Q_EMIT stage.pairing.seen(question("heron"));
+             return dialog;
+         }},
+        {QStringLiteral("pairing-refused"),
+         [](const Stage &stage) {
+             auto *dialog = pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen(question("heron")); });
+             dialog->findChild<QPushButton *>(QStringLiteral("pairingDiffer"))->click();
+             return dialog;
+         }},
+        {QStringLiteral("pairing-interrupted"),
+         [](const Stage &stage) {
+             return pairingWith(stage, [](FakePairing &pairing) {
+                 Q_EMIT pairing.failed(QStringLiteral("the pairing was interrupted; start again at both ends"));
+             });
          }},
         {QStringLiteral("pairing-changed"),
          [](const Stage &stage) {
-             return pairingWith(stage, [](FakePairing &pairing) {
-                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("scout-1")});
-             });
+             return pairingWith(stage, [](FakePairing &pairing) { Q_EMIT pairing.seen(question("scout-1")); });
          }},
         {QStringLiteral("pairing-paired"),
          [](const Stage &stage) {
              return pairingWith(stage, [](FakePairing &pairing) {
-                 Q_EMIT pairing.seen({keyOf(9), QStringLiteral("heron")});
+                 Q_EMIT pairing.seen(question("heron"));
                  Q_EMIT pairing.paired(QStringLiteral("heron"));
              });
          }},

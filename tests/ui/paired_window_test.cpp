@@ -246,6 +246,8 @@ void PairedWindowTest::picture(const char *name, QWidget *of)
 
 void PairedWindowTest::confirmBoth(PairingDialog *dialog, Program &desk)
 {
+    // A known station keeps its role, a new one gets one.
+    desk.notify(QStringLiteral("pilot"));
     desk.notify(QStringLiteral("yes"));
     EVENTUALLY(textOf(dialog, "pairingText").contains(QStringLiteral("has confirmed")));
     const bool replaces = dialog->findChild<ChangedKeyWarning *>()->isVisible();
@@ -273,7 +275,10 @@ void PairedWindowTest::wrongPassphraseIsTold()
     QVERIFY(!dialog->findChild<QWidget *>(QStringLiteral("pairingAgree"))->isVisible());
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), stateIs("passphrase-differs")).isEmpty());
     picture("pairing-passphrase-differs", dialog);
+    // The opening was shown to an end that did not continue: the next attempt needs a new window.
+    EVENTUALLY(textOf(dialog, "pairingText").contains(QStringLiteral("interrupted")));
     QCOMPARE(desk->terminate(), 1);
+    click(dialog, "pairingAgain");
 }
 
 /// Goes on in the dialog that stands open.
@@ -284,7 +289,9 @@ void PairedWindowTest::pairedByTheWindow()
     const auto desk = openDesk("air.key", "right");
     const QJsonObject news = desk->waitFor(QStringLiteral("pairing"), stateIs("seen"));
     const QString seen = news[QLatin1String("fingerprint")].toString();
-    EVENTUALLY(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible());
+    EVENTUALLY(dialog->findChild<QPushButton *>(QStringLiteral("pairingAgree"))->isVisible());
+    QVERIFY(!dialog->findChild<QLabel *>(QStringLiteral("pairingCode"))->isVisible());
+    click(dialog, "pairingFingerprints");
     QCOMPARE(inOneLine(textOf(dialog, "pairingTheirs")), m_air);
     QCOMPARE(inOneLine(textOf(dialog, "pairingOwn")), seen);
     QVERIFY(textOf(dialog, "pairingProblem").isEmpty());
@@ -339,11 +346,12 @@ void PairedWindowTest::pairedAgain()
     PairingDialog *dialog = openPairing();
     QVERIFY(dialog);
     const auto desk = openDesk("air.key");
-    EVENTUALLY(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible());
+    EVENTUALLY(dialog->findChild<QLabel *>(QStringLiteral("pairingCode"))->isVisible());
     auto *name = dialog->findChild<QLineEdit *>(QStringLiteral("pairingName"));
     name->selectAll();
     QTest::keyClicks(name, QStringLiteral("heron"));
-    QVERIFY(!desk->waitFor(QStringLiteral("pairing"), stateIs("seen")).isEmpty());
+    const QJsonObject news = desk->waitFor(QStringLiteral("pairing"), stateIs("seen"));
+    QCOMPARE(news[QLatin1String("code")].toString(), textOf(dialog, "pairingCode"));
     confirmBoth(dialog, *desk);
     dialog->close();
     EVENTUALLY(isSealed());
@@ -377,7 +385,7 @@ void PairedWindowTest::changedKeyIsRefusedUntilReplaced()
     PairingDialog *dialog = openPairing();
     QVERIFY(dialog);
     const auto desk = openDesk("new-air.key");
-    EVENTUALLY(dialog->findChild<QLabel *>(QStringLiteral("pairingTheirs"))->isVisible());
+    EVENTUALLY(dialog->findChild<QLabel *>(QStringLiteral("pairingCode"))->isVisible());
     QCOMPARE(inOneLine(textOf(dialog, "pairingTheirs")), changed);
     auto *name = dialog->findChild<QLineEdit *>(QStringLiteral("pairingName"));
     name->selectAll();

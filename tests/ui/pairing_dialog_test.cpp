@@ -9,7 +9,6 @@
 
 #include <QtTest/QTest>
 #include <QtWidgets/QCheckBox>
-#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
@@ -49,12 +48,12 @@ private Q_SLOTS:
     void comparedAndConfirmed();
     void returnKeyDoesNotConfirm();
     void refusedByTheEye();
-    void goneTakesTheQuestionAway();
+    void fingerprintsAreBehindTheButton();
+    void passphraseNeedsNoCode();
     void changedKeyNeedsTheTick();
     void anotherNameAvoidsTheWarning();
     void badNameIsNoYes();
     void failureCanBeTriedAgain();
-    void anotherRoleBeginsAnew();
     void leavingCancels();
     void passphraseIsUsedOnceItIsTyped();
     void questionWithoutTheTypedPassphraseIsNotShown();
@@ -63,7 +62,10 @@ private Q_SLOTS:
 private:
     template<typename W> W *find(const char *name) const { return m_dialog->findChild<W *>(QLatin1String(name)); }
     QString words() const { return find<QLabel>("pairingText")->text(); }
-    void see(std::uint8_t first, const char *name) { Q_EMIT m_pairing->seen({key(first), QLatin1String(name)}); }
+    void see(std::uint8_t first, const char *name)
+    {
+        Q_EMIT m_pairing->seen({key(first), QLatin1String(name), QStringLiteral("012 345"), 7});
+    }
 
     std::unique_ptr<FakeKeyring> m_keyring;
     std::unique_ptr<FakePairing> m_pairing;
@@ -72,9 +74,9 @@ private:
 
 void PairingDialogTest::waitingShowsInstructions()
 {
-    QCOMPARE(m_pairing->opened.size(), std::size_t(1));
+    QCOMPARE(m_pairing->passphrases.size(), std::size_t(1));
     QVERIFY(words().contains(QStringLiteral("skyseal-air --pair")));
-    QCOMPARE(find<QLabel>("pairingOwn")->text(), fingerprintLines(key(1)));
+    QVERIFY(!find<QLabel>("pairingCode")->isVisible() && !find<QLabel>("pairingOwn")->isVisible());
     QVERIFY(find<QLabel>("pairingTime")->text().contains(QStringLiteral("s left")));
     QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
 }
@@ -82,7 +84,9 @@ void PairingDialogTest::waitingShowsInstructions()
 void PairingDialogTest::comparedAndConfirmed()
 {
     see(5, "heron");
-    QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(5)));
+    QVERIFY(find<QLabel>("pairingCode")->isVisible());
+    QCOMPARE(find<QLabel>("pairingCode")->text(), QStringLiteral("012 345"));
+    QCOMPARE(find<QLabel>("pairingSystem")->text(), QStringLiteral("system id 7"));
     QCOMPARE(find<QLineEdit>("pairingName")->text(), QStringLiteral("heron"));
     Q_EMIT m_pairing->confirmedThere();
     QVERIFY(words().contains(QStringLiteral("has confirmed")));
@@ -112,18 +116,37 @@ void PairingDialogTest::refusedByTheEye()
     see(5, "heron");
     QTest::mouseClick(find<QPushButton>("pairingDiffer"), Qt::LeftButton);
     QCOMPARE(m_pairing->refusals, 1);
-    QVERIFY(words().contains(QStringLiteral("Waiting")));
+    QVERIFY(words().contains(QStringLiteral("man in the middle")));
+    QVERIFY(!find<QLabel>("pairingCode")->isVisible());
+    Q_EMIT m_pairing->failed(QStringLiteral("refused here"));
+    QVERIFY(words().contains(QStringLiteral("man in the middle")));
+    QVERIFY(find<QPushButton>("pairingAgain")->isVisible());
+}
+
+void PairingDialogTest::fingerprintsAreBehindTheButton()
+{
+    QVERIFY(!find<QPushButton>("pairingFingerprints")->isVisible());
+    see(5, "heron");
+    QVERIFY(!find<QLabel>("pairingTheirs")->isVisible());
+    QTest::mouseClick(find<QPushButton>("pairingFingerprints"), Qt::LeftButton);
+    QVERIFY(find<QLabel>("pairingOwn")->isVisible() && find<QLabel>("pairingTheirs")->isVisible());
+    QCOMPARE(find<QLabel>("pairingOwn")->text(), fingerprintLines(key(1)));
+    QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(5)));
+    QTest::mouseClick(find<QPushButton>("pairingFingerprints"), Qt::LeftButton);
     QVERIFY(!find<QLabel>("pairingTheirs")->isVisible());
 }
 
-void PairingDialogTest::goneTakesTheQuestionAway()
+void PairingDialogTest::passphraseNeedsNoCode()
 {
+    auto *field = find<QLineEdit>("pairingPassphrase");
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("blue heron"));
+    QTest::keyClick(field, Qt::Key_Return);
     see(5, "heron");
-    Q_EMIT m_pairing->gone(QStringLiteral("it fell silent"));
-    QVERIFY(words().contains(QStringLiteral("it fell silent")));
-    QVERIFY(!find<QPushButton>("pairingAgree")->isVisible());
-    see(6, "other");
-    QCOMPARE(find<QLabel>("pairingTheirs")->text(), fingerprintLines(key(6)));
+    QVERIFY(!find<QLabel>("pairingCode")->isVisible());
+    QVERIFY(words().contains(QStringLiteral("knows the passphrase")));
+    QTest::mouseClick(find<QPushButton>("pairingAgree"), Qt::LeftButton);
+    QCOMPARE(m_pairing->confirmations.size(), std::size_t(1));
 }
 
 void PairingDialogTest::changedKeyNeedsTheTick()
@@ -172,15 +195,8 @@ void PairingDialogTest::failureCanBeTriedAgain()
     Q_EMIT m_pairing->failed(QStringLiteral("the vehicle was armed"));
     QVERIFY(words().contains(QStringLiteral("the vehicle was armed")));
     QTest::mouseClick(find<QPushButton>("pairingAgain"), Qt::LeftButton);
-    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
+    QCOMPARE(m_pairing->passphrases.size(), std::size_t(2));
     QVERIFY(words().contains(QStringLiteral("skyseal-air --pair")));
-}
-
-void PairingDialogTest::anotherRoleBeginsAnew()
-{
-    QTest::keyClick(find<QComboBox>("pairingRole"), Qt::Key_Down);
-    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
-    QVERIFY(m_pairing->opened.back() == channel::PeerRole::Observer);
 }
 
 void PairingDialogTest::leavingCancels()
@@ -200,12 +216,12 @@ void PairingDialogTest::passphraseIsUsedOnceItIsTyped()
     QCOMPARE(m_pairing->passphrases, std::vector<std::string>{""});
     field->setFocus();
     QTest::keyClicks(field, QStringLiteral("blue heron"));
-    QCOMPARE(m_pairing->opened.size(), std::size_t(1)); // not with each letter
+    QCOMPARE(m_pairing->passphrases.size(), std::size_t(1)); // not with each letter
     QTest::keyClick(field, Qt::Key_Return);
     QVERIFY(m_dialog->isVisible());
     QCOMPARE(m_pairing->passphrases, (std::vector<std::string>{"", "blue heron"}));
-    find<QComboBox>("pairingRole")->setFocus(); // unchanged: the pairing is not restarted
-    QCOMPARE(m_pairing->opened.size(), std::size_t(2));
+    field->clearFocus(); // unchanged: the pairing is not restarted
+    QCOMPARE(m_pairing->passphrases.size(), std::size_t(2));
     see(5, "heron");
     QVERIFY(!field->isVisible());
 }

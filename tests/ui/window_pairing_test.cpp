@@ -1,5 +1,4 @@
-// The window's pairing on a real station: what becomes of it when no key can be made of the passphrase, or when there is no
-// station.
+// The window's pairing when there is no station.
 #include "app/skyseal/window_pairing.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
@@ -31,34 +30,6 @@ private Q_SLOTS:
         m_config.record = false;
     }
 
-    void withoutAKeyNoWindowStaysOpen()
-    {
-        auto station = engine::Station::create(m_config);
-        QVERIFY2(station, station ? "" : station.error().text().c_str());
-        StationAdapter adapter(std::move(*station));
-        WindowPairing pairing([](const crypto::Passphrase &) { return nullptr; });
-        pairing.use(adapter, m_config.keys.peers);
-        bool cancelled = false;
-        connect(&adapter, &StationAdapter::pairing, this, [&](const channel::PairingEvent &event) {
-            const auto *over = std::get_if<channel::PairingOver>(&event);
-            cancelled |= over && over->reason == channel::PairingEnd::Cancelled;
-        });
-        QSignalSpy failed(&pairing, &ui::PairingInterface::failed), seen(&pairing, &ui::PairingInterface::seen);
-        pairing.open(channel::PeerRole::Pilot, std::nullopt);
-        const QByteArray typed("blue heron");
-        const auto passphrase = crypto::Passphrase::fromBytes(
-            ByteView(reinterpret_cast<const std::uint8_t *>(typed.constData()), static_cast<std::size_t>(typed.size())));
-        QVERIFY(passphrase);
-        pairing.open(channel::PeerRole::Pilot, std::optional<crypto::Passphrase>(passphrase->clone()));
-        EVENTUALLY_EQUAL(failed.size(), 1);
-        QVERIFY(failed[0][0].toString().contains(QStringLiteral("memory")));
-        EVENTUALLY(cancelled); // the one that was opened without a passphrase
-        // Its remaining events are not delivered.
-        Q_EMIT adapter.pairing(channel::PairingPeerSeen{});
-        QCOMPARE(seen.size(), 0);
-        QCOMPARE(failed.size(), 1);
-    }
-
     void pairingWithoutAStationFails()
     {
         auto station = engine::Station::create(m_config);
@@ -71,7 +42,7 @@ private Q_SLOTS:
         adapter.exchange(broken);
         QVERIFY(!adapter.isRunning());
         QSignalSpy failed(&pairing, &ui::PairingInterface::failed);
-        pairing.open(channel::PeerRole::Pilot, std::nullopt);
+        pairing.open(std::nullopt);
         QCOMPARE(failed.size(), 1);
         QVERIFY(failed[0][0].toString().contains(QStringLiteral("not running")));
         pairing.confirm({}, QStringLiteral("air-1"), false);

@@ -123,6 +123,10 @@ inline constexpr Proof kProofs[] = {
     {"NoPassphrase", "attack_pairing_test", "inBetweenWithoutThePassphrase", "nobody is shown without the passphrase"},
     {"NoPassphrase", "attack_pairing_test", "passphraseMustBeTheSame", "nobody is shown without the passphrase"},
     {"ShowNewest", "attack_pairing_test", "anotherWhileComparing", "who came first stays"},
+    {"NoCommitment", "attack_pairing_test", "nonceChosenAfterTheOthers", "an agent shows what it committed to"},
+    {"OpenAgain", "attack_pairing_test", "oneOpeningOfTheStation", "one opening in a window"},
+    {"OpenAgain", "attack_pairing_test", "oneOpeningOfTheAgent", "one opening in a window"},
+    {"GuessAgain", "attack_pairing_test", "passphraseGuessedAtTheAgent", "three guesses in a window"},
 
     {"LoosePart", "attack_parts_test", "splicedTunnelParts", "no message is put together of two"},
     {"LoosePart", "attack_parts_test", "partsOfSendersAreNotMixed", "no message is put together of two senders'"},

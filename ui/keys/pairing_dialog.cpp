@@ -9,7 +9,6 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
-#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QLineEdit>
@@ -22,6 +21,7 @@ namespace skyseal::ui {
 namespace {
 
 constexpr auto kWindowSeconds = std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count();
+constexpr double kCodeScale = 2.5; ///< of the code's letters, which are read aloud
 
 } // namespace
 
@@ -45,44 +45,52 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
     m_problem->setPalette(colors);
-    auto *ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn",
-                                 tr("Fingerprint of this station"), this);
+    m_code = fixedWidthLabel({}, "pairingCode", tr("Code"), this);
+    QFont large = m_code->font();
+    large.setPointSizeF(large.pointSizeF() * kCodeScale);
+    large.setBold(true);
+    m_code->setFont(large);
+    m_code->setAlignment(Qt::AlignCenter);
+    m_system = label("pairingSystem");
+    m_ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn",
+                             tr("Fingerprint of this station"), this);
     m_theirs = fixedWidthLabel({}, "pairingTheirs", tr("Fingerprint of the agent"), this);
     m_name = new QLineEdit(this);
     m_name->setObjectName(QStringLiteral("pairingName"));
     m_name->setAccessibleName(tr("Name"));
-    m_role = new QComboBox(this);
-    m_role->setObjectName(QStringLiteral("pairingRole"));
-    m_role->setAccessibleName(tr("Role that this station requests"));
-    m_role->addItem(tr("pilot: may send commands"), static_cast<int>(channel::PeerRole::Pilot));
-    m_role->addItem(tr("observer: receives telemetry only"), static_cast<int>(channel::PeerRole::Observer));
     m_passphrase = new PassphraseField("pairingPassphrase", tr("Passphrase of this pairing"), this);
     m_passphrase->setPlaceholderText(tr("none; or the same as at the agent"));
-    m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\nIt is "
-                                "valid for this pairing only. The fingerprints must be compared nevertheless."));
+    m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\nThen "
+                                "there is no code to compare. It is valid for this pairing only."));
     m_warning = new ChangedKeyWarning(this);
     m_form = new QFormLayout;
     m_form->setHorizontalSpacing(2 * kGrid);
     m_form->setVerticalSpacing(kGrid);
-    m_form->addRow(tr("This station"), ours);
-    m_form->addRow(tr("The agent"), m_theirs);
     m_form->addRow(tr("&Name"), m_name);
-    m_form->addRow(tr("Re&quest role"), m_role);
+    m_form->addRow(tr("Vehicle"), m_system);
+    m_form->addRow(tr("This station"), m_ours);
+    m_form->addRow(tr("The agent"), m_theirs);
     m_form->addRow(tr("&Passphrase"), m_passphrase);
     auto *buttons = new QDialogButtonBox(this);
-    m_agree = buttons->addButton(tr("&Both are the same"), QDialogButtonBox::ActionRole);
+    m_fingerprints = buttons->addButton(tr("&Fingerprints"), QDialogButtonBox::ResetRole);
+    m_fingerprints->setObjectName(QStringLiteral("pairingFingerprints"));
+    m_fingerprints->setCheckable(true);
+    m_fingerprints->setToolTip(
+        tr("The complete fingerprints of both keys. They need not be compared: the code stands for them."));
+    m_agree = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
     m_agree->setObjectName(QStringLiteral("pairingAgree"));
-    m_differ = buttons->addButton(tr("They &differ"), QDialogButtonBox::ActionRole);
+    m_differ = buttons->addButton(QString(), QDialogButtonBox::ActionRole);
     m_differ->setObjectName(QStringLiteral("pairingDiffer"));
     m_again = buttons->addButton(tr("Try a&gain"), QDialogButtonBox::ActionRole);
     m_again->setObjectName(QStringLiteral("pairingAgain"));
     m_close = buttons->addButton(QDialogButtonBox::Cancel);
-    for (QPushButton *button : {m_agree, m_differ, m_again, m_close})
+    for (QPushButton *button : {m_fingerprints, m_agree, m_differ, m_again, m_close})
         button->setAutoDefault(false); // a stray Return must neither confirm nor close
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
     column->addWidget(m_text);
+    column->addWidget(m_code);
     column->addLayout(m_form);
     column->addWidget(m_warning);
     column->addWidget(m_problem);
@@ -93,11 +101,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(&pairing, &PairingInterface::seen, this, &PairingDialog::showQuestion);
     connect(&pairing, &PairingInterface::confirmedThere, this, [this] {
         if (m_step == Step::Comparing)
-            m_text->setText(tr("The agent's side has confirmed. Compare both fingerprints with those that the agent shows."));
-    });
-    connect(&pairing, &PairingInterface::gone, this, [this](const QString &reason) {
-        m_question.reset();
-        showStep(Step::Waiting, tr("The agent is gone: %1. Waiting for the agent …").arg(reason));
+            m_text->setText(m_hasPassphrase ? tr("The agent's side has confirmed. Confirm here as well.")
+                                            : tr("The agent's side has confirmed. Does the agent show this code?"));
     });
     connect(&pairing, &PairingInterface::otherTried, this, [this](const QString &fingerprint) {
         m_problem->setText(tr("Another device tried to pair at the same time, fingerprint %1").arg(fingerprint));
@@ -105,27 +110,23 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
         showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both ends are connected.").arg(name));
     });
-    connect(&pairing, &PairingInterface::failed, this,
-            [this](const QString &reason) { showStep(Step::Failed, tr("Not paired: %1.").arg(reason)); });
+    connect(&pairing, &PairingInterface::failed, this, [this](const QString &reason) {
+        if (m_step != Step::Failed) // refuse() has shown more
+            showStep(Step::Failed, tr("Not paired: %1.").arg(reason));
+    });
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting)
-            m_problem->setText(tr("An agent answers, but the passphrases differ, or only one end has one. Enter the same "
-                                  "passphrase at both ends."));
+            m_problem->setText(tr("An agent answers, but the passphrases differ, or only one end has one, or the link is very "
+                                  "bad. Start again with the same passphrase at both ends."));
     });
     connect(m_passphrase, &QLineEdit::textEdited, this, [this] { m_passphraseTyped = true; });
     connect(m_passphrase, &QLineEdit::editingFinished, this, &PairingDialog::applyPassphrase);
     connect(m_agree, &QPushButton::clicked, this, &PairingDialog::agree);
-    connect(m_differ, &QPushButton::clicked, this, [this] {
-        m_question.reset();
-        m_pairing.refuse();
-        showStep(Step::Waiting,
-                 tr("Refused. If you compared the right fingerprints, this may be an attack on the link (man in the "
-                    "middle). Waiting for the agent …"));
-    });
+    connect(m_differ, &QPushButton::clicked, this, &PairingDialog::refuse);
+    connect(m_fingerprints, &QPushButton::toggled, this, &PairingDialog::showFingerprints);
     connect(m_again, &QPushButton::clicked, this, &PairingDialog::begin);
     connect(m_name, &QLineEdit::textChanged, this, &PairingDialog::check);
     connect(m_warning, &ChangedKeyWarning::acceptedChanged, this, &PairingDialog::check);
-    connect(m_role, &QComboBox::activated, this, &PairingDialog::begin);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_tick.setInterval(1000);
     connect(&m_tick, &QTimer::timeout, this, &PairingDialog::showTime);
@@ -148,7 +149,9 @@ void PairingDialog::begin()
     showStep(Step::Waiting,
              tr("Start pairing at the agent, while the vehicle is disarmed:\n\n    skyseal-air --pair "
                 "--identity FILE\n\nWaiting for the agent …"));
-    m_pairing.open(static_cast<channel::PeerRole>(m_role->currentData().toInt()), m_passphrase->passphrase());
+    const auto passphrase = m_passphrase->passphrase();
+    m_hasPassphrase = passphrase.has_value();
+    m_pairing.open(passphrase);
 }
 
 void PairingDialog::applyPassphrase()
@@ -163,12 +166,18 @@ void PairingDialog::showStep(Step step, const QString &text)
     m_text->setText(text);
     const bool comparing = step == Step::Comparing;
     const bool hasPeer = comparing || step == Step::Confirmed;
-    for (QWidget *widget :
-         std::initializer_list<QWidget *>{m_theirs, m_form->labelForField(m_theirs), m_name, m_form->labelForField(m_name)})
-        widget->setVisible(hasPeer);
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_role, m_form->labelForField(m_role), m_passphrase,
-                                                            m_form->labelForField(m_passphrase)})
-        widget->setVisible(step == Step::Waiting || step == Step::Failed);
+    const auto showRow = [this](QWidget *field, bool visible) {
+        field->setVisible(visible);
+        m_form->labelForField(field)->setVisible(visible);
+    };
+    m_code->setVisible(hasPeer && !m_hasPassphrase);
+    showRow(m_name, hasPeer);
+    showRow(m_system, hasPeer && m_question && m_question->systemId != 0);
+    showRow(m_passphrase, step == Step::Waiting || step == Step::Failed);
+    m_fingerprints->setVisible(hasPeer);
+    if (!hasPeer)
+        m_fingerprints->setChecked(false);
+    showFingerprints();
     m_name->setEnabled(comparing);
     m_agree->setVisible(comparing);
     m_differ->setVisible(comparing);
@@ -193,10 +202,37 @@ void PairingDialog::showQuestion(const PairingQuestion &question)
         return;
     }
     m_question = question;
+    m_code->setText(question.code);
+    m_system->setText(tr("system id %1").arg(question.systemId));
     m_theirs->setText(fingerprintLines(question.key));
     m_name->setText(question.name);
-    showStep(Step::Comparing, tr("An agent answers. Compare both fingerprints, every group, with those that the agent shows."));
+    m_agree->setText(m_hasPassphrase ? tr("&Confirm") : tr("The codes are the &same"));
+    m_differ->setText(m_hasPassphrase ? tr("&Refuse") : tr("They &differ"));
+    showStep(Step::Comparing,
+             m_hasPassphrase ? tr("An agent that knows the passphrase answers. Is it the right one?")
+                             : tr("An agent answers. Does it show this code?"));
     m_differ->setFocus();
+}
+
+void PairingDialog::showFingerprints()
+{
+    const bool visible = m_fingerprints->isChecked() && (m_step == Step::Comparing || m_step == Step::Confirmed);
+    for (QLabel *print : {m_ours, m_theirs}) {
+        print->setVisible(visible);
+        m_form->labelForField(print)->setVisible(visible);
+    }
+    if (visible) // a layout with wrapped texts does not enlarge the window by itself
+        resize(width(), std::max(height(), sizeHint().height()));
+}
+
+void PairingDialog::refuse()
+{
+    m_question.reset();
+    m_pairing.refuse();
+    showStep(Step::Failed,
+             m_hasPassphrase ? tr("Not paired: refused.")
+                             : tr("Not paired: the codes differ. If both were codes of this pairing, somebody is "
+                                  "between this station and the agent (man in the middle)."));
 }
 
 void PairingDialog::showTime()

@@ -1,5 +1,5 @@
-// Pairs this station with an agent: waits for it, shows both fingerprints, and adds it to the peers once they were confirmed at
-// both ends.
+// Pairs this station with an agent: waits for it, shows the code that both people compare (or, with a passphrase, asks only for
+// the confirmation), and adds the agent to the peers once both have confirmed.
 #pragma once
 
 #include "ui/keys/keyring_interface.h"
@@ -9,7 +9,6 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QDialog>
 
-class QComboBox;
 class QFormLayout;
 class QLabel;
 class QLineEdit;
@@ -35,6 +34,8 @@ private:
     void applyPassphrase();
     void showStep(Step step, const QString &text);
     void showQuestion(const PairingQuestion &question);
+    void showFingerprints();
+    void refuse();
     void showTime();
     void check();
     void agree();
@@ -46,13 +47,13 @@ private:
     QElapsedTimer m_clock;
     QTimer m_tick;
     bool m_passphraseTyped = false; ///< edited since the pairing window was opened
-    QLabel *m_text, *m_time, *m_theirs, *m_problem;
+    bool m_hasPassphrase = false;   ///< the open window has one
+    QLabel *m_text, *m_code, *m_system, *m_time, *m_ours, *m_theirs, *m_problem;
     QFormLayout *m_form;
     QLineEdit *m_name;
     PassphraseField *m_passphrase;
-    QComboBox *m_role;
     ChangedKeyWarning *m_warning;
-    QPushButton *m_agree, *m_differ, *m_again, *m_close;
+    QPushButton *m_fingerprints, *m_agree, *m_differ, *m_again, *m_close;
 };
 
 } // namespace skyseal::ui

@@ -12,11 +12,13 @@
 
 namespace skyseal::ui {
 
-/// The device at the other end, whose fingerprint is to be compared.
+/// The device at the other end.
 struct PairingQuestion
 {
     channel::PublicKey key{};
-    QString name; ///< its name in the list of peers, or the name it gives, made valid for the list
+    QString name;              ///< its name in the list of peers, or the name it gives, made valid for the list
+    QString code;              ///< six digits, to be compared with those at the other end unless there is a passphrase
+    std::uint8_t systemId = 0; ///< MAVLink system id of its vehicle, which the pairing binds; 0 = unknown
 };
 
 /// Lives on the GUI thread.
@@ -28,17 +30,16 @@ public:
     using QObject::QObject;
 
     /// Opens the pairing window and waits for an agent that does the same. With a passphrase, only an agent with the same one is found.
-    virtual void open(channel::PeerRole roleAsked, const std::optional<crypto::Passphrase> &passphrase) = 0;
-    /// The operator has compared the fingerprints of this key.
+    virtual void open(const std::optional<crypto::Passphrase> &passphrase) = 0;
+    /// The operator accepts the device with this key.
     virtual void confirm(const channel::PublicKey &key, const QString &name, bool replaceKnownKey) = 0;
+    /// Ends the pairing.
     virtual void refuse() = 0;
     virtual void cancel() = 0;
 
 Q_SIGNALS:
     void seen(const skyseal::ui::PairingQuestion &question);
     void confirmedThere();
-    /// The agent is gone; the comparison is void.
-    void gone(const QString &reason);
     void otherTried(const QString &fingerprint);
     /// The passphrases differ, or only one end has one. Repeated every second.
     void passphraseDiffers();

@@ -49,12 +49,11 @@ int pairWithAgent(const QStringList &arguments)
     const QString name = QStringLiteral("skyseal-cli keys pair");
     Options options(name,
                     QStringLiteral("Pairs this station with an agent whose pairing window is open (skyseal-air --pair). Both "
-                                   "users compare the fingerprints and confirm."));
+                                   "users compare a code of six digits and confirm."));
     options.addLink("link", "Link to the agent.", nullptr, "udpin:0.0.0.0:14550");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "File of known peers that the agent is added to; created if missing.");
-    options.addValue("role", "pilot|observer", "Role that this station asks for: to command, or only to observe.", "pilot");
     PairingPrompt::declare(options);
     PairingPassphraseInput::declare(options);
     if (const auto status = options.parse(arguments))
@@ -66,17 +65,14 @@ int pairWithAgent(const QStringList &arguments)
     config.record = false;
     config.policy.suites = channel::defaultSuites();
     config.keys = {options.required("identity"), options.required("peers"), PassphraseInput::read(options).ask()};
-    const auto role = keys::peerRoleFromText(options.text("role"));
-    if (!role)
-        options.fail("--role '" + options.text("role") + "': pilot or observer is expected");
     PairingPrompt::Settings settings = PairingPrompt::read(options);
     const PairingPassphraseInput passphrase = PairingPassphraseInput::read(options);
     if (const auto status = options.finish())
         return *status;
 
-    const auto passphraseKey = passphrase.key();
-    if (!passphraseKey) {
-        complain(name, passphraseKey.error().text());
+    const auto typed = passphrase.passphrase();
+    if (!typed) {
+        complain(name, typed.error().text());
         return kCannotOpen;
     }
     const std::string peersFile = config.keys.peers;
@@ -92,7 +88,7 @@ int pairWithAgent(const QStringList &arguments)
         return kCannotOpen;
     }
     engine::Station &engine = **station;
-    settings.asks = role;
+    settings.hasPassphrase = *typed != nullptr;
     const std::string callIt = settings.callIt;
     PairingPrompt talk(std::move(settings));
     Decision decision;
@@ -126,7 +122,7 @@ int pairWithAgent(const QStringList &arguments)
     StopSignals signals;
     QObject::connect(&signals, &StopSignals::stopRequested, &engine, [&] { engine.cancelPairing(); });
     engine.addLink(*url);
-    engine.openPairing(QSysInfo::machineHostName().toStdString(), *role, *passphraseKey);
+    engine.openPairing(QSysInfo::machineHostName().toStdString(), *typed);
     PairingStatus open;
     open.state = PairingStatus::State::Open;
     open.key = *engine.publicKey();

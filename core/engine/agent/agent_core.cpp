@@ -83,7 +83,7 @@ void AgentCore::setPeers(std::vector<channel::Peer> peers)
     finishWake();
 }
 
-Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::shared_ptr<const Key32> passphraseKey)
+Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase)
 {
     if (m_armed.any())
         return tl::unexpected(PairingRefusal::Armed);
@@ -93,7 +93,8 @@ Result<void, PairingRefusal> AgentCore::openPairing(std::string name, std::share
     config.role = channel::Role::Agent;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
-    config.passphraseKey = std::move(passphraseKey);
+    config.systemId = m_routes.onlySystem();
+    config.passphrase = std::move(passphrase);
     config.callTo = {m_ground};
     m_pairing.open(steadyNow(), std::move(config));
     finishWake();

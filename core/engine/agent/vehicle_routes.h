@@ -29,6 +29,14 @@ public:
 
     /// Whether one of the agent's vehicles has this system id; remembered for the life of this object.
     bool isVehicle(std::uint8_t systemId) const { return m_systems.test(systemId); }
+    /// The system id of the only vehicle that was ever heard; 0 if there were none or several.
+    std::uint8_t onlySystem() const
+    {
+        std::uint8_t only = 0;
+        for (std::size_t id = 1; id < m_systems.size() && m_systems.count() == 1; ++id)
+            only = m_systems.test(id) ? static_cast<std::uint8_t>(id) : only;
+        return only;
+    }
     /// Calls `visit(const Path &)` for each path to a system; for 0 and unknown systems, for the paths of all vehicles.
     /// Returns false if there is none.
     template<typename Visit> bool forEachPathTo(std::uint8_t targetSystem, Visit &&visit) const

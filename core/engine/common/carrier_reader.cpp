@@ -1,7 +1,7 @@
 #include "core/engine/common/carrier_reader.h"
 
 #include "core/channel/handshake.h"
-#include "core/channel/pairing_handshake.h"
+#include "core/channel/pairing_messages.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
 
@@ -42,7 +42,7 @@ bool CarrierReader::opensConversation(ByteView message)
     case DatagramKind::Pairing: break;
     default: return false;
     }
-    for (const std::size_t length : {kFirstLength, kAnswerLength, kNumberLength, kThirdLength}) {
+    for (const std::size_t length : {kFirstLength, kAnswerLength, kNumberLength, kPairingAnswerLength, kOpeningLength}) {
         if (message.size() == length && versionOf(message[0]) == kProtocolVersion)
             return true;
     }

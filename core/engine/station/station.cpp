@@ -242,10 +242,10 @@ void Station::allowPlaintext(std::uint8_t systemId)
     d->post([systemId](StationCore &core) { core.allowPlaintext(systemId); });
 }
 
-void Station::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
+void Station::openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase)
 {
-    d->post([name = std::move(name), roleAsked, key = std::move(passphraseKey)](StationCore &core) mutable {
-        core.openPairing(std::move(name), roleAsked, std::move(key));
+    d->post([name = std::move(name), passphrase = std::move(passphrase)](StationCore &core) mutable {
+        core.openPairing(std::move(name), std::move(passphrase));
     });
 }
 

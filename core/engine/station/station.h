@@ -56,10 +56,9 @@ public:
     /// an explicit act of the operator may call it.
     void allowPlaintext(std::uint8_t systemId);
     /// Waits for an agent that is open for pairing; its progress comes as pairing(). Needs an identity. `name` is this
-    /// station's own, `roleAsked` the role that it requests; `passphraseKey` is of channel::pairingPassphraseKey(), null
-    /// without a passphrase. Nothing is stored.
-    void openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey = {});
-    /// The operator compared the fingerprints of this key at both ends.
+    /// station's own. With `passphrase` only an agent with the same one is shown; null without one. Nothing is stored.
+    void openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase = {});
+    /// The operator compared the code at both ends, or agreed on a passphrase, and accepts this key.
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();

@@ -120,7 +120,7 @@ void StationCore::allowPlaintext(std::uint8_t systemId)
     finishWake();
 }
 
-bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey)
+bool StationCore::openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase)
 {
     if (!m_channel)
         return false;
@@ -128,8 +128,8 @@ bool StationCore::openPairing(std::string name, channel::PeerRole roleAsked, std
     config.role = channel::Role::Station;
     config.identity = m_secrets->identity;
     config.name = std::move(name);
-    config.roleAsked = roleAsked;
-    config.passphraseKey = std::move(passphraseKey);
+    config.systemId = m_config.systemId;
+    config.passphrase = std::move(passphrase);
     m_channel->pairing.open(steadyNow(), std::move(config));
     finishWake();
     return true;

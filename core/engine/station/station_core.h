@@ -59,7 +59,7 @@ public:
 
     // Pairing.
     /// Waits for an agent that is open for pairing; returns false without an identity. See Station.
-    bool openPairing(std::string name, channel::PeerRole roleAsked, std::shared_ptr<const Key32> passphraseKey);
+    bool openPairing(std::string name, std::shared_ptr<const crypto::Passphrase> passphrase);
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();

@@ -21,14 +21,13 @@ public:
     {
         return tr("Pairing: confirmed at the other end, %1").arg(device(e.key));
     }
-    QString operator()(const channel::PairingPeerGone &e) const { return tr("Pairing: %1 is gone").arg(device(e.key)); }
     QString operator()(const channel::PairingOtherTried &e) const
     {
         return tr("Pairing: another device tried, %1").arg(device(e.peer.key));
     }
     QString operator()(const channel::PairingPassphraseDiffers &) const
     {
-        return tr("Pairing: the passphrases of the two ends differ");
+        return tr("Pairing: the passphrases of the two ends may differ");
     }
     QString operator()(const channel::Paired &e) const
     {
@@ -41,6 +40,10 @@ public:
         case channel::PairingEnd::TimedOut: return tr("Pairing: the time is over");
         case channel::PairingEnd::Cancelled: return tr("Pairing: cancelled");
         case channel::PairingEnd::Armed: return tr("Pairing: ended because the vehicle was armed");
+        case channel::PairingEnd::Refused: return tr("Pairing: refused here");
+        case channel::PairingEnd::RefusedThere: return tr("Pairing: refused at the other end");
+        case channel::PairingEnd::Interrupted: return tr("Pairing: interrupted; start again");
+        case channel::PairingEnd::Guessed: return tr("Pairing: ended after three wrong passphrases");
         }
         return {};
     }

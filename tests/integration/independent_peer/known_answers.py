@@ -1,7 +1,7 @@
 """The known answers of PROTOCOL.md, read out of the document and computed anew.
 
-A line there is `name = hex` or `name = "text"`; lines that hold nothing but hex continue the one before. Names of inputs
-are those in INPUTS; every other name must come out of compute().
+A line there is `name = hex` or `name = "text"`; lines that hold nothing but hex continue the one before, and `| zeros N` ends a
+value with N zeros. Names of inputs are those in INPUTS; every other name must come out of compute().
 """
 
 import re
@@ -22,7 +22,8 @@ from suites import NAMES, DirectionKeys, InlineKeys
 HEADING = "Known answers"
 INPUTS = ("station private", "agent private", "station ephemeral private", "agent ephemeral private", "pre-shared key",
           "announcement nonce", "cookie", "cookie nonce", "proposal nonce", "answer nonce", "direction secret",
-          "inline secret", "pairing token", "passphrase key")
+          "inline secret", "pairing token", "pairing passphrase", "pairing nonce of the station", "pairing nonce of the agent",
+          "pairing scalar of the station", "pairing scalar of the agent")
 
 
 def read(path):
@@ -34,13 +35,13 @@ def read(path):
         if found := re.fullmatch(r'    ([a-z0-9][a-z0-9 ()-]*?) += "(.*)"', line):
             name = None
             examples[found[1]] = found[2].encode()
-        elif found := re.fullmatch(r"    ([a-z0-9][a-z0-9 ()-]*?) += ([0-9a-f ]+)", line):
+        elif found := re.fullmatch(r"    ([a-z0-9][a-z0-9 ()-]*?) += ([0-9a-f ]+)(?:\| zeros ([0-9]+))?", line):
             name = found[1]
             if name in examples:
                 raise ValueError("twice in the document: " + name)
-            examples[name] = bytes.fromhex(found[2])
-        elif name and re.fullmatch(r"     +[0-9a-f ]+", line):
-            examples[name] += bytes.fromhex(line)
+            examples[name] = bytes.fromhex(found[2]) + bytes(int(found[3] or 0))
+        elif name and (found := re.fullmatch(r"     +([0-9a-f ]+)(?:\| zeros ([0-9]+))?", line)):
+            examples[name] += bytes.fromhex(found[1]) + bytes(int(found[2] or 0))
         else:
             name = None
             if line.startswith("    "):
@@ -186,20 +187,28 @@ def _control_messages(inputs, out):
 
 
 def _pairing(inputs, station, agent, out):
-    number, token, psk = 0x01020304, inputs["pairing token"], inputs["passphrase key"]
-    flags = pairing.WANTS_PSK | pairing.HAS_PASSPHRASE
-    ground, air = pairing.About(flags, pairing.PILOT, "ground"), pairing.About(flags, pairing.PILOT, "air-1")
-    initiator = pairing.handshake(True, station, number, token, psk, KeyPair(inputs["station ephemeral private"]))
-    responder = pairing.handshake(False, agent, number, token, psk, KeyPair(inputs["agent ephemeral private"]))
+    number, token = 0x01020304, inputs["pairing token"]
+
+    def end(side, who, static, system, name):
+        mine = pairing.Opening(static.public, system, name, inputs["pairing nonce of the " + who])
+        return pairing.Pairing(side, static, number, token, mine, inputs["pairing scalar of the " + who],
+                               inputs["pairing passphrase"])
+
+    ground = end(STATION, "station", station, 255, "ground")
+    air = end(AGENT, "agent", agent, 1, "air-1")
     out["pairing call"] = pairing.call(token)
-    out["pairing first"] = pairing.write_first(initiator, number, token)
-    pairing.read_first(responder, out["pairing first"])
-    out["pairing answer"] = pairing.write_answer(responder, number, air)
-    assert pairing.read_answer(initiator, out["pairing answer"]) == air
-    out["pairing third"] = pairing.write_third(initiator, number, ground)
-    assert pairing.read_third(responder, out["pairing third"]) == ground
-    out["pairing pre-shared key"] = pairing.preshared_key(initiator)
-    k1, k2 = responder.split()
-    out["pairing word of the station"] = pairing.word(k1, number, pairing.YES, pairing.NONE)
-    out["pairing word of the agent"] = pairing.word(k2, number, pairing.NONE, pairing.YES)
-    assert pairing.hear(k2, out["pairing word of the agent"]) == (pairing.NONE, pairing.YES)
+    out["pairing first"] = ground.write_first()
+    air.read_first(out["pairing first"])
+    out["pairing answer"] = air.write_answer()
+    ground.read_answer(out["pairing answer"])
+    out["pairing opening of the station"] = ground.write_opening()
+    assert air.read_opening(out["pairing opening of the station"]) == ground.mine
+    out["pairing opening of the agent"] = air.write_opening()
+    assert ground.read_opening(out["pairing opening of the agent"]) == air.mine
+    assert ground.code() == air.code() and ground.preshared_key() == air.preshared_key()
+    out["pairing code"] = ground.code().encode()
+    out["pairing pre-shared key"] = ground.preshared_key()
+    out["pairing word of the station"] = pairing.word(ground.word_key(STATION), number, pairing.YES, pairing.NONE)
+    out["pairing word of the agent"] = pairing.word(air.word_key(AGENT), number, pairing.NONE, pairing.YES)
+    assert pairing.hear(ground.word_key(AGENT), out["pairing word of the agent"]) == (pairing.NONE, pairing.YES)
+

@@ -1,4 +1,4 @@
-"""The Noise Protocol Framework, revision 34, for the two patterns that Skyseal uses.
+"""The Noise Protocol Framework, revision 34, for the pattern that Skyseal uses.
 
 Written from the specification (sections 5 and 9) with X25519, ChaCha20-Poly1305 and BLAKE2b. Names are the specification's.
 """
@@ -18,7 +18,6 @@ TAG_LENGTH = 16
 # (the responder's static key is known beforehand, the tokens of each message)
 PATTERNS = {
     "IKpsk2": (True, (("e", "es", "s", "ss"), ("e", "ee", "se", "psk"))),
-    "XXpsk3": (False, (("e",), ("e", "ee", "s", "es"), ("s", "se", "psk"))),
 }
 
 

@@ -1,0 +1,31 @@
+// The settings of one end of a pairing.
+#pragma once
+
+#include "core/base/clock.h"
+#include "core/base/path.h"
+#include "core/channel/role.h"
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace skyseal::channel {
+
+inline constexpr Duration kPairingWindow = std::chrono::seconds(120);
+inline constexpr std::size_t kMaxPairingName = 24; ///< bytes; longer names are cut between characters
+
+struct PairingConfig
+{
+    Role role = Role::Station;
+    std::shared_ptr<const crypto::X25519KeyPair> identity; ///< our static key
+    std::string name;                                      ///< our name for the other end
+    std::uint8_t systemId = 0;                             ///< our MAVLink system id, an agent's vehicle's; 0 = unknown
+    /// A passphrase for this pairing, the same at both ends; null = none, then the people must compare the code.
+    std::shared_ptr<const crypto::Passphrase> passphrase;
+    std::vector<Path> callTo; ///< an agent's: targets of its calls; an all-zero address is the only peer of a link
+    Duration window = kPairingWindow;
+};
+
+} // namespace skyseal::channel
