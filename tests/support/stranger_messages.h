@@ -72,81 +72,61 @@ inline Bytes clearCommand()
 }
 
 inline constexpr StrangerMessage kStrangerMessages[] = {
-    {"random bytes", [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 127); }},
-    {"clear MAVLink: a command", [](const StrangersKnowledge &, std::mt19937_64 &) {
-    return clearCommand(); }},
-    {"clear MAVLink: 0xFE alone", [](const StrangersKnowledge &, std::mt19937_64 &) {
-    return Bytes(1472, 0xfe); }},
-    {"clear MAVLink: 0xFD alone", [](const StrangersKnowledge &, std::mt19937_64 &) {
-    return Bytes(1472, 0xfd); }},
-    {"another version", [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 127, 0x69); }},
-    {"record of no session", [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 60, 0x50); }},
+    {"random bytes", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127); }},
+    {"clear MAVLink: a command", [](const StrangersKnowledge &, std::mt19937_64 &) { return clearCommand(); }},
+    {"clear MAVLink: 0xFE alone", [](const StrangersKnowledge &, std::mt19937_64 &) { return Bytes(1472, 0xfe); }},
+    {"clear MAVLink: 0xFD alone", [](const StrangersKnowledge &, std::mt19937_64 &) { return Bytes(1472, 0xfd); }},
+    {"another version", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x69); }},
+    {"record of no session", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 60, 0x50); }},
     {"record of the session, 60 bytes",
-     [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    return forgedRecord(knows, random, 60); }},
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedRecord(knows, random, 60); }},
     {"record of the session, 1200 bytes",
-     [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    return forgedRecord(knows, random, 1200); }},
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return forgedRecord(knows, random, 1200); }},
     {"announcement without zeros",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 127, 0x58); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x58); }},
     {"announcement",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return zeroesFrom(33, randomBytes(random, 127, 0x58)); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(33, randomBytes(random, 127, 0x58)); }},
     {"announcement of a listed agent",
      [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    struct Source final : RandomSource
-    {
-        explicit Source(std::mt19937_64 &from) : m_from(from) {}
-        void fill(MutableByteView out) override
-        {
-            for (std::uint8_t &byte : out)
-                byte = static_cast<std::uint8_t>(m_from());
-        }
-        std::mt19937_64 &m_from;
-    } source(random);
-    const auto announcement = channel::Announcement(knows.listed).make(source);
-    return Bytes(announcement.begin(), announcement.end());
+         struct Source final : RandomSource
+         {
+             explicit Source(std::mt19937_64 &from) : m_from(from) {}
+             void fill(MutableByteView out) override
+             {
+                 for (std::uint8_t &byte : out)
+                     byte = static_cast<std::uint8_t>(m_from());
+             }
+             std::mt19937_64 &m_from;
+         } source(random);
+         const auto announcement = channel::Announcement(knows.listed).make(source);
+         return Bytes(announcement.begin(), announcement.end());
      }},
     {"first message without mac1",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 127, 0x59); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x59); }},
     {"first message with mac1",
-     [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    return withMac1(knows, randomBytes(random, 127, 0x59)); }},
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return withMac1(knows, randomBytes(random, 127, 0x59)); }},
     {"answer",
-     [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    return withMac1(knows, randomBytes(random, 77, 0x5a)); }},
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return withMac1(knows, randomBytes(random, 77, 0x5a)); }},
     {"number",
-     [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    return withMac1(knows, randomBytes(random, 72, 0x5b)); }},
+     [](const StrangersKnowledge &knows, std::mt19937_64 &random) { return withMac1(knows, randomBytes(random, 72, 0x5b)); }},
     {"cookie without zeros",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 127, 0x5b); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 127, 0x5b); }},
     {"cookie",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return zeroesFrom(49, randomBytes(random, 127, 0x5b)); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(49, randomBytes(random, 127, 0x5b)); }},
     {"pairing: call",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return zeroesFrom(17, randomBytes(random, 127, 0x5c)); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(17, randomBytes(random, 127, 0x5c)); }},
     {"pairing: first message",
-     [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return zeroesFrom(53, randomBytes(random, 127, 0x5d)); }},
+     [](const StrangersKnowledge &, std::mt19937_64 &random) { return zeroesFrom(53, randomBytes(random, 127, 0x5d)); }},
     {"pairing: first message to a call",
      [](const StrangersKnowledge &knows, std::mt19937_64 &random) {
-    static const channel::PairingShare share = crypto::cpaceGenerator({});
-    const auto first = channel::pairingFirst({channel::PairingId{static_cast<std::uint32_t>(random())}, share, knows.token});
-    return Bytes(first.begin(), first.end());
+         static const channel::PairingShare share = crypto::cpaceGenerator({});
+         const auto first = channel::pairingFirst(
+             {channel::PairingId{static_cast<std::uint32_t>(random())}, share, knows.token});
+         return Bytes(first.begin(), first.end());
      }},
-    {"pairing: answer", [const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 69, 0x5e); }},
-    {"pairing: opening", [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 95, 0x5f); }},
-    {"pairing: word", [](const StrangersKnowledge &, std::mt19937_64 &random) {
-    return randomBytes(random, 22, 0x5f); }},
+    {"pairing: answer", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 69, 0x5e); }},
+    {"pairing: opening", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 95, 0x5f); }},
+    {"pairing: word", [](const StrangersKnowledge &, std::mt19937_64 &random) { return randomBytes(random, 22, 0x5f); }},
 };
 
 } // namespace skyseal::test
