@@ -5,7 +5,6 @@
 #include "core/base/result.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/mavsec_settings.h"
-#include "core/engine/station/snapshot.h"
 #include "core/vehicle/request.h"
 
 #include <QtCore/QObject>
@@ -14,6 +13,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace skyseal::engine {
+struct Snapshot;
+}
 
 namespace skyseal::ui {
 

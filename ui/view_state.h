@@ -1,6 +1,7 @@
 // One snapshot with the vehicle and session that the operator has selected: the input of all panels.
 #pragma once
 
+#include "core/engine/station/snapshot.h"
 #include "ui/station_interface.h"
 
 namespace skyseal::ui {

@@ -1,5 +1,7 @@
 #include "app/cli/mavsec_options.h"
 
+#include "core/crypto/mavsec_cipher.h"
+
 namespace skyseal::app {
 
 using crypto::MavsecCipher;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/common/options.h"
+#include "core/base/secret_bytes.h"
 #include "core/engine/station/mavsec_settings.h"
 
 namespace skyseal::app {

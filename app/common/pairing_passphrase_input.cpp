@@ -1,5 +1,7 @@
 #include "app/common/pairing_passphrase_input.h"
 
+#include "core/crypto/passphrase.h"
+
 namespace skyseal::app {
 
 void PairingPassphraseInput::declare(Options &options)

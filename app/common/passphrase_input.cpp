@@ -1,5 +1,6 @@
 #include "app/common/passphrase_input.h"
 
+#include "core/crypto/passphrase.h"
 #include "app/common/terminal_prompt.h"
 #include "core/base/secret_bytes.h"
 #include "core/keys/file_io.h"

@@ -1,5 +1,8 @@
 #include "app/common/terminal_prompt.h"
 
+#include "core/base/secret_bytes.h"
+#include "core/crypto/passphrase.h"
+
 #include <cerrno>
 #include <csignal>
 #include <cstring>

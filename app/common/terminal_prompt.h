@@ -2,9 +2,12 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/crypto/passphrase.h"
 
 #include <string>
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::app {
 

@@ -1,4 +1,5 @@
 // The desktop's keyring by QtKeychain: the Secret Service of GNOME and others, or KWallet.
+#include "core/crypto/passphrase.h"
 #include "app/skyseal/passphrase_memory.h"
 
 #include "core/base/secret_bytes.h"

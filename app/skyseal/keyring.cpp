@@ -1,5 +1,7 @@
 #include "app/skyseal/keyring.h"
 
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/base/hex.h"
 #include "core/crypto/system_random.h"
 #include "core/keys/file_io.h"

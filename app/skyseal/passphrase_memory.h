@@ -2,14 +2,16 @@
 // none.
 #pragma once
 
-#include "core/crypto/passphrase.h"
-
 #include <QtCore/QObject>
 #include <QtCore/QSettings>
 
 #include <memory>
 #include <optional>
 #include <string>
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::app {
 

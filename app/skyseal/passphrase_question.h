@@ -2,6 +2,7 @@
 // from the operator.
 #pragma once
 
+#include "core/crypto/passphrase.h"
 #include "app/skyseal/passphrase_memory.h"
 #include "core/keys/secret_file.h"
 

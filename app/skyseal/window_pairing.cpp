@@ -1,5 +1,6 @@
 #include "app/skyseal/window_pairing.h"
 
+#include "core/crypto/passphrase.h"
 #include "app/common/pairing_status.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"

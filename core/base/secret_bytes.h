@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +67,5 @@ public:
 private:
     std::array<std::uint8_t, N> m_bytes{};
 };
-
-using Key32 = SecretBytes<32>;
 
 } // namespace skyseal

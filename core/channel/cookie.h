@@ -11,6 +11,7 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/base/random_source.h"
+#include "core/base/secret_bytes.h"
 #include "core/channel/policy.h"
 #include "core/channel/wire_format.h"
 

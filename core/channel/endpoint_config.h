@@ -6,10 +6,13 @@
 #include "core/channel/policy.h"
 #include "core/channel/role.h"
 #include "core/channel/timing.h"
-#include "core/crypto/x25519.h"
 
 #include <memory>
 #include <vector>
+
+namespace skyseal::crypto {
+struct X25519KeyPair;
+}
 
 namespace skyseal::channel {
 

@@ -1,10 +1,10 @@
 // Known peers and the negotiation policy: the decisions of a person, as plain values.
 #pragma once
 
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
+#include "core/crypto/public_key.h"
 #include "core/crypto/suite.h"
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace skyseal::channel {
 
-using PublicKey = std::array<std::uint8_t, 32>;
+using crypto::PublicKey;
 
 /// What a known peer may do. An observer receives telemetry; what it sends never reaches the autopilot.
 enum class PeerRole : std::uint8_t { Pilot, Observer };

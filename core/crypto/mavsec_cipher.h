@@ -6,6 +6,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/secret_bytes.h"
+#include "core/crypto/mavsec_kind.h"
 
 #include <array>
 #include <optional>
@@ -15,7 +16,7 @@ namespace skyseal::crypto {
 class MavsecCipher
 {
 public:
-    enum class Kind : std::uint8_t { ChaCha20, Aes256Ctr };
+    using Kind = MavsecKind;
 
     /// Bytes of the nonce (ChaCha20, RFC 8439) or of the first counter block (AES-256-CTR).
     static constexpr std::size_t nonceLength(Kind kind) { return kind == Kind::ChaCha20 ? 12 : 16; }
@@ -27,7 +28,7 @@ public:
     /// The keys and nonces of the published code, which are those of test vectors.
     static Key32 publishedKey(Kind kind);
     static Bytes publishedNonce(Kind kind);
-    static constexpr std::uint32_t kPublishedCounter = 1;
+    static constexpr std::uint32_t kPublishedCounter = kPublishedMavsecCounter;
 
     /// For a second link under the same key.
     MavsecCipher clone() const;

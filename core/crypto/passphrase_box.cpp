@@ -1,5 +1,7 @@
 #include "core/crypto/passphrase_box.h"
 
+#include "core/base/secret_bytes.h"
+#include "core/crypto/passphrase.h"
 #include "core/base/weakness.h"
 
 #include <sodium.h>

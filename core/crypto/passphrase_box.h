@@ -5,12 +5,14 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/crypto/passphrase.h"
+#include "core/base/secret_bytes_fwd.h"
 
 #include <array>
 #include <cstdint>
 
 namespace skyseal::crypto {
+
+class Passphrase;
 
 /// Cost of one guess. Always one lane: libsodium does not support more.
 struct PassphraseCost

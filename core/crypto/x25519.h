@@ -3,13 +3,11 @@
 
 #include "core/base/random_source.h"
 #include "core/base/secret_bytes.h"
+#include "core/crypto/public_key.h"
 
-#include <array>
 #include <optional>
 
 namespace skyseal::crypto {
-
-using PublicKey = std::array<std::uint8_t, 32>;
 
 /// A private scalar with its public point. Move-only, since the secret is.
 struct X25519KeyPair

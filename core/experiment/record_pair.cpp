@@ -1,5 +1,7 @@
 #include "core/experiment/record_pair.h"
 
+#include "core/crypto/x25519.h"
+
 #include <algorithm>
 
 #if defined(__GLIBC__)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/crypto/x25519.h"
+#include "core/crypto/public_key.h"
 
 #include <string>
 #include <string_view>

@@ -1,5 +1,7 @@
 #include "core/keys/sealed_key.h"
 
+#include "core/base/secret_bytes.h"
+#include "core/crypto/x25519.h"
 #include "core/base/hex.h"
 #include "core/base/weakness.h"
 #include "core/keys/file_io.h"

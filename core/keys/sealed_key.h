@@ -14,10 +14,14 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/crypto/passphrase_box.h"
-#include "core/crypto/x25519.h"
+#include "core/crypto/public_key.h"
 
 #include <string>
 #include <string_view>
+
+namespace skyseal::crypto {
+struct X25519KeyPair;
+}
 
 namespace skyseal::keys {
 

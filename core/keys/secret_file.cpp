@@ -1,5 +1,7 @@
 #include "core/keys/secret_file.h"
 
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/base/secret_bytes.h"
 #include "core/base/weakness.h"
 #include "core/keys/checked_base64.h"

@@ -10,10 +10,15 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/crypto/passphrase_box.h"
-#include "core/crypto/x25519.h"
+#include "core/crypto/public_key.h"
 
 #include <functional>
 #include <string>
+
+namespace skyseal::crypto {
+class Passphrase;
+struct X25519KeyPair;
+} // namespace skyseal::crypto
 
 namespace skyseal::keys {
 

@@ -1,6 +1,7 @@
 #include "core/mavlink/frame_writer.h"
 
 #include "core/mavlink/crc.h"
+#include "core/mavlink/signing.h"
 
 #include <algorithm>
 #include <cstring>
@@ -41,6 +42,18 @@ MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequen
     out[header + length] = static_cast<std::uint8_t>(crc);
     out[header + length + 1] = static_cast<std::uint8_t>(crc >> 8);
     return out.first(header + length + 2 + signature);
+}
+
+MutableByteView FrameWriter::write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
+                                   MutableByteView out)
+{
+    const bool isSigned = m_signer && m_version == 2;
+    const MutableByteView frame = writeFrame(out, m_version, m_sequence, m_systemId, m_componentId, messageId, crcExtra,
+                                             minLength, payload, isSigned ? kFlagSigned : std::uint8_t(0));
+    if (frame.empty() || (isSigned && !m_signer->sign(frame)))
+        return {};
+    ++m_sequence;
+    return frame;
 }
 
 } // namespace skyseal::mavlink

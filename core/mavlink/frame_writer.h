@@ -1,7 +1,7 @@
 // Writes messages as frames of one sender.
 #pragma once
 
-#include "core/mavlink/signing.h"
+#include "core/mavlink/frame.h"
 
 #include <array>
 
@@ -13,6 +13,8 @@ namespace skyseal::mavlink {
 MutableByteView writeFrame(MutableByteView out, int version, std::uint8_t sequence, std::uint8_t systemId,
                            std::uint8_t componentId, std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength,
                            ByteView payload, std::uint8_t incompatFlags = 0);
+
+class FrameSigner;
 
 /// A sender: its ids, its protocol version and its running sequence number.
 class FrameWriter
@@ -38,16 +40,7 @@ public:
 
     /// Any message, its payload encoded already.
     MutableByteView write(std::uint32_t messageId, std::uint8_t crcExtra, std::uint8_t minLength, ByteView payload,
-                          MutableByteView out)
-    {
-        const bool isSigned = m_signer && m_version == 2;
-        const MutableByteView frame = writeFrame(out, m_version, m_sequence, m_systemId, m_componentId, messageId, crcExtra,
-                                                 minLength, payload, isSigned ? kFlagSigned : std::uint8_t(0));
-        if (frame.empty() || (isSigned && !m_signer->sign(frame)))
-            return {};
-        ++m_sequence;
-        return frame;
-    }
+                          MutableByteView out);
 
 private:
     std::uint8_t m_systemId;

@@ -1,6 +1,7 @@
 // What the engines cost for each frame, in CPU time of their thread, over real sockets: the agent that forwards and seals,
 // against a forwarder that does nothing but recvmmsg and sendmmsg; the station that receives, opens and parses; and opening
 // and parsing alone, against verifying the signature of the frame, which is the protection that stock MAVLink offers.
+#include "core/mavlink/signing.h"
 #include "tests/engine/engine_rigs.h"
 
 #include "core/crypto/init_crypto.h"

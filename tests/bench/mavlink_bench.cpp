@@ -1,5 +1,7 @@
 // What a frame costs: read with its checksum, written, signed and verified. The mix is a copter's telemetry, 37 bytes a
 // frame in the mean.
+#include "core/base/secret_bytes.h"
+#include "core/mavlink/signing.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"

@@ -1,3 +1,4 @@
+#include "core/crypto/x25519.h"
 #include "pair.h"
 
 #include "core/base/byte_reader.h"

@@ -1,4 +1,5 @@
 // Datagrams of attackers during a pairing: recordings, reflections, changed bits and floods.
+#include "core/crypto/passphrase.h"
 #include "core/channel/pairing_handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"

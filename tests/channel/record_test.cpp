@@ -1,4 +1,5 @@
 // The byte layout of records, control messages and announcements; other bytes are refused.
+#include "core/crypto/x25519.h"
 #include "core/base/hex.h"
 #include "core/channel/control.h"
 #include "core/channel/key_chain.h"

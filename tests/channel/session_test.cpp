@@ -1,5 +1,6 @@
 // Two endpoints from their first announcement on: a session comes up, carries frames of every suite, survives failures of links
 // and processes, and accounts for every frame.
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
 #include "tests/support/test_runner.h"

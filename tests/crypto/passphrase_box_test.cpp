@@ -1,5 +1,7 @@
 // A secret sealed with a passphrase: secrets sealed by another implementation open; only the same passphrase, cost, salt and
 // associated data open them; excessive costs are rejected without computing.
+#include "core/base/secret_bytes.h"
+#include "core/crypto/passphrase.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/passphrase_box.h"

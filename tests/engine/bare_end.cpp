@@ -1,5 +1,6 @@
 #include "tests/engine/bare_end.h"
 
+#include "core/crypto/x25519.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/frame_scanner.h"

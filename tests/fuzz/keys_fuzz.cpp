@@ -1,4 +1,6 @@
 // The texts of key, peers and counter files: any bytes are safe, and what was read and written reads the same again.
+#include "core/base/secret_bytes.h"
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/counter_file.h"
 #include "core/keys/peers_file.h"

@@ -1,4 +1,7 @@
 // Key files and lists of peers that other users can read or have changed, symbolic links, damage, and keys in error messages.
+#include "core/base/secret_bytes.h"
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/counter_file.h"
 #include "core/keys/peers_file.h"

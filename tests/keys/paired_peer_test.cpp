@@ -1,4 +1,5 @@
 // The files written by a pairing, and hostile names of unknown devices.
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/peer_line.h"

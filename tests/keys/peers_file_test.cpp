@@ -1,4 +1,5 @@
 // The file of known peers: lists are read, changed and written, and comments are preserved.
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/public_key_text.h"

@@ -1,5 +1,7 @@
 // Private keys sealed with a passphrase: only the passphrase opens them, every changed byte is detected, excessive costs are
 // rejected without computing, and no error message contains a byte of a key or of a passphrase.
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"

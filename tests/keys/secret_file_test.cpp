@@ -1,4 +1,6 @@
 // Private key files: written files read back, and every kind of invalid file is rejected with its own error.
+#include "core/base/secret_bytes.h"
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/keys/public_key_text.h"
 #include "core/keys/secret_file.h"

@@ -1,7 +1,9 @@
 // Frames packed by the reference implementation and the layout of all its messages, from tests/data/mavlink; the larger set
 // and the full facts are taken where SKYSEAL_MAVLINK_FACTS names their folder, or where they lie beside the checkout.
+#include "core/base/secret_bytes.h"
 #include "core/base/hex.h"
 #include "core/mavlink/frame_writer.h"
+#include "core/mavlink/signing.h"
 #include "core/mavlink/message_json.h"
 #include "core/mavlink/payload_builder.h"
 #include "tests/support/test_runner.h"

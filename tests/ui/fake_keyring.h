@@ -1,6 +1,7 @@
 // A keyring without files: records the changes of the dialogs and holds the content that a test (or the gallery) sets.
 #pragma once
 
+#include "core/crypto/passphrase.h"
 #include "ui/keys/keyring_interface.h"
 
 #include <algorithm>

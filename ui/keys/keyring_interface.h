@@ -4,7 +4,6 @@
 
 #include "core/base/result.h"
 #include "core/channel/policy.h"
-#include "core/crypto/passphrase.h"
 
 #include <QtCore/QDateTime>
 #include <QtCore/QObject>
@@ -12,6 +11,10 @@
 
 #include <optional>
 #include <vector>
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::ui {
 

@@ -1,5 +1,6 @@
 #include "ui/keys/pairing_dialog.h"
 
+#include "core/crypto/passphrase.h"
 #include "core/channel/pairing.h"
 #include "core/keys/peer_line.h"
 #include "ui/keys/changed_key_warning.h"

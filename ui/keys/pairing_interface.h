@@ -3,12 +3,15 @@
 #pragma once
 
 #include "core/channel/policy.h"
-#include "core/crypto/passphrase.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QString>
 
 #include <optional>
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::ui {
 

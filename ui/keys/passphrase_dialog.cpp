@@ -1,5 +1,6 @@
 #include "ui/keys/passphrase_dialog.h"
 
+#include "core/crypto/passphrase.h"
 #include "ui/keys/passphrase_field.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"

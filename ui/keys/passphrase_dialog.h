@@ -1,13 +1,15 @@
 // Asks for the passphrase of this station's key.
 #pragma once
 
-#include "core/crypto/passphrase.h"
-
 #include <QtWidgets/QDialog>
 
 #include <optional>
 
 class QCheckBox;
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::ui {
 

@@ -1,5 +1,6 @@
 #include "ui/keys/passphrase_field.h"
 
+#include "core/crypto/passphrase.h"
 #include "core/base/secret_bytes.h"
 
 #include <QtWidgets/QCheckBox>

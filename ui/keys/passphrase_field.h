@@ -1,13 +1,15 @@
 // An input field for a passphrase, which it returns as the type of core/crypto.
 #pragma once
 
-#include "core/crypto/passphrase.h"
-
 #include <QtWidgets/QLineEdit>
 
 #include <optional>
 
 class QCheckBox;
+
+namespace skyseal::crypto {
+class Passphrase;
+}
 
 namespace skyseal::ui {
 

@@ -1,5 +1,6 @@
 #include "ui/links/link_dialog.h"
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/base/hex.h"
 #include "core/link/link_url.h"
 #include "ui/text/state_text.h"

@@ -1,4 +1,6 @@
 // The subcommands for a device's own key: create, show, export, import, set the passphrase.
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "app/cli/keys/keys_subcommand.h"
 #include "app/cli/keys/keys_subcommands.h"
 #include "app/cli/keys/named_input.h"

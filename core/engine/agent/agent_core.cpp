@@ -1,5 +1,6 @@
 #include "core/engine/agent/agent_core.h"
 
+#include "core/channel/endpoint.h"
 #include "core/base/weakness.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/dialect.h"

@@ -1,5 +1,6 @@
 #include "core/engine/common/channel_driver.h"
 
+#include "core/channel/endpoint.h"
 #include "core/channel/record.h"
 #include "core/engine/common/urgency.h"
 #include "core/metrics/process_usage.h"
@@ -19,7 +20,11 @@ constexpr std::size_t kTunnelRoom = channel::kTunnelPayload - channel::kRecordHe
 
 } // namespace
 
-ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links) : m_endpoint(std::move(endpoint)), m_links(links) {}
+ChannelDriver::ChannelDriver(channel::Endpoint endpoint, LinkPool &links)
+    : m_endpoint(std::make_unique<channel::Endpoint>(std::move(endpoint))), m_links(links)
+{}
+
+ChannelDriver::~ChannelDriver() = default;
 
 void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 {
@@ -32,13 +37,13 @@ void ChannelDriver::Batch::add(TimePoint now, ByteView bytes)
 std::optional<channel::Delivery> ChannelDriver::receive(TimePoint now, const Path &from, MutableByteView datagram)
 {
     const std::uint64_t begin = m_clock.begin();
-    return taken(begin, datagram.size(), m_endpoint.handleDatagram(now, from, datagram));
+    return taken(begin, datagram.size(), m_endpoint->handleDatagram(now, from, datagram));
 }
 
 std::optional<channel::Delivery> ChannelDriver::receiveInline(TimePoint now, const Path &from, MutableByteView frame)
 {
     const std::uint64_t begin = m_clock.begin();
-    return taken(begin, frame.size(), m_endpoint.handleInlineFrame(now, from, frame));
+    return taken(begin, frame.size(), m_endpoint->handleInlineFrame(now, from, frame));
 }
 
 std::optional<channel::Delivery> ChannelDriver::taken(std::uint64_t begin, std::size_t bytes,
@@ -62,9 +67,9 @@ bool ChannelDriver::queue(TimePoint now, channel::SessionId session, ByteView fr
     if (frame.size() > channel::kMaxRecordPayload)
         return false;
     Batch &batch = m_batches[session];
-    if (m_endpoint.framing(session) == channel::Framing::Inline && queueInline(now, session, frame, batch))
+    if (m_endpoint->framing(session) == channel::Framing::Inline && queueInline(now, session, frame, batch))
         return true;
-    if (batch.sealedInPlace || !batch.holds(frame.size(), roomOf(m_endpoint.recordPath(session), session)))
+    if (batch.sealedInPlace || !batch.holds(frame.size(), roomOf(m_endpoint->recordPath(session), session)))
         sealBatch(now, session, batch);
     batch.urgent = batch.urgent || isUrgent(frame);
     batch.add(now, frame);
@@ -75,8 +80,9 @@ std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
 {
     switch (path.carrier) {
     case Carrier::Datagram: break;
-    case Carrier::Tunnel: return crypto::suiteInfo(m_sendSuites[session]).plaintextRoom(kTunnelRoom) - m_endpoint.stampLength();
-    case Carrier::Serial: return kSerialRoom - m_endpoint.stampLength();
+    case Carrier::Tunnel:
+        return crypto::suiteInfo(m_sendSuites[session]).plaintextRoom(kTunnelRoom) - m_endpoint->stampLength();
+    case Carrier::Serial: return kSerialRoom - m_endpoint->stampLength();
     }
     return channel::kMaxRecordPayload;
 }
@@ -94,7 +100,7 @@ bool ChannelDriver::queueInline(TimePoint now, channel::SessionId session, ByteV
     if (!batch.sealedInPlace) // the frames before it go first, since counters rise
         sealBatch(now, session, batch);
     const std::uint64_t begin = m_clock.begin();
-    const auto size = m_endpoint.sealInline(now, session, frame, m_record);
+    const auto size = m_endpoint->sealInline(now, session, frame, m_record);
     const std::uint64_t end = metrics::CycleClock::now();
     if (!size)
         return false;
@@ -119,11 +125,11 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
     batch.urgent = false;
     if (std::exchange(batch.sealedInPlace, false)) {
         m_wire.sent += frames.size();
-        m_links.send(m_endpoint.recordPath(session), frames);
+        m_links.send(m_endpoint->recordPath(session), frames);
         return;
     }
     const std::uint64_t begin = m_clock.begin();
-    const auto size = m_endpoint.seal(now, session, frames, m_record);
+    const auto size = m_endpoint->seal(now, session, frames, m_record);
     if (!size)
         return;
     const std::uint64_t end = metrics::CycleClock::now();
@@ -133,12 +139,12 @@ void ChannelDriver::sealBatch(TimePoint now, channel::SessionId session, Batch &
         m_sealing.record(taken);
     m_wire.sent += *size;
     m_wire.sentFrames += frames.size();
-    m_links.send(m_endpoint.recordPath(session), ByteView(m_record).first(*size));
+    m_links.send(m_endpoint->recordPath(session), ByteView(m_record).first(*size));
 }
 
 void ChannelDriver::transmit()
 {
-    while (const auto out = m_endpoint.pollTransmit()) {
+    while (const auto out = m_endpoint->pollTransmit()) {
         m_wire.sent += out->bytes.size();
         m_links.send(out->to, out->bytes);
     }
@@ -148,7 +154,7 @@ void ChannelDriver::flush(TimePoint now)
 {
     m_flushDue = kNever;
     for (auto &[session, batch] : m_batches) {
-        if (batch.size > 0 && mayWait(now, m_endpoint.recordPath(session), batch))
+        if (batch.size > 0 && mayWait(now, m_endpoint->recordPath(session), batch))
             m_flushDue = std::min(m_flushDue, batch.since + kCoalesceDelay);
         else
             sealBatch(now, session, batch);
@@ -169,10 +175,10 @@ void ChannelDriver::flushAll(TimePoint now)
 std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
 {
     flushAll(now);
-    for (const channel::SessionId session : m_endpoint.sessions())
-        m_endpoint.close(now, session);
+    for (const channel::SessionId session : m_endpoint->sessions())
+        m_endpoint->close(now, session);
     std::vector<Goodbye> out;
-    while (const auto goodbye = m_endpoint.pollTransmit()) {
+    while (const auto goodbye = m_endpoint->pollTransmit()) {
         out.push_back({goodbye->to, Bytes(goodbye->bytes.begin(), goodbye->bytes.end())});
         m_wire.sent += goodbye->bytes.size();
         m_links.send(goodbye->to, goodbye->bytes);
@@ -182,7 +188,7 @@ std::vector<ChannelDriver::Goodbye> ChannelDriver::closeAll(TimePoint now)
 
 std::optional<channel::Event> ChannelDriver::pollEvent(std::optional<channel::SessionId> speaking)
 {
-    std::optional<channel::Event> event = m_left ? std::exchange(m_left, std::nullopt) : m_endpoint.pollEvent();
+    std::optional<channel::Event> event = m_left ? std::exchange(m_left, std::nullopt) : m_endpoint->pollEvent();
     if (!event)
         return event;
     if (const auto *down = std::get_if<channel::SessionDown>(&*event); down && down->session == speaking) {
@@ -210,8 +216,8 @@ void ChannelDriver::roll(TimePoint now)
     for (auto &[session, meter] : m_meters)
         meter.roll(now);
     // Also for sessions that carry only their own reports.
-    for (const channel::SessionId session : m_endpoint.sessions()) {
-        const auto info = m_endpoint.sessionInfo(session);
+    for (const channel::SessionId session : m_endpoint->sessions()) {
+        const auto info = m_endpoint->sessionInfo(session);
         if (info && now < info->lastReceived + std::chrono::seconds(2))
             m_links.noteUse(info->path);
     }
@@ -236,7 +242,7 @@ channel::EndCosts ChannelDriver::endCosts(channel::SessionId session) const
 void ChannelDriver::setMeasuring(bool measuring)
 {
     m_measuring = measuring;
-    m_endpoint.askCosts(measuring);
+    m_endpoint->askCosts(measuring);
 }
 
 ChannelTotals ChannelDriver::totals() const
@@ -246,19 +252,19 @@ ChannelTotals ChannelDriver::totals() const
     out.tx = m_endedTx;
     out.peerRx = m_endedPeerRx;
     out.peerFrames = m_endedPeerFrames;
-    out.unmatched = m_endpoint.unmatched();
+    out.unmatched = m_endpoint->unmatched();
     out.rx += out.unmatched;
     out.wire = m_wire;
     TimePoint heard = TimePoint::min();
-    for (const channel::SessionId session : m_endpoint.sessions()) {
-        if (const auto stats = m_endpoint.stats(session)) {
+    for (const channel::SessionId session : m_endpoint->sessions()) {
+        if (const auto stats = m_endpoint->stats(session)) {
             out.rx += stats->rx;
             out.tx += stats->tx;
             out.peerRx += stats->peerRx;
             out.peerFrames += stats->peerFrames;
             ++out.sessions;
         }
-        const auto info = m_endpoint.sessionInfo(session);
+        const auto info = m_endpoint->sessionInfo(session);
         if (info && info->lastReceived >= heard) {
             heard = info->lastReceived;
             out.up = true;
@@ -266,7 +272,7 @@ ChannelTotals ChannelDriver::totals() const
             out.epoch = static_cast<std::uint32_t>(info->epoch);
             out.framing = info->framing;
             out.cost = cost(session);
-            if (const auto stats = m_endpoint.stats(session))
+            if (const auto stats = m_endpoint->stats(session))
                 out.roundTrip = stats->roundTrip;
         }
     }

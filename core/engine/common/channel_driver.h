@@ -3,13 +3,20 @@
 // the ciphers. The station and the agent use the same class. I/O thread.
 #pragma once
 
-#include "core/channel/endpoint.h"
+#include "core/channel/delivery.h"
+#include "core/channel/events.h"
+#include "core/channel/sealed.h"
 #include "core/engine/common/link_pool.h"
 #include "core/engine/common/suite_meter.h"
 #include "core/metrics/work_clock.h"
 
 #include <map>
+#include <memory>
 #include <vector>
+
+namespace skyseal::channel {
+class Endpoint;
+}
 
 namespace skyseal::engine {
 
@@ -21,9 +28,10 @@ public:
     static constexpr Duration kCoalesceDelay = std::chrono::milliseconds(40);
 
     ChannelDriver(channel::Endpoint endpoint, LinkPool &links);
+    ~ChannelDriver();
 
-    channel::Endpoint &endpoint() { return m_endpoint; }
-    const channel::Endpoint &endpoint() const { return m_endpoint; }
+    channel::Endpoint &endpoint() { return *m_endpoint; }
+    const channel::Endpoint &endpoint() const { return *m_endpoint; }
 
     /// Takes a datagram whose first byte belongs to the channel. Returns its frames, opened in place; nullopt if there are
     /// none or it is rejected.
@@ -87,7 +95,7 @@ private:
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
 
-    channel::Endpoint m_endpoint;
+    std::unique_ptr<channel::Endpoint> m_endpoint;
     LinkPool &m_links;
     metrics::WorkClock m_clock;
     std::map<channel::SessionId, Batch> m_batches;

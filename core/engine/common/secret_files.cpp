@@ -1,5 +1,7 @@
 #include "core/engine/common/secret_files.h"
 
+#include "core/base/secret_bytes.h"
+#include "core/crypto/x25519.h"
 #include "core/keys/counter_file.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"

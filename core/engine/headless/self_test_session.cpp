@@ -1,5 +1,6 @@
 // Two endpoints in this process: they perform a handshake, carry a frame in each direction under every suite, and reject
 // records that were modified.
+#include "core/crypto/x25519.h"
 #include "core/engine/headless/self_test.h"
 
 #include "core/channel/endpoint.h"

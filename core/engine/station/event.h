@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/channel/events.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/common/link_snapshot.h"
+#include "core/engine/station/unanswering_agent.h"
 #include "core/vehicle/event.h"
 
 #include <functional>

@@ -1,5 +1,7 @@
 #include "core/engine/station/mavsec_settings.h"
 
+#include "core/base/secret_bytes.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/base/hex.h"
 #include "core/keys/file_io.h"
 

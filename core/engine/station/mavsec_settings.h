@@ -3,18 +3,25 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/crypto/mavsec_cipher.h"
+#include "core/base/secret_bytes_fwd.h"
+#include "core/crypto/mavsec_kind.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
+
+namespace skyseal::crypto {
+class MavsecCipher;
+}
 
 namespace skyseal::engine {
 
 struct MavsecSettings
 {
-    crypto::MavsecCipher::Kind kind = crypto::MavsecCipher::Kind::ChaCha20;
+    crypto::MavsecKind kind = crypto::MavsecKind::ChaCha20;
     std::string keyFile;  ///< 32 bytes or 64 hex digits, for its owner alone; empty: the published key
     std::string nonceHex; ///< empty: the published one
-    std::uint32_t counter = crypto::MavsecCipher::kPublishedCounter; ///< ChaCha20 only
+    std::uint32_t counter = crypto::kPublishedMavsecCounter; ///< ChaCha20 only
 };
 
 /// 64 hex digits; nullopt for anything else.

@@ -6,6 +6,7 @@
 #include "core/channel/events.h"
 #include "core/channel/session_info.h"
 #include "core/engine/station/probe.h"
+#include "core/engine/station/unanswering_agent.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/totals.h"
 #include "core/vehicle/mission.h"
@@ -126,15 +127,6 @@ struct RecordingSnapshot
     std::string file;
     std::uint64_t bytes = 0, frames = 0, dropped = 0;
     std::string problem;
-};
-
-/// A known agent that announces itself and answers none of the station's handshakes.
-struct UnansweringAgent
-{
-    std::string peerName;
-    std::string remoteAddress;
-    std::string ownFingerprint; ///< of this station's key, which the agent must have among its peers
-    double seconds = 0;         ///< since the first unanswered message
 };
 
 /// An agent announces itself with a key that is not among the known peers. The announcement does not contain the key.

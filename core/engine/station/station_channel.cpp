@@ -1,5 +1,6 @@
 #include "core/engine/station/station_channel.h"
 
+#include "core/channel/endpoint.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"

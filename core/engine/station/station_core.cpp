@@ -1,5 +1,6 @@
 #include "core/engine/station/station_core.h"
 
+#include "core/channel/endpoint.h"
 #include "core/vehicle/request_failure.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "core/engine/station/station_receiver.h"
 
+#include "core/channel/endpoint.h"
 #include "core/link/steady_now.h"
 
 namespace skyseal::engine {

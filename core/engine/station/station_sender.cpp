@@ -1,5 +1,6 @@
 #include "core/engine/station/station_sender.h"
 
+#include "core/channel/endpoint.h"
 #include "core/link/steady_now.h"
 #include "core/mavlink/frame_writer.h"
 
