@@ -18,6 +18,7 @@ enum class Weakness : std::uint8_t {
     SameKeysEveryEpoch, ///< a new epoch keeps the keys of the previous one
     PaddingAccepted,    ///< wrong padding is accepted
     NoReplayWindow,     ///< every counter counts as fresh
+    NoCloneCheck,       ///< an end does not notice that the keys of one end are in use twice
     WindowBeforeTag,    ///< the window moves before the tag is verified
     RoamOnForged,       ///< a rejected record moves the session's address
     RoamOnLate,         ///< an authentic record moves the address even when it is not the newest

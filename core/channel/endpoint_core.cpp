@@ -19,7 +19,7 @@ bool isCausedByStrangers(RefusalReason reason)
 
 bool sendsClose(DownReason reason)
 {
-    return reason == DownReason::Closed || reason == DownReason::Revoked;
+    return reason == DownReason::Closed || reason == DownReason::Revoked || reason == DownReason::Cloned;
 }
 
 } // namespace

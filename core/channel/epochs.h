@@ -4,6 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/channel/key_chain.h"
+#include "core/channel/recent_tags.h"
 #include "core/channel/replay_window.h"
 #include "core/channel/stats.h"
 #include "core/crypto/inline_cipher.h"
@@ -27,6 +28,7 @@ struct LiveEpoch
     std::unique_ptr<crypto::InlineCipher> inlineReader;
     std::unique_ptr<crypto::InlineCipher> inlineWriter;
     ReplayWindow window;
+    RecentTags tags;        ///< of the received records
     std::uint32_t sent = 0; ///< records and inline frames sealed so far; the counter of the next one
     ReceiveCounters rx;     ///< without `lost`, which the window computes
     SendCounters tx;

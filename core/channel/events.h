@@ -23,7 +23,15 @@ struct SessionUp
     Framing framing = Framing::Sealed; ///< Inline: agreed by both ends; used under the suites that have it
 };
 
-enum class DownReason : std::uint8_t { PeerRestarted, PeerClosed, TimedOut, Exhausted, Revoked, Closed };
+enum class DownReason : std::uint8_t {
+    PeerRestarted,
+    PeerClosed,
+    TimedOut,
+    Exhausted,
+    Revoked,
+    Closed,
+    Cloned ///< the keys of one end are in use twice: see recent_tags.h
+};
 
 struct SessionDown
 {

@@ -78,6 +78,17 @@ void LiveSwitch::proposeIfReady(TimePoint now, SwitchActions &actions)
     actions.send(now, Propose{m_own->id, m_own->epoch, m_own->to, m_own->nonce});
 }
 
+void LiveSwitch::handle(TimePoint now, const ControlMessage &message, SwitchActions &actions)
+{
+    std::visit(
+        [&](const auto &one) {
+            using Message = std::decay_t<decltype(one)>;
+            if constexpr (!std::is_same_v<Message, Report> && !std::is_same_v<Message, Close>)
+                handle(now, one, actions);
+        },
+        message);
+}
+
 void LiveSwitch::handle(TimePoint now, const Propose &message, SwitchActions &actions)
 {
     if (message.id < m_newestOfPeer || message.epoch != after(actions.currentEpoch()))

@@ -65,6 +65,8 @@ public:
     void end(TimePoint now, SwitchActions &actions);
 
     // input
+    /// Ignores messages that do not belong to a switch.
+    void handle(TimePoint now, const ControlMessage &message, SwitchActions &actions);
     void handle(TimePoint now, const Propose &message, SwitchActions &actions);
     void handle(TimePoint now, const Accept &message, SwitchActions &actions);
     void handle(TimePoint now, const Refuse &message, SwitchActions &actions);

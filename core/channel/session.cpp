@@ -218,7 +218,9 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     LiveEpoch *epoch = m_epochs.byBits(header.epochBits);
     if (!epoch)
         return refuseEpoch(now, (header.epochBits - static_cast<unsigned>(currentEpoch())) & 3);
-    if (!epoch->window.fresh(header.counter))
+    const std::uint32_t tagEnd = RecentTags::endOf(datagram);
+    const bool fresh = epoch->window.fresh(header.counter);
+    if (!fresh && !epoch->tags.contradicts(header.counter, tagEnd))
         return refuse(now, &ReceiveCounters::replayed, *epoch);
 
     const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(m_identity.direction()),
@@ -226,10 +228,15 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
     const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
+    if (!fresh && plaintext)
+        m_finished = DownReason::Cloned;
+    if (!fresh)
+        return {false, refuse(now, &ReceiveCounters::replayed, *epoch).routine && !plaintext};
     if (!plaintext && weakened(Weakness::RoamOnForged))
         m_path.moveTo(from, now, m_reports.stamp(now));
     if (!plaintext)
         return refuse(now, &ReceiveCounters::forged, *epoch);
+    epoch->tags.note(header.counter, tagEnd);
     return opened(now, from, header.counter, *epoch, *plaintext, delivery);
 }
 
@@ -262,7 +269,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
         handleControl(now, from, position, plaintext);
     if (m_closingUntil) {
         routine = false;
-        if (m_epochs.nothingMissing())
+        if (!m_finished && m_epochs.nothingMissing())
             m_finished = DownReason::PeerClosed;
     }
     if (control)
@@ -401,16 +408,8 @@ void Session::handleControl(TimePoint now, const Path &from, RecordPosition posi
         handleReport(now, from, position, *report);
     else if (std::holds_alternative<Close>(*message))
         m_closingUntil = now + std::max(roundTrip().generous(), m_context.timing.oldKeysLinger);
-    else if (const auto *propose = std::get_if<Propose>(&*message))
-        m_switch.handle(now, *propose, *this);
-    else if (const auto *accept = std::get_if<Accept>(&*message))
-        m_switch.handle(now, *accept, *this);
-    else if (const auto *refusal = std::get_if<Refuse>(&*message))
-        m_switch.handle(now, *refusal, *this);
-    else if (const auto *confirm = std::get_if<Confirm>(&*message))
-        m_switch.handle(now, *confirm, *this);
-    else if (const auto *confirmed = std::get_if<Confirmed>(&*message))
-        m_switch.handle(now, *confirmed, *this);
+    else
+        m_switch.handle(now, *message, *this);
 }
 
 void Session::sendReport(TimePoint now, bool answerAtOnce)
@@ -437,6 +436,11 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
         if (m_reports.staleAtPeer() > staleBefore)
             notify(CommandsLate{id(), m_reports.staleAtPeer() - staleBefore, *report.freshness});
     }
+    // A peer cannot have received more than we sent, unless a copy of this end sent it: see recent_tags.h.
+    if (report.rx.good > m_epochs.sent().records && !weakened(Weakness::NoCloneCheck)) {
+        m_finished = DownReason::Cloned;
+        m_closingUntil = now; // Nothing more may be sealed, not even a Close.
+    }
     if (report.answerAtOnce)
         sendReport(now, false);
 }
@@ -446,11 +450,6 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
 void Session::switchSuite(TimePoint now, crypto::SuiteId suite)
 {
     m_switch.request(now, suite, suite == currentSuite(), *this);
-}
-
-void Session::rekey(TimePoint now)
-{
-    m_switch.request(now, currentSuite(), true, *this);
 }
 
 void Session::policyChanged(TimePoint now)
@@ -477,11 +476,6 @@ EpochNonce Session::freshNonce()
     EpochNonce nonce;
     m_context.random.fill(nonce);
     return nonce;
-}
-
-bool Session::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
-{
-    return m_epochs.prepareNext(suite, proposal, answer);
 }
 
 void Session::commitNext(TimePoint now)

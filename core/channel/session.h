@@ -96,7 +96,7 @@ public:
     Sealed seal(TimePoint now, ByteView plaintext, MutableByteView out);
     Sealed sealInline(TimePoint now, ByteView frame, MutableByteView out);
     void switchSuite(TimePoint now, crypto::SuiteId suite);
-    void rekey(TimePoint now);
+    void rekey(TimePoint now) { m_switch.request(now, currentSuite(), true, *this); }
     /// On a serial carrier: until then records carry the connection id, since the peer may already have a newer session.
     void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
     /// Sends an empty record to a peer that may have lost the session. At most once a second, since the cause need not be
@@ -118,7 +118,10 @@ private:
     Duration answerTime() const override { return roundTrip().smoothed(); }
     EpochNonce freshNonce() override;
     void send(TimePoint now, const ControlMessage &message) override;
-    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override;
+    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override
+    {
+        return m_epochs.prepareNext(suite, proposal, answer);
+    }
     void dropNext() override { m_epochs.dropNext(); }
     void commitNext(TimePoint now) override;
     std::uint32_t sentBefore() const override { return m_handover.sentBefore(); }

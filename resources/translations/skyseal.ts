@@ -600,6 +600,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>its keys are in use twice, as if the machine of one end had been copied</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>its keys were used up</source>
         <translation type="unfinished"></translation>
     </message>

@@ -35,6 +35,10 @@ private Q_SLOTS:
     void replayedAnnouncementsEndNothing();
     void killedTwoHundredTimes();
     void everyControlRecordDropped();
+    void clonedEnd_data();
+    void clonedEnd();
+    void restoredEnd_data() { clonedEnd_data(); }
+    void restoredEnd();
 
 private:
     std::mt19937_64 m_random{kAttackSeed};
@@ -470,6 +474,66 @@ void AttackSessionTest::everyControlRecordDropped()
     for (const SwitchDone &d : done)
         QVERIFY(d.rekey && d.failure != SwitchFailure::None);
     QCOMPARE(QString::fromStdString(pair.accountFrom(Air)), QString());
+}
+
+void AttackSessionTest::clonedEnd_data()
+{
+    QTest::addColumn<int>("side");
+    QTest::newRow("station") << static_cast<int>(Ground);
+    QTest::newRow("agent") << static_cast<int>(Air);
+}
+
+/// A snapshot of a machine runs twice. Two pairs from one seed have the same keys and counters, so that the end of the second
+/// pair is a clone of that of the first.
+void AttackSessionTest::clonedEnd()
+{
+    QFETCH(int, side);
+    const auto from = static_cast<Side>(side), to = from == Ground ? Air : Ground;
+    const auto pair = pairUnder(SuiteId::ChaCha20Poly1305), clones = pairUnder(SuiteId::ChaCha20Poly1305);
+    const Caught original = catchOne(*pair, 28, from), clone = catchOne(*clones, 40, from);
+    const auto head = [](const Caught &caught) { return Bytes(caught.flight.bytes.begin(), caught.flight.bytes.begin() + 6); };
+    QCOMPARE(head(original), head(clone)); // with the counter
+    QVERIFY(offer(*pair, to, original.flight.bytes));
+
+    // A copy by the network, and a forged record with the same counter, have no effect.
+    QVERIFY(!offer(*pair, to, original.flight.bytes));
+    Bytes forged = original.flight.bytes;
+    forged.back() ^= 1;
+    QVERIFY(!offer(*pair, to, forged));
+    pair->run(1ms);
+    QVERIFY(pair->ends[to].all<SessionDown>().empty());
+
+    QVERIFY(!offer(*pair, to, clone.flight.bytes));
+    pair->run(1ms);
+    const auto down = pair->ends[to].all<SessionDown>();
+    HOLDS(down.size() == 1, "keys that are in use twice end with their session");
+    QCOMPARE(down[0].reason, DownReason::Cloned);
+    const auto ups = pair->ends[from].all<SessionUp>().size();
+    QVERIFY(pair->run(5s, [&] { return pair->ends[from].all<SessionUp>().size() > ups && pair->bothUp(); }));
+}
+
+/// A machine is put back to a snapshot, while its peer went on: the reports of the peer count what the machine sent before.
+void AttackSessionTest::restoredEnd()
+{
+    QFETCH(int, side);
+    const auto from = static_cast<Side>(side), to = from == Ground ? Air : Ground;
+    const auto pair = pairUnder(SuiteId::ChaCha20Poly1305), restored = pairUnder(SuiteId::ChaCha20Poly1305);
+    traffic(*pair);
+    pair->run(5s);
+    std::vector<Bytes> sent;
+    pair->link.attacker = [&](TimePoint, Flight &flight) {
+        if (flight.from == to)
+            sent.push_back(flight.bytes);
+        return true;
+    };
+    pair->run(2s); // with a report
+    QVERIFY(!sent.empty());
+    for (const Bytes &bytes : sent)
+        offer(*restored, from, bytes);
+    restored->run(1ms);
+    const auto down = restored->ends[from].all<SessionDown>();
+    HOLDS(down.size() == 1, "a session that went on elsewhere ends");
+    QCOMPARE(down[0].reason, DownReason::Cloned);
 }
 
 SKYSEAL_TEST(AttackSessionTest)

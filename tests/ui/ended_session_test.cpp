@@ -47,6 +47,7 @@ private Q_SLOTS:
         row("goodbye", channel::DownReason::PeerClosed, "Session ended · air-1", "closed by the other end");
         row("restart", channel::DownReason::PeerRestarted, "Session ended · air-1", "the other end restarted");
         row("keys", channel::DownReason::Exhausted, "Session ended · air-1", "its keys were used up");
+        row("copied", channel::DownReason::Cloned, "Session ended · air-1", "its keys are in use twice");
         row("here", channel::DownReason::Closed, "Session ended · air-1", "closed here");
     }
 

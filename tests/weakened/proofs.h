@@ -36,6 +36,8 @@ inline constexpr Proof kProofs[] = {
 
     {"AcceptLowerCounter,NoConfirmation", "attack_session_test", "replayOfAnEarlierSession",
      "no old handshake makes a session"},
+    {"NoCloneCheck", "attack_session_test", "clonedEnd", "keys that are in use twice end with their session"},
+    {"NoCloneCheck", "attack_session_test", "restoredEnd", "a session that went on elsewhere ends"},
     {"NoReplayWindow", "attack_session_test", "replayOnAnotherLink", "nothing is delivered twice"},
     {"AcceptLowerCounter,NoConfirmation", "attack_session_test", "replayOnAnotherLink", "no old handshake makes a session"},
     {"NoDirections", "attack_session_test", "reflection", "nothing is accepted by its own sender"},

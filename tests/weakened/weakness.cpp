@@ -34,6 +34,7 @@ constexpr Named kNames[] = {
     {Weakness::SameKeysEveryEpoch, "SameKeysEveryEpoch"},
     {Weakness::PaddingAccepted, "PaddingAccepted"},
     {Weakness::NoReplayWindow, "NoReplayWindow"},
+    {Weakness::NoCloneCheck, "NoCloneCheck"},
     {Weakness::WindowBeforeTag, "WindowBeforeTag"},
     {Weakness::RoamOnForged, "RoamOnForged"},
     {Weakness::RoamOnLate, "RoamOnLate"},

@@ -47,6 +47,7 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     case DownReason::PeerRestarted:
     case DownReason::PeerClosed:
     case DownReason::Exhausted:
+    case DownReason::Cloned:
     case DownReason::Closed: break;
     }
     return LinkEnded{Text::tr("Session ended · %1").arg(name),

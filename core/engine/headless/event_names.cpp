@@ -25,6 +25,7 @@ std::string_view keyword(channel::DownReason reason)
     case channel::DownReason::Exhausted: return "exhausted";
     case channel::DownReason::Revoked: return "revoked";
     case channel::DownReason::Closed: return "closed";
+    case channel::DownReason::Cloned: return "cloned";
     }
     return "unknown";
 }

@@ -79,6 +79,8 @@ QString downReasonText(channel::DownReason reason)
     case channel::DownReason::Exhausted: return StateText::tr("its keys were used up");
     case channel::DownReason::Revoked: return StateText::tr("its key is not among the known peers any more");
     case channel::DownReason::Closed: return StateText::tr("closed here");
+    case channel::DownReason::Cloned:
+        return StateText::tr("its keys are in use twice, as if the machine of one end had been copied");
     }
     return {};
 }
