@@ -64,6 +64,8 @@ enum class Weakness : std::uint8_t {
     // station and agent
     NoRoleCheck,   ///< observers may send commands
     Misreadable,   ///< messages of observers are forwarded although losing a part would change their meaning
+    AnyStreamRate, ///< observers may start streams of any rate
+    UnlimitedQuestions, ///< observers may ask without end
     NoSenderCheck, ///< a sealed peer may use any system id
     ClearAccepted, ///< clear frames are accepted after a sealed session
     // evaluated only by the tests' own parts

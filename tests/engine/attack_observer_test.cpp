@@ -11,6 +11,7 @@
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
+#include <QtCore/QElapsedTimer>
 #include <QtTest/QTest>
 
 using namespace skyseal;
@@ -132,6 +133,24 @@ std::size_t othersWithin(const Bytes &frame, const Bytes &next)
     return others;
 }
 
+template<typename Message> Bytes frameOf(const Message &message, mavlink::FrameWriter &writer)
+{
+    std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
+    return copyOf(writer.write(message, buffer));
+}
+
+mavlink::RequestDataStream streamAt(std::uint16_t rate)
+{
+    return {.target_system = 1, .target_component = 1, .req_message_rate = rate, .start_stop = 1};
+}
+
+/// Questions that the agent forwarded or refused.
+std::uint64_t judged(const ObservedFlight &flight)
+{
+    const engine::AgentCounters counters = flight.agent->snapshot().counters;
+    return counters.toVehicle + counters.observerUnclear + counters.observerTooOften;
+}
+
 } // namespace
 
 class AttackObserverTest : public QObject
@@ -140,7 +159,71 @@ class AttackObserverTest : public QObject
 
 private Q_SLOTS:
     void nothingIsNestedInAQuestion();
+    void streamRates_data();
+    void streamRates();
+    void thousandQuestions_data();
+    void thousandQuestions();
 };
+
+void AttackObserverTest::streamRates_data()
+{
+    QTest::addColumn<int>("rate");
+    QTest::newRow("0 Hz stops a stream") << 0;
+    QTest::newRow("11 Hz") << 11;
+    QTest::newRow("65535 Hz fills the line") << 65535;
+}
+
+void AttackObserverTest::streamRates()
+{
+    QFETCH(int, rate);
+    QVERIFY(crypto::initCrypto());
+    ObservedFlight flight;
+    QVERIFY(flight.wait([&] { return flight.observer.up() && flight.agent->snapshot().mavlink.frames > 0; }));
+    mavlink::FrameWriter writer(255, 190);
+    const Bytes hostile = frameOf(streamAt(static_cast<std::uint16_t>(rate)), writer), honest = frameOf(streamAt(10), writer);
+    for (const Bytes &frame : {hostile, honest})
+        flight.observer.sendEach(std::array{ByteView(frame)});
+    const std::vector<Bytes> arrived = flight.arrivedUntil(honest);
+    QVERIFY(!arrived.empty());
+    HOLDS(arrived.front() != hostile, "no stream is stopped or fills the line");
+    QCOMPARE(flight.agent->snapshot().counters.observerRefused, std::uint64_t(1));
+}
+
+void AttackObserverTest::thousandQuestions_data()
+{
+    QTest::addColumn<int>("lists"); // of each ten questions
+    QTest::addColumn<double>("atOnce");
+    QTest::addColumn<double>("perSecond");
+    using Limit = engine::QuestionLimit;
+    QTest::newRow("single values") << 0 << Limit::kAtOnce << Limit::kPerSecond;
+    QTest::newRow("whole lists") << 10 << Limit::kListsAtOnce << Limit::kListsPerSecond;
+}
+
+void AttackObserverTest::thousandQuestions()
+{
+    QFETCH(int, lists);
+    QFETCH(double, atOnce);
+    QFETCH(double, perSecond);
+    QVERIFY(crypto::initCrypto());
+    ObservedFlight flight;
+    QVERIFY(flight.wait([&] { return flight.observer.up() && flight.agent->snapshot().mavlink.frames > 0; }));
+    QElapsedTimer clock;
+    clock.start();
+    mavlink::FrameWriter writer(255, 190);
+    constexpr int kQuestions = 1000;
+    for (int i = 0; i < kQuestions; ++i) {
+        const Bytes value = frameOf(mavlink::ParamRequestRead{.target_system = 1, .param_index = 7}, writer);
+        const Bytes list = frameOf(mavlink::ParamRequestList{.target_system = 1, .target_component = 1}, writer);
+        flight.observer.sendEach(std::array{ByteView(i % 10 < lists ? list : value)});
+        if (i % 50 == 49)
+            QVERIFY(flight.wait([&] { return judged(flight) > static_cast<std::uint64_t>(i); }));
+    }
+    const engine::AgentCounters counters = flight.agent->snapshot().counters;
+    const double most = atOnce + perSecond * static_cast<double>(clock.elapsed()) / 1000;
+    HOLDS(static_cast<double>(counters.toVehicle) <= most + 1, "an observer's questions are limited");
+    QVERIFY(counters.observerTooOften > 500);
+    QVERIFY(static_cast<double>(counters.toVehicle) >= atOnce); // an honest burst passes
+}
 
 void AttackObserverTest::nothingIsNestedInAQuestion()
 {

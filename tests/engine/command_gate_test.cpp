@@ -42,8 +42,10 @@ struct Gate : CommandGate
         channel::Delivery delivery;
         delivery.session = session;
         delivery.freshness = freshness;
-        return accept(delivery, *scanner.next(), [](std::uint8_t systemId) { return systemId == 1; });
+        return accept(now, delivery, *scanner.next(), [](std::uint8_t systemId) { return systemId == 1; });
     }
+    TimePoint now{};
+
     AgentCounters counters() const
     {
         AgentCounters out;
@@ -76,6 +78,7 @@ private Q_SLOTS:
     void observerDoesNotCommand();
     void nobodySpeaksAsTheVehicle();
     void heartbeatsOfAnObserverAreOnlyCounted();
+    void questionsAreLimitedForEachPeer();
     void lateFramesHaveTheRightsOfAnObserver();
     void anyArmedVehicleCounts();
     void onlyVehicleIsNamed();
@@ -152,6 +155,34 @@ void CommandGateTest::onlyVehicleIsNamed()
     QCOMPARE(routes.onlySystem(), std::uint8_t(7));
     hear(clearHeartbeat(9, 1, false));
     QCOMPARE(routes.onlySystem(), std::uint8_t(0)); // to bind one would exclude the other
+}
+
+void CommandGateTest::questionsAreLimitedForEachPeer()
+{
+    Gate gate;
+    const auto askedBy = [&gate](channel::SessionId session) {
+        const QByteArray question = frameOf(mavlink::MissionRequestList{.target_system = 1, .target_component = 1}, 255);
+        int passed = 0;
+        for (int i = 0; i < 300; ++i)
+            passed += gate.take(session, question);
+        return passed;
+    };
+    constexpr int kAtOnce = static_cast<int>(QuestionLimit::kAtOnce), kPerSecond = static_cast<int>(QuestionLimit::kPerSecond);
+    QCOMPARE(askedBy(kObserver), kAtOnce);
+    QCOMPARE(gate.counters().observerTooOften, std::uint64_t(300 - kAtOnce));
+    const auto refused = gate.takeRefused();
+    QCOMPARE(refused.size(), std::size_t(1));
+    QCOMPARE(int(refused[0].reason), int(FramesRefused::Reason::TooOften));
+    QCOMPARE(refused[0].frames, std::uint64_t(300 - kAtOnce));
+    QCOMPARE(askedBy(kPilot), 300); // is not limited
+    // A new session of the same key has no fresh burst.
+    gate.sessionDown(kObserver);
+    constexpr channel::SessionId kAgain{3};
+    const channel::Peer observer = peer(2, channel::PeerRole::Observer);
+    gate.sessionUp({kAgain, observer.key, observer.name, {}, {}});
+    QCOMPARE(askedBy(kAgain), 0);
+    gate.now += std::chrono::seconds(2);
+    QCOMPARE(askedBy(kAgain), 2 * kPerSecond);
 }
 
 void CommandGateTest::anyArmedVehicleCounts()

@@ -80,6 +80,8 @@ Bytes payloadFor(std::uint32_t id, std::mt19937_64 &random)
     } else if (id == mavlink::MissionAck::kId) {
         out[2] = 0;
     } else if (id == mavlink::RequestDataStream::kId) {
+        out[0] = static_cast<std::uint8_t>(1 + random() % 10); // Hz
+        out[1] = 0;
         out[5] = 1;
     } else if (id == mavlink::CommandLong::kId) {
         Bytes tail(out.end() - 3, out.end());

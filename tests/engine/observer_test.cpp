@@ -218,7 +218,12 @@ void ObserverTest::streamsAreThePilotsWhileThereIsOne()
     const Bytes start = frameOf(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 1});
     QVERIFY(maySend(start, false));
     QVERIFY(!maySend(start, true));
-    QVERIFY(!maySend(frameOf(mavlink::RequestDataStream{.target_system = 1, .start_stop = 0}), false));
+    QVERIFY(!maySend(frameOf(mavlink::RequestDataStream{.target_system = 1, .req_message_rate = 4, .start_stop = 0}), false));
+    for (const int rate : {0, 1, 10, 11, 65535}) {
+        const Bytes request = frameOf(mavlink::RequestDataStream{
+            .target_system = 1, .req_message_rate = static_cast<std::uint16_t>(rate), .start_stop = 1});
+        QCOMPARE(maySend(request, false), rate == 1 || rate == 10);
+    }
 }
 
 void ObserverTest::onlyQuestionsReachTheVehiclesSocket()

@@ -102,7 +102,10 @@ inline constexpr Proof kProofs[] = {
 
     {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
     {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
-    {"Misreadable", "attack_observer_test", "nothingIsNestedInAQuestion", "nothing else is found in what it said"},
+    {"Misreadable,UnlimitedQuestions", "attack_observer_test", "nothingIsNestedInAQuestion",
+     "nothing else is found in what it said"},
+    {"AnyStreamRate", "attack_observer_test", "streamRates", "no stream is stopped or fills the line"},
+    {"UnlimitedQuestions", "attack_observer_test", "thousandQuestions", "an observer's questions are limited"},
     {"NoSenderCheck", "attack_flight_test", "nobodySpeaksAsAnother", "nothing of it reaches the autopilot"},
     {"ClearAccepted", "attack_flight_test", "spoofedTelemetryIsNotShown", "the list of vehicles is unchanged"},
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},

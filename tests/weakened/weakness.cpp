@@ -74,6 +74,8 @@ constexpr Named kNames[] = {
     {Weakness::CountersOneByOne, "CountersOneByOne"},
     {Weakness::NoRoleCheck, "NoRoleCheck"},
     {Weakness::Misreadable, "Misreadable"},
+    {Weakness::AnyStreamRate, "AnyStreamRate"},
+    {Weakness::UnlimitedQuestions, "UnlimitedQuestions"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},
     {Weakness::ClearAccepted, "ClearAccepted"},
     {Weakness::SameRandomEveryLife, "SameRandomEveryLife"},

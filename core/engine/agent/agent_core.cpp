@@ -253,7 +253,7 @@ void AgentCore::takeDelivery(const link::ReceivedBlock &block, const channel::De
             const auto counts = m_sessions.note(block.time, delivery.session, kGroundLink, *item.frame);
             m_channel.endpoint().noteFrames(delivery.session, counts);
         }
-        if (m_gate.accept(delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
+        if (m_gate.accept(block.time, delivery, item, [this](std::uint8_t systemId) { return m_routes.isVehicle(systemId); }))
             sendToVehicle(item);
     });
     m_channel.countFrames(delivery.session, frames);

@@ -23,7 +23,8 @@ struct FramesRefused
     enum class Reason : std::uint8_t {
         Observer, ///< the peer may not command
         System,   ///< the peer may not use the system id
-        Late      ///< the record arrived too late, see channel::Freshness
+        Late,     ///< the record arrived too late, see channel::Freshness
+        TooOften  ///< questions of a peer that may only ask, beyond QuestionLimit
     };
     Reason reason{};
     std::string peer;

@@ -14,6 +14,7 @@ struct AgentCounters
     std::uint64_t toGround = 0, toVehicle = 0; ///< forwarded
     std::uint64_t observerRefused = 0;         ///< of an observer, except for questions that change nothing
     std::uint64_t observerUnclear = 0;         ///< such questions that a line which loses bytes could turn into something else
+    std::uint64_t observerTooOften = 0;        ///< such questions beyond QuestionLimit
     std::uint64_t spoofRefused = 0;            ///< of a system that the peer may not use, or of the vehicle's own
     std::uint64_t lateRefused = 0;             ///< of a pilot, in records that arrived too late, except for such questions
     std::uint64_t clearRefused = 0;            ///< in clear from the ground; datagrams where they are not searched for frames

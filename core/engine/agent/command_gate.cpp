@@ -21,6 +21,7 @@ std::uint64_t AgentCounters::*counterOf(FramesRefused::Reason reason)
     switch (reason) {
     case FramesRefused::Reason::Observer: return &AgentCounters::observerRefused;
     case FramesRefused::Reason::System: return &AgentCounters::spoofRefused;
+    case FramesRefused::Reason::TooOften: return &AgentCounters::observerTooOften;
     case FramesRefused::Reason::Late: break;
     }
     return &AgentCounters::lateRefused;
@@ -28,16 +29,22 @@ std::uint64_t AgentCounters::*counterOf(FramesRefused::Reason reason)
 
 } // namespace
 
+void CommandGate::setPeers(const std::vector<channel::Peer> &peers)
+{
+    m_policy.setPeers(peers);
+    m_questions.setPeers(peers);
+}
+
 void CommandGate::sessionUp(const channel::SessionUp &up)
 {
     m_policy.sessionUp(up.session, up.peer, up.path);
-    m_peerNames[up.session] = up.peerName;
+    m_senders[up.session] = {up.peer, up.peerName};
 }
 
 void CommandGate::sessionDown(channel::SessionId session)
 {
     m_policy.sessionDown(session);
-    m_peerNames.erase(session);
+    m_senders.erase(session);
 }
 
 std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)
@@ -45,7 +52,7 @@ std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)
     return item.bytes[item.bytes[0] == mavlink::kMagic2 ? 5 : 3];
 }
 
-bool CommandGate::mayCommand(const channel::Delivery &delivery, const mavlink::ScanItem &item)
+bool CommandGate::mayCommand(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item)
 {
     using Reason = FramesRefused::Reason;
     const bool isPilot = m_policy.mayCommand(delivery.session);
@@ -57,6 +64,12 @@ bool CommandGate::mayCommand(const channel::Delivery &delivery, const mavlink::S
     }
     if (mayBeMisread(*item.frame) && !weakened(Weakness::Misreadable)) {
         ++m_counters.observerUnclear; // happens by chance, so it is treated like a loss on the link and raises no alarm
+        return false;
+    }
+    const auto sender = m_senders.find(delivery.session);
+    const bool inLimit = sender != m_senders.end() && m_questions.take(now, sender->second.key, *item.frame);
+    if (!inLimit && !weakened(Weakness::UnlimitedQuestions)) {
+        refuse(delivery.session, item, Reason::TooOften);
         return false;
     }
     return true;
@@ -79,8 +92,8 @@ void CommandGate::refuse(channel::SessionId session, const mavlink::ScanItem &it
     FramesRefused &refused = m_pending[{session, reason}];
     if (refused.frames++ == 0) {
         refused.reason = reason;
-        if (const auto name = m_peerNames.find(session); name != m_peerNames.end())
-            refused.peer = name->second;
+        if (const auto sender = m_senders.find(session); sender != m_senders.end())
+            refused.peer = sender->second.name;
     }
     refused.messageId = messageIdOf(item);
     refused.messageName = item.frame ? std::string(item.frame->info().name) : std::string();
@@ -103,6 +116,7 @@ void CommandGate::addTo(AgentCounters &counters) const
 {
     counters.observerRefused += m_counters.observerRefused;
     counters.observerUnclear += m_counters.observerUnclear;
+    counters.observerTooOften += m_counters.observerTooOften;
     counters.spoofRefused += m_counters.spoofRefused;
     counters.lateRefused += m_counters.lateRefused;
 }

@@ -5,6 +5,7 @@
 #include "core/channel/delivery.h"
 #include "core/engine/agent/agent_event.h"
 #include "core/engine/agent/agent_snapshot.h"
+#include "core/engine/agent/question_limit.h"
 #include "core/engine/common/sender_policy.h"
 #include "core/mavlink/frame_scanner.h"
 
@@ -19,7 +20,7 @@ class CommandGate
 public:
     CommandGate() : m_policy(SecureMode::Required, Speakers::MayShareASystem) {}
 
-    void setPeers(const std::vector<channel::Peer> &peers) { m_policy.setPeers(peers); }
+    void setPeers(const std::vector<channel::Peer> &peers);
     void sessionUp(const channel::SessionUp &up);
     void sessionDown(channel::SessionId session);
 
@@ -27,9 +28,9 @@ public:
     /// frames no more than the rights of an observer. `isVehicle` returns true for the system
     /// ids of the agent's own vehicles, which a station may not use.
     template<typename IsVehicle>
-    bool accept(const channel::Delivery &delivery, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
+    bool accept(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item, IsVehicle &&isVehicle)
     {
-        return mayCommand(delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
+        return mayCommand(now, delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
     }
 
     /// What was refused since the last call.
@@ -39,12 +40,19 @@ public:
 
 private:
     static std::uint8_t systemOf(const mavlink::ScanItem &item);
-    bool mayCommand(const channel::Delivery &delivery, const mavlink::ScanItem &item);
+    bool mayCommand(TimePoint now, const channel::Delivery &delivery, const mavlink::ScanItem &item);
     bool maySpeakAs(channel::SessionId session, const mavlink::ScanItem &item, bool isVehicle);
     void refuse(channel::SessionId session, const mavlink::ScanItem &item, FramesRefused::Reason reason);
 
+    struct Sender
+    {
+        channel::PublicKey key{};
+        std::string name;
+    };
+
     SenderPolicy m_policy;
-    std::map<channel::SessionId, std::string> m_peerNames;
+    QuestionLimit m_questions;
+    std::map<channel::SessionId, Sender> m_senders;
     std::map<std::pair<channel::SessionId, FramesRefused::Reason>, FramesRefused> m_pending;
     AgentCounters m_counters; ///< of refused frames alone
 };

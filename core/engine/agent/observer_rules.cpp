@@ -15,6 +15,8 @@ namespace {
 
 /// Messages for which no typed struct is generated.
 constexpr std::uint32_t kParamExtRequestRead = 320, kParamExtRequestList = 321;
+/// Of the streams that an observer may start; the defaults of stations are within.
+constexpr std::uint16_t kLeastRate = 1, kGreatestRate = 10; // Hz
 
 bool isWholeUpTo(float value, float most)
 {
@@ -40,7 +42,19 @@ template<typename Command> bool asks(const Command &said)
         && (isWholeUpTo(said.param2, 255) || isUnused(said.param2));
 }
 
+bool startsStream(const mavlink::RequestDataStream &request)
+{
+    if (weakened(Weakness::AnyStreamRate))
+        return request.start_stop == 1;
+    return request.start_stop == 1 && request.req_message_rate >= kLeastRate && request.req_message_rate <= kGreatestRate;
+}
+
 } // namespace
+
+bool isListRequest(std::uint32_t messageId)
+{
+    return messageId == mavlink::ParamRequestList::kId || messageId == kParamExtRequestList;
+}
 
 bool isQuestion(std::uint16_t command)
 {
@@ -70,7 +84,7 @@ bool observerMaySend(const mavlink::Frame &frame, bool pilotThere)
     case mavlink::MissionAck::kId: // ends a download; any other result would cancel one
         return mavlink::MissionAck::decode(frame.payload()).type == mavlink::MAV_MISSION_ACCEPTED;
     case mavlink::RequestDataStream::kId:
-        return !pilotThere && mavlink::RequestDataStream::decode(frame.payload()).start_stop == 1;
+        return !pilotThere && startsStream(mavlink::RequestDataStream::decode(frame.payload()));
     case mavlink::CommandLong::kId: return asks(mavlink::CommandLong::decode(frame.payload()));
     case mavlink::CommandInt::kId: return asks(mavlink::CommandInt::decode(frame.payload()));
     default: return false;

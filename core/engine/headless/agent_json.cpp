@@ -11,6 +11,7 @@ std::string_view reasonName(FramesRefused::Reason reason)
     switch (reason) {
     case FramesRefused::Reason::Observer: return "observer";
     case FramesRefused::Reason::System: return "system";
+    case FramesRefused::Reason::TooOften: return "too_often";
     case FramesRefused::Reason::Late: break;
     }
     return "late";
@@ -40,7 +41,9 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.key("forwarded").beginObject();
     json.field("to_ground", snapshot.counters.toGround).field("to_vehicle", snapshot.counters.toVehicle);
     json.field("observer_refused", snapshot.counters.observerRefused);
-    json.field("observer_unclear", snapshot.counters.observerUnclear).field("spoof_refused", snapshot.counters.spoofRefused);
+    json.field("observer_unclear", snapshot.counters.observerUnclear);
+    json.field("observer_too_often", snapshot.counters.observerTooOften);
+    json.field("spoof_refused", snapshot.counters.spoofRefused);
     json.field("late_refused", snapshot.counters.lateRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();

@@ -87,6 +87,8 @@ private:
         case FramesRefused::Reason::Observer: return tr("Refused %1 frames of %2, which is an observer; the last one was %3");
         case FramesRefused::Reason::System:
             return tr("Refused %1 frames of %2, which may not send as that system; the last one was %3");
+        case FramesRefused::Reason::TooOften:
+            return tr("Refused %1 questions of %2, which asks too often; the last one was %3");
         case FramesRefused::Reason::Late: break;
         }
         return tr("Refused %1 frames of %2, which arrived too late to be obeyed; the last one was %3");
