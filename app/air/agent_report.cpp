@@ -51,6 +51,7 @@ std::string AgentReport::jsonOf(const engine::AgentEvent &event) const
             [this](const channel::Event &e) { return jsonOf(e); },
             [](const channel::PairingEvent &) { return std::string(); }, // pairing() reports it
             [](const engine::FramesRefused &e) { return engine::framesRefusedEvent(e); },
+            [](const engine::GroundIdClaimed &e) { return engine::groundIdClaimedEvent(e); },
         },
         event);
 }

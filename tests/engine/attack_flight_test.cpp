@@ -5,6 +5,7 @@
 #include "core/mavlink/messages.h"
 #include "tests/engine/ground.h"
 #include "tests/support/clear_frames.h"
+#include "tests/support/heartbeat.h"
 #include "tests/support/eventually.h"
 #include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
@@ -71,6 +72,8 @@ private Q_SLOTS:
     void observerCommandsNothing();
     void nobodySpeaksAsAnother_data();
     void nobodySpeaksAsAnother();
+    void pilotsIdIsNotTaken_data();
+    void pilotsIdIsNotTaken();
     void spoofedTelemetryIsNotShown();
     void blockedHandshakesOpenNoClearWay_data();
     void blockedHandshakesOpenNoClearWay();
@@ -169,12 +172,60 @@ void AttackFlightTest::nobodySpeaksAsAnother()
             return config;
         },
         bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
+    // The agent knows its vehicle before the station is there.
+    flight.attacker.passes = [](const UdpAttacker::Seen &) { return false; };
+    EVENTUALLY(flight.rig.agent->snapshot().mavlink.frames > 100);
+    flight.attacker.passes = {};
     EVENTUALLY(flight.flying());
     EVENTUALLY(flight.rig.agent->snapshot().counters.spoofRefused > 0 || flight.rig.agent->snapshot().counters.toVehicle > 0);
     flight.ground.station->perform(1, vehicle::Arm{true});
     EVENTUALLY(flight.rig.agent->snapshot().counters.spoofRefused > 3 || flight.rig.agent->snapshot().counters.toVehicle > 0);
     HOLDS(flight.rig.agent->snapshot().counters.toVehicle == 0, "nothing of it reaches the autopilot");
     QVERIFY(flight.untouched());
+}
+
+void AttackFlightTest::pilotsIdIsNotTaken_data()
+{
+    QTest::addColumn<int>("systemId");
+    QTest::addColumn<int>("bound"); // by the agent's list; 0: to none
+    QTest::addColumn<bool>("early");
+    QTest::newRow("the customary id, before the station is there") << 255 << 0 << true;
+    QTest::newRow("an id of the list, before the station is there") << 7 << 7 << true;
+    QTest::newRow("an id that the pilot uses") << 42 << 0 << false;
+}
+
+void AttackFlightTest::pilotsIdIsNotTaken()
+{
+    // A device beside the autopilot claims to be a vehicle with the system id of the pilot's station.
+    QFETCH(int, systemId);
+    QFETCH(int, bound);
+    QFETCH(bool, early);
+    AttackedFlight flight(
+        channel::PeerRole::Pilot,
+        [systemId](engine::StationConfig config) {
+            config.systemId = static_cast<std::uint8_t>(systemId);
+            return config;
+        },
+        bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
+    const auto counters = [&] { return flight.rig.agent->snapshot().counters; };
+    if (early)
+        flight.attacker.passes = [](const UdpAttacker::Seen &) { return false; };
+    else
+        EVENTUALLY(flight.flying() && counters().toVehicle > 0);
+    const std::uint64_t before = flight.rig.agent->snapshot().mavlink.frames;
+    QUdpSocket rogue;
+    const QByteArray claim = clearHeartbeat(static_cast<std::uint8_t>(systemId), 1, false);
+    rogue.writeDatagram(claim, QHostAddress::LocalHost, portOf(flight.rig.vehicleAddress()));
+    EVENTUALLY(counters().groundIdRefused > 0 || flight.rig.agent->snapshot().mavlink.frames > before + 50);
+    flight.attacker.passes = {};
+    EVENTUALLY(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty());
+    flight.ground.station->perform(1, vehicle::SetMode{"ALT_HOLD"});
+    EVENTUALLY(flight.mode() == sim::FlightMode::AltHold || counters().spoofRefused > 3);
+    HOLDS(flight.mode() == sim::FlightMode::AltHold, "the pilot is not locked out");
+    QCOMPARE(counters().groundIdRefused, std::uint64_t(1));
+    QCOMPARE(flight.ground.ears->snapshot->vehicles.size(), std::size_t(1)); // the claim is not shown as a vehicle
+    const auto isAlarm = [](const engine::AgentEvent &event) { return std::holds_alternative<engine::GroundIdClaimed>(event); };
+    QCOMPARE(std::count_if(flight.rig.agentEvents.begin(), flight.rig.agentEvents.end(), isAlarm), 1);
 }
 
 void AttackFlightTest::spoofedTelemetryIsNotShown()

@@ -63,9 +63,9 @@ QByteArray armCommand()
     return frameOf(command, 255);
 }
 
-bool note(ArmedVehicles &armed, const QByteArray &frame)
+bool note(ArmedVehicles &armed, const QByteArray &heartbeat)
 {
-    return armed.note(*mavlink::readFrame(viewOf(frame), mavlink::Dialect::builtin()));
+    return armed.note(*mavlink::readFrame(viewOf(heartbeat), mavlink::Dialect::builtin()));
 }
 
 } // namespace
@@ -79,6 +79,7 @@ private Q_SLOTS:
     void nobodySpeaksAsTheVehicle();
     void heartbeatsOfAnObserverAreOnlyCounted();
     void questionsAreLimitedForEachPeer();
+    void groundSystemsAreThoseOfPilots();
     void lateFramesHaveTheRightsOfAnObserver();
     void anyArmedVehicleCounts();
     void onlyVehicleIsNamed();
@@ -148,12 +149,9 @@ void CommandGateTest::onlyVehicleIsNamed()
 {
     VehicleRoutes routes;
     QCOMPARE(routes.onlySystem(), std::uint8_t(0));
-    const auto hear = [&](const QByteArray &frame) {
-        routes.heard({}, {}, *mavlink::readFrame(viewOf(frame), mavlink::Dialect::builtin()));
-    };
-    hear(clearHeartbeat(7, 1, false));
+    routes.heard({}, {}, 7);
     QCOMPARE(routes.onlySystem(), std::uint8_t(7));
-    hear(clearHeartbeat(9, 1, false));
+    routes.heard({}, {}, 9);
     QCOMPARE(routes.onlySystem(), std::uint8_t(0)); // to bind one would exclude the other
 }
 
@@ -185,13 +183,34 @@ void CommandGateTest::questionsAreLimitedForEachPeer()
     QCOMPARE(askedBy(kAgain), 2 * kPerSecond);
 }
 
+void CommandGateTest::groundSystemsAreThoseOfPilots()
+{
+    Gate gate;
+    channel::Peer pilot = peer(1, channel::PeerRole::Pilot), observer = peer(2, channel::PeerRole::Observer),
+                  bound = peer(3, channel::PeerRole::Observer);
+    bound.systemIds = {77};
+    gate.setPeers({pilot, observer, bound});
+    QVERIFY(gate.isGroundSystem(255));
+    QVERIFY(gate.isGroundSystem(77));
+    QVERIFY(!gate.isGroundSystem(42));
+    // An observer that used the id of the vehicle first would cut it off.
+    const mavlink::MissionRequestList question{.target_system = 1, .target_component = 1};
+    QVERIFY(gate.take(kObserver, frameOf(question, 42)));
+    QVERIFY(!gate.isGroundSystem(42));
+    QVERIFY(gate.take(kPilot, frameOf(question, 42)));
+    QVERIFY(gate.isGroundSystem(42));
+    gate.sessionDown(kPilot);
+    QVERIFY(gate.isGroundSystem(42)); // the pilot comes back
+    gate.setPeers({observer, bound});
+    QVERIFY(!gate.isGroundSystem(42));
+}
+
 void CommandGateTest::anyArmedVehicleCounts()
 {
     ArmedVehicles armed;
     QVERIFY(!note(armed, clearHeartbeat(1, 1, false)));
     QVERIFY(note(armed, clearHeartbeat(1, 1, true)));
     QVERIFY(note(armed, clearHeartbeat(2, 1, false))); // the first one still is
-    QVERIFY(!note(armed, armCommand()));               // not a heartbeat
     QVERIFY(armed.any());
     QVERIFY(!note(armed, clearHeartbeat(1, 1, false)));
     QVERIFY(!armed.any());

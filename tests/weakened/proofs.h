@@ -107,6 +107,7 @@ inline constexpr Proof kProofs[] = {
     {"AnyStreamRate", "attack_observer_test", "streamRates", "no stream is stopped or fills the line"},
     {"UnlimitedQuestions", "attack_observer_test", "thousandQuestions", "an observer's questions are limited"},
     {"NoSenderCheck", "attack_flight_test", "nobodySpeaksAsAnother", "nothing of it reaches the autopilot"},
+    {"VehicleTakesAnyId", "attack_flight_test", "pilotsIdIsNotTaken", "the pilot is not locked out"},
     {"ClearAccepted", "attack_flight_test", "spoofedTelemetryIsNotShown", "the list of vehicles is unchanged"},
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},
     {"NoEncryption", "attack_flight_test", "nothingReadableOnTheWire", "nothing that is known is found on the wire"},

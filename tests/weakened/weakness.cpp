@@ -74,6 +74,7 @@ constexpr Named kNames[] = {
     {Weakness::CountersOneByOne, "CountersOneByOne"},
     {Weakness::NoRoleCheck, "NoRoleCheck"},
     {Weakness::Misreadable, "Misreadable"},
+    {Weakness::VehicleTakesAnyId, "VehicleTakesAnyId"},
     {Weakness::AnyStreamRate, "AnyStreamRate"},
     {Weakness::UnlimitedQuestions, "UnlimitedQuestions"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},

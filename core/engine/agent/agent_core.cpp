@@ -151,6 +151,7 @@ AgentSnapshot AgentCore::snapshot()
     out.channel.rx.malformed += m_counters.unusable;
     out.channel.rx.plaintextDropped = m_counters.clearRefused;
     out.counters = m_counters;
+    out.counters.groundIdRefused = m_groundIdClaims.count();
     m_gate.addTo(out.counters);
     out.processCpuPercent = m_cpu.sample(now, metrics::processCpuTime());
     out.residentBytes = metrics::residentBytes().value_or(0);
@@ -202,11 +203,8 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
         return;
     if (item.frame) {
         m_links.noteUse(from);
-        m_routes.heard(now, from, *item.frame);
-        if (m_armed.note(*item.frame) && m_pairing.isOpen()) // a pairing must not be possible in flight
-            m_pairing.cancel(now, channel::PairingEnd::Armed);
-        if (m_config.carrier == Carrier::Tunnel && m_routes.isVehicle(item.frame->systemId()))
-            m_node.setSystem(now, item.frame->systemId(), m_links.carriers());
+        if (VehicleRoutes::isVehicleHeartbeat(*item.frame) && !takeVehicleHeartbeat(now, from, *item.frame))
+            return;
         m_fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
     }
     if (isPlain()) {
@@ -218,6 +216,24 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
         for (const channel::SessionId session : m_sessions.all())
             m_channel.queue(now, session, item.bytes);
     }
+}
+
+/// Returns false if the heartbeat must not reach the ground, where it would be shown as a vehicle.
+bool AgentCore::takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat)
+{
+    const std::uint8_t systemId = heartbeat.systemId();
+    if (m_gate.isGroundSystem(systemId) && !weakened(Weakness::VehicleTakesAnyId)) {
+        m_routes.forget(systemId);
+        if (m_groundIdClaims.note(now, systemId))
+            m_notify(GroundIdClaimed{systemId});
+        return false;
+    }
+    m_routes.heard(now, from, systemId);
+    if (m_armed.note(heartbeat) && m_pairing.isOpen()) // a pairing must not be possible in flight
+        m_pairing.cancel(now, channel::PairingEnd::Armed);
+    if (m_config.carrier == Carrier::Tunnel)
+        m_node.setSystem(now, systemId, m_links.carriers());
+    return true;
 }
 
 bool AgentCore::takePairing(const link::Link &, const link::ReceivedBlock &message)

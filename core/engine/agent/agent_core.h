@@ -11,6 +11,7 @@
 #include "core/engine/agent/armed_vehicles.h"
 #include "core/engine/agent/clear_frame_coalescer.h"
 #include "core/engine/agent/command_gate.h"
+#include "core/engine/agent/ground_id_claims.h"
 #include "core/engine/agent/ground_sessions.h"
 #include "core/engine/agent/node_heartbeat.h"
 #include "core/engine/agent/vehicle_routes.h"
@@ -88,6 +89,7 @@ private:
     IngressRules groundRules() const;
 
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
+    bool takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat);
     bool takePairing(const link::Link &link, const link::ReceivedBlock &message) override;
     void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
     void takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame) override;
@@ -114,6 +116,7 @@ private:
     GroundSessions m_sessions;
     ClearFrameCoalescer m_clear; ///< to the ground
     VehicleRoutes m_routes;
+    GroundIdClaims m_groundIdClaims;
     ArmedVehicles m_armed;
     NodeHeartbeat m_node;
     metrics::SequenceTable m_fromVehicle;

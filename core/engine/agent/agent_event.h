@@ -33,7 +33,13 @@ struct FramesRefused
     std::uint16_t command = 0;   ///< of a COMMAND_LONG or COMMAND_INT
     std::uint64_t frames = 0;
 };
+/// An autopilot's heartbeat arrived on the vehicle's side under a system id of a ground station. At most one event a minute for
+/// each id.
+struct GroundIdClaimed
+{
+    std::uint8_t systemId = 0;
+};
 
-using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused>;
+using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed>;
 
 } // namespace skyseal::engine

@@ -18,6 +18,7 @@ struct AgentCounters
     std::uint64_t spoofRefused = 0;            ///< of a system that the peer may not use, or of the vehicle's own
     std::uint64_t lateRefused = 0;             ///< of a pilot, in records that arrived too late, except for such questions
     std::uint64_t clearRefused = 0;            ///< in clear from the ground; datagrams where they are not searched for frames
+    std::uint64_t groundIdRefused = 0;         ///< heartbeats on the vehicle's side under a system id of a ground station
     std::uint64_t undelivered = 0; ///< from the ground while no vehicle is known, from the vehicle without a session
     std::uint64_t unusable = 0;    ///< datagrams from the ground without a record or frame; contained in `malformed`
 };

@@ -5,15 +5,10 @@
 
 namespace skyseal::engine {
 
-bool ArmedVehicles::note(const mavlink::Frame &frame)
+bool ArmedVehicles::note(const mavlink::Frame &heartbeat)
 {
-    if (frame.messageId() != mavlink::Heartbeat::kId)
-        return false;
-    const mavlink::Heartbeat heartbeat = mavlink::Heartbeat::decode(frame.payload());
-    if (heartbeat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
-        return false;
-    const std::pair sender(frame.systemId(), frame.componentId());
-    if ((heartbeat.base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) == 0)
+    const std::pair sender(heartbeat.systemId(), heartbeat.componentId());
+    if ((mavlink::Heartbeat::decode(heartbeat.payload()).base_mode & mavlink::MAV_MODE_FLAG_SAFETY_ARMED) == 0)
         m_armed.erase(sender);
     else
         m_armed.insert(sender);

@@ -13,9 +13,8 @@ namespace skyseal::engine {
 class ArmedVehicles
 {
 public:
-    /// Frames other than heartbeats of autopilots are ignored. Returns true if the frame is such a heartbeat and a vehicle is
-    /// armed.
-    bool note(const mavlink::Frame &frame);
+    /// Takes the heartbeat of an autopilot. Returns true if a vehicle is armed.
+    bool note(const mavlink::Frame &heartbeat);
     bool any() const { return !m_armed.empty(); }
 
 private:

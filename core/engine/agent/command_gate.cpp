@@ -9,6 +9,9 @@ namespace skyseal::engine {
 
 namespace {
 
+/// Of most ground stations; used before they are heard as well.
+constexpr std::uint8_t kCustomaryGroundSystem = 255;
+
 std::uint32_t messageIdOf(const mavlink::ScanItem &item)
 {
     if (item.bytes[0] != mavlink::kMagic2)
@@ -45,6 +48,11 @@ void CommandGate::sessionDown(channel::SessionId session)
 {
     m_policy.sessionDown(session);
     m_senders.erase(session);
+}
+
+bool CommandGate::isGroundSystem(std::uint8_t systemId) const
+{
+    return systemId == kCustomaryGroundSystem || m_policy.isPilotsSystem(systemId);
 }
 
 std::uint8_t CommandGate::systemOf(const mavlink::ScanItem &item)

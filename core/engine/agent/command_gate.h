@@ -33,6 +33,10 @@ public:
         return mayCommand(now, delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
     }
 
+    /// Whether the system id belongs to a ground station: the customary one, those that the list binds to peers, and those that
+    /// a pilot has used since the start.
+    bool isGroundSystem(std::uint8_t systemId) const;
+
     /// What was refused since the last call.
     std::vector<FramesRefused> takeRefused();
     /// Adds the frames that were refused since the start.

@@ -5,26 +5,33 @@
 
 namespace skyseal::engine {
 
-void VehicleRoutes::heard(TimePoint now, const Path &from, const mavlink::Frame &frame)
+bool VehicleRoutes::isVehicleHeartbeat(const mavlink::Frame &frame)
 {
-    if (frame.messageId() != mavlink::Heartbeat::kId)
-        return;
-    // Ground stations, companion computers and gimbals send heartbeats as well, with MAV_AUTOPILOT_INVALID.
-    const mavlink::Heartbeat heartbeat = mavlink::Heartbeat::decode(frame.payload());
-    if (heartbeat.autopilot == mavlink::MAV_AUTOPILOT_INVALID)
-        return;
-    m_systems.set(frame.systemId());
-    m_routes[frame.systemId()] = {from, now};
+    return frame.messageId() == mavlink::Heartbeat::kId
+        && mavlink::Heartbeat::decode(frame.payload()).autopilot != mavlink::MAV_AUTOPILOT_INVALID;
+}
+
+void VehicleRoutes::heard(TimePoint now, const Path &from, std::uint8_t systemId)
+{
+    m_routes[systemId] = from;
+    m_heard[systemId] = now;
+}
+
+void VehicleRoutes::forget(std::uint8_t systemId)
+{
+    m_routes.erase(systemId);
+    m_heard.erase(systemId);
 }
 
 void VehicleRoutes::streamChanged(const Path &path)
 {
-    std::erase_if(m_routes, [&path](const auto &entry) { return entry.second.path == path; });
+    std::erase_if(m_routes, [&path](const auto &entry) { return entry.second == path; });
 }
 
 void VehicleRoutes::forgetSilent(TimePoint now)
 {
-    std::erase_if(m_routes, [now](const auto &entry) { return now - entry.second.heard > kForgetAfter; });
+    std::erase_if(m_heard, [now](const auto &entry) { return now - entry.second > kForgetAfter; });
+    std::erase_if(m_routes, [this](const auto &entry) { return !m_heard.contains(entry.first); });
 }
 
 } // namespace skyseal::engine

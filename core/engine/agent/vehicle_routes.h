@@ -7,7 +7,6 @@
 #include "core/mavlink/frame_scanner.h"
 
 #include <algorithm>
-#include <bitset>
 #include <map>
 #include <optional>
 
@@ -16,27 +15,27 @@ namespace skyseal::engine {
 class VehicleRoutes
 {
 public:
-    /// After this time without a heartbeat the address may belong to another program.
+    /// After this time without a heartbeat the address may belong to another program, and the system id to another node.
     static constexpr Duration kForgetAfter = std::chrono::seconds(60);
 
     /// The remote of a link that has no others; every frame goes there.
     void setFixed(const Path &path) { m_fixed = path; }
 
-    void heard(TimePoint now, const Path &from, const mavlink::Frame &frame);
+    /// Returns true for heartbeats of autopilots. Ground stations, companion computers and gimbals send others, with
+    /// MAV_AUTOPILOT_INVALID.
+    static bool isVehicleHeartbeat(const mavlink::Frame &frame);
+    /// Takes a heartbeat of an autopilot: its system id is a vehicle's, at this address.
+    void heard(TimePoint now, const Path &from, std::uint8_t systemId);
+    /// The system id belongs to a ground station.
+    void forget(std::uint8_t systemId);
     /// A stream began or ended: what was learned from the old one is dropped.
     void streamChanged(const Path &path);
     void forgetSilent(TimePoint now);
 
-    /// Whether one of the agent's vehicles has this system id; remembered for the life of this object.
-    bool isVehicle(std::uint8_t systemId) const { return m_systems.test(systemId); }
-    /// The system id of the only vehicle that was ever heard; 0 if there were none or several.
-    std::uint8_t onlySystem() const
-    {
-        std::uint8_t only = 0;
-        for (std::size_t id = 1; id < m_systems.size() && m_systems.count() == 1; ++id)
-            only = m_systems.test(id) ? static_cast<std::uint8_t>(id) : only;
-        return only;
-    }
+    /// Whether one of the agent's vehicles has this system id: until it was silent for kForgetAfter.
+    bool isVehicle(std::uint8_t systemId) const { return m_heard.contains(systemId); }
+    /// The system id of the only vehicle that is heard; 0 if there are none or several.
+    std::uint8_t onlySystem() const { return m_heard.size() == 1 ? m_heard.begin()->first : std::uint8_t(0); }
     /// Calls `visit(const Path &)` for each path to a system; for 0 and unknown systems, for the paths of all vehicles.
     /// Returns false if there is none.
     template<typename Visit> bool forEachPathTo(std::uint8_t targetSystem, Visit &&visit) const
@@ -46,28 +45,22 @@ public:
             return true;
         }
         if (const auto found = m_routes.find(targetSystem); found != m_routes.end()) {
-            visit(found->second.path);
+            visit(found->second);
             return true;
         }
         for (auto entry = m_routes.begin(); entry != m_routes.end(); ++entry) {
             // Several systems may be behind one path, which receives the frame once.
-            const auto same = [&](const auto &other) { return other.second.path == entry->second.path; };
+            const auto same = [&](const auto &other) { return other.second == entry->second; };
             if (std::none_of(m_routes.begin(), entry, same))
-                visit(entry->second.path);
+                visit(entry->second);
         }
         return !m_routes.empty();
     }
 
 private:
-    struct Entry
-    {
-        Path path;
-        TimePoint heard{};
-    };
-
     std::optional<Path> m_fixed;
-    std::map<std::uint8_t, Entry> m_routes;
-    std::bitset<256> m_systems;
+    std::map<std::uint8_t, Path> m_routes;
+    std::map<std::uint8_t, TimePoint> m_heard; ///< newest heartbeat of each vehicle
 };
 
 } // namespace skyseal::engine

@@ -104,6 +104,15 @@ bool SenderPolicy::pilotThere() const
     return std::any_of(m_speakers.begin(), m_speakers.end(), [](const auto &entry) { return entry.second.pilot; });
 }
 
+bool SenderPolicy::isPilotsSystem(std::uint8_t systemId) const
+{
+    return m_pinned.test(systemId)
+        || std::any_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) {
+               const auto heard = m_heard.find(peer.key);
+               return peer.role == channel::PeerRole::Pilot && heard != m_heard.end() && heard->second.test(systemId);
+           });
+}
+
 bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemId)
 {
     const auto found = m_speakers.find(session);

@@ -32,6 +32,13 @@ std::string framesRefusedEvent(const FramesRefused &refused)
     return json.text();
 }
 
+std::string groundIdClaimedEvent(const GroundIdClaimed &claim)
+{
+    JsonWriter json;
+    json.beginObject().field("event", "ground_id_claimed").field("system", std::uint32_t(claim.systemId)).endObject();
+    return json.text();
+}
+
 std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapshot, double time)
 {
     JsonWriter json;
@@ -44,7 +51,7 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.field("observer_unclear", snapshot.counters.observerUnclear);
     json.field("observer_too_often", snapshot.counters.observerTooOften);
     json.field("spoof_refused", snapshot.counters.spoofRefused);
-    json.field("late_refused", snapshot.counters.lateRefused);
+    json.field("late_refused", snapshot.counters.lateRefused).field("ground_id_refused", snapshot.counters.groundIdRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);

@@ -79,6 +79,12 @@ public:
             message += QStringLiteral(" %1").arg(e.command);
         return {sentenceFor(e.reason).arg(e.frames).arg(qt(e.peer), message), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
     }
+    EventText operator()(const GroundIdClaimed &e) const
+    {
+        const QString sentence = tr("A device on the vehicle's side claims to be a vehicle with the system id %1 of a ground "
+                                    "station: not accepted; an autopilot needs another id");
+        return {sentence.arg(e.systemId), std::uint8_t(mavlink::MAV_SEVERITY_ALERT)};
+    }
 
 private:
     static QString sentenceFor(FramesRefused::Reason reason)
