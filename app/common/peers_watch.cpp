@@ -13,6 +13,8 @@ namespace {
 
 /// Editors write a file in several steps; the file is complete a moment after the first.
 constexpr std::chrono::milliseconds kSettle{50};
+constexpr std::chrono::seconds kPollEvery{1};
+constexpr unsigned kWatchAgainEvery = 60; ///< looks at the file
 
 std::int64_t nanoseconds(const timespec &time)
 {
@@ -22,7 +24,8 @@ std::int64_t nanoseconds(const timespec &time)
 } // namespace
 
 PeersWatch::PeersWatch(const std::string &file, Reload reload, QObject *parent)
-    : QObject(parent), m_file(QString::fromStdString(file)), m_reload(std::move(reload)), m_seen(stamp())
+    : QObject(parent), m_file(QString::fromStdString(file)), m_path(m_file.toLocal8Bit()), m_reload(std::move(reload)),
+      m_seen(stamp())
 {
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettle);
@@ -37,6 +40,45 @@ PeersWatch::PeersWatch(const std::string &file, Reload reload, QObject *parent)
             m_settle.start();
     });
     keepWatching();
+    m_poller = std::thread([this] { poll(); });
+}
+
+PeersWatch::~PeersWatch()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_ended = true;
+    }
+    m_wake.notify_one();
+    m_poller.join();
+}
+
+/// The poller's thread.
+void PeersWatch::poll()
+{
+    std::unique_lock lock(m_mutex);
+    while (!m_wake.wait_for(lock, kPollEvery, [this] { return m_ended; })) {
+        lock.unlock();
+        const Stamp now = stamp(); // may wait for the disk
+        QMetaObject::invokeMethod(
+            this, [this, now] { polled(now); }, Qt::QueuedConnection);
+        lock.lock();
+    }
+}
+
+void PeersWatch::polled(const Stamp &now)
+{
+    const bool isThere = !(now == Stamp());
+    const auto isUnwatched = [&] { return m_watcher.directories().isEmpty() || (isThere && m_watcher.files().isEmpty()); };
+    // Each attempt writes lines to stderr (Qt). A change of the file is one more.
+    if (isUnwatched() && ++m_polls % kWatchAgainEvery == 0)
+        keepWatching();
+    if (isUnwatched() != m_unwatched) {
+        m_unwatched = !m_unwatched;
+        Q_EMIT notificationFailed(m_unwatched);
+    }
+    if (!(now == m_seen) && !m_settle.isActive())
+        m_settle.start();
 }
 
 void PeersWatch::keepWatching()
@@ -68,7 +110,7 @@ PeersWatch::Stamp PeersWatch::stamp() const
 {
     struct stat status
     {};
-    if (::stat(m_file.toLocal8Bit().constData(), &status) != 0)
+    if (::stat(m_path.constData(), &status) != 0)
         return {};
     return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), nanoseconds(status.st_mtim),
             nanoseconds(status.st_ctim)};
@@ -102,6 +144,20 @@ std::string peersText(const std::string &problem)
     return "the changed list of known peers is invalid, the previous one stays in force: " + problem;
 }
 
+std::string peersWatchEvent(bool failed)
+{
+    JsonWriter line;
+    line.beginObject().field("event", "peers_watch").field("notified", !failed).endObject();
+    return line.text();
+}
+
+std::string peersWatchText(bool failed)
+{
+    return failed ? "the system does not notify of changes of the list of known peers (are its inotify watches used up?): the "
+                    "list is checked once a second"
+                  : "the system notifies of changes of the list of known peers again";
+}
+
 void tellPeers(const PeersWatch &watch, bool json)
 {
     const auto say = [json](const auto &what) {
@@ -113,6 +169,10 @@ void tellPeers(const PeersWatch &watch, bool json)
             remark(peersText(what));
     };
     QObject::connect(&watch, &PeersWatch::reloaded, &watch, say);
+    QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [json](bool failed) {
+        if (hasRoom(json ? stdout : stderr))
+            json ? static_cast<void>(printLine(peersWatchEvent(failed))) : remark(peersWatchText(failed));
+    });
     QObject::connect(&watch, &PeersWatch::refused, &watch, [say](const QString &problem) { say(problem.toStdString()); });
 }
 

@@ -1,5 +1,6 @@
-// Watches the file of known peers while a program runs, so that the session of a removed peer ends at once. An invalid edit is
-// reported, and the previous list stays in force.
+// Watches the file of known peers while a program runs, so that the session of a removed peer ends at once. The system's
+// notification (inotify) acts within a tenth of a second; where it fails, or a network file system delivers nothing, a look at
+// the file once a second does. An invalid edit is reported, and the previous list stays in force.
 #pragma once
 
 #include "core/base/result.h"
@@ -9,13 +10,16 @@
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
+#include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace skyseal::app {
 
-/// Lives on the thread of its event loop.
+/// Lives on the thread of its event loop, which must not wait for a disk that hangs: a thread of its own looks at the file.
 class PeersWatch : public QObject
 {
     Q_OBJECT
@@ -25,11 +29,14 @@ public:
     using Reload = std::function<Result<keys::PeersInForce, InputError>()>;
 
     PeersWatch(const std::string &file, Reload reload, QObject *parent = nullptr);
+    ~PeersWatch() override;
 
 Q_SIGNALS:
     void reloaded(const skyseal::keys::PeersInForce &peers);
     /// `problem`: a sentence for the user.
     void refused(const QString &problem);
+    /// The system does not notify of changes: they take effect up to a second later. `false`: it does again.
+    void notificationFailed(bool failed);
 
 private:
     /// Detects a change of the file without reading it.
@@ -42,13 +49,22 @@ private:
 
     void look();
     void keepWatching();
+    void poll();
+    void polled(const Stamp &now);
     Stamp stamp() const;
 
     QString m_file;
+    const QByteArray m_path; ///< m_file for system calls
     Reload m_reload;
     QFileSystemWatcher m_watcher;
     QTimer m_settle;
     Stamp m_seen;
+    bool m_unwatched = false; ///< the system does not notify
+    unsigned m_polls = 0;     ///< while it does not
+    std::mutex m_mutex;       ///< of m_ended
+    std::condition_variable m_wake;
+    bool m_ended = false;
+    std::thread m_poller;
 };
 
 /// {"event":"peers","count":…}, with a "problem" if a peer is excluded, and {"event":"peers","problem":…}
@@ -57,6 +73,10 @@ std::string peersEvent(const std::string &problem);
 /// The same as text.
 std::string peersText(const keys::PeersInForce &peers);
 std::string peersText(const std::string &problem);
+
+/// {"event":"peers_watch","notified":…}
+std::string peersWatchEvent(bool failed);
+std::string peersWatchText(bool failed);
 
 /// Reports the results of the watch on stdout (with `json`) or stderr.
 void tellPeers(const PeersWatch &watch, bool json);

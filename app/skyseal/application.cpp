@@ -78,6 +78,11 @@ void Application::useKeys(const engine::KeyPaths &keys)
         m_keyring.touched();
         m_window->reportProblem(tr("The changed list of peers is invalid, the previous list stays in use: %1").arg(problem));
     });
+    connect(m_peersWatch.get(), &PeersWatch::notificationFailed, this, [this](bool failed) {
+        if (failed)
+            m_window->reportProblem(
+                tr("The system does not notify of changes of the list of peers: it is checked once a second"));
+    });
 }
 
 void Application::reloadPeers()

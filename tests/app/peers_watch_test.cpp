@@ -1,0 +1,121 @@
+// Changes of the list of peers take effect where the system notifies of them, where it cannot, and where its notifications
+// never arrive, as on a network file system.
+#include "app/common/peers_watch.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+
+#include <QtCore/QFile>
+#include <QtCore/QTemporaryDir>
+#include <QtTest/QTest>
+
+#include <cerrno>
+#include <sys/inotify.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+using namespace skyseal;
+using namespace skyseal::app;
+using namespace skyseal::test;
+
+namespace {
+
+enum class Inotify { Works, UsedUp, Silent };
+Inotify inotifyIs = Inotify::Works;
+
+} // namespace
+
+/// Takes the place of the C library's function, also for Qt.
+extern "C" int inotify_add_watch(int descriptor, const char *path, std::uint32_t mask) noexcept
+{
+    static int number = 1'000'000;
+    if (inotifyIs == Inotify::Silent)
+        return ++number;
+    if (inotifyIs == Inotify::UsedUp) {
+        errno = ENOSPC;
+        return -1;
+    }
+    return static_cast<int>(::syscall(SYS_inotify_add_watch, descriptor, path, mask));
+}
+
+class PeersWatchTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void cleanup() { inotifyIs = Inotify::Works; }
+    void changeWithoutNotification_data();
+    void changeWithoutNotification();
+    void recoveryIsReported();
+    void eventsForPeopleAndScripts();
+};
+
+static void write(const QString &path, const QByteArray &content)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    file.write(content);
+}
+
+void PeersWatchTest::changeWithoutNotification_data()
+{
+    QTest::addColumn<int>("inotify");
+    QTest::addColumn<bool>("replaced");
+    QTest::newRow("notified, changed in place") << int(Inotify::Works) << false;
+    QTest::newRow("notified, replaced") << int(Inotify::Works) << true;
+    QTest::newRow("no watches left, changed in place") << int(Inotify::UsedUp) << false;
+    QTest::newRow("no watches left, replaced") << int(Inotify::UsedUp) << true;
+    QTest::newRow("silent, changed in place") << int(Inotify::Silent) << false;
+    QTest::newRow("silent, replaced") << int(Inotify::Silent) << true;
+}
+
+void PeersWatchTest::changeWithoutNotification()
+{
+    QFETCH(int, inotify);
+    QFETCH(bool, replaced);
+    inotifyIs = static_cast<Inotify>(inotify);
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    write(path, "one");
+    int loads = 0, failures = 0;
+    PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
+        ++loads;
+        return keys::PeersInForce{1, {}};
+    });
+    QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [&](bool failed) { failures += failed ? 1 : 100; });
+    if (inotifyIs == Inotify::UsedUp)
+        EVENTUALLY(failures > 0);
+    if (replaced) {
+        write(path + QStringLiteral(".new"), "two");
+        QCOMPARE(::rename((path + QStringLiteral(".new")).toLocal8Bit().constData(), path.toLocal8Bit().constData()), 0);
+    } else {
+        write(path, "two");
+    }
+    EVENTUALLY(loads > 0);
+    QCOMPARE(failures, inotifyIs == Inotify::UsedUp ? 1 : 0);                       // once, not each second
+}
+
+void PeersWatchTest::recoveryIsReported()
+{
+    inotifyIs = Inotify::UsedUp;
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    write(path, "one");
+    PeersWatch watch(path.toStdString(), []() -> Result<keys::PeersInForce, InputError> { return keys::PeersInForce{}; });
+    std::vector<bool> reports;
+    QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [&](bool failed) { reports.push_back(failed); });
+    EVENTUALLY(reports.size() == 1);
+    inotifyIs = Inotify::Works;
+    write(path, "two"); // watched again at the next change, or a minute later
+    EVENTUALLY(reports.size() == 2);
+    QCOMPARE(reports, (std::vector<bool>{true, false}));
+}
+
+void PeersWatchTest::eventsForPeopleAndScripts()
+{
+    QCOMPARE(peersWatchEvent(true), std::string(R"({"event":"peers_watch","notified":false})"));
+    QVERIFY(peersWatchText(true).find("once a second") != std::string::npos);
+    QVERIFY(peersWatchText(false) != peersWatchText(true));
+}
+
+SKYSEAL_TEST(PeersWatchTest)
+#include "peers_watch_test.moc"
