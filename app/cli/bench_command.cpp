@@ -170,7 +170,7 @@ int runBench(const QStringList &arguments)
         ok = (here ? measure(plan, aes, command) : measureInChild(arguments, aes) == kDone) && ok;
     }
     if (!plan.json && ok && here)
-        printLine(
+        printOwnText(
             "\ncipher: the library's cipher alone; bare: the library's cipher and authentication; suite: as implemented here; record: "
             "a complete record\nof a session; x: record over bare. CPU time, the fastest of 15 rounds.");
     return ok ? kDone : kNotReached;

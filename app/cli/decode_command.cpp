@@ -91,8 +91,7 @@ int runDecode(const QStringList &arguments)
     }
     // Flushes only when no input is pending: live with a pipe, and efficient with a file.
     const auto counts = tlog::decode(input.stream(), *dialect, how, [&](std::string_view line) {
-        std::fwrite(line.data(), 1, line.size(), stdout);
-        std::fputc('\n', stdout);
+        printOwnText(printable(line));
         return input.stream().rdbuf()->in_avail() > 0 || std::fflush(stdout) == 0;
     });
     std::fflush(stdout);

@@ -118,7 +118,7 @@ int runLog(const QStringList &arguments)
     if (action == QLatin1String("export"))
         return exportFile(name + QStringLiteral(" export"), arguments.mid(1));
     if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printLine("Usage: skyseal-cli log info|verify|export FILE\nEach command has --help.");
+        printOwnText("Usage: skyseal-cli log info|verify|export FILE\nEach command has --help.");
         return kDone;
     }
     complain(name, "info, verify or export is expected");

@@ -1,6 +1,8 @@
 // The output of the programs: results on stdout, remarks on stderr.
 #pragma once
 
+#include "core/base/printable.h"
+
 #include <QtCore/QString>
 
 #include <cstdio>
@@ -10,11 +12,18 @@
 
 namespace skyseal::app {
 
-/// Prints one line on stdout and flushes it, for readers behind a pipe. Returns false if the reader has closed the pipe.
+/// Prints a text of this program, of one line or more, on stdout.
+inline void printOwnText(const std::string &text)
+{
+    std::fwrite(text.data(), 1, text.size(), stdout);
+    std::fputc('\n', stdout);
+}
+
+/// Prints one line on stdout and flushes it, for readers behind a pipe. Text of others in it cannot control the terminal or
+/// forge further lines; JSON stays as it is. Returns false if the reader has closed the pipe.
 inline bool printLine(const std::string &line)
 {
-    std::fwrite(line.data(), 1, line.size(), stdout);
-    std::fputc('\n', stdout);
+    printOwnText(printable(line));
     return std::fflush(stdout) == 0;
 }
 
@@ -26,23 +35,7 @@ inline bool hasRoom(std::FILE *stream, int patienceMilliseconds = 0)
     return ::poll(&out, 1, patienceMilliseconds) != 0;
 }
 
-/// The line with every control character replaced by '?'. It may contain text from unauthenticated vehicles, which must not
-/// control the terminal or forge further lines.
-inline std::string printable(std::string line)
-{
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(line[i]);
-        // U+0080 to U+009F are control characters as well: C2 80 to C2 9F in UTF-8.
-        const bool second = i > 0 && static_cast<unsigned char>(line[i - 1]) == 0xC2 && byte >= 0x80 && byte < 0xA0;
-        if (byte < 0x20 || byte == 0x7F || second)
-            line[i] = '?';
-        if (second)
-            line[i - 1] = '?';
-    }
-    return line;
-}
-
-/// One line on stderr.
+/// The same on stderr.
 inline void remark(const std::string &line)
 {
     std::fprintf(stderr, "%s\n", printable(line).c_str());

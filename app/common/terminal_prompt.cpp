@@ -1,5 +1,6 @@
 #include "app/common/terminal_prompt.h"
 
+#include "core/base/printable.h"
 #include "core/base/secret_bytes.h"
 #include "core/crypto/passphrase.h"
 
@@ -77,7 +78,7 @@ Result<Passphrase, InputError> askAtTerminal(const std::string &question, const 
         return tl::unexpected(InputError{"there is no terminal to ask for the passphrase; use --" + which
                                              + "passphrase-file or --" + which + "passphrase-fd",
                                          source});
-    terminal.say(question);
+    terminal.say(printable(question));
     SecretBytes<4096> line; // the longest line of a terminal
     ssize_t size = -1;
     do

@@ -1,5 +1,6 @@
 #include "core/base/json_writer.h"
 
+#include "core/base/printable.h"
 #include "core/base/utf8.h"
 
 #include <charconv>
@@ -21,16 +22,38 @@ template<typename T> void appendNumber(std::string &out, T number)
     }
 }
 
-void appendEscaped(std::string &out, std::string_view text)
+void appendCodeUnit(std::string &out, unsigned unit)
 {
     static constexpr char kDigits[] = "0123456789abcdef";
+    out += "\\u";
+    for (const int shift : {12, 8, 4, 0})
+        out.push_back(kDigits[unit >> shift & 15]);
+}
+
+/// \uXXXX, in two parts beyond U+FFFF.
+void appendEscape(std::string &out, char32_t character)
+{
+    if (character <= 0xffff)
+        return appendCodeUnit(out, character);
+    appendCodeUnit(out, 0xd800 + ((character - 0x10000) >> 10));
+    appendCodeUnit(out, 0xdc00 + (character & 0x3ff));
+}
+
+/// Control and format characters are escaped, so that a line is safe on a terminal.
+void appendEscaped(std::string &out, std::string_view text)
+{
     out.push_back('"');
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         const auto byte = static_cast<unsigned char>(c);
         if (byte >= 0x80) {
             const Utf8Character character = firstCharacter(text.substr(i));
-            out += character.valid ? text.substr(i, character.length) : kReplacementCharacter;
+            if (!character.valid)
+                out += kReplacementCharacter;
+            else if (isUnprintable(character.value))
+                appendEscape(out, character.value);
+            else
+                out += text.substr(i, character.length);
             i += character.length - 1;
             continue;
         }
@@ -42,9 +65,7 @@ void appendEscaped(std::string &out, std::string_view text)
         } else if (c == '\t') {
             out += "\\t";
         } else if (byte < 0x20 || byte == 0x7f) {
-            out += "\\u00";
-            out.push_back(kDigits[byte >> 4]);
-            out.push_back(kDigits[byte & 15]);
+            appendEscape(out, byte);
         } else {
             out.push_back(c);
         }

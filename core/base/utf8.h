@@ -14,6 +14,7 @@ struct Utf8Character
 {
     std::size_t length = 1;
     bool valid = false;
+    char32_t value = 0; ///< code point of a valid character
 };
 
 /// `text` must not be empty. Overlong forms, surrogates and values beyond U+10FFFF are invalid.

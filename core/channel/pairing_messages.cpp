@@ -2,6 +2,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/base/byte_writer.h"
+#include "core/base/printable.h"
 #include "core/crypto/hash.h"
 #include "core/noise/cipher_state.h"
 
@@ -63,9 +64,9 @@ PairingOpening PairingOpening::read(const Bytes &bytes)
     PairingOpening out;
     std::ranges::copy(in.bytes(out.key.size()), out.key.begin());
     out.systemId = in.u8();
-    const ByteView sent = in.bytes(kMaxPairingName);
-    std::transform(sent.begin(), std::find(sent.begin(), sent.end(), 0), std::back_inserter(out.name),
-                   [](std::uint8_t c) { return fitCharacter(static_cast<char>(c)); });
+    const std::string_view sent = asText(in.bytes(kMaxPairingName));
+    out.name = printable(sent.substr(0, sent.find('\0')), '-');
+    std::transform(out.name.begin(), out.name.end(), out.name.begin(), fitCharacter);
     std::ranges::copy(in.bytes(out.nonce.size()), out.nonce.begin());
     return out;
 }

@@ -3,6 +3,7 @@
 #include "core/experiment/analysis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -22,14 +23,15 @@ std::string padded(std::string text, std::size_t width, bool right)
     return right ? space + text : text + space;
 }
 
-std::string header()
+/// Two lines: the metrics and their units.
+std::array<std::string, 2> header()
 {
     std::string keys = padded("", kNameWidth, false), units = keys;
     for (const Metric metric : metricsShownIn(kTerminal)) {
         keys += padded(std::string(info(metric).key), kWidth, true);
         units += padded(std::string(info(metric).unit), kWidth, true);
     }
-    return keys + "\n" + units;
+    return {keys, units};
 }
 
 std::string leftText(double time)
@@ -120,9 +122,11 @@ std::vector<std::string> sweepText(const Results &results)
     bool anyOutlier = false, anyCut = false;
     for (std::size_t condition = 0; condition < plan.conditions.size(); ++condition) {
         for (std::size_t load = 0; load < plan.loads.size(); ++load) {
-            out.push_back((out.empty() ? "" : "\n") + std::string("Link: ") + plan.conditions[condition].name
-                          + ", load: " + std::string(name(plan.loads[load])));
-            out.push_back(header());
+            if (!out.empty())
+                out.emplace_back();
+            out.push_back("Link: " + plan.conditions[condition].name + ", load: " + std::string(name(plan.loads[load])));
+            for (std::string &line : header())
+                out.push_back(std::move(line));
             for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
                 const bool insecure = isInsecure(plan.arms[arm]);
                 std::string line = padded(fullName(plan.arms[arm]) + (insecure ? " (insecure)" : ""), kNameWidth, false);

@@ -1,5 +1,6 @@
 #include "core/keys/paired_peer.h"
 
+#include "core/base/utf8.h"
 #include "core/keys/file_io.h"
 #include "core/keys/peer_line.h"
 #include "core/keys/public_key_text.h"
@@ -32,9 +33,11 @@ std::string presharedKeyName(const channel::Peer &peer)
 std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
 {
     std::string name;
-    for (const char c : claimed) {
-        if (fits(std::string(1, c)))
-            name += c;
+    while (!claimed.empty()) {
+        const std::string_view character = claimed.substr(0, firstCharacter(claimed).length);
+        claimed.remove_prefix(character.size());
+        if (fits(std::string(character)))
+            name += character;
         else if (!name.empty() && name.back() != '-')
             name += '-';
     }

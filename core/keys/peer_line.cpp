@@ -1,9 +1,12 @@
 #include "core/keys/peer_line.h"
 
+#include "core/base/printable.h"
+#include "core/base/utf8.h"
 #include "core/keys/public_key_text.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cstdio>
 
 namespace skyseal::keys {
 
@@ -32,13 +35,28 @@ static std::vector<std::string_view> fieldsOf(std::string_view line)
     }
 }
 
-/// Text of a file for an error message: shortened, without control characters.
+/// Text of a file for an error message, shortened.
 static std::string quoted(std::string_view text)
 {
-    std::string out(text.substr(0, 60));
-    std::replace_if(
-        out.begin(), out.end(), [](char c) { return (c >= 0 && c < ' ') || c == 127; }, '?');
-    return "\"" + out + "\"";
+    return "\"" + printable(text.substr(0, 60)) + "\"";
+}
+
+/// "character 3 is U+202E, a control or format character"; empty if there is none.
+static std::string unprintableIn(std::string_view text)
+{
+    for (std::size_t position = 1; !text.empty(); ++position) {
+        const Utf8Character character = firstCharacter(text);
+        const std::string where = "character " + std::to_string(position);
+        if (!character.valid)
+            return where + " is not valid UTF-8";
+        if (isUnprintable(character.value)) {
+            char code[16];
+            std::snprintf(code, sizeof code, "U+%04X", static_cast<unsigned>(character.value));
+            return where + " is " + code + ", a control or format character";
+        }
+        text.remove_prefix(character.length);
+    }
+    return {};
 }
 
 std::optional<PeerRole> peerRoleFromText(std::string_view text)
@@ -136,6 +154,8 @@ Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
     };
     if (name.empty() || name.size() > kMaxNameLength || !std::all_of(name.begin(), name.end(), fits))
         return refuse(quoted(name) + " is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"");
+    if (const std::string problem = unprintableIn(name); !problem.empty())
+        return refuse(quoted(name) + " is not a peer's name: " + problem);
     if (std::find(entry.peer.systemIds.begin(), entry.peer.systemIds.end(), 0) != entry.peer.systemIds.end())
         return refuse("0 is not a system id: numbers from 1 to 255");
     if (entry.presharedKeyFile.find_first_of(" \t\r\n") != std::string::npos)

@@ -1,5 +1,6 @@
 #include "core/vehicle/parameter_client.h"
 
+#include "core/base/printable.h"
 #include "core/vehicle/result_text.h"
 
 #include <algorithm>
@@ -128,7 +129,7 @@ void ParameterClient::write(TimePoint now, RequestId id, const WriteParameter &r
 void ParameterClient::handleValue(TimePoint now, const mavlink::ParamValue &value)
 {
     const std::string name(mavlink::textOf(value.param_id));
-    if (name.empty())
+    if (name.empty() || !isPrintable(name))
         return;
     const bool wasReading = isReading();
     if (value.param_count > 0 && value.param_index < value.param_count)

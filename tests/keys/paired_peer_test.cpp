@@ -117,6 +117,8 @@ void PairedPeerTest::namesAreMadeToFit_data()
     QTest::newRow("steers a terminal") << QByteArray("\x1b[31mred") << QByteArray("31mred");
     QTest::newRow("a line more") << QByteArray("x\nmallory pilot any") << QByteArray("x-mallory-pilot-any");
     QTest::newRow("long") << QByteArray(50, 'n') << QByteArray(32, 'n');
+    QTest::newRow("invisible") << QByteArray("sc\xe2\x80\x8bout\xe2\x80\xae") << QByteArray("sc-out");
+    QTest::newRow("no UTF-8") << QByteArray("J\xfcrgen") << QByteArray("J-rgen");
     QTest::newRow("cut character") << QByteArray(31, 'n') + "\xc3\xbc" << QByteArray(31, 'n');
 }
 

@@ -104,6 +104,10 @@ void PeersFileTest::errorsNameTheLine_data()
     row("no psk", line("scout pilot 1", 0) + " psk=", "psk=FILE");
     row("name", line("a/b pilot 1", 0), "is not a peer's name");
     row("long name", line(std::string(33, 'n') + " pilot 1", 0), "is not a peer's name");
+    row("control character in a name", line("sc\x1b[2Jout pilot 1", 0), "is not a peer's name");
+    row("C1 control", line("ab\xc2\x9bz pilot 1", 0), "\"ab?z\" is not a peer's name: character 3 is U+009B, a control");
+    row("direction override", line("gp\xe2\x80\xaej pilot 1", 0), "\"gp?j\" is not a peer's name: character 3 is U+202E");
+    row("zero width", line("sc\xe2\x80\x8bout pilot 1", 0), "character 3 is U+200B");
     row("double name", line("first pilot 1", 0), "named \"first\" already");
     row("double key", line("scout pilot 1", 3), "\"first\" has the same key");
     row("control character", line("scout \x1b[31m 1", 0), "\"?[31m\" is not a role");
@@ -128,6 +132,8 @@ void PeersFileTest::addsRefusingDoubles()
     QVERIFY(!file.add(entry("", 1)));
     QVERIFY(!file.add(entry("two words", 1)));
     QVERIFY(!file.add(entry("#a", 1)));
+    const auto damaged = file.add(entry("J\xfcrgen", 1));
+    QVERIFY(!damaged && damaged.error().message.find("character 2 is not valid UTF-8") != std::string::npos);
     PeerEntry newline = entry("c", 1);
     newline.presharedKeyFile = "x\nmallory pilot any skyseal:";
     QVERIFY(!file.add(newline));

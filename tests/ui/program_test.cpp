@@ -39,6 +39,7 @@ private Q_SLOTS:
         QTest::newRow("seconds") << QStringList{QStringLiteral("--after"), QStringLiteral("soon")};
         QTest::newRow("keys") << QStringList{QStringLiteral("--identity"), QStringLiteral("a.key")};
         QTest::newRow("argument") << QStringList{QStringLiteral("stray")};
+        QTest::newRow("escape sequence") << QStringList{QStringLiteral("\x1b[2J\nstray\u202e")};
     }
     void wrongUsageIsTwo()
     {
@@ -48,7 +49,9 @@ private Q_SLOTS:
         skyseal.start(program(), arguments);
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitCode(), 2);
-        QCOMPARE(skyseal.readAllStandardError().count('\n'), 1);
+        const QByteArray said = skyseal.readAllStandardError();
+        QCOMPARE(said.count('\n'), 1);
+        QVERIFY(!said.contains('\x1b') && !said.contains("\xe2\x80\xae"));
     }
 
     void missingKeyIsThree()

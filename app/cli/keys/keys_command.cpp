@@ -70,7 +70,7 @@ void printHelp()
     };
     list(kOwn);
     list(kPeers);
-    printLine(text + "\nEach command has --help.");
+    printOwnText(text + "\nEach command has --help.");
 }
 
 } // namespace

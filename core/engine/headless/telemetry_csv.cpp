@@ -1,5 +1,6 @@
 #include "core/engine/headless/telemetry_csv.h"
 
+#include "core/base/printable.h"
 #include "core/log/log_reader.h"
 #include "core/vehicle/state_fields.h"
 #include "core/vehicle/vehicle_set.h"
@@ -43,7 +44,7 @@ std::string rowOf(WallTime time, const vehicle::VehicleState &state)
     for (const vehicle::StateField &field : vehicle::stateFields()) {
         out += ',';
         if (field.kind == vehicle::StateField::Kind::Text)
-            out += quoted(field.text(state));
+            out += quoted(printable(field.text(state)));
         else if (const double value = field.number(state); !std::isnan(value))
             out += numberText(value);
     }

@@ -1,5 +1,7 @@
-// Conversion of the engine's UTF-8 strings for sentences.
+// Conversion of the engine's UTF-8 strings for sentences. They may contain text of others.
 #pragma once
+
+#include "core/base/printable.h"
 
 #include <QtCore/QString>
 
@@ -9,7 +11,7 @@ namespace skyseal::engine {
 
 inline QString qt(const std::string &text)
 {
-    return QString::fromStdString(text);
+    return QString::fromStdString(printable(text));
 }
 
 } // namespace skyseal::engine
