@@ -67,6 +67,7 @@ enum class Weakness : std::uint8_t {
     AnyStreamRate, ///< observers may start streams of any rate
     UnlimitedQuestions, ///< observers may ask without end
     NoSenderCheck, ///< a sealed peer may use any system id
+    UnlimitedClaims, ///< an agent may claim any number of system ids, for ever
     VehicleTakesAnyId, ///< a heartbeat on the vehicle's side may take the system id of a ground station
     ClearAccepted, ///< clear frames are accepted after a sealed session
     // evaluated only by the tests' own parts

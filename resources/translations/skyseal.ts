@@ -290,7 +290,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 frames of %2, which may not send as this vehicle</source>
+        <source>Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

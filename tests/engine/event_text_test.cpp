@@ -144,7 +144,10 @@ void EventTextTest::vehicleThatWaitsForApprovalIsNotCalledRefused()
 void EventTextTest::systemOfAnotherPeerNamesItsOwner()
 {
     const auto sentence = [](const char *owner) { return eventText(SystemRefused{1, "air-2", owner, 3}, {}).sentence; };
-    QCOMPARE(sentence(""), QStringLiteral("Refused 3 frames of air-2, which may not send as this vehicle"));
+    QCOMPARE(sentence(""),
+             QStringLiteral(
+                 "Refused 3 frames of air-2, which may not send as this vehicle. If air-2 is its agent, bind the system to "
+                 "air-2 in the list of peers"));
     QCOMPARE(
         sentence("air-1"),
         QStringLiteral("Refused 3 frames of air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "

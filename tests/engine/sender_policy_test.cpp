@@ -43,6 +43,9 @@ private Q_SLOTS:
     void removedPeerSpeaksAsNothing();
     void observerMayNotCommand();
     void earlierRunsCount();
+    void clearStaysRefusedAfterAClaim();
+    void claimLastsAsLongAsItsSession();
+    void boundPeersAreNotLimited();
 };
 
 void SenderPolicyTest::peerSpeaksOnlyAsItsSystems()
@@ -248,6 +251,66 @@ void SenderPolicyTest::earlierRunsCount()
     QVERIFY(policy.acceptClear(kElsewhere, 2));
     policy.setPeers({});
     QVERIFY(policy.acceptClear(kElsewhere, 1)); // forgotten by the operator's act
+}
+
+void SenderPolicyTest::clearStaysRefusedAfterAClaim()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {}), b = peerWith(2, {});
+    policy.setPeers({a, b});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    QVERIFY(policy.acceptSealed(kFirst, 7));
+    policy.sessionDown(kFirst);
+    policy.endClaims(TimePoint{});
+    policy.endClaims(TimePoint{} + SenderPolicy::kClaimOutlivesSession);
+    QVERIFY(policy.isSealedSystem(7));
+    QVERIFY(!policy.acceptClear(kElsewhere, 7));
+    QCOMPARE(policy.sealedSystems().at(a.key).count(), std::size_t(1)); // what is stored for the next run
+}
+
+void SenderPolicyTest::claimLastsAsLongAsItsSession()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {}), b = peerWith(2, {});
+    policy.setPeers({a, b});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    policy.sessionUp(kSecond, b.key, kPathB);
+    QVERIFY(policy.acceptSealed(kFirst, 7));
+    TimePoint now{};
+    for (int minute = 0; minute < 60; ++minute)
+        policy.endClaims(now += std::chrono::minutes(1));
+    QVERIFY(!policy.acceptSealed(kSecond, 7));
+    policy.sessionDown(kFirst);
+    policy.endClaims(now);
+    policy.endClaims(now += SenderPolicy::kClaimOutlivesSession - std::chrono::seconds(1));
+    QVERIFY(!policy.acceptSealed(kSecond, 7)); // still behind the hill
+    policy.sessionUp(kFirst, a.key, kPathA);   // and back
+    policy.endClaims(now += std::chrono::minutes(1));
+    policy.sessionDown(kFirst);
+    policy.endClaims(now);
+    policy.endClaims(now += std::chrono::minutes(1));
+    QVERIFY(!policy.acceptSealed(kSecond, 7)); // from the beginning
+    policy.endClaims(now += SenderPolicy::kClaimOutlivesSession);
+    QVERIFY(policy.acceptSealed(kSecond, 7));
+    policy.sessionUp(kFirst, a.key, kPathA);
+    QVERIFY(!policy.acceptSealed(kFirst, 7)); // one at a time
+}
+
+void SenderPolicyTest::boundPeersAreNotLimited()
+{
+    SenderPolicy policy(SecureMode::Preferred);
+    const channel::Peer a = peerWith(1, {1, 2, 3, 4, 5, 6});
+    policy.setPeers({a});
+    policy.sessionUp(kFirst, a.key, kPathA);
+    for (const std::uint8_t systemId : a.systemIds)
+        QVERIFY(policy.acceptSealed(kFirst, systemId));
+    // Stations share ids and may change theirs.
+    SenderPolicy agents(SecureMode::Required, Speakers::MayShareASystem);
+    const channel::Peer station = peerWith(2, {});
+    agents.setPeers({station});
+    agents.sessionUp(kFirst, station.key, kPathA);
+    for (const std::uint8_t systemId : {250, 251, 252, 253, 254, 255})
+        QVERIFY(agents.acceptSealed(kFirst, systemId));
 }
 
 SKYSEAL_TEST(SenderPolicyTest)

@@ -107,6 +107,8 @@ inline constexpr Proof kProofs[] = {
     {"AnyStreamRate", "attack_observer_test", "streamRates", "no stream is stopped or fills the line"},
     {"UnlimitedQuestions", "attack_observer_test", "thousandQuestions", "an observer's questions are limited"},
     {"NoSenderCheck", "attack_flight_test", "nobodySpeaksAsAnother", "nothing of it reaches the autopilot"},
+    {"UnlimitedClaims", "attack_systems_test", "oneAgentClaimsEverySystem", "an honest agent is not locked out"},
+    {"UnlimitedClaims", "attack_systems_test", "claimEnds", "an honest agent is not locked out"},
     {"VehicleTakesAnyId", "attack_flight_test", "pilotsIdIsNotTaken", "the pilot is not locked out"},
     {"ClearAccepted", "attack_flight_test", "spoofedTelemetryIsNotShown", "the list of vehicles is unchanged"},
     {"ClearAccepted", "attack_flight_test", "blockedHandshakesOpenNoClearWay", "no telemetry without an explicit act"},

@@ -75,6 +75,7 @@ constexpr Named kNames[] = {
     {Weakness::NoRoleCheck, "NoRoleCheck"},
     {Weakness::Misreadable, "Misreadable"},
     {Weakness::VehicleTakesAnyId, "VehicleTakesAnyId"},
+    {Weakness::UnlimitedClaims, "UnlimitedClaims"},
     {Weakness::AnyStreamRate, "AnyStreamRate"},
     {Weakness::UnlimitedQuestions, "UnlimitedQuestions"},
     {Weakness::NoSenderCheck, "NoSenderCheck"},

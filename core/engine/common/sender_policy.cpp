@@ -37,8 +37,10 @@ void SenderPolicy::applyRules(Speaker &speaker) const
 
 void SenderPolicy::rememberSealed(const SealedSystems &heard)
 {
-    for (const auto &[peer, systems] : heard)
+    for (const auto &[peer, systems] : heard) {
         m_heard[peer] |= systems;
+        m_claims.try_emplace(peer);
+    }
     collectSealed();
 }
 
@@ -49,6 +51,7 @@ void SenderPolicy::collectSealed()
         return std::none_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) { return peer.key == key; });
     };
     std::erase_if(m_heard, [&](const auto &entry) { return isGone(entry.first); });
+    std::erase_if(m_claims, [&](const auto &entry) { return isGone(entry.first); });
     std::erase_if(m_sealedPlaces, [&](const SealedPlace &place) { return isGone(place.peer); });
     m_sealed.reset();
     for (const auto &[peer, systems] : m_heard)
@@ -62,6 +65,7 @@ void SenderPolicy::sessionUp(channel::SessionId session, const channel::PublicKe
     speaker.path = path;
     applyRules(speaker);
     m_speakers[session] = speaker;
+    m_claims[peer].reset();
     noteSealedAt(peer, path);
 }
 
@@ -106,8 +110,7 @@ bool SenderPolicy::pilotThere() const
 
 bool SenderPolicy::isPilotsSystem(std::uint8_t systemId) const
 {
-    return m_pinned.test(systemId)
-        || std::any_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) {
+    return m_pinned.test(systemId) || std::any_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) {
                const auto heard = m_heard.find(peer.key);
                return peer.role == channel::PeerRole::Pilot && heard != m_heard.end() && heard->second.test(systemId);
            });
@@ -127,7 +130,7 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
         return false;
     const auto own = m_heard.find(speaker.peer);
     const bool known = speaker.bound.test(systemId) || (own != m_heard.end() && own->second.test(systemId));
-    if (m_rule == Speakers::OnePerSystem && !known && holderOf(systemId, speaker.peer))
+    if (m_rule == Speakers::OnePerSystem && !known && (holderOf(systemId, speaker.peer) || hasAllItsSystems(speaker)))
         return false;
     for (const auto &[other, holder] : m_speakers) {
         if (m_rule == Speakers::OnePerSystem && holder.spoken.test(systemId) && holder.peer != speaker.peer)
@@ -139,6 +142,30 @@ bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemI
     return true;
 }
 
+bool SenderPolicy::hasAllItsSystems(const Speaker &speaker) const
+{
+    const auto heard = m_heard.find(speaker.peer);
+    return speaker.bound.none() && heard != m_heard.end() && heard->second.count() >= kMostUnbound
+        && !weakened(Weakness::UnlimitedClaims);
+}
+
+void SenderPolicy::endClaims(TimePoint now)
+{
+    if (weakened(Weakness::UnlimitedClaims))
+        return;
+    for (auto claim = m_claims.begin(); claim != m_claims.end();) {
+        auto &[peer, end] = *claim;
+        const bool hasSession = std::any_of(m_speakers.begin(), m_speakers.end(),
+                                            [&key = peer](const auto &entry) { return entry.second.peer == key; });
+        if (hasSession)
+            end.reset();
+        else if (!end)
+            end = now + kClaimOutlivesSession;
+        const bool isOver = end && now >= *end;
+        claim = isOver ? m_claims.erase(claim) : std::next(claim);
+    }
+}
+
 /// The peer to which the list binds the system, or one that used it and still may.
 const channel::Peer *SenderPolicy::holderOf(std::uint8_t systemId, const channel::PublicKey &except) const
 {
@@ -146,7 +173,7 @@ const channel::Peer *SenderPolicy::holderOf(std::uint8_t systemId, const channel
         if (!peer.systemIds.empty())
             return std::find(peer.systemIds.begin(), peer.systemIds.end(), systemId) != peer.systemIds.end();
         const auto heard = m_heard.find(peer.key);
-        return heard != m_heard.end() && heard->second.test(systemId);
+        return heard != m_heard.end() && heard->second.test(systemId) && m_claims.contains(peer.key);
     };
     const auto found = std::find_if(m_peers.begin(), m_peers.end(),
                                     [&](const channel::Peer &peer) { return peer.key != except && holds(peer); });

@@ -2,6 +2,7 @@
 // are accepted at all. No I/O and no clock; consulted for every frame.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/channel/events.h"
 #include "core/channel/policy.h"
@@ -30,6 +31,15 @@ public:
     SecureMode mode() const { return m_mode; }
     void setMode(SecureMode mode) { m_mode = mode; }
 
+    /// A peer that the list binds to no system may use so many ids, the first ones that it is heard with, until it is removed
+    /// from the list: an autopilot, a second one, a camera or gimbal with an id of its own, and a station beside them. More
+    /// would let one rogue agent keep every id from the others.
+    static constexpr std::size_t kMostUnbound = 4;
+    /// An id that is not bound by the list stays with its peer for so long after its session: as long as a session outlives
+    /// silence, so that no other agent takes the place of a vehicle that is behind a hill. After that another agent may use
+    /// it, so that none is locked out for ever.
+    static constexpr Duration kClaimOutlivesSession = std::chrono::minutes(10);
+
     /// Sets the known peers. System ids that are bound to one of them are not accepted in clear.
     void setPeers(const std::vector<channel::Peer> &peers);
     /// Adds the system ids that peers used over sealed links in earlier runs: neither a broken sealed link nor a restart may
@@ -47,9 +57,12 @@ public:
     /// Whether the list binds the system to a peer, or a listed peer that may command has used it.
     bool isPilotsSystem(std::uint8_t systemId) const;
     /// Whether a sealed frame of this session may have this system id. A system that the list binds to peers is theirs alone;
-    /// with Speakers::OnePerSystem any other belongs to the first peer that ever used it sealed, until that peer is removed
-    /// from the list: while a vehicle is silent no other agent can take its place.
+    /// with Speakers::OnePerSystem any other belongs to the first peer that used it sealed, until that peer is removed from
+    /// the list or its claim ends, see endClaims(). A peer that is bound to none has at most kMostUnbound.
     bool acceptSealed(channel::SessionId session, std::uint8_t systemId);
+    /// Ends the claims of peers that had no session for kClaimOutlivesSession. Call about once a second. Clear frames of these
+    /// systems remain refused.
+    void endClaims(TimePoint now);
     /// The name of another peer to which the system belongs; empty if there is none.
     std::string ownerOf(std::uint8_t systemId, channel::SessionId asker) const;
 
@@ -97,6 +110,7 @@ private:
     void noteSealedAt(const channel::PublicKey &peer, const Path &path);
     void collectSealed();
     bool mayBeClear(const Path &from, std::uint8_t systemId) const;
+    bool hasAllItsSystems(const Speaker &speaker) const;
     bool mayHaveAnySystem(const channel::Peer &peer) const;
 
     SecureMode m_mode;
@@ -104,6 +118,8 @@ private:
     std::vector<channel::Peer> m_peers;
     std::bitset<256> m_pinned;
     SealedSystems m_heard;
+    /// Peers whose unbound systems are reserved, and when that ends: nullopt while they have a session.
+    std::map<channel::PublicKey, std::optional<TimePoint>> m_claims;
     std::bitset<256> m_sealed;  ///< all of m_heard
     std::bitset<256> m_allowed; ///< in clear, by the operator
     std::map<channel::SessionId, Speaker> m_speakers;

@@ -56,7 +56,11 @@ public:
 
     /// Publishes refusals that are due; call after each refusal and once a second.
     void publishRefusals(TimePoint now, const Notify &notify);
-    void forgetSilent(TimePoint now) { m_pending.forgetSilent(now); }
+    void forgetSilent(TimePoint now)
+    {
+        m_pending.forgetSilent(now);
+        m_policy.endClaims(now);
+    }
 
 private:
     void namePeerOfRefusal();

@@ -59,8 +59,11 @@ public:
     {
         const QString peer = qt(e.peer), owner = qt(e.owner);
         if (e.owner.empty())
-            return {tr("Refused %1 frames of %2, which may not send as this vehicle").arg(e.frames).arg(peer), kError,
-                    e.systemId};
+            return {tr("Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in "
+                       "the list of peers")
+                        .arg(e.frames)
+                        .arg(peer),
+                    kError, e.systemId};
         return {tr("Refused %1 frames of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of "
                    "the same vehicle, remove %3 from the list of peers or bind the system to %2")
                     .arg(e.frames)
