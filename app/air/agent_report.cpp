@@ -51,6 +51,7 @@ std::string AgentReport::jsonOf(const engine::AgentEvent &event) const
             [this](const channel::Event &e) { return jsonOf(e); },
             [](const channel::PairingEvent &) { return std::string(); }, // pairing() reports it
             [](const engine::FramesRefused &e) { return engine::framesRefusedEvent(e); },
+            [](const engine::CounterStorage &e) { return engine::counterStorageEvent(e); },
             [](const engine::GroundIdClaimed &e) { return engine::groundIdClaimedEvent(e); },
         },
         event);
@@ -72,7 +73,8 @@ std::string AgentReport::jsonOf(const channel::Event &event) const
                               return engine::refusedEvent(e, link::toText(e.path.remote), fingerprint);
                           },
                           [](const channel::ForgeryAlarm &e) { return engine::forgeryEvent(e); },
-                          [](const channel::CommandsLate &) { return std::string(); }, // of a station alone
+                          [](const channel::CommandsLate &) { return std::string(); },       // of a station alone
+                          [](const channel::PeerStorageChanged &) { return std::string(); }, // likewise
                       },
                       event);
 }

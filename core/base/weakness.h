@@ -62,14 +62,14 @@ enum class Weakness : std::uint8_t {
     Leak,             ///< an error message quotes the unreadable line
     CountersOneByOne, ///< the counters of first messages are reserved and stored one by one
     // station and agent
-    NoRoleCheck,   ///< observers may send commands
-    Misreadable,   ///< messages of observers are forwarded although losing a part would change their meaning
-    AnyStreamRate, ///< observers may start streams of any rate
+    NoRoleCheck,        ///< observers may send commands
+    Misreadable,        ///< messages of observers are forwarded although losing a part would change their meaning
+    AnyStreamRate,      ///< observers may start streams of any rate
     UnlimitedQuestions, ///< observers may ask without end
-    NoSenderCheck, ///< a sealed peer may use any system id
-    UnlimitedClaims, ///< an agent may claim any number of system ids, for ever
-    VehicleTakesAnyId, ///< a heartbeat on the vehicle's side may take the system id of a ground station
-    ClearAccepted, ///< clear frames are accepted after a sealed session
+    NoSenderCheck,      ///< a sealed peer may use any system id
+    UnlimitedClaims,    ///< an agent may claim any number of system ids, for ever
+    VehicleTakesAnyId,  ///< a heartbeat on the vehicle's side may take the system id of a ground station
+    ClearAccepted,      ///< clear frames are accepted after a sealed session
     // evaluated only by the tests' own parts
     SameRandomEveryLife, ///< a restarted end gets the random bytes of the previous one
     Impatient,           ///< a session ends after ten seconds of silence

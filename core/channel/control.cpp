@@ -10,8 +10,9 @@ namespace {
 enum class Type : std::uint8_t { Propose = 1, Accept = 2, Refuse = 3, Confirm = 4, Confirmed = 5, Report = 6, Close = 7 };
 
 // Flags of a report.
-constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8, kTellsFreshness = 16;
-constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts | kTellsFreshness;
+constexpr std::uint8_t kAnswerAtOnce = 1, kCountsFrames = 2, kAsksCosts = 4, kTellsCosts = 8, kTellsFreshness = 16,
+                       kCannotStore = 32;
+constexpr std::uint8_t kReportFlags = kAnswerAtOnce | kCountsFrames | kAsksCosts | kTellsCosts | kTellsFreshness | kCannotStore;
 
 // The order of the counters on the wire.
 constexpr std::uint64_t ReceiveCounters::*kReceived[] = {&ReceiveCounters::good,
@@ -76,7 +77,7 @@ std::uint8_t flagsOf(const Report &report)
 {
     return static_cast<std::uint8_t>((report.answerAtOnce ? kAnswerAtOnce : 0) | (report.frames ? kCountsFrames : 0)
                                      | (report.asksCosts ? kAsksCosts : 0) | (report.costs ? kTellsCosts : 0)
-                                     | (report.freshness ? kTellsFreshness : 0));
+                                     | (report.freshness ? kTellsFreshness : 0) | (report.cannotStore ? kCannotStore : 0));
 }
 
 struct Writer
@@ -151,6 +152,7 @@ std::optional<Report> readReport(ByteReader &in)
         return std::nullopt;
     report.answerAtOnce = (flags & kAnswerAtOnce) != 0;
     report.asksCosts = (flags & kAsksCosts) != 0;
+    report.cannotStore = (flags & kCannotStore) != 0;
     report.stamp = in.u32();
     report.echo = in.u32();
     report.held = in.u32();

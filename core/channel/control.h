@@ -62,6 +62,7 @@ struct Report
     std::uint32_t held = 0;    ///< microseconds since it was received
     bool answerAtOnce = false; ///< asks for a report now
     bool asksCosts = false;    ///< asks for the receiver's costs in its reports
+    bool cannotStore = false;  ///< an agent that cannot store the counters of handshakes
     ReceiveCounters rx;
     SendCounters tx;
     std::optional<FrameCounters> frames;      ///< if the owner counts frames

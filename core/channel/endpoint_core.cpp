@@ -31,7 +31,7 @@ bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared
 
 EndpointCore::EndpointCore(Config configuration, RandomSource &random, CounterStore &store)
     : config(std::move(configuration)),
-      counters(store), context{random, {}, {}, {}, config.timing, config.freshness, config.messageTraits.get()},
+      counters(store), context{random, store, {}, {}, {}, config.timing, config.freshness, config.messageTraits.get()},
       ownMac(config.identity->publicKey), m_strangerEvents(kRefusalPause, TimePoint::min())
 {
     updateOffer();

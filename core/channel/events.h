@@ -113,7 +113,14 @@ struct CommandsLate
     FreshnessReport report;
 };
 
-using Event =
-    std::variant<SessionUp, SessionDown, PeerMoved, SwitchPending, SwitchDone, HandshakeRefused, ForgeryAlarm, CommandsLate>;
+/// The agent cannot store the counters of handshakes any more, or it can again.
+struct PeerStorageChanged
+{
+    SessionId session{};
+    bool failed = false;
+};
+
+using Event = std::variant<SessionUp, SessionDown, PeerMoved, SwitchPending, SwitchDone, HandshakeRefused, ForgeryAlarm,
+                           CommandsLate, PeerStorageChanged>;
 
 } // namespace skyseal::channel

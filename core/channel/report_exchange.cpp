@@ -21,6 +21,7 @@ void ReportExchange::addTo(SessionStats &stats) const
     stats.peerFrames = m_peer->frames;
     stats.peerCosts = m_peer->costs;
     stats.peerFreshness = m_peer->freshness;
+    stats.peerCannotStore = m_peer->cannotStore;
     stats.peerRx.stale = staleAtPeer();
     stats.peerStamp = m_peer->stamp;
 }
@@ -39,6 +40,17 @@ bool ReportExchange::handle(TimePoint now, const Report &report)
             m_peerClock.add(now, now - roundTrip - std::chrono::microseconds(report.held / PeerClock::kDrift), report.stamp);
     }
     return true;
+}
+
+void ReportExchange::notifyChanges(SessionId session, std::deque<Event> &events)
+{
+    const std::uint64_t stale = staleAtPeer();
+    if (stale > m_staleNotified)
+        events.push_back(CommandsLate{session, stale - m_staleNotified, *m_peer->freshness});
+    m_staleNotified = stale;
+    if (peerCannotStore() != m_storageNotified)
+        events.push_back(PeerStorageChanged{session, peerCannotStore()});
+    m_storageNotified = peerCannotStore();
 }
 
 Report ReportExchange::make(TimePoint now) const

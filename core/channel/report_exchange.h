@@ -4,9 +4,11 @@
 
 #include "core/base/clock.h"
 #include "core/channel/control.h"
+#include "core/channel/events.h"
 #include "core/channel/peer_clock.h"
 #include "core/channel/round_trip.h"
 
+#include <deque>
 #include <optional>
 
 namespace skyseal::channel {
@@ -28,12 +30,16 @@ public:
     const PeerClock &peerClock() const { return m_peerClock; }
     /// By the peer's latest report; 0 for a peer that does not report it.
     std::uint64_t staleAtPeer() const { return m_peer && m_peer->freshness ? m_peer->freshness->stale : 0; }
+    /// By the peer's latest report.
+    bool peerCannotStore() const { return m_peer && m_peer->cannotStore; }
     /// Fills the values that come from the peer's latest report.
     void addTo(SessionStats &stats) const;
 
     // input
     /// Takes a report of the peer. Returns false, and changes nothing, unless it is newer than the latest one.
     bool handle(TimePoint now, const Report &report);
+    /// Adds the events of what the latest report changed: commands that came too late, and the storage of the peer.
+    void notifyChanges(SessionId session, std::deque<Event> &events);
     /// The owner's frame counters, for the following reports.
     void noteFrames(const FrameCounters &frames) { m_frames = frames; }
 
@@ -48,6 +54,8 @@ private:
     std::optional<FrameCounters> m_frames;
     std::optional<Report> m_peer;
     TimePoint m_peerAt; ///< arrival of m_peer
+    std::uint64_t m_staleNotified = 0;
+    bool m_storageNotified = false; ///< that the peer cannot store
     RoundTrip m_roundTrip;
     PeerClock m_peerClock;
 };

@@ -9,8 +9,7 @@ namespace skyseal::channel {
 
 namespace {
 
-/// Of keep-alives and of reports that are not due.
-constexpr Duration kLeastInterval = std::chrono::seconds(1);
+constexpr Duration kLeastInterval = std::chrono::seconds(1); ///< of keep-alives and of reports that are not due
 
 /// Inline frames exist on this carrier only: no other carries frames unchanged, without a router or stream in between that
 /// takes them apart.
@@ -421,6 +420,7 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
     report.tx = m_epochs.sent();
     if (!m_identity.initiator)
         report.freshness = m_freshness.report(report.rx.stale);
+    report.cannotStore = !m_identity.initiator && !m_context.counters.problem().empty();
     if (m_reports.peerAsksCosts() && m_context.costs)
         report.costs = m_context.costs(id());
     send(now, report);
@@ -428,13 +428,11 @@ void Session::sendReport(TimePoint now, bool answerAtOnce)
 
 void Session::handleReport(TimePoint now, const Path &from, RecordPosition position, const Report &report)
 {
-    const std::uint64_t staleBefore = m_reports.staleAtPeer();
     if (m_reports.handle(now, report)) {
         m_freshness.addReport(position, report.stamp);
         if (report.echo != 0)
             m_path.confirm(from, report.echo);
-        if (m_reports.staleAtPeer() > staleBefore)
-            notify(CommandsLate{id(), m_reports.staleAtPeer() - staleBefore, *report.freshness});
+        m_reports.notifyChanges(id(), m_context.events);
     }
     // A peer cannot have received more than we sent, unless a copy of this end sent it: see recent_tags.h.
     if (report.rx.good > m_epochs.sent().records && !weakened(Weakness::NoCloneCheck)) {

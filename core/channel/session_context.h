@@ -3,6 +3,7 @@
 
 #include "core/base/random_source.h"
 #include "core/channel/cost_source.h"
+#include "core/channel/counter_store.h"
 #include "core/channel/datagram_queue.h"
 #include "core/channel/events.h"
 #include "core/channel/freshness.h"
@@ -18,6 +19,7 @@ namespace skyseal::channel {
 struct SessionContext
 {
     RandomSource &random;
+    const CounterStore &counters;
     DatagramQueue outgoing;
     std::deque<Event> events;
     SuiteOffer offer; ///< of our present policy

@@ -78,6 +78,7 @@ struct SessionStats
     std::optional<FrameCounters> peerFrames;      ///< our frames as counted by the peer, if it counts them
     std::optional<EndCosts> peerCosts;            ///< only if asked for, and if the peer measures itself
     std::optional<FreshnessReport> peerFreshness; ///< how late our records arrive; from an agent only
+    bool peerCannotStore = false;                 ///< an agent that cannot store the counters of handshakes
     std::uint32_t peerStamp = 0;                  ///< microseconds of the peer's clock at that report, modulo 2^32
     std::vector<EpochStats> epochs;               ///< newest last, the latest 16 at most
     Duration roundTrip{};                         ///< smoothed, zero until measured

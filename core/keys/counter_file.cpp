@@ -11,8 +11,6 @@
 
 namespace skyseal::keys {
 
-/// After an error of the disk.
-static constexpr auto kRetryAfter = std::chrono::seconds(10);
 /// Greater numbers are far beyond the last counter of the protocol. The sum of this one and a block does not overflow.
 static constexpr std::uint64_t kGreatest = std::uint64_t(1) << 62;
 
@@ -80,14 +78,75 @@ std::string StoredCounters::text() const
     return out;
 }
 
+namespace {
+
+Result<StoredCounters, InputError> readCounters(const std::string &path)
+{
+    const auto content = readFile(path, FileAccess::Trusted);
+    if (!content)
+        return tl::unexpected(content.error());
+    return StoredCounters::parse(asText(*content), path);
+}
+
+/// Merges our counters and the changes of other programs, and takes `reserve` numbers. Counters never decrease.
+Result<StoredCounters, InputError> updateCounters(const std::string &path, StoredCounters ours, std::uint64_t reserve,
+                                                  bool create)
+{
+    const auto lock = FileLock::take(path);
+    if (!lock)
+        return tl::unexpected(lock.error());
+    if (!create || fileExists(path)) {
+        const auto read = readCounters(path);
+        if (!read)
+            return tl::unexpected(read.error());
+        ours.next = std::max(ours.next, std::min(read->next, kGreatest));
+        for (const auto &[key, number] : read->seen) {
+            std::uint64_t &known = ours.seen[key];
+            known = std::max(known, number);
+        }
+    }
+    ours.next += reserve;
+    if (const auto written = replaceFile(path, asBytes(ours.text())); !written)
+        return tl::unexpected(written.error());
+    return ours;
+}
+
+} // namespace
+
+CounterDisk counterDisk(const std::string &path)
+{
+    CounterDisk disk;
+    disk.update = [path](StoredCounters ours, std::uint64_t reserve, bool create) {
+        return updateCounters(path, std::move(ours), reserve, create);
+    };
+    disk.read = [path] { return readCounters(path); };
+    disk.now = [] {
+        return TimePoint(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
+    };
+    disk.name = path;
+    return disk;
+}
+
 Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(const std::string &path, std::uint64_t first)
 {
-    std::unique_ptr<FileCounterStore> store(new FileCounterStore(path, first));
+    return open(counterDisk(path), first);
+}
+
+Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(CounterDisk disk, std::uint64_t first)
+{
+    std::unique_ptr<FileCounterStore> store(new FileCounterStore(std::move(disk), first));
     {
         std::unique_lock lock(store->m_mutex);
         store->update(lock, true);
-        if (!store->m_error.message.empty())
-            return tl::unexpected(store->m_error);
+        if (!store->m_error.message.empty()) {
+            const auto read = store->m_disk.read();
+            if (!read)
+                return tl::unexpected(store->m_error);
+            store->add(*read);
+            const std::uint64_t begin = std::max(first, std::min(read->next, kGreatest));
+            store->m_spare = {begin, begin + kBlock};
+            store->m_floor = store->m_spare.end;
+        }
     }
     store->m_writer = std::thread([opened = store.get()] { opened->run(); });
     return store;
@@ -113,6 +172,10 @@ std::optional<std::uint64_t> FileCounterStore::next()
     if (m_block.size() <= kBlock / 2 && m_spare.empty()) {
         m_wantsBlock = true;
         m_wake.notify_one();
+    }
+    if (m_block.empty() && isSlow()) {
+        m_block = {m_floor, m_floor + kBlock};
+        m_floor = m_block.end;
     }
     if (m_block.empty())
         return std::nullopt;
@@ -152,6 +215,14 @@ bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t co
     return true;
 }
 
+std::string FileCounterStore::problem() const
+{
+    const std::lock_guard lock(m_mutex);
+    if (isSlow())
+        return InputError{"the disk does not answer", m_disk.name}.text();
+    return m_error.message.empty() ? std::string() : m_error.text();
+}
+
 InputError FileCounterStore::waitUntilStored()
 {
     std::unique_lock lock(m_mutex);
@@ -174,6 +245,15 @@ void FileCounterStore::run()
     }
 }
 
+/// Takes the accepted numbers of the file.
+void FileCounterStore::add(const StoredCounters &stored)
+{
+    for (const auto &[key, number] : stored.seen) {
+        std::uint64_t &known = m_seen[key];
+        known = std::max(known, number);
+    }
+}
+
 /// Stores what is wanted. Call with the mutex locked; it is free while the disk works.
 void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
 {
@@ -181,17 +261,14 @@ void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
     const StoredCounters ours{std::min(m_floor, kGreatest), m_seen};
     m_wantsSeen = false;
     m_busy = true;
+    m_busySince = m_disk.now();
     lock.unlock();
-    const auto stored = updateFile(ours, reserve, create);
+    const auto stored = m_disk.update(ours, reserve, create);
     lock.lock();
     m_busy = false;
     m_error = stored ? InputError() : stored.error();
-    if (stored) {
-        for (const auto &[key, number] : stored->seen) {
-            std::uint64_t &known = m_seen[key];
-            known = std::max(known, number);
-        }
-    }
+    if (stored)
+        add(*stored);
     if (reserve > 0) {
         const std::uint64_t end = stored ? stored->next : ours.next + reserve;
         m_spare = {std::max(end - reserve, m_floor), end}; // the floor may have risen meanwhile
@@ -199,31 +276,6 @@ void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
         m_wantsBlock = m_spare.empty() && m_floor < kGreatest;
     }
     m_idle.notify_all();
-}
-
-/// Merges our counters and the changes of other programs, and takes `reserve` numbers. Counters never decrease.
-Result<StoredCounters, InputError> FileCounterStore::updateFile(StoredCounters ours, std::uint64_t reserve, bool create) const
-{
-    const auto lock = FileLock::take(m_path);
-    if (!lock)
-        return tl::unexpected(lock.error());
-    if (!create || fileExists(m_path)) {
-        const auto content = readFile(m_path, FileAccess::Trusted);
-        if (!content)
-            return tl::unexpected(content.error());
-        const auto read = StoredCounters::parse(asText(*content), m_path);
-        if (!read)
-            return tl::unexpected(read.error());
-        ours.next = std::max(ours.next, std::min(read->next, kGreatest));
-        for (const auto &[key, number] : read->seen) {
-            std::uint64_t &known = ours.seen[key];
-            known = std::max(known, number);
-        }
-    }
-    ours.next += reserve;
-    if (const auto written = replaceFile(m_path, asBytes(ours.text())); !written)
-        return tl::unexpected(written.error());
-    return ours;
 }
 
 } // namespace skyseal::keys

@@ -10,13 +10,16 @@
 // section 4.)
 //
 // The endpoint's thread never waits for the disk, since senders that are not authenticated make it use numbers: a thread of
-// the store reserves the next block when half of the present one is used, and stores accepted numbers after the fact.
+// the store reserves the next block when half of the present one is used, and stores accepted numbers after the fact. Where
+// the disk is full, read-only or does not answer, the store goes on in memory, says so (problem()) and tries again.
 #pragma once
 
+#include "core/base/clock.h"
 #include "core/base/result.h"
 #include "core/channel/counter_store.h"
 
 #include <condition_variable>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -36,27 +39,45 @@ struct StoredCounters
     std::string text() const;
 };
 
-/// Used by one thread, that of its endpoint. The file is touched by open(), and by the store's own thread.
+/// Access to the file, and the clock that bounds how long it may take.
+struct CounterDisk
+{
+    /// Merges `ours` into the content, reserves `reserve` numbers and returns the result. `create`: the file need not exist.
+    std::function<Result<StoredCounters, InputError>(StoredCounters ours, std::uint64_t reserve, bool create)> update;
+    std::function<Result<StoredCounters, InputError>()> read;
+    std::function<TimePoint()> now;
+    std::string name; ///< in errors
+};
+CounterDisk counterDisk(const std::string &path);
+
+/// Used by one thread, that of its endpoint. The disk is touched by open(), and by the store's own thread.
 class FileCounterStore final : public channel::CounterStore
 {
 public:
     /// Numbers that are reserved at a time.
     static constexpr std::uint64_t kBlock = 1024;
+    /// After a failure; also what is missing then is tried again.
+    static constexpr Duration kRetryAfter = std::chrono::seconds(10);
+    /// A disk that takes longer counts as failed. Longer than FileLock::kPatience.
+    static constexpr Duration kSlow = std::chrono::seconds(5);
 
     /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file is
-    /// damaged (starting over would allow replays of old first messages), cannot be written, or stays locked.
+    /// damaged (starting over would allow replays of old first messages) or cannot be created. A sound file that cannot be
+    /// written is used as it is: an agent must come up again on a disk that became read-only.
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
+    static Result<std::unique_ptr<FileCounterStore>, InputError> open(CounterDisk disk, std::uint64_t first = 1);
     /// Waits until all accepted numbers are stored, or cannot be.
     ~FileCounterStore() override;
 
-    /// Nullopt until the next block is stored. Where that fails, numbers that are not stored are used: if one repeats, the peer
-    /// just rejects the message.
+    /// Nullopt until the next block is stored. Where that fails or takes longer than kSlow, numbers that are not stored are
+    /// used: if one repeats, the peer just rejects the message.
     std::optional<std::uint64_t> next() override;
     bool skipTo(std::uint64_t counter) override;
     std::uint64_t lastSeen(const channel::PublicKey &peer) override;
     /// Returns true at once; the number is stored soon afterwards. A kill in between allows one more answer to an old first
     /// message, which comes to nothing, since only its true sender can confirm it.
     bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
+    std::string problem() const override;
 
     /// Waits until the store's thread has nothing to do, and returns the error of its last write; an empty message if it
     /// succeeded.
@@ -71,14 +92,15 @@ private:
         std::uint64_t size() const { return empty() ? 0 : end - begin; }
     };
 
-    FileCounterStore(std::string path, std::uint64_t first) : m_path(std::move(path)), m_floor(first) {}
+    FileCounterStore(CounterDisk disk, std::uint64_t first) : m_disk(std::move(disk)), m_floor(first) {}
     bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
+    bool isSlow() const { return m_busy && m_disk.now() - m_busySince >= kSlow; }
+    void add(const StoredCounters &stored);
     void run();
     void update(std::unique_lock<std::mutex> &lock, bool create = false);
-    Result<StoredCounters, InputError> updateFile(StoredCounters ours, std::uint64_t reserve, bool create) const;
 
-    const std::string m_path;
-    std::mutex m_mutex; ///< of all that follows
+    const CounterDisk m_disk;
+    mutable std::mutex m_mutex; ///< of all that follows
     std::condition_variable m_wake, m_idle;
     Block m_block;         ///< in use
     Block m_spare;         ///< in use after it
@@ -87,6 +109,7 @@ private:
     bool m_wantsBlock = true; ///< another block has to be reserved
     bool m_wantsSeen = false; ///< m_seen has to be stored
     bool m_busy = false;      ///< the file is being changed
+    TimePoint m_busySince{};
     bool m_stop = false;
     InputError m_error; ///< of the last change of the file
     std::thread m_writer;

@@ -91,7 +91,7 @@ void PeersWatchTest::changeWithoutNotification()
         write(path, "two");
     }
     EVENTUALLY(loads > 0);
-    QCOMPARE(failures, inotifyIs == Inotify::UsedUp ? 1 : 0);                       // once, not each second
+    QCOMPARE(failures, inotifyIs == Inotify::UsedUp ? 1 : 0); // once, not each second
 }
 
 void PeersWatchTest::recoveryIsReported()

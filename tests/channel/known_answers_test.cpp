@@ -389,6 +389,8 @@ void KnownAnswersTest::controlMessages()
     Report late = report;
     late.answerAtOnce = false;
     late.freshness = {.stale = 4, .ageMicroseconds = 2400000, .overtakenMilliseconds = 1000, .limitMilliseconds = 5000};
+    Report unstored = late;
+    unstored.cannotStore = true;
     const std::pair<const char *, ControlMessage> messages[] = {
         {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
         {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},
@@ -398,6 +400,7 @@ void KnownAnswersTest::controlMessages()
         {"report", report},
         {"report with costs", costly},
         {"report of an agent", late},
+        {"report of an agent that cannot store", unstored},
         {"close", Close{}},
     };
     for (const auto &[name, message] : messages) {

@@ -47,7 +47,9 @@ public:
         m_seen[peer] = counter;
         return true;
     }
+    std::string problem() const override { return trouble; }
     bool fails = false;
+    std::string trouble;         ///< reason why nothing is stored, as on a full disk
     std::uint64_t timeOfDay = 1; ///< wall clock; no result may depend on it
     /// Simulates a file that was lost, or restored from an old copy.
     void loseOwn() { m_own = 0; }

@@ -9,11 +9,15 @@
 
 #include <QtTest/QTest>
 
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 using namespace skyseal;
@@ -47,6 +51,8 @@ private Q_SLOTS:
     void refusesDamagedFiles();
     void lockedFileHoldsNothingUp();
     void survivesAFullOrReadOnlyDisk();
+    void hangingDiskHoldsNothingUp();
+    void fileThatCannotBeWrittenIsUsedAsItIs();
 
 private:
     test::TemporaryFolder m_folder;
@@ -253,6 +259,82 @@ void CounterFileTest::survivesAFullOrReadOnlyDisk()
         last = number;
     }
     QCOMPARE(store->lastSeen({}), std::uint64_t(1));
+}
+
+void CounterFileTest::hangingDiskHoldsNothingUp()
+{
+    // A disk that stops to answer after the first block, and a clock that the test moves.
+    std::mutex mutex;
+    std::condition_variable answers;
+    bool hangs = false;
+    std::atomic<std::int64_t> second = 0;
+    std::atomic<int> updates = 0;
+    CounterDisk disk;
+    disk.name = "/disk/counters";
+    disk.now = [&] { return TimePoint(std::chrono::seconds(second)); };
+    disk.read = [] { return Result<StoredCounters, InputError>(StoredCounters()); };
+    disk.update = [&](StoredCounters ours, std::uint64_t reserve, bool) {
+        ++updates;
+        std::unique_lock lock(mutex);
+        answers.wait(lock, [&] { return !hangs; });
+        ours.next += reserve;
+        return Result<StoredCounters, InputError>(std::move(ours));
+    };
+    const auto store = std::move(*FileCounterStore::open(disk));
+    std::uint64_t last = *store->next();
+    store->waitUntilStored();
+    QCOMPARE(store->problem(), std::string());
+    {
+        const std::lock_guard lock(mutex);
+        hangs = true;
+    }
+    const int before = updates;
+    QVERIFY(store->remember({}, 7)); // wakes the thread of the store
+    while (updates == before)
+        std::this_thread::yield();
+    QCOMPARE(store->problem(), std::string()); // perhaps it is just slow
+    while (const auto number = store->next()) {
+        QVERIFY(*number > last);
+        last = *number;
+    }
+    QVERIFY(!store->next());
+    second = std::chrono::duration_cast<std::chrono::seconds>(FileCounterStore::kSlow).count();
+    QCOMPARE(store->problem(), std::string("/disk/counters: the disk does not answer"));
+    for (std::uint64_t i = 0; i < 3 * FileCounterStore::kBlock; ++i) { // goes on in memory
+        const auto number = store->next();
+        QVERIFY(number && *number > last);
+        last = *number;
+    }
+    QVERIFY(store->remember({}, 8));
+    QCOMPARE(store->lastSeen({}), std::uint64_t(8));
+    {
+        const std::lock_guard lock(mutex);
+        hangs = false;
+    }
+    answers.notify_all();
+    QVERIFY(store->waitUntilStored().message.empty());
+    QCOMPARE(store->problem(), std::string());
+    const auto number = store->next();
+    QVERIFY(number && *number > last);
+}
+
+void CounterFileTest::fileThatCannotBeWrittenIsUsedAsItIs()
+{
+    StoredCounters stored;
+    stored.next = 5000;
+    stored.seen[channel::PublicKey{}] = 17;
+    CounterDisk disk;
+    disk.now = [] { return TimePoint(); };
+    disk.read = [&] { return Result<StoredCounters, InputError>(stored); };
+    disk.update = [](StoredCounters, std::uint64_t, bool) -> Result<StoredCounters, InputError> {
+        return tl::unexpected(InputError{"Read-only file system", "/disk/counters"});
+    };
+    const auto store = std::move(*FileCounterStore::open(disk));
+    QCOMPARE(store->problem(), std::string("/disk/counters: Read-only file system"));
+    QCOMPARE(store->lastSeen({}), std::uint64_t(17)); // old first messages stay refused
+    QCOMPARE(store->next(), std::optional<std::uint64_t>(5000));
+    disk.read = [] { return Result<StoredCounters, InputError>(tl::unexpected(InputError{"is damaged", "/disk/counters"})); };
+    QVERIFY(!FileCounterStore::open(disk)); // never from the beginning
 }
 
 SKYSEAL_TEST_APPLESS(CounterFileTest)

@@ -279,6 +279,26 @@ private Q_SLOTS:
         report.limitMilliseconds = 0;
         QCOMPARE(shown(6020).first, QStringLiteral("Sealed, commands are late"));
     }
+    void failingDisksAreShown()
+    {
+        auto snapshot = sealedSnapshot(40);
+        const auto shown = [&] {
+            ++snapshot.time;
+            m_station->show(snapshot);
+            return std::pair(find<QLabel>("secureTitle")->text(), find<QLabel>("secureAdvice")->text());
+        };
+        snapshot.storageProblem = "/x.counters: cannot be written: No space left on device";
+        const auto own = shown();
+        QCOMPARE(own.first, QStringLiteral("Sealed, the disk of this computer fails"));
+        QVERIFY2(own.second.contains(QStringLiteral("No space left")), qPrintable(own.second));
+        snapshot.sessions.front().stats.peerCannotStore = true; // more important
+        const auto agents = shown();
+        QCOMPARE(agents.first, QStringLiteral("Sealed, the disk of the agent fails"));
+        QVERIFY2(agents.second.contains(QStringLiteral("The link goes on")), qPrintable(agents.second));
+        snapshot.sessions.front().stats.peerCannotStore = false;
+        snapshot.storageProblem.clear();
+        QCOMPARE(shown().first, QStringLiteral("Sealed"));
+    }
     void silentSessionIsShown()
     {
         engine::Snapshot snapshot = sealedSnapshot(1);

@@ -227,6 +227,20 @@ void SecureLinkPanel::showHead(const ViewState &view)
             title = age->ignored ? tr("Sealed, commands are ignored") : tr("Sealed, commands are late");
             advice = tr("%1. %2.").arg(age->sentence, age->limits);
             color = colors.warning;
+        } else if (view.session && view.session->stats.peerCannotStore) {
+            title = tr("Sealed, the disk of the agent fails");
+            advice = tr(
+                "The vehicle's computer cannot store the counters of handshakes: its disk may be full, read-only or broken. "
+                "The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no "
+                "session comes of them.");
+            color = colors.warning;
+        } else if (!view.snapshot->storageProblem.empty()) {
+            title = tr("Sealed, the disk of this computer fails");
+            advice =
+                tr("The counters of handshakes cannot be stored: %1. The link goes on. If this program restarts now, agents "
+                   "refuse its first handshake and return the right number.")
+                    .arg(fromStd(view.snapshot->storageProblem));
+            color = colors.warning;
         }
         break;
     case Security::Switching:

@@ -142,7 +142,10 @@ AgentSnapshot AgentCore::snapshot()
     m_routes.forgetSilent(now);
     for (const FramesRefused &refused : m_gate.takeRefused())
         m_notify(refused);
+    if (const auto storage = m_storage.note(now, m_secrets->counters->problem()))
+        m_notify(*storage);
     AgentSnapshot out;
+    out.storageProblem = m_storage.problem();
     for (LinkSnapshot &link : m_links.snapshots(now))
         (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
     const metrics::SequenceCounts counts = m_fromVehicle.total();

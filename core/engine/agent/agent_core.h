@@ -117,6 +117,7 @@ private:
     ClearFrameCoalescer m_clear; ///< to the ground
     VehicleRoutes m_routes;
     GroundIdClaims m_groundIdClaims;
+    StorageWatch m_storage;
     ArmedVehicles m_armed;
     NodeHeartbeat m_node;
     metrics::SequenceTable m_fromVehicle;

@@ -4,6 +4,7 @@
 #include "core/channel/events.h"
 #include "core/channel/pairing.h"
 #include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/storage_watch.h"
 
 #include <cstdint>
 #include <string>
@@ -40,6 +41,7 @@ struct GroundIdClaimed
     std::uint8_t systemId = 0;
 };
 
-using AgentEvent = std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed>;
+using AgentEvent =
+    std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed, CounterStorage>;
 
 } // namespace skyseal::engine

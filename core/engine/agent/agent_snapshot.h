@@ -5,6 +5,7 @@
 #include "core/engine/common/totals.h"
 
 #include <cstdint>
+#include <string>
 
 namespace skyseal::engine {
 
@@ -29,6 +30,7 @@ struct AgentSnapshot
     MavlinkTotals mavlink; ///< frames received from the vehicle
     ChannelTotals channel;
     AgentCounters counters;
+    std::string storageProblem; ///< why the counters of handshakes are not stored; empty if they are
     double processCpuPercent = 0;
     std::uint64_t residentBytes = 0;
 };

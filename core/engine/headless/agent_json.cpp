@@ -54,6 +54,8 @@ std::string agentStatsEvent(std::string_view event, const AgentSnapshot &snapsho
     json.field("late_refused", snapshot.counters.lateRefused).field("ground_id_refused", snapshot.counters.groundIdRefused);
     json.field("clear_refused", snapshot.counters.clearRefused).field("undelivered", snapshot.counters.undelivered);
     json.endObject();
+    if (!snapshot.storageProblem.empty())
+        json.field("storage_problem", snapshot.storageProblem);
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
     json.endObject();
     return json.text();

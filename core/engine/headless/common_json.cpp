@@ -128,6 +128,22 @@ std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
     return endEvent(json);
 }
 
+std::string counterStorageEvent(const CounterStorage &storage)
+{
+    JsonWriter json = beginEvent("counter_storage");
+    json.field("works", storage.problem.empty());
+    if (!storage.problem.empty())
+        json.field("problem", storage.problem);
+    return endEvent(json);
+}
+
+std::string peerStorageEvent(const channel::PeerStorageChanged &change, const std::string &peer)
+{
+    JsonWriter json = beginEvent("agent_storage");
+    json.field("peer", peer).field("works", !change.failed);
+    return endEvent(json);
+}
+
 std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer)
 {
     JsonWriter json = beginEvent("commands_late");

@@ -5,6 +5,7 @@
 #include "core/base/json_writer.h"
 #include "core/channel/events.h"
 #include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/storage_watch.h"
 #include "core/engine/common/totals.h"
 
 #include <string>
@@ -27,6 +28,10 @@ std::string peerMovedEvent(const std::string &peer, const std::string &from, con
 std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
                          const std::string &fingerprint);
 std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
+/// {"event":"counter_storage","works":…}, with a "problem" if it does not work.
+std::string counterStorageEvent(const CounterStorage &storage);
+/// The same of an agent: {"event":"agent_storage","peer":…,"works":…}
+std::string peerStorageEvent(const channel::PeerStorageChanged &change, const std::string &peer);
 std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer);
 
 /// Parts of "stats" and "summary".

@@ -90,6 +90,8 @@ std::string statsEvent(std::string_view event, const Snapshot &snapshot, double 
     writeChannel(json, snapshot.channel);
     writeProcess(json, snapshot.processCpuPercent, snapshot.residentBytes);
     json.field("events_dropped", snapshot.eventsDropped);
+    if (!snapshot.storageProblem.empty())
+        json.field("storage_problem", snapshot.storageProblem);
     json.key("vehicles").beginArray();
     for (const VehicleSnapshot &vehicle : snapshot.vehicles) {
         json.beginObject();

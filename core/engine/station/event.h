@@ -4,6 +4,7 @@
 
 #include "core/channel/events.h"
 #include "core/engine/common/link_snapshot.h"
+#include "core/engine/common/storage_watch.h"
 #include "core/engine/station/unanswering_agent.h"
 #include "core/vehicle/event.h"
 
@@ -75,9 +76,10 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 {};
 
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
-                                  AgentUnanswering, RecordingProblem, EventsDropped>;
-using SessionEvent = std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending,
-                                  channel::SwitchDone, channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate>;
+                                  AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
+using SessionEvent =
+    std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending, channel::SwitchDone,
+                 channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate, channel::PeerStorageChanged>;
 /// An event of the station itself, of a vehicle or of a session.
 using Event = Joined<StationEvent, vehicle::Event, SessionEvent>::Type;
 

@@ -1,6 +1,7 @@
 #include "core/engine/station/station_core.h"
 
 #include "core/channel/endpoint.h"
+#include "core/keys/counter_file.h"
 #include "core/vehicle/request_failure.h"
 
 #include <algorithm>
@@ -213,7 +214,7 @@ void StationCore::setRecording(bool recording)
 
 std::shared_ptr<const Snapshot> StationCore::stop()
 {
-    saveSealedSystems();
+    saveSealedSystems(kNever);
     const std::shared_ptr<Snapshot> last = takeSnapshot(steadyNow());
     if (m_channel) {
         m_channel->driver.flushAll(steadyNow());
@@ -377,7 +378,11 @@ void StationCore::everySecond(TimePoint now)
     m_sender.routes().forgetSilent(now);
     m_receiver.gate().forgetSilent(now);
     m_receiver.gate().publishRefusals(now, m_sinks.event);
-    saveSealedSystems();
+    saveSealedSystems(now);
+    if (m_secrets) {
+        if (auto storage = m_storage.note(now, m_secrets->counters->problem()))
+            m_sinks.event(std::move(*storage));
+    }
     if (m_channel) {
         m_channel->driver.roll(now);
         if (isSealing()) {
@@ -400,15 +405,18 @@ void StationCore::publishUnanswering(TimePoint now)
 }
 
 /// Stores as which systems the peers were heard, if that has changed.
-void StationCore::saveSealedSystems()
+void StationCore::saveSealedSystems(TimePoint now)
 {
     const SealedSystems &heard = m_receiver.gate().policy().sealedSystems();
-    if (!m_secrets || m_secrets->paths.peers.empty() || heard == m_secrets->sealedSystems)
+    if (!m_secrets || m_secrets->paths.peers.empty() || heard == m_secrets->sealedSystems || now < m_saveSystemsAgain)
         return;
-    m_secrets->sealedSystems = heard;
     const std::string file = sealedSystemsFile(m_secrets->paths);
-    if (const auto written = writeSealedSystems(file, heard); !written)
+    const auto written = writeSealedSystems(file, heard);
+    if (written)
+        m_secrets->sealedSystems = heard;
+    else if (m_saveSystemsAgain == TimePoint::min())
         m_sinks.event(RecordingProblem{file, written.error().message}); // still in force for this run
+    m_saveSystemsAgain = written || now == kNever ? TimePoint::min() : now + keys::FileCounterStore::kRetryAfter;
 }
 
 SnapshotSources StationCore::sources()
@@ -421,6 +429,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
     auto out = buildSnapshot(sources(), now, m_measuring);
     out->number = m_pace.takeNumber();
     out->time = seconds(now - m_start);
+    out->storageProblem = m_storage.problem();
     if (m_sinks.eventsDropped)
         out->eventsDropped = m_sinks.eventsDropped();
     return out;

@@ -108,7 +108,7 @@ private:
     void handleSessionDown(TimePoint now, const channel::SessionDown &down);
     void publishUnanswering(TimePoint now);
     void applyPolicy();
-    void saveSealedSystems();
+    void saveSealedSystems(TimePoint now);
     bool isClearAllowed() const { return m_settings.mode() != SecureMode::Required; }
     bool isSealing() const { return m_channel && !m_settings.isPlain(); }
     SnapshotSources sources();
@@ -127,6 +127,8 @@ private:
     StationReceiver m_receiver;
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
+    StorageWatch m_storage;
+    TimePoint m_saveSystemsAgain = TimePoint::min(); ///< after a failure
     TimePoint m_start;
     QuarterClock m_quarters;
     bool m_measuring = false;

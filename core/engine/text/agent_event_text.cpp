@@ -85,6 +85,16 @@ public:
                                     "station: not accepted; an autopilot needs another id");
         return {sentence.arg(e.systemId), std::uint8_t(mavlink::MAV_SEVERITY_ALERT)};
     }
+    EventText operator()(const CounterStorage &e) const
+    {
+        if (e.problem.empty())
+            return {tr("The counters of handshakes are stored again"), std::uint8_t(mavlink::MAV_SEVERITY_NOTICE)};
+        return {
+            tr("The counters of handshakes cannot be stored: %1. The links go on. If this agent restarts now, it will answer "
+               "handshakes that were recorded before; no session comes of them")
+                .arg(qt(e.problem)),
+            std::uint8_t(mavlink::MAV_SEVERITY_ERROR)};
+    }
 
 private:
     static QString sentenceFor(FramesRefused::Reason reason)

@@ -111,6 +111,18 @@ public:
     {
         return text.systemId == 0 ? text.sentence : tr("Vehicle %1: %2").arg(text.systemId).arg(text.sentence);
     }
+    EventText operator()(const channel::PeerStorageChanged &e) const
+    {
+        if (!e.failed)
+            return {tr("The computer of %1 stores the counters of handshakes again").arg(peer(e.session)),
+                    mavlink::MAV_SEVERITY_NOTICE};
+        return {
+            tr("The computer of %1 cannot store the counters of handshakes; its disk may be full, read-only or broken. The "
+               "link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session "
+               "comes of them")
+                .arg(peer(e.session)),
+            kError};
+    }
 
 private:
     QString peer(channel::SessionId session) const

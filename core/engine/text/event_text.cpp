@@ -59,11 +59,12 @@ public:
     {
         const QString peer = qt(e.peer), owner = qt(e.owner);
         if (e.owner.empty())
-            return {tr("Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in "
-                       "the list of peers")
-                        .arg(e.frames)
-                        .arg(peer),
-                    kError, e.systemId};
+            return {
+                tr("Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in "
+                   "the list of peers")
+                    .arg(e.frames)
+                    .arg(peer),
+                kError, e.systemId};
         return {tr("Refused %1 frames of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of "
                    "the same vehicle, remove %3 from the list of peers or bind the system to %2")
                     .arg(e.frames)
@@ -86,6 +87,16 @@ public:
     EventText operator()(const EventsDropped &e) const
     {
         return {tr("Dropped %1 events because this program did not keep up").arg(e.events), kWarning};
+    }
+    EventText operator()(const CounterStorage &e) const
+    {
+        if (e.problem.empty())
+            return {tr("The counters of handshakes are stored again"), kNotice};
+        return {
+            tr("The counters of handshakes cannot be stored: %1. The links go on. If this station restarts now, agents refuse "
+               "its first handshake and return the right number")
+                .arg(qt(e.problem)),
+            kError};
     }
     EventText operator()(const vehicle::MissionResult &e) const
     {

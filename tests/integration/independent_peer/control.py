@@ -9,7 +9,7 @@ REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "pl
 FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
 COST_NUMBERS = ("cpu_us", "resident_bytes", "opened", "open_ns", "sealed", "seal_ns")  # likewise
 FRESHNESS_NUMBERS = ("stale", "age_us", "overtaken_limit_ms", "age_limit_ms")  # likewise, of an agent
-ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS, TELLS_FRESHNESS = 1, 2, 4, 8, 16
+ANSWER_AT_ONCE, COUNTS_FRAMES, ASKS_COSTS, TELLS_COSTS, TELLS_FRESHNESS, CANNOT_STORE = 1, 2, 4, 8, 16, 32
 
 
 class Malformed(Exception):

@@ -180,6 +180,8 @@ def _control_messages(inputs, out):
                 "report": control.Report(1, 1000001, 999001, 250, numbers).pack(),
                 "report with costs": control.Report(14, 1000001, 999001, 250, more).pack(),
                 "report of an agent": control.Report(16, 1000001, 999001, 250, late).pack(),
+                "report of an agent that cannot store": control.Report(control.TELLS_FRESHNESS | control.CANNOT_STORE, 1000001,
+                                                                        999001, 250, late).pack(),
                 "stamped frame": freshness.stamp(123456789) + out["frame"],
                 "close": control.Close().pack()})
     assert all(control.unpack(out[name]).pack() == out[name] for name in ("propose", "report", "report with costs", "report of an agent",
