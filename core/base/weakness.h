@@ -30,7 +30,8 @@ enum class Weakness : std::uint8_t {
     NoAgeLimit,       ///< a record commands, however old it may be
     CommandsAfterClose, ///< a record commands although the peer has closed the session
     // switch
-    CommitEarly, ///< the responder sends under the next epoch as soon as it has accepted
+    NoSwitchExchange, ///< the keys of the next epoch follow from those of the present one
+    CommitEarly,      ///< the responder sends under the next epoch as soon as it has accepted
     // handshake
     NoMac1,             ///< mac1 is not checked
     NoHandshakeTag,     ///< Noise payloads and static keys are not authenticated

@@ -94,13 +94,13 @@ struct Writer
         id(m.id);
         epoch(m.epoch);
         out.u8(static_cast<std::uint8_t>(m.suite));
-        out.bytes(m.nonce);
+        out.bytes(m.key);
     }
     void operator()(const Accept &m) const
     {
         type(Type::Accept);
         id(m.id);
-        out.bytes(m.nonce);
+        out.bytes(m.key);
     }
     void operator()(const Refuse &m) const
     {
@@ -138,10 +138,10 @@ struct Writer
     void operator()(const Close &) const { type(Type::Close); }
 };
 
-void readNonce(ByteReader &in, EpochNonce &nonce)
+void readKey(ByteReader &in, crypto::PublicKey &key)
 {
-    const ByteView raw = in.bytes(nonce.size());
-    std::copy(raw.begin(), raw.end(), nonce.begin());
+    const ByteView raw = in.bytes(key.size());
+    std::copy(raw.begin(), raw.end(), key.begin());
 }
 
 std::optional<Report> readReport(ByteReader &in)
@@ -175,7 +175,7 @@ std::optional<ControlMessage> readBody(Type type, ByteReader &in)
         m.id = ProposalId{in.u32()};
         m.epoch = Epoch{in.u32()};
         const auto suite = crypto::suiteFromNumber(in.u8());
-        readNonce(in, m.nonce);
+        readKey(in, m.key);
         if (!suite)
             return std::nullopt;
         m.suite = *suite;
@@ -184,7 +184,7 @@ std::optional<ControlMessage> readBody(Type type, ByteReader &in)
     case Type::Accept: {
         Accept m;
         m.id = ProposalId{in.u32()};
-        readNonce(in, m.nonce);
+        readKey(in, m.key);
         return m;
     }
     case Type::Refuse: return Refuse{ProposalId{in.u32()}};

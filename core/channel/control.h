@@ -6,15 +6,13 @@
 #include "core/base/bytes.h"
 #include "core/channel/stats.h"
 #include "core/crypto/suite.h"
+#include "core/crypto/x25519.h"
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <variant>
 
 namespace skyseal::channel {
-
-using EpochNonce = std::array<std::uint8_t, 16>;
 
 /// Number of a proposal, growing per session and proposer. An older proposal is void.
 enum class ProposalId : std::uint32_t {};
@@ -25,14 +23,14 @@ struct Propose
     ProposalId id{};
     Epoch epoch{};
     crypto::SuiteId suite{};
-    EpochNonce nonce{};
+    crypto::PublicKey key{}; ///< fresh, the same in each copy
 };
 
 /// The sender has the read keys of the proposed epoch. The same answer to each copy of the proposal.
 struct Accept
 {
     ProposalId id{};
-    EpochNonce nonce{};
+    crypto::PublicKey key{};
 };
 
 struct Refuse

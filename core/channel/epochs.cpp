@@ -36,12 +36,23 @@ LiveEpoch *Epochs::byLowByte(std::uint8_t lowByte)
     return epoch && static_cast<std::uint8_t>(epoch->number) == lowByte ? epoch : nullptr;
 }
 
-bool Epochs::prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer)
+void Epochs::begin(crypto::SuiteId suite)
+{
+    if (install(Epoch{0}, suite, m_chain.begin(suite)))
+        advance();
+}
+
+bool Epochs::prepareNext(crypto::SuiteId suite, const SwitchSecret &exchanged)
+{
+    const Epoch number{static_cast<std::uint32_t>(m_current->number) + 1};
+    return install(number, suite, m_chain.advance(number, suite, exchanged));
+}
+
+bool Epochs::install(Epoch number, crypto::SuiteId suite, EpochSecrets secrets)
 {
     LiveEpoch epoch;
-    epoch.number = m_current ? Epoch{static_cast<std::uint32_t>(m_current->number) + 1} : Epoch{0};
+    epoch.number = number;
     epoch.suite = suite;
-    EpochSecrets secrets = m_chain.derive(epoch.number, suite, proposal, answer);
     Key32 &ours = m_initiator ? secrets.fromInitiator : secrets.fromResponder;
     Key32 &theirs = m_initiator ? secrets.fromResponder : secrets.fromInitiator;
     if (m_withInline) {

@@ -56,9 +56,11 @@ public:
     LiveEpoch *byLowByte(std::uint8_t lowByte);
     bool isNext(const LiveEpoch &epoch) const { return &epoch == m_next.get(); }
 
-    /// Derives the keys of the epoch after the current one (epoch 0 if there is none), in place of one prepared before. Returns
-    /// false, and changes nothing, if this machine lacks the cipher. Nonces are zero for epoch 0.
-    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer);
+    /// Begins epoch 0. Without effect if this machine lacks the cipher.
+    void begin(crypto::SuiteId suite);
+    /// Derives the keys of the epoch after the current one, in place of one prepared before. Returns false, and changes nothing,
+    /// if this machine lacks the cipher.
+    bool prepareNext(crypto::SuiteId suite, const SwitchSecret &exchanged);
     void dropNext();
     /// The next epoch becomes the current one and the current one the previous; wipes the keys of the former previous one.
     /// Precondition: prepareNext() succeeded.
@@ -75,6 +77,8 @@ public:
     std::vector<EpochStats> history() const;
 
 private:
+    bool install(Epoch number, crypto::SuiteId suite, EpochSecrets secrets);
+
     struct Retired
     {
         EpochStats stats;

@@ -23,7 +23,20 @@ KeyChain::KeyChain(const Key32 &fromInitiator, const Key32 &fromResponder, ByteV
     : m_secret(extract(fromInitiator, fromResponder, handshakeHash))
 {}
 
-EpochSecrets KeyChain::derive(Epoch epoch, crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) const
+EpochSecrets KeyChain::begin(crypto::SuiteId suite) const
+{
+    return derive(m_secret, Epoch{0}, suite, {}, {});
+}
+
+EpochSecrets KeyChain::advance(Epoch epoch, crypto::SuiteId suite, const SwitchSecret &exchanged) const
+{
+    const bool mixed = !weakened(Weakness::SameKeysEveryEpoch) && !weakened(Weakness::NoSwitchExchange);
+    const Key32 chain = mixed ? crypto::hkdfExtractSha256(m_secret.view(), exchanged.shared.view()) : m_secret.clone();
+    return derive(chain, epoch, suite, exchanged.proposer, exchanged.answerer);
+}
+
+EpochSecrets KeyChain::derive(const Key32 &chain, Epoch epoch, crypto::SuiteId suite, const crypto::PublicKey &proposer,
+                              const crypto::PublicKey &answerer)
 {
     const auto expand = [&](std::string_view use) {
         std::array<std::uint8_t, 96> info;
@@ -31,15 +44,15 @@ EpochSecrets KeyChain::derive(Epoch epoch, crypto::SuiteId suite, const EpochNon
         writer.bytes(asBytes("skyseal v1 epoch "));
         writer.bytes(asBytes(use));
         if (weakened(Weakness::SameKeysEveryEpoch))
-            return crypto::hkdfExpandKey(m_secret, writer.written());
+            return crypto::hkdfExpandKey(chain, writer.written());
         writer.u32(static_cast<std::uint32_t>(epoch));
         writer.u8(static_cast<std::uint8_t>(suite));
-        writer.bytes(proposal);
-        writer.bytes(answer);
-        return crypto::hkdfExpandKey(m_secret, writer.written());
+        writer.bytes(proposer);
+        writer.bytes(answerer);
+        return crypto::hkdfExpandKey(chain, writer.written());
     };
     return {expand("initiator"), expand(weakened(Weakness::NoDirections) ? "initiator" : "responder"),
-            weakened(Weakness::SameKeysEveryEpoch) ? KeyChain(m_secret.clone()) : KeyChain(expand("next"))};
+            weakened(Weakness::SameKeysEveryEpoch) ? KeyChain(chain.clone()) : KeyChain(expand("next"))};
 }
 
 } // namespace skyseal::channel

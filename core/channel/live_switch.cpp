@@ -72,10 +72,10 @@ void LiveSwitch::proposeIfReady(TimePoint now, SwitchActions &actions)
         m_own->proposed = true;
         m_own->from = actions.currentSuite();
         m_own->epoch = after(actions.currentEpoch());
-        m_own->nonce = actions.freshNonce();
+        m_own->key = actions.makeProposalKey();
     }
     m_own->repeatAt = now + std::max(m_timing.switchRetry, actions.answerTime());
-    actions.send(now, Propose{m_own->id, m_own->epoch, m_own->to, m_own->nonce});
+    actions.send(now, Propose{m_own->id, m_own->epoch, m_own->to, m_own->key});
 }
 
 void LiveSwitch::handle(TimePoint now, const ControlMessage &message, SwitchActions &actions)
@@ -107,23 +107,28 @@ void LiveSwitch::handle(TimePoint now, const Propose &message, SwitchActions &ac
     if (allowed && (!m_settled || !actions.previousDispensable(now)))
         return; // The peer repeats it until the last switch is settled.
 
+    crypto::PublicKey answer{};
+    const NextEpoch next = allowed ? actions.answerProposal(now, message, answer) : NextEpoch::NoCipher;
+    if (next == NextEpoch::Ignored)
+        return;
     m_newestOfPeer = message.id;
-    m_refusedNewest = !allowed;
+    m_refusedNewest = next == NextEpoch::NoCipher;
     if (m_own && m_own->proposed)
         finishOwn(now, SwitchFailure::Superseded, actions);
     if (m_theirs) { // The peer has given it up, or it would not propose the same epoch again.
         if (!m_theirs->failureNotified)
             notifyDone(now, *m_theirs, true, SwitchFailure::Superseded, actions);
         m_theirs.reset();
-        actions.dropNext();
+        if (m_refusedNewest)
+            actions.dropNext();
     }
-    if (allowed)
-        accept(now, message, actions);
-    else
+    if (m_refusedNewest)
         actions.send(now, Refuse{message.id});
+    else
+        accept(now, message, answer, actions);
 }
 
-void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &actions)
+void LiveSwitch::accept(TimePoint now, const Propose &message, const crypto::PublicKey &answer, SwitchActions &actions)
 {
     Theirs theirs;
     theirs.id = message.id;
@@ -132,11 +137,7 @@ void LiveSwitch::accept(TimePoint now, const Propose &message, SwitchActions &ac
     theirs.epoch = message.epoch;
     theirs.rekey = theirs.from == theirs.to;
     theirs.since = now;
-    theirs.answer = actions.freshNonce();
-    if (!actions.prepareNext(message.suite, message.nonce, theirs.answer)) {
-        m_refusedNewest = true;
-        return actions.send(now, Refuse{message.id});
-    }
+    theirs.answer = answer;
     m_theirs = theirs;
     notifyPending(theirs, true, actions);
     actions.send(now, Accept{message.id, theirs.answer});
@@ -148,9 +149,12 @@ void LiveSwitch::handle(TimePoint now, const Accept &message, SwitchActions &act
 {
     if (!m_own || !m_own->proposed || m_own->id != message.id)
         return;
+    const NextEpoch next = actions.takeAnswer(now, m_own->to, message.key);
+    if (next == NextEpoch::Ignored)
+        return;
     // The peer has given up its own proposal: it would not have accepted ours if it had committed.
     m_theirs.reset();
-    if (!actions.prepareNext(m_own->to, m_own->nonce, message.nonce)) {
+    if (next == NextEpoch::NoCipher) {
         actions.dropNext();
         return finishOwn(now, SwitchFailure::NotAllowedHere, actions);
     }
@@ -233,6 +237,7 @@ void LiveSwitch::finishOwn(TimePoint now, SwitchFailure failure, SwitchActions &
 {
     const Own own = *m_own;
     m_own.reset();
+    actions.dropProposalKey();
     notifyDone(now, own, false, failure, actions);
 }
 

@@ -22,6 +22,13 @@
 
 namespace skyseal::channel {
 
+/// Result of deriving the keys of the next epoch.
+enum class NextEpoch : std::uint8_t {
+    Prepared, ///< its read keys are installed, in place of others
+    NoCipher, ///< this machine lacks the cipher
+    Ignored   ///< the peer's key is of small order, or the peer asks for too many computations
+};
+
 /// Actions and state of the session that its switch needs.
 class SwitchActions
 {
@@ -35,11 +42,16 @@ public:
     virtual bool previousDispensable(TimePoint now) const = 0;
     /// Shortest time in which an answer can arrive.
     virtual Duration answerTime() const = 0;
-    virtual EpochNonce freshNonce() = 0;
+    /// Makes the key pair of a proposal, in place of an earlier one. Returns the public key.
+    virtual crypto::PublicKey makeProposalKey() = 0;
+    /// The proposal was answered or given up: wipes its private key.
+    virtual void dropProposalKey() = 0;
     virtual void send(TimePoint now, const ControlMessage &message) = 0;
-    /// Derives the keys of the epoch after the current one and installs the read keys, in place of prepared ones. Returns false,
-    /// and changes nothing, if this machine lacks the cipher.
-    virtual bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) = 0;
+    /// Derives the epoch after the current one from the peer's proposal and a fresh key, and sets `answer` to its public key.
+    /// Changes nothing unless the result is Prepared.
+    virtual NextEpoch answerProposal(TimePoint now, const Propose &message, crypto::PublicKey &answer) = 0;
+    /// The same from the answer to this end's proposal.
+    virtual NextEpoch takeAnswer(TimePoint now, crypto::SuiteId suite, const crypto::PublicKey &answer) = 0;
     virtual void dropNext() = 0;
     /// The prepared epoch becomes the current one, for sending, too.
     virtual void commitNext(TimePoint now) = 0;
@@ -89,12 +101,12 @@ private:
     struct Own : Switch
     {
         bool proposed = false; ///< false: waits until the last switch is settled
-        EpochNonce nonce{};
+        crypto::PublicKey key{};
         TimePoint repeatAt{};
     };
     struct Theirs : Switch
     {
-        EpochNonce answer{};
+        crypto::PublicKey answer{};
         bool failureNotified = false; ///< the owner was notified of a failure, but the proposer may have committed
     };
     struct Confirming
@@ -105,7 +117,7 @@ private:
     };
 
     void proposeIfReady(TimePoint now, SwitchActions &actions);
-    void accept(TimePoint now, const Propose &message, SwitchActions &actions);
+    void accept(TimePoint now, const Propose &message, const crypto::PublicKey &answer, SwitchActions &actions);
     void finishOwn(TimePoint now, SwitchFailure failure, SwitchActions &actions);
     void notifyPending(const Switch &s, bool byPeer, SwitchActions &actions) const;
     void notifyDone(TimePoint now, const Switch &s, bool byPeer, SwitchFailure failure, SwitchActions &actions) const;

@@ -38,8 +38,7 @@ Session::Session(SessionSetup setup, SessionContext &context, TimePoint now)
       m_forgeries(now), m_keepAlives(kLeastInterval, now), m_reportRequests(kLeastInterval, now),
       m_freshness(context.freshness, !m_identity.initiator), m_lastReceived(now)
 {
-    if (m_epochs.prepareNext(setup.suite, {}, {}))
-        m_epochs.advance();
+    m_epochs.begin(setup.suite);
 }
 
 // ---- query
@@ -445,11 +444,6 @@ void Session::handleReport(TimePoint now, const Path &from, RecordPosition posit
 
 // ---- switch
 
-void Session::switchSuite(TimePoint now, crypto::SuiteId suite)
-{
-    m_switch.request(now, suite, suite == currentSuite(), *this);
-}
-
 void Session::policyChanged(TimePoint now)
 {
     const auto suites = m_permissions.suites();
@@ -469,11 +463,23 @@ bool Session::previousDispensable(TimePoint now) const
     return !previous || m_handover.complete(now, previous->window.missing(), roundTrip());
 }
 
-EpochNonce Session::freshNonce()
+NextEpoch Session::answerProposal(TimePoint now, const Propose &message, crypto::PublicKey &answer)
 {
-    EpochNonce nonce;
-    m_context.random.fill(nonce);
-    return nonce;
+    if (!m_exchange.mayCompute(now))
+        return NextEpoch::Ignored;
+    const auto exchanged = EpochExchange::answer(message.key, m_context.random);
+    if (exchanged)
+        answer = exchanged->answerer;
+    return prepareNext(message.suite, exchanged);
+}
+
+NextEpoch Session::prepareNext(crypto::SuiteId suite, const std::optional<SwitchSecret> &exchanged)
+{
+    if (!exchanged) {
+        countMalformed();
+        return NextEpoch::Ignored;
+    }
+    return m_epochs.prepareNext(suite, *exchanged) ? NextEpoch::Prepared : NextEpoch::NoCipher;
 }
 
 void Session::commitNext(TimePoint now)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/channel/delivery.h"
+#include "core/channel/epoch_exchange.h"
 #include "core/channel/epoch_handover.h"
 #include "core/channel/epochs.h"
 #include "core/channel/forgery_counter.h"
@@ -95,7 +96,7 @@ public:
     // command
     Sealed seal(TimePoint now, ByteView plaintext, MutableByteView out);
     Sealed sealInline(TimePoint now, ByteView frame, MutableByteView out);
-    void switchSuite(TimePoint now, crypto::SuiteId suite);
+    void switchSuite(TimePoint now, crypto::SuiteId suite) { m_switch.request(now, suite, suite == currentSuite(), *this); }
     void rekey(TimePoint now) { m_switch.request(now, currentSuite(), true, *this); }
     /// On a serial carrier: until then records carry the connection id, since the peer may already have a newer session.
     void nameRecordsUntil(TimePoint until) { m_namedUntil = until; }
@@ -116,11 +117,13 @@ private:
     bool permittedByPeer(crypto::SuiteId suite) const override { return m_permissions.permits(suite); }
     bool previousDispensable(TimePoint now) const override;
     Duration answerTime() const override { return roundTrip().smoothed(); }
-    EpochNonce freshNonce() override;
+    crypto::PublicKey makeProposalKey() override { return m_exchange.propose(m_context.random); }
+    void dropProposalKey() override { m_exchange.drop(); }
     void send(TimePoint now, const ControlMessage &message) override;
-    bool prepareNext(crypto::SuiteId suite, const EpochNonce &proposal, const EpochNonce &answer) override
+    NextEpoch answerProposal(TimePoint now, const Propose &message, crypto::PublicKey &answer) override;
+    NextEpoch takeAnswer(TimePoint now, crypto::SuiteId suite, const crypto::PublicKey &answer) override
     {
-        return m_epochs.prepareNext(suite, proposal, answer);
+        return m_exchange.mayCompute(now) ? prepareNext(suite, m_exchange.finish(answer)) : NextEpoch::Ignored;
     }
     void dropNext() override { m_epochs.dropNext(); }
     void commitNext(TimePoint now) override;
@@ -129,6 +132,7 @@ private:
     void notify(const Event &event) override { m_context.events.push_back(event); }
 
     const RoundTrip &roundTrip() const { return m_reports.roundTrip(); }
+    NextEpoch prepareNext(crypto::SuiteId suite, const std::optional<SwitchSecret> &exchanged);
     DatagramKind kindFor(TimePoint now, ByteView plaintext) const;
     Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
     void deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery);
@@ -152,6 +156,7 @@ private:
     SessionContext &m_context;
     Permissions m_permissions;
     Epochs m_epochs;
+    EpochExchange m_exchange;
     EpochHandover m_handover;
     LiveSwitch m_switch;
     RekeySchedule m_rekeys;

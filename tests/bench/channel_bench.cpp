@@ -4,8 +4,11 @@
 #include "record_sizes.h"
 
 #include "core/channel/cookie.h"
+#include "core/channel/epoch_exchange.h"
+#include "core/channel/epochs.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/system_random.h"
 #include "core/experiment/bare_calls.h"
 
 #include <benchmark/benchmark.h>
@@ -205,6 +208,26 @@ void refuseFlood(benchmark::State &state, FloodOf what)
         state.SkipWithError("not what was meant to be measured");
 }
 
+/// The keys of a switch at both ends: key pairs, Diffie-Hellman, chain, ciphers of both directions.
+void switchEpochs(benchmark::State &state, SuiteId suite)
+{
+    crypto::SystemRandom random;
+    const Key32 one, two;
+    const Bytes hash(64, 3);
+    Epochs proposer(KeyChain(one, two, hash), true, false), answerer(KeyChain(one, two, hash), false, false);
+    proposer.begin(suite);
+    answerer.begin(suite);
+    EpochExchange exchange;
+    for (auto _ : state) {
+        const auto answered = EpochExchange::answer(exchange.propose(random), random);
+        answerer.prepareNext(suite, *answered);
+        proposer.prepareNext(suite, *exchange.finish(answered->answerer));
+        exchange.drop();
+        answerer.advance();
+        proposer.advance();
+    }
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -214,6 +237,7 @@ int main(int argc, char **argv)
     for (const auto &info : crypto::suites()) {
         if (info.id == SuiteId::None || !crypto::suiteAvailable(info.id))
             continue;
+        benchmark::RegisterBenchmark(("switch_both_ends/" + std::string(info.name)).c_str(), switchEpochs, info.id);
         for (const std::size_t size : kSizes) {
             const auto bytes = static_cast<std::int64_t>(size);
             const std::string name(info.name);

@@ -91,7 +91,7 @@ void AttackKeyTest::directionsHaveSeparateKeys()
     QFETCH(int, suite);
     const auto id = static_cast<SuiteId>(suite);
     const KeyChain chain(m_secret, m_secret, asBytes("a handshake's hash"));
-    EpochSecrets secrets = chain.derive(Epoch{0}, id, {}, {});
+    EpochSecrets secrets = chain.begin(id);
     const auto initiators = makeRecordCipher(id, std::move(secrets.fromInitiator));
     const auto responders = makeRecordCipher(id, std::move(secrets.fromResponder));
     Bytes record(m_frame.size() + kMaxRecordOverhead);

@@ -7,9 +7,10 @@
 #include "core/crypto/record_keys.h"
 #include "inline_pair.h"
 #include "process_image.h"
-#include "reconstruction.h"
+#include "stolen_session.h"
 #include "tests/support/test_runner.h"
 
+#include <functional>
 #include <memory>
 
 #include <sys/wait.h>
@@ -26,38 +27,18 @@ struct Secret
     bool livesWithTheEpoch = false; ///< otherwise it must be gone as soon as the session is up
 };
 
-/// Whose public key is `wanted`, among all runs of 32 bytes that a seed gives.
-crypto::X25519KeyPair ephemeralWith(const crypto::PublicKey &wanted, const Bytes &stream)
-{
-    for (std::size_t at = 0; at + 32 <= stream.size(); ++at) {
-        auto pair = crypto::X25519KeyPair::fromSecret(Key32(ByteView(stream).subspan(at).first<32>()));
-        if (pair.publicKey == wanted)
-            return pair;
-    }
-    qFatal("the seed does not give this key");
-}
+/// Hands a secret to the process that searches its memory.
+using WriteSecret = std::function<void(const char *name, ByteView secret, bool lives)>;
 
-/// In the forked process: writes one line for each secret.
-void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
+/// In the forked process: all secrets of a handshake and of epoch 0.
+void writeSessionSecrets(const WriteSecret &write, const Pair &pair, const Tap &tap, SuiteId suite)
 {
-    const Bytes first = tap.ofKind(0x59).at(0).bytes, answer = tap.ofKind(0x5a).at(0).bytes;
-    Bytes stream(4096);
-    SeededRandom(kAttackSeed).fill(stream);
-    const auto e = Reconstruction::asKey(ByteView(first).subspan(1, 32)),
-               re = Reconstruction::asKey(ByteView(answer).subspan(3, 32));
-    const auto stations = ephemeralWith(e, stream), agents = ephemeralWith(re, stream);
+    const StolenSession stolen(pair, tap, kAttackSeed, suite);
+    const auto e = Reconstruction::asKey(ByteView(tap.ofKind(0x59).at(0).bytes).subspan(1, 32)),
+               re = Reconstruction::asKey(ByteView(tap.ofKind(0x5a).at(0).bytes).subspan(3, 32));
+    const auto stations = stolen.keyPairOf(e), agents = stolen.keyPairOf(re);
     const auto shared = crypto::x25519(stations.secret, re);
-    const auto &ends = pair.ends;
-    const auto session = Reconstruction(*ends[Ground].identity, *ends[Air].identity, first, answer).withGuess(shared->clone());
-    if (!session)
-        qFatal("the handshake cannot be reconstructed");
-    const auto write = [&](const char *name, ByteView secret, bool lives) {
-        const Bytes bytes = masked(secret);
-        const QByteArray line = QByteArray(name) + ' ' + (lives ? '1' : '0') + ' '
-            + QByteArray(reinterpret_cast<const char *>(bytes.data()), static_cast<int>(bytes.size())).toHex() + '\n';
-        if (::write(out, line.constData(), static_cast<std::size_t>(line.size())) != line.size())
-            qFatal("the pipe is full");
-    };
+    const RevealedSession &session = stolen.revealed();
     // Without the first and the last byte, which X25519 changes in its own copy.
     write("station's-ephemeral", ByteView(stations.secret.view()).subspan(1, 30), false);
     write("agent's-ephemeral", ByteView(agents.secret.view()).subspan(1, 30), false);
@@ -71,12 +52,13 @@ void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
         write((QByteArray(name) + "-outer").constData(), ByteView(states).last(32), lives);
     };
     write("shared-secret", shared->view(), false);
-    write("transport-key-1", session->initiators.view(), false);
-    write("transport-key-2", session->responders.view(), false);
-    const Key32 chain = session->chain();
+    write("transport-key-1", session.initiators.view(), false);
+    write("transport-key-2", session.responders.view(), false);
+    const Key32 chain = session.chain();
     write("chain", chain.view(), false); // its successor has taken its place
     writeStates("chain", chain, false);
-    const auto epoch = session->epochZero(suite);
+    write("next-chain", session.next(suite).view(), true);
+    const EpochSecrets &epoch = stolen.epoch();
     for (const Key32 *direction : {&epoch.fromInitiator, &epoch.fromResponder}) {
         write("direction-secret", direction->view(), false);
         writeStates("direction-secret", *direction, false);
@@ -94,14 +76,39 @@ void computeSecrets(int out, const Pair &pair, const Tap &tap, SuiteId suite)
     }
 }
 
-std::vector<Secret> secretsOf(const Pair &pair, const Tap &tap, SuiteId suite)
+/// In the forked process: the secrets of the switch to epoch 1.
+void writeSwitchSecrets(const WriteSecret &write, const Pair &pair, const Tap &tap, SuiteId suite)
+{
+    const StolenSession stolen(pair, tap, kAttackSeed, suite);
+    const auto proposal = stolen.newest<Propose>(tap.flights);
+    const auto acceptance = stolen.newest<Accept>(tap.flights);
+    if (!proposal || !acceptance)
+        qFatal("there was no switch");
+    const auto proposers = stolen.keyPairOf(proposal->key), answerers = stolen.keyPairOf(acceptance->key);
+    write("proposer's-key", ByteView(proposers.secret.view()).subspan(1, 30), false);
+    write("answerer's-key", ByteView(answerers.secret.view()).subspan(1, 30), false);
+    const auto shared = crypto::x25519(proposers.secret, acceptance->key);
+    write("shared-secret", shared->view(), false);
+    const Key32 next = stolen.revealed().next(suite);
+    write("next-chain", next.view(), false);
+    write("chain", crypto::hkdfExtractSha256(next.view(), shared->view()).view(), false);
+}
+
+/// Runs `compute` in a forked process, so that the secrets do not get into the memory of this one.
+std::vector<Secret> secretsOf(const std::function<void(const WriteSecret &)> &compute)
 {
     int ends[2];
     if (::pipe(ends) != 0)
         qFatal("no pipe");
     const pid_t child = ::fork();
     if (child == 0) {
-        computeSecrets(ends[1], pair, tap, suite);
+        compute([&](const char *name, ByteView secret, bool lives) {
+            const Bytes bytes = masked(secret);
+            const QByteArray line = QByteArray(name) + ' ' + (lives ? '1' : '0') + ' '
+                + QByteArray(reinterpret_cast<const char *>(bytes.data()), static_cast<int>(bytes.size())).toHex() + '\n';
+            if (::write(ends[1], line.constData(), static_cast<std::size_t>(line.size())) != line.size())
+                qFatal("the pipe is full");
+        });
         ::_exit(0);
     }
     ::close(ends[1]);
@@ -146,6 +153,8 @@ private Q_SLOTS:
     void searchFindsAPlantedCopy();
     void deadSecretsAreGone_data();
     void deadSecretsAreGone();
+    void switchSecretsAreGone();
+    void stolenChainOpensNoLaterEpoch();
 };
 
 void AttackMemoryTest::searchFindsAPlantedCopy()
@@ -187,8 +196,9 @@ void AttackMemoryTest::deadSecretsAreGone()
     });
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(2s);
-    const auto secrets = secretsOf(pair, tap, static_cast<SuiteId>(suite));
-    QCOMPARE(secrets.size(), crypto::mayBeInline(static_cast<SuiteId>(suite)) ? std::size_t(34) : std::size_t(24));
+    const auto secrets = secretsOf(
+        [&](const WriteSecret &write) { writeSessionSecrets(write, pair, tap, static_cast<SuiteId>(suite)); });
+    QCOMPARE(secrets.size(), crypto::mayBeInline(static_cast<SuiteId>(suite)) ? std::size_t(35) : std::size_t(25));
     const QByteArrayList early = found(secrets, false);
     if (!early.isEmpty())
         qInfo("found: %s", early.join(' ').constData());
@@ -206,6 +216,61 @@ void AttackMemoryTest::deadSecretsAreGone()
         qInfo("found: %s", late.join(' ').constData());
     HOLDS(late.isEmpty(), "the keys of a dead epoch are gone");
     QVERIFY(pair.bothUp());
+}
+
+void AttackMemoryTest::switchSecretsAreGone()
+{
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
+    const auto secrets = secretsOf(
+        [&](const WriteSecret &write) { writeSwitchSecrets(write, pair, tap, SuiteId::ChaCha20Poly1305); });
+    QCOMPARE(secrets.size(), std::size_t(5));
+    const QByteArrayList left = found(secrets, true);
+    if (!left.isEmpty())
+        qInfo("found: %s", left.join(' ').constData());
+    HOLDS(left.isEmpty(), "the secrets of a switch are gone");
+}
+
+void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
+{
+    // The thief has the memory of epoch 0 (deadSecretsAreGone shows that the chain lies there) and both static keys, and listens.
+    PairOptions options = attackOptions();
+    options.seed = kAttackSeed + 1; // so that no secret of the other tests comes into this process
+    Pair pair(options);
+    Tap tap(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const StolenSession thief(pair, tap, options.seed, SuiteId::ChaCha20Poly1305);
+    pair.every(20ms, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground);
+    });
+    pair.ground().endpoint->rekey(pair.now, pair.ground().session());
+    QVERIFY(pair.run(2s, [&] { return pair.air().all<SwitchDone>().size() == 1; }));
+    pair.run(1s);
+    const auto proposal = thief.newest<Propose>(tap.flights); // opens the present epoch
+    const auto acceptance = thief.newest<Accept>(tap.flights);
+    QVERIFY(proposal && acceptance);
+
+    const auto later = tap.ofKind(0x51);
+    QVERIFY(later.size() > 50);
+    const auto opened = [&](std::optional<Key32> shared) {
+        SwitchSecret exchanged{proposal->key, acceptance->key, shared ? std::move(*shared) : Key32()};
+        const EpochSecrets next = thief.epoch().next.advance(Epoch{1}, SuiteId::ChaCha20Poly1305, exchanged);
+        return std::count_if(later.begin(), later.end(), [&](const Flight &record) { return thief.open(record, next); });
+    };
+    const auto &station = pair.ground().identity, &agent = pair.air().identity;
+    const auto inAll = opened(std::nullopt) + opened(crypto::x25519(station->secret, acceptance->key))
+        + opened(crypto::x25519(agent->secret, proposal->key)) + opened(crypto::x25519(station->secret, agent->publicKey))
+        + opened(thief.revealed().chain());
+    HOLDS(inAll == 0, "a stolen chain opens no later epoch");
+    // The attack lacks nothing but the Diffie-Hellman of the switch.
+    QCOMPARE(opened(crypto::x25519(thief.keyPairOf(proposal->key).secret, acceptance->key)),
+             static_cast<std::ptrdiff_t>(later.size()));
 }
 
 SKYSEAL_TEST(AttackMemoryTest)

@@ -1,6 +1,7 @@
 // Attacks on the live switch: the worst link, with both ends proposing, and an attacker who selects the lost messages.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "stolen_session.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;
@@ -18,6 +19,7 @@ private Q_SLOTS:
     }
     void raceOfBothEnds();
     void acceptancesAreDropped();
+    void proposalFlood();
 };
 
 namespace {
@@ -90,6 +92,29 @@ void AttackSwitchTest::acceptancesAreDropped()
     HOLDS(pair.accountFrom(Air).empty() && pair.accountFrom(Ground).empty(), "a switch loses nothing and repeats nothing");
     QCOMPARE(committed(pair.ground()), 0u);
     QCOMPARE(pair.ground().all<SwitchDone>().size(), 1u);
+}
+
+void AttackSwitchTest::proposalFlood()
+{
+    // A peer proposes again and again under its own keys; each proposal asks for two X25519 computations.
+    Pair pair(attackOptions());
+    Tap tap(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const StolenSession station(pair, tap, kAttackSeed, SuiteId::ChaCha20Poly1305);
+    tap.flights.clear();
+    crypto::PublicKey key{};
+    key[0] = 9;
+    for (std::uint32_t i = 1; i <= 500; ++i)
+        offer(pair, Air, station.seal(Ground, 1000 + i, Propose{ProposalId{i}, Epoch{1}, SuiteId::ChaCha20Poly1305, key}));
+    pair.pump();
+    std::set<crypto::PublicKey> answers;
+    for (const Flight &flight : tap.ofKind(0x50)) {
+        if (const auto acceptance = station.newest<Accept>({flight}))
+            answers.insert(acceptance->key);
+    }
+    QVERIFY(answers.size() >= 20);
+    HOLDS(answers.size() <= 21, "at most fifty proposals a second are computed on");
 }
 
 SKYSEAL_TEST(AttackSwitchTest)

@@ -82,8 +82,8 @@ void HandshakeTest::bothEndsAgree()
     QVERIFY(agreement);
     QCOMPARE(agreement->peerConnection, ConnectionId{0x4321});
     QCOMPARE(agreement->suite, SuiteId::ChaCha20Poly1305);
-    const auto here = agreement->chain.derive(Epoch{0}, agreement->suite, {}, {});
-    const auto there = answered->agreement.chain.derive(Epoch{0}, agreement->suite, {}, {});
+    const auto here = agreement->chain.begin(agreement->suite);
+    const auto there = answered->agreement.chain.begin(agreement->suite);
     QVERIFY(here.fromInitiator.equals(there.fromInitiator) && here.fromResponder.equals(there.fromResponder));
     QVERIFY(!here.fromInitiator.equals(here.fromResponder));
 }

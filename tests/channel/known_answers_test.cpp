@@ -2,6 +2,7 @@
 // from the programs. An independent implementation checks the same ones (tests/integration/independent_peer).
 #include "core/channel/cobs.h"
 #include "core/channel/cookie.h"
+#include "core/channel/epoch_exchange.h"
 #include "core/channel/frame_stamp.h"
 #include "core/channel/handshake.h"
 #include "core/channel/inline_frame.h"
@@ -165,7 +166,7 @@ void KnownAnswersTest::handshake()
     const auto agreement = initiator->readAnswer(m_answers["answer"]);
     QVERIFY(agreement);
     QCOMPARE(agreement->suite, SuiteId::Aes256Gcm);
-    const EpochSecrets zero = agreement->chain.derive(Epoch{0}, SuiteId::Aes256Gcm, {}, {});
+    const EpochSecrets zero = agreement->chain.begin(SuiteId::Aes256Gcm);
     COMPARE_WITH("station(0)", zero.fromInitiator.view());
     COMPARE_WITH("agent(0)", zero.fromResponder.view());
 }
@@ -225,11 +226,18 @@ void KnownAnswersTest::number()
 void KnownAnswersTest::epochs()
 {
     const KeyChain chain(secretOf(m_answers["k1"]), secretOf(m_answers["k2"]), m_answers["handshake hash"]);
-    EpochSecrets zero = chain.derive(Epoch{0}, SuiteId::Aes256Gcm, {}, {});
+    EpochSecrets zero = chain.begin(SuiteId::Aes256Gcm);
     COMPARE_WITH("station(0)", zero.fromInitiator.view());
     COMPARE_WITH("agent(0)", zero.fromResponder.view());
-    const EpochSecrets one = zero.next.derive(Epoch{1}, SuiteId::Aes256Ctr, arrayOf<16>(m_answers["proposal nonce"]),
-                                              arrayOf<16>(m_answers["answer nonce"]));
+    EpochExchange proposer;
+    FixedRandom proposals(m_answers["proposal private"]), answers(m_answers["answer private"]);
+    COMPARE_WITH("proposal public", proposer.propose(proposals));
+    const auto answered = EpochExchange::answer(arrayOf<32>(m_answers["proposal public"]), answers);
+    COMPARE_WITH("answer public", answered->answerer);
+    const auto finished = proposer.finish(answered->answerer);
+    COMPARE_WITH("dh(1)", answered->shared.view());
+    COMPARE_WITH("dh(1)", finished->shared.view());
+    const EpochSecrets one = zero.next.advance(Epoch{1}, SuiteId::Aes256Ctr, *finished);
     COMPARE_WITH("station(1)", one.fromInitiator.view());
     COMPARE_WITH("agent(1)", one.fromResponder.view());
 
@@ -241,9 +249,10 @@ void KnownAnswersTest::epochs()
     }();
     COMPARE_WITH("chain(0)", crypto::hkdfExtractSha256(m_answers["handshake hash"], k1k2).view());
     Bytes next = bytesOf(std::string_view("skyseal v1 epoch next"));
-    next.resize(next.size() + 4 + 1 + 32);
-    next[next.size() - 33] = 2;
-    COMPARE_WITH("chain(1)", crypto::hkdfExpandKey(secretOf(m_answers["chain(0)"]), next).view());
+    next.resize(next.size() + 4 + 1 + 64);
+    next[next.size() - 65] = 2;
+    COMPARE_WITH("next(0)", crypto::hkdfExpandKey(secretOf(m_answers["chain(0)"]), next).view());
+    COMPARE_WITH("chain(1)", crypto::hkdfExtractSha256(m_answers["next(0)"], m_answers["dh(1)"]).view());
 
     COMPARE_WITH("record of the session",
                  sealedByStation(SuiteId::Aes256Gcm, std::move(zero.fromInitiator), 0, 0, m_answers["frame"]));
@@ -361,7 +370,7 @@ void KnownAnswersTest::stampedFrame()
 
 void KnownAnswersTest::controlMessages()
 {
-    const auto nonce = [this](const char *name) { return arrayOf<16>(m_answers[name]); };
+    const auto key = [this](const char *name) { return arrayOf<32>(m_answers[name]); };
     Report report;
     report.answerAtOnce = true;
     report.stamp = 1000001;
@@ -392,8 +401,8 @@ void KnownAnswersTest::controlMessages()
     Report unstored = late;
     unstored.cannotStore = true;
     const std::pair<const char *, ControlMessage> messages[] = {
-        {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, nonce("proposal nonce")}},
-        {"accept", Accept{ProposalId{1}, nonce("answer nonce")}},
+        {"propose", Propose{ProposalId{1}, Epoch{1}, SuiteId::Aes256Ctr, key("proposal public")}},
+        {"accept", Accept{ProposalId{1}, key("answer public")}},
         {"refuse", Refuse{ProposalId{1}}},
         {"confirm", Confirm{Epoch{1}, 300}},
         {"confirmed", Confirmed{Epoch{1}, 1000}},

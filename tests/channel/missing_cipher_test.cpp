@@ -24,9 +24,11 @@ public:
     bool permittedByPeer(SuiteId) const override { return true; }
     bool previousDispensable(TimePoint) const override { return true; }
     Duration answerTime() const override { return 1ms; }
-    EpochNonce freshNonce() override { return {}; }
+    crypto::PublicKey makeProposalKey() override { return {}; }
+    void dropProposalKey() override {}
     void send(TimePoint, const ControlMessage &message) override { said.push_back(message); }
-    bool prepareNext(SuiteId, const EpochNonce &, const EpochNonce &) override { return false; }
+    NextEpoch answerProposal(TimePoint, const Propose &, crypto::PublicKey &) override { return NextEpoch::NoCipher; }
+    NextEpoch takeAnswer(TimePoint, SuiteId, const crypto::PublicKey &) override { return NextEpoch::NoCipher; }
     void dropNext() override {}
     void commitNext(TimePoint) override { committed = true; }
     std::uint32_t sentBefore() const override { return 0; }

@@ -27,9 +27,19 @@ struct RevealedSession
         std::copy(responders.view().begin(), responders.view().end(), both.mutableView().begin() + 32);
         return crypto::hkdfExtractSha256(hash, both.view());
     }
+    /// What remains of the chain while epoch 0 is the current one.
+    Key32 next(crypto::SuiteId suite) const
+    {
+        Bytes info;
+        for (const char c : std::string_view("skyseal v1 epoch next"))
+            info.push_back(static_cast<std::uint8_t>(c));
+        info.resize(info.size() + 4 + 1 + 64);
+        info[info.size() - 65] = static_cast<std::uint8_t>(suite);
+        return crypto::hkdfExpandKey(chain(), info);
+    }
     channel::EpochSecrets epochZero(crypto::SuiteId suite) const
     {
-        return channel::KeyChain(initiators, responders, hash).derive(channel::Epoch{0}, suite, {}, {});
+        return channel::KeyChain(initiators, responders, hash).begin(suite);
     }
 };
 

@@ -109,12 +109,13 @@ void RecordTest::controlBytes()
         const std::size_t length = writeControl(message, out);
         return toHex(ByteView(out).first(length));
     };
-    EpochNonce nonce;
-    for (std::size_t i = 0; i < nonce.size(); ++i)
-        nonce[i] = static_cast<std::uint8_t>(i);
-    QCOMPARE(hexOf(Propose{ProposalId{5}, Epoch{9}, SuiteId::Aes256Cbc, nonce}),
-             std::string("0105000000090000000") + "4000102030405060708090a0b0c0d0e0f");
-    QCOMPARE(hexOf(Accept{ProposalId{5}, nonce}), std::string("0205000000000102030405060708090a0b0c0d0e0f"));
+    crypto::PublicKey key;
+    for (std::size_t i = 0; i < key.size(); ++i)
+        key[i] = static_cast<std::uint8_t>(i);
+    QCOMPARE(hexOf(Propose{ProposalId{5}, Epoch{9}, SuiteId::Aes256Cbc, key}),
+             std::string("0105000000090000000") + "4000102030405060708090a0b0c0d0e0f" + "101112131415161718191a1b1c1d1e1f");
+    QCOMPARE(hexOf(Accept{ProposalId{5}, key}),
+             std::string("0205000000000102030405060708090a0b0c0d0e0f") + "101112131415161718191a1b1c1d1e1f");
     QCOMPARE(hexOf(Refuse{ProposalId{5}}), std::string("0305000000"));
     QCOMPARE(hexOf(Confirm{Epoch{9}, 300}), std::string("04090000002c010000"));
     QCOMPARE(hexOf(Confirmed{Epoch{9}, 300}), std::string("05090000002c010000"));
@@ -222,9 +223,13 @@ void RecordTest::epochKeysDependOnEverything()
     const Bytes hash(64, 3);
     Bytes otherHash = hash;
     otherHash[0] ^= 1;
-    const EpochNonce zero{};
-    EpochNonce one{};
-    one[15] = 1;
+    const auto exchanged = [](std::uint8_t proposer, std::uint8_t answerer, std::uint8_t shared) {
+        SwitchSecret out;
+        out.proposer[31] = proposer;
+        out.answerer[31] = answerer;
+        out.shared.mutableView()[31] = shared;
+        return out;
+    };
 
     std::set<std::string> seen;
     std::size_t count = 0;
@@ -234,17 +239,22 @@ void RecordTest::epochKeysDependOnEverything()
         count += 2;
     };
     const KeyChain chain(a, b, hash);
-    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
-    note(chain.derive(Epoch{1}, SuiteId::Aes256Gcm, zero, zero));
-    note(chain.derive(Epoch{0}, SuiteId::Aes256Ctr, zero, zero));
-    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, one, zero));
-    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, one));
-    note(KeyChain(b, a, hash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
-    note(KeyChain(a, b, otherHash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
-    note(chain.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero).next.derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    note(chain.begin(SuiteId::Aes256Gcm));
+    note(chain.begin(SuiteId::Aes256Ctr));
+    note(KeyChain(b, a, hash).begin(SuiteId::Aes256Gcm));
+    note(KeyChain(a, b, otherHash).begin(SuiteId::Aes256Gcm));
+    const EpochSecrets zero = chain.begin(SuiteId::Aes256Gcm);
+    note(zero.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(0, 0, 0)));
+    note(zero.next.advance(Epoch{2}, SuiteId::Aes256Gcm, exchanged(0, 0, 0)));
+    note(zero.next.advance(Epoch{1}, SuiteId::Aes256Ctr, exchanged(0, 0, 0)));
+    note(zero.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(1, 0, 0)));
+    note(zero.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(0, 1, 0)));
+    note(zero.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(0, 0, 1)));
+    const EpochSecrets one = zero.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(0, 0, 0));
+    note(one.next.advance(Epoch{1}, SuiteId::Aes256Gcm, exchanged(0, 0, 0)));
     QCOMPARE(seen.size(), count);
     // and not on other inputs
-    note(KeyChain(a, b, hash).derive(Epoch{0}, SuiteId::Aes256Gcm, zero, zero));
+    note(KeyChain(a, b, hash).begin(SuiteId::Aes256Gcm));
     QCOMPARE(seen.size(), count - 2);
 }
 

@@ -3,6 +3,7 @@
 #include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
+#include "stolen_session.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>
@@ -32,6 +33,7 @@ private Q_SLOTS:
     void plainSuiteIsRefused();
     void replacedRequestIsSuperseded();
     void endsWithTheSession();
+    void weakKeysAreRefused();
 };
 
 namespace {
@@ -391,6 +393,48 @@ void SwitchTest::stricterPolicyMovesOrEndsTheSession()
     QVERIFY(pair.run(20s, [&] { return !pair.air().up() && !pair.ground().up(); }));
     pair.run(10s);
     QVERIFY(!pair.air().up());
+}
+
+void SwitchTest::weakKeysAreRefused()
+{
+    // Points of small order, from a peer that has the keys of the session.
+    PairOptions options;
+    Pair pair(options);
+    Tap tap(pair);
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(1s);
+    const StolenSession peer(pair, tap, options.seed, SuiteId::ChaCha20Poly1305);
+    tap.flights.clear();
+    const auto malformed = [&](Side side) { return pair.ends[side].endpoint->stats(pair.ends[side].session())->rx.malformed; };
+    const auto offer = [&](Side from, const Bytes &record) {
+        Bytes copy = record;
+        pair.ends[from == Ground ? Air : Ground].endpoint->handleDatagram(pair.now, pair.pathOf(from), copy);
+        pair.pump();
+    };
+    std::uint32_t counter = 1000;
+    for (const std::uint8_t first : {0, 1}) {
+        crypto::PublicKey weak{};
+        weak[0] = first;
+        offer(Ground, peer.seal(Ground, ++counter, Propose{ProposalId{1}, Epoch{1}, SuiteId::ChaCha20Poly1305, weak}));
+        QCOMPARE(malformed(Air), std::uint64_t(first + 1));
+    }
+    QVERIFY(!peer.newest<Accept>(tap.flights) && !peer.newest<Refuse>(tap.flights));
+    QVERIFY(pair.air().all<SwitchPending>().empty());
+
+    // In an answer: the proposal stays open, and the true answer to its next copy is taken.
+    pair.link.attacker = [&](TimePoint, Flight &flight) {
+        tap.flights.push_back(flight);
+        return flight.from == Ground;
+    };
+    pair.air().endpoint->rekey(pair.now, pair.air().session());
+    pair.run(10ms);
+    QVERIFY(pair.air().endpoint->sessionInfo(pair.air().session())->pending);
+    offer(Ground, peer.seal(Ground, ++counter, Accept{ProposalId{1}, {}}));
+    QCOMPARE(malformed(Air), std::uint64_t(3));
+    QVERIFY(pair.air().endpoint->sessionInfo(pair.air().session())->pending);
+    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->epoch, Epoch{0});
+    offer(Ground, peer.seal(Ground, ++counter, Accept{ProposalId{1}, crypto::PublicKey{9}}));
+    QCOMPARE(pair.air().endpoint->sessionInfo(pair.air().session())->epoch, Epoch{1});
 }
 
 SKYSEAL_TEST(SwitchTest)

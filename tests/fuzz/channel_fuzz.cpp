@@ -45,7 +45,7 @@ struct Insider
             if (!agreement)
                 continue;
             theirs = agreement->peerConnection;
-            auto secrets = agreement->chain.derive(Epoch{0}, agreement->suite, {}, {});
+            auto secrets = agreement->chain.begin(agreement->suite);
             writer = crypto::makeRecordCipher(agreement->suite, std::move(secrets.fromInitiator));
             return true;
         }

@@ -99,6 +99,8 @@ inline constexpr Proof kProofs[] = {
     {"NoWipe", "attack_memory_test", "searchFindsAPlantedCopy", "a secret that died is gone"},
     {"NoWipe", "attack_memory_test", "deadSecretsAreGone", "the handshake's secrets are gone"},
     {"KeepOldKeys", "attack_memory_test", "deadSecretsAreGone", "the keys of a dead epoch are gone"},
+    {"NoWipe", "attack_memory_test", "switchSecretsAreGone", "the secrets of a switch are gone"},
+    {"NoSwitchExchange", "attack_memory_test", "stolenChainOpensNoLaterEpoch", "a stolen chain opens no later epoch"},
 
     {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
     {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
@@ -154,6 +156,7 @@ inline constexpr Proof kProofs[] = {
 
     {"CommitEarly", "attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
     {"CommitEarly", "attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},
+    {"NoRateLimit", "attack_switch_test", "proposalFlood", "at most fifty proposals a second are computed on"},
 };
 
 inline QStringList provenTests()

@@ -45,6 +45,7 @@ constexpr Named kNames[] = {
     {Weakness::CommandsAfterClose, "CommandsAfterClose"},
     {Weakness::KeepOldKeys, "KeepOldKeys"},
     {Weakness::NoWipe, "NoWipe"},
+    {Weakness::NoSwitchExchange, "NoSwitchExchange"},
     {Weakness::CommitEarly, "CommitEarly"},
     {Weakness::NoMac1, "NoMac1"},
     {Weakness::NoHandshakeTag, "NoHandshakeTag"},

@@ -32,7 +32,7 @@
    run EARLY_ANSWERER            violates READABLE       the answerer sends under the next epoch before the proposer committed
    run ANSWER_BOTH               violates READABLE       the station accepts a crossing proposal and keeps its own
    run NO_WINNER                 violates PROGRESS       each end gives its own proposal up for a crossing one
-   run FRESH_ANSWERS             violates READABLE       a copy of a proposal gets an answer with another nonce
+   run FRESH_ANSWERS             violates READABLE       a copy of a proposal gets an answer with another key
    run ANY_ID                    violates READABLE       the answer to an earlier proposal is taken for that of the open one
    run OLD_PROPOSALS             violates READABLE       a proposal with a lower id replaces a newer one
    run WIPE_AT_ONCE              violates READABLE       the previous epoch's keys are wiped at the commit

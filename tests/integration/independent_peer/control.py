@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 
 PROPOSE, ACCEPT, REFUSE, CONFIRM, CONFIRMED, REPORT, CLOSE = range(1, 8)
-LENGTHS = {PROPOSE: 26, ACCEPT: 21, REFUSE: 5, CONFIRM: 9, CONFIRMED: 9, CLOSE: 1}
+LENGTHS = {PROPOSE: 42, ACCEPT: 37, REFUSE: 5, CONFIRM: 9, CONFIRMED: 9, CLOSE: 1}
 REPORT_NUMBERS = ("good", "late", "lost", "replayed", "forged", "malformed", "plaintext_dropped", "opened_bytes",
                   "sent_records", "sent_bytes")
 FRAME_NUMBERS = ("frames_taken", "frames_lost")  # behind the others, where a flag says so
@@ -29,19 +29,19 @@ class Propose:
     id: int
     epoch: int
     suite: int
-    nonce: bytes
+    key: bytes
 
     def pack(self):
-        return bytes([PROPOSE]) + _u32(self.id) + _u32(self.epoch) + bytes([self.suite]) + self.nonce
+        return bytes([PROPOSE]) + _u32(self.id) + _u32(self.epoch) + bytes([self.suite]) + self.key
 
 
 @dataclass
 class Accept:
     id: int
-    nonce: bytes
+    key: bytes
 
     def pack(self):
-        return bytes([ACCEPT]) + _u32(self.id) + self.nonce
+        return bytes([ACCEPT]) + _u32(self.id) + self.key
 
 
 @dataclass
@@ -117,9 +117,9 @@ def unpack(data):
     if LENGTHS.get(kind) != len(data):
         raise Malformed("unknown type or wrong length")
     if kind == PROPOSE:
-        return Propose(_read_u32(data, 1), _read_u32(data, 5), data[9], data[10:26])
+        return Propose(_read_u32(data, 1), _read_u32(data, 5), data[9], data[10:42])
     if kind == ACCEPT:
-        return Accept(_read_u32(data, 1), data[5:21])
+        return Accept(_read_u32(data, 1), data[5:37])
     if kind == REFUSE:
         return Refuse(_read_u32(data, 1))
     if kind == CLOSE:

@@ -31,7 +31,7 @@ class Window:
 
 class Epoch:
     def __init__(self, keys, role):
-        self.number, self.suite, self.next_chain = keys.number, keys.suite, keys.next_chain
+        self.number, self.suite, self.keys = keys.number, keys.suite, keys
         self._seal = keys.directions[role]
         self._open = keys.directions[AGENT if role == STATION else STATION]
         self._role = role

@@ -21,7 +21,7 @@ from suites import NAMES, DirectionKeys, InlineKeys
 
 HEADING = "Known answers"
 INPUTS = ("station private", "agent private", "station ephemeral private", "agent ephemeral private", "pre-shared key",
-          "announcement nonce", "cookie", "cookie nonce", "proposal nonce", "answer nonce", "direction secret",
+          "announcement nonce", "cookie", "cookie nonce", "proposal private", "answer private", "direction secret",
           "inline secret", "pairing token", "pairing passphrase", "pairing nonce of the station", "pairing nonce of the agent",
           "pairing scalar of the station", "pairing scalar of the agent")
 
@@ -125,8 +125,12 @@ def _cookie(inputs, agent_public, out):
 def _epochs(inputs, handshake, out):
     chain = first_chain(handshake.h, *handshake.split())
     zero = EpochKeys(chain, 0, 2)
-    one = EpochKeys(zero.next_chain, 1, 3, inputs["proposal nonce"], inputs["answer nonce"])
-    out["chain(0)"], out["chain(1)"] = chain, zero.next_chain
+    proposer, answerer = KeyPair(inputs["proposal private"]), KeyPair(inputs["answer private"])
+    one = zero.switched(3, proposer, proposer.public, answerer.public)
+    assert zero.switched(3, answerer, proposer.public, answerer.public).chain == one.chain
+    out["proposal public"], out["answer public"] = proposer.public, answerer.public
+    out["dh(1)"], out["next(0)"] = proposer.dh(answerer.public), zero.next
+    out["chain(0)"], out["chain(1)"] = chain, one.chain
     for keys in (zero, one):
         out[f"station({keys.number})"], out[f"agent({keys.number})"] = keys.secrets[STATION], keys.secrets[AGENT]
     head = record_head(0, 0xABCD, 0)
@@ -172,8 +176,8 @@ def _control_messages(inputs, out):
     more = numbers | dict(zip(control.FRAME_NUMBERS + control.COST_NUMBERS,
                               (900, 1, 2500000, 14680064, 40, 60000, 1000, 1500000)))
     late = numbers | dict(zip(control.FRESHNESS_NUMBERS, (4, 2400000, 1000, 5000)))
-    out.update({"propose": control.Propose(1, 1, 3, inputs["proposal nonce"]).pack(),
-                "accept": control.Accept(1, inputs["answer nonce"]).pack(),
+    out.update({"propose": control.Propose(1, 1, 3, out["proposal public"]).pack(),
+                "accept": control.Accept(1, out["answer public"]).pack(),
                 "refuse": control.Refuse(1).pack(),
                 "confirm": control.Confirm(1, 300).pack(),
                 "confirmed": control.Confirmed(1, 1000).pack(),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from control import Accept, Confirm, Confirmed, Propose, Refuse
 from epoch import Epoch
 from keys import STATION, EpochKeys
+from noise import KeyPair, NoiseError
 
 PROPOSE_EVERY = 0.1
 PATIENCE = 5.0
@@ -16,6 +17,7 @@ LINGER = 3.0
 @dataclass
 class Proposal:
     message: Propose
+    pair: KeyPair
     since: float
     next_copy: float
 
@@ -61,7 +63,8 @@ class Switch:
         if not self.idle(now):
             return False
         self._last_id += 1
-        self._own = Proposal(Propose(self._last_id, self.current.number + 1, suite, self.random(16)), now, now)
+        pair = KeyPair(self.random(32))
+        self._own = Proposal(Propose(self._last_id, self.current.number + 1, suite, pair.public), pair, now, now)
         return True
 
     def tick(self, now):
@@ -110,19 +113,26 @@ class Switch:
         if message.suite not in self._permitted:
             answer = Refuse(message.id)
         else:
-            nonce = self.random(16)
-            keys = EpochKeys(self.current.next_chain, message.epoch, message.suite, message.nonce, nonce)
+            pair = KeyPair(self.random(32))
+            try:
+                keys = self.current.keys.switched(message.suite, pair, message.key, pair.public)
+            except NoiseError:
+                return
             self.next = Epoch(keys, self._role)
             self._prepared_since, self._settled = now, False
-            answer = Accept(message.id, nonce)
+            answer = Accept(message.id, pair.public)
         self._answered = (message, answer)
         self._send(answer)
 
     def _take_accept(self, message, now):
         if not self._own or message.id != self._own.message.id:
             return
-        proposal, self._own = self._own.message, None
-        keys = EpochKeys(self.current.next_chain, proposal.epoch, proposal.suite, proposal.nonce, message.nonce)
+        proposal, pair = self._own.message, self._own.pair
+        try:
+            keys = self.current.keys.switched(proposal.suite, pair, pair.public, message.key)
+        except NoiseError:
+            return
+        self._own = None
         self._commit(Epoch(keys, self._role), "own", now)
         self._confirming = (now, now)
         self._send_confirm(now)
