@@ -1,6 +1,7 @@
 // Attacks by delay: commands of a pilot that are withheld and released later, one by one, in bursts, or with the whole flow;
 // after the pilot's close, over a change of epochs, in each carrier, with clocks that drift and step.
 #include "core/crypto/init_crypto.h"
+#include "crowd.h"
 #include "delayed_flight.h"
 #include "tests/support/test_runner.h"
 
@@ -26,6 +27,7 @@ private Q_SLOTS:
     void growingDelay();
     void staleTelemetry();
     void limitIsConfigurable();
+    void otherStationsKeepNothingFresh();
 };
 
 void AttackFreshnessTest::withheldCommand_data()
@@ -213,6 +215,36 @@ void AttackFreshnessTest::limitIsConfigurable()
     QCOMPARE(share({}), 1.);
     QCOMPARE(share(2500ms), 1.);
     HOLDS(share(2s) == 0, "nothing older than the limit is obeyed");
+}
+
+void AttackFreshnessTest::otherStationsKeepNothingFresh()
+{
+    // All that one station sends is held back for 7 s, while the others go on: neither do they make its records look younger,
+    // nor do its old ones make theirs look older.
+    Crowd crowd(3);
+    for (const std::size_t station : {0, 1, 2})
+        crowd.start(station);
+    QVERIFY(crowd.run(10s, [&] { return crowd.up(0) && crowd.up(1) && crowd.up(2); }));
+    crowd.run(5s);
+    crowd.sendEvery(250ms);
+    crowd.hold(0);
+    crowd.run(7s);
+    crowd.release(0);
+    crowd.run(3s);
+    std::size_t oldAndObeyed = 0, others = 0, late = 0, own = 0;
+    for (const Crowd::Heard &frame : crowd.heard) {
+        if (frame.station == 0) {
+            oldAndObeyed += frame.freshness == Freshness::Fresh && frame.age > kAge;
+            own += frame.freshness == Freshness::Fresh && frame.age < 2s;
+            continue;
+        }
+        ++others;
+        late += frame.freshness != Freshness::Fresh;
+    }
+    HOLDS(oldAndObeyed == 0, "nothing older than the limit is obeyed");
+    QVERIFY(others >= 70);
+    QCOMPARE(late, std::size_t(0));
+    QVERIFY(own >= 10); // its later commands are obeyed again
 }
 
 SKYSEAL_TEST(AttackFreshnessTest)

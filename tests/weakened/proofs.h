@@ -65,6 +65,7 @@ inline constexpr Proof kProofs[] = {
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowDelayed", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "growingDelay", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "limitIsConfigurable", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "otherStationsKeepNothingFresh", "nothing older than the limit is obeyed"},
     {"NoOvertakenLimit", "attack_freshness_test", "staleTelemetry", "no overtaken telemetry sets a present value"},
 
     {"NoTagCheck", "attack_flood_test", "injectedGarbage", "no garbage is accepted"},
