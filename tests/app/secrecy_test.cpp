@@ -1,5 +1,7 @@
 // What the programs that hold keys leave behind: nothing that they print, log, record or keep in files shows a byte of a
 // key, and the system may not write their memory to a core file.
+#include "core/base/secret_bytes.h"
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
 #include "core/keys/peers_file.h"

@@ -1,6 +1,7 @@
 // One agent and several stations on one link, with a simulated clock.
 #pragma once
 
+#include "core/crypto/x25519.h"
 #include "core/channel/record.h"
 #include "pair.h"
 

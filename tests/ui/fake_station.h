@@ -1,6 +1,7 @@
 // A station without sockets: records the requests of the window; a test (or the gallery) emits snapshots and events.
 #pragma once
 
+#include "core/engine/station/snapshot.h"
 #include "ui/station_interface.h"
 
 #include <utility>

@@ -378,7 +378,7 @@ private Q_SLOTS:
         QVERIFY(m_station->addedLinks.empty());
         QCOMPARE(m_station->mavsecLinks.size(), std::size_t(1));
         QCOMPARE(m_station->mavsecLinks[0].first, std::string("udpin:0.0.0.0:14550"));
-        QCOMPARE(m_station->mavsecLinks[0].second.kind, crypto::MavsecCipher::Kind::ChaCha20);
+        QCOMPARE(m_station->mavsecLinks[0].second.kind, crypto::MavsecKind::ChaCha20);
         QCOMPARE(m_station->mavsecLinks[0].second.counter, 429496729u);
     }
 
