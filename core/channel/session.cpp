@@ -221,11 +221,10 @@ Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeade
     if (!fresh && !epoch->tags.contradicts(header.counter, tagEnd))
         return refuse(now, &ReceiveCounters::replayed, *epoch);
 
-    const AssociatedData associated(datagram.first(header.length()), epoch->suite, opposite(m_identity.direction()),
-                                    from.carrier);
+    const AssociatedData aad(datagram.first(header.length()), epoch->suite, opposite(m_identity.direction()), from.carrier);
     if (weakened(Weakness::WindowBeforeTag))
         epoch->window.mark(header.counter);
-    const auto plaintext = epoch->reader->open(nonceOf(header.counter), associated.view(), datagram.subspan(header.length()));
+    const auto plaintext = epoch->reader->open(nonceOf(header.counter), aad.view(), datagram.subspan(header.length()));
     if (!fresh && plaintext)
         m_finished = DownReason::Cloned;
     if (!fresh)
