@@ -6,7 +6,7 @@
 #include "core/base/bytes.h"
 #include "core/channel/stats.h"
 #include "core/crypto/suite.h"
-#include "core/crypto/x25519.h"
+#include "core/crypto/public_key.h"
 
 #include <cstdint>
 #include <optional>

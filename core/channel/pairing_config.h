@@ -4,12 +4,15 @@
 #include "core/base/clock.h"
 #include "core/base/path.h"
 #include "core/channel/role.h"
-#include "core/crypto/passphrase.h"
-#include "core/crypto/x25519.h"
 
 #include <memory>
 #include <string>
 #include <vector>
+
+namespace skyseal::crypto {
+class Passphrase;
+struct X25519KeyPair;
+} // namespace skyseal::crypto
 
 namespace skyseal::channel {
 

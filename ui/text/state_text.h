@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/channel/events.h"
-#include "core/engine/station/snapshot.h"
 #include "core/vehicle/vehicle_command.h"
 
 #include <QtCore/QString>

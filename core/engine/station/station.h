@@ -6,7 +6,6 @@
 #pragma once
 
 #include "core/channel/pairing.h"
-#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/event.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
@@ -24,6 +23,10 @@
 
 Q_DECLARE_METATYPE(std::shared_ptr<const skyseal::engine::Snapshot>)
 Q_DECLARE_METATYPE(skyseal::engine::Event)
+
+namespace skyseal::crypto {
+class MavsecCipher;
+}
 
 namespace skyseal::engine {
 
