@@ -149,7 +149,7 @@ int pair(Options &options)
 
 int main(int argc, char **argv)
 {
-    forbidCoreDumps();
+    protectKeysInMemory();
     QCoreApplication application(argc, argv);
     Options options(kName, QStringLiteral("Onboard agent that seals the MAVLink link of an autopilot."));
     declare(options);

@@ -1,5 +1,6 @@
 #include "app/air/pairing_server.h"
 
+#include "core/base/locked_memory.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -129,7 +130,7 @@ void PairingServer::takePassphrase()
     if (m_visitor->read(reinterpret_cast<char *>(room.data()), length) != length)
         return;
     if (auto passphrase = crypto::Passphrase::fromBytes(ByteView(room).first(static_cast<std::size_t>(length))))
-        open(std::make_shared<const crypto::Passphrase>(std::move(*passphrase)));
+        open(shareInLockedMemory(std::move(*passphrase)));
 }
 
 void PairingServer::open(std::shared_ptr<const crypto::Passphrase> passphrase)

@@ -45,7 +45,7 @@ void printHelp(std::FILE *out)
 
 int main(int argc, char **argv)
 {
-    forbidCoreDumps();
+    protectKeysInMemory();
     QCoreApplication application(argc, argv);
     const QStringList arguments = application.arguments().mid(1);
     const QString name = arguments.value(0);

@@ -1,9 +1,13 @@
 #include "app/common/process.h"
 
+#include "app/common/output.h"
+#include "core/base/locked_memory.h"
+
 #include <QtCore/QSocketNotifier>
 
 #include <atomic>
 #include <csignal>
+#include <cstring>
 
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -38,8 +42,12 @@ extern "C" void handleStop(int number)
 
 } // namespace
 
-void forbidCoreDumps()
+void protectKeysInMemory()
 {
+    reportLockFailure([](int error) {
+        remark(std::string("keys may be written to the swap space: memory cannot be locked (") + std::strerror(error)
+               + "; the limit is that of ulimit -l, and LimitMEMLOCK= of a service)");
+    });
     const rlimit none{0, 0};
     setrlimit(RLIMIT_CORE, &none);
 #if defined(__linux__) && !defined(SKYSEAL_MAY_BE_TRACED)

@@ -1,12 +1,14 @@
-// Process setup of every program: no core dumps (they would contain keys), and an orderly end on signals.
+// Process setup of every program: keys stay in its memory, and an orderly end on signals.
 #pragma once
 
 #include <QtCore/QObject>
 
 namespace skyseal::app {
 
-/// Protects the keys in memory from core files and from other processes of the same user.
-void forbidCoreDumps();
+/// Keeps the keys in memory from core files, and from other processes of the same user; reports once, on stderr, if they cannot be
+/// kept from the swap space. Call first in main(). To debug a program, start it under the debugger: attaching to it, and
+/// reading its /proc files, takes CAP_SYS_PTRACE.
+void protectKeysInMemory();
 
 /// Converts SIGINT and SIGTERM into a Qt signal. A second one ends the process at once.
 class StopSignals : public QObject

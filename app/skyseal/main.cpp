@@ -26,7 +26,7 @@ std::variant<WindowOptions, int> readCommandLine(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    forbidCoreDumps();
+    protectKeysInMemory();
     QCoreApplication::setApplicationName(QStringLiteral("skyseal"));
     QCoreApplication::setOrganizationName(QStringLiteral("skyseal"));
     QCoreApplication::setApplicationVersion(QStringLiteral(SKYSEAL_VERSION));

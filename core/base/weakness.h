@@ -26,6 +26,7 @@ enum class Weakness : std::uint8_t {
     NoHardStop,       ///< an epoch never ends
     KeepOldKeys,      ///< neither the previous epoch nor a session expires
     NoWipe,           ///< secrets stay in memory after their destruction
+    NoMemoryLock,     ///< pages with keys may reach the swap space
     NoOvertakenLimit, ///< a record commands, however long ago a newer one arrived
     NoAgeLimit,       ///< a record commands, however old it may be
     CommandsAfterClose, ///< a record commands although the peer has closed the session

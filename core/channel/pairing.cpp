@@ -1,5 +1,6 @@
 #include "core/channel/pairing.h"
 
+#include "core/base/locked_memory.h"
 #include "core/base/weakness.h"
 #include "core/channel/pairing_agent.h"
 #include "core/channel/pairing_station.h"
@@ -13,7 +14,7 @@ constexpr Duration kRefusalEvery = std::chrono::milliseconds(250);
 
 } // namespace
 
-struct Pairing::State
+struct Pairing::State : InLockedMemory
 {
     State(PairingConfig configuration, RandomSource &random, TimePoint start)
         : core{std::move(configuration), random}, closesAt(start + core.config.window)

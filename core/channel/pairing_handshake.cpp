@@ -1,6 +1,7 @@
 #include "core/channel/pairing_handshake.h"
 
 #include "core/base/byte_writer.h"
+#include "core/base/locked_memory.h"
 #include "core/base/weakness.h"
 #include "core/crypto/hash.h"
 #include "core/crypto/kdf.h"
@@ -57,7 +58,7 @@ noise::CipherState cipher(Key32 &&key)
 // ---- words
 
 PairingVoice::PairingVoice(PairingId id, Key32 &&send, Key32 &&receive, Key32 &&presharedKey)
-    : m_id(id), m_presharedKey(std::make_shared<const Key32>(std::move(presharedKey))), m_send(cipher(std::move(send))),
+    : m_id(id), m_presharedKey(shareInLockedMemory(std::move(presharedKey))), m_send(cipher(std::move(send))),
       m_receive(cipher(std::move(receive)))
 {}
 

@@ -3,6 +3,7 @@
 // outgoing queue, its events to the context's event queue. PROTOCOL.md, sections 5 to 8 and 12.
 #pragma once
 
+#include "core/base/locked_memory.h"
 #include "core/channel/delivery.h"
 #include "core/channel/epoch_exchange.h"
 #include "core/channel/epoch_handover.h"
@@ -43,7 +44,7 @@ struct SessionSetup
     Path path;
 };
 
-class Session final : private SwitchActions
+class Session final : public InLockedMemory, private SwitchActions
 {
 public:
     Session(SessionSetup setup, SessionContext &context, TimePoint now);

@@ -2,6 +2,8 @@
 // in OpenSSL 3.
 #pragma once
 
+#include "core/crypto/locked_allocations.h"
+
 #include <openssl/evp.h>
 
 #include <memory>
@@ -22,6 +24,7 @@ enum class EvpDirection { Encrypt, Decrypt };
 /// OpenSSL sets an explicit padding option again with every IV, which costs time.
 inline EvpContext makeEvpContext(const EVP_CIPHER *cipher, const std::uint8_t *key, EvpDirection direction)
 {
+    const LockedAllocations locked;
     EvpContext context(EVP_CIPHER_CTX_new());
     if (!cipher || !context)
         return nullptr;

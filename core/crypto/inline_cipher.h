@@ -23,7 +23,7 @@
 namespace skyseal::crypto {
 
 /// One suite under the keys of one direction and epoch. Not thread-safe. Neither call allocates.
-class InlineCipher
+class InlineCipher : public InLockedMemory
 {
 public:
     static constexpr std::size_t kTagLength = 8;

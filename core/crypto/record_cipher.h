@@ -24,6 +24,7 @@
 #pragma once
 
 #include "core/base/bytes.h"
+#include "core/base/locked_memory.h"
 #include "core/base/secret_bytes.h"
 #include "core/crypto/suite.h"
 
@@ -36,7 +37,7 @@ namespace skyseal::crypto {
 using DirectionSecret = Key32;
 
 /// One suite under the keys of one direction and epoch. Not thread-safe.
-class RecordCipher
+class RecordCipher : public InLockedMemory
 {
 public:
     RecordCipher() = default;

@@ -1,5 +1,6 @@
 #include "core/crypto/system_random.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/locked_allocations.h"
 
 #include <sodium.h>
 
@@ -7,6 +8,8 @@ namespace skyseal::crypto {
 
 bool initCrypto()
 {
+    // Where another library has used OpenSSL before, key schedules stay in pages that are not locked.
+    [[maybe_unused]] static const bool locks = LockedAllocations::install();
     return sodium_init() >= 0;
 }
 

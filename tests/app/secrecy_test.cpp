@@ -72,6 +72,7 @@ private Q_SLOTS:
     void noKeyInAnyOutput();
     void coreFilesAreForbidden_data();
     void coreFilesAreForbidden();
+    void keysAreKeptFromTheSwapSpace();
 
 private:
     QString path(const char *name) const { return m_flight->path(QLatin1String(name)); }
@@ -179,6 +180,19 @@ void SecrecyTest::coreFilesAreForbidden()
     EVENTUALLY(forbidden() || !program.running());
     QVERIFY2(program.running(), program.errors().constData());
     QVERIFY(forbidden());
+}
+
+void SecrecyTest::keysAreKeptFromTheSwapSpace()
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("a sanitizer replaces mlock()");
+#endif
+    Program air(QStringLiteral("skyseal-air"), m_flight->airArguments());
+    QVERIFY(!air.waitFor(QStringLiteral("stats")).isEmpty());
+    static const QRegularExpression kLocked(QStringLiteral("VmLck:\\s+([0-9]+) kB"));
+    const QString status = QString::fromLatin1(contentsOf(QStringLiteral("/proc/%1/status").arg(air.pid())));
+    QVERIFY2(kLocked.match(status).captured(1).toInt() > 0, qPrintable(status));
+    QVERIFY2(!air.errors().contains("swap space"), air.errors().constData());
 }
 
 SKYSEAL_TEST(SecrecyTest)

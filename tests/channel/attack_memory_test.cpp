@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 
+#include <sys/mman.h>
 #include <sys/wait.h>
 
 using namespace skyseal;
@@ -130,6 +131,31 @@ std::vector<Secret> secretsOf(const std::function<void(const WriteSecret &)> &co
     return out;
 }
 
+/// Keys in use that lie in pages which the system may write to the swap space. The IV of a suite is part of its nonces, which pass
+/// over the stack; only aes-256-cbc makes a key of it.
+QByteArrayList unlockedKeys(const std::vector<Secret> &secrets, SuiteId suite)
+{
+    auto image = std::make_unique<ProcessImage>();
+    QByteArrayList out;
+    for (const Secret &secret : secrets) {
+        const bool isKey = suite == SuiteId::Aes256Cbc || !secret.name.endsWith("-iv");
+        if (secret.livesWithTheEpoch && isKey && image->countUnlocked(secret.masked) > 0)
+            out << secret.name;
+    }
+    return out;
+}
+
+/// False under a sanitizer, which replaces mlock(), and for a process that may lock nothing.
+bool canLockMemory()
+{
+    constexpr std::size_t kSize = 4096;
+    void *const page = ::mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    ::mlock(page, kSize);
+    const bool locked = ProcessImage::isLocked(page);
+    ::munmap(page, kSize);
+    return locked;
+}
+
 /// Names of those that lie in memory.
 QByteArrayList found(const std::vector<Secret> &secrets, bool alsoLiving)
 {
@@ -155,6 +181,8 @@ private Q_SLOTS:
     void deadSecretsAreGone();
     void switchSecretsAreGone();
     void stolenChainOpensNoLaterEpoch();
+    void livingSecretsAreLocked_data() { deadSecretsAreGone_data(); }
+    void livingSecretsAreLocked();
 };
 
 void AttackMemoryTest::searchFindsAPlantedCopy()
@@ -271,6 +299,29 @@ void AttackMemoryTest::stolenChainOpensNoLaterEpoch()
     // The attack lacks nothing but the Diffie-Hellman of the switch.
     QCOMPARE(opened(crypto::x25519(thief.keyPairOf(proposal->key).secret, acceptance->key)),
              static_cast<std::ptrdiff_t>(later.size()));
+}
+
+void AttackMemoryTest::livingSecretsAreLocked()
+{
+    QFETCH(int, suite);
+    if (!canLockMemory())
+        QSKIP("this process cannot lock memory");
+    PairOptions options = inlineOptions(kAttackSeed);
+    options.ground.suites = {static_cast<SuiteId>(suite), SuiteId::ChaCha20};
+    Pair pair(options);
+    Tap tap(pair);
+    pair.every(20ms, [&pair] {
+        pair.sendFrame(Air);
+        pair.sendFrame(Ground);
+    });
+    QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
+    pair.run(2s);
+    const auto secrets = secretsOf(
+        [&](const WriteSecret &write) { writeSessionSecrets(write, pair, tap, static_cast<SuiteId>(suite)); });
+    const QByteArrayList swappable = unlockedKeys(secrets, static_cast<SuiteId>(suite));
+    if (!swappable.isEmpty())
+        qInfo("not locked: %s", swappable.join(' ').constData());
+    HOLDS(swappable.isEmpty(), "keys in use lie in locked pages");
 }
 
 SKYSEAL_TEST(AttackMemoryTest)

@@ -30,22 +30,62 @@ class ProcessImage
 public:
     std::size_t count(const Bytes &maskedSecret)
     {
-        std::size_t found = 0;
-        std::ifstream maps("/proc/self/maps");
+        return countWhere(maskedSecret, [](bool) { return true; });
+    }
+    /// The same outside of pages that are locked into memory.
+    std::size_t countUnlocked(const Bytes &maskedSecret)
+    {
+        return countWhere(maskedSecret, [](bool locked) { return !locked; });
+    }
+
+    /// Whether the page of this address is locked into memory.
+    static bool isLocked(const void *address)
+    {
+        const auto wanted = reinterpret_cast<std::uintptr_t>(address);
+        bool out = false;
+        forEachRegion(
+            [&](const Region &region) { out = out || (region.from <= wanted && wanted < region.to && region.locked); });
+        return out;
+    }
+
+private:
+    struct Region
+    {
+        std::uintptr_t from = 0, to = 0;
+        bool writable = false, locked = false;
+    };
+
+    /// The entries of /proc/self/smaps: a line "from-to rights …", then lines "Name: value", the last of them VmFlags.
+    template<typename Call> static void forEachRegion(Call &&call)
+    {
+        std::ifstream maps("/proc/self/smaps");
+        Region region;
         for (std::string line; std::getline(maps, line);) {
             std::istringstream words(line);
-            std::uintptr_t from = 0, to = 0;
+            if (line.rfind("VmFlags:", 0) == 0) {
+                region.locked = line.find(" lo") != std::string::npos;
+                call(region);
+                continue;
+            }
             char dash = 0;
             std::string rights;
-            words >> std::hex >> from >> dash >> to >> rights;
-            if (rights.rfind("rw", 0) == 0 && to - from < kLargest)
-                found += countIn(from, to, maskedSecret);
+            std::uintptr_t from = 0, to = 0;
+            if (words >> std::hex >> from >> dash >> to >> rights && dash == '-')
+                region = {from, to, rights.rfind("rw", 0) == 0, false};
         }
+    }
+
+    template<typename Wanted> std::size_t countWhere(const Bytes &maskedSecret, Wanted &&wanted)
+    {
+        std::size_t found = 0;
+        forEachRegion([&](const Region &region) {
+            if (region.writable && region.to - region.from < kLargest && wanted(region.locked))
+                found += countIn(region.from, region.to, maskedSecret);
+        });
         std::memset(m_chunk, 0, sizeof m_chunk);
         return found;
     }
 
-private:
     static constexpr std::size_t kOverlap = 128;
     static constexpr std::uintptr_t kLargest = std::uintptr_t{1} << 30; ///< beyond it are a sanitizer's reservations
 

@@ -99,6 +99,7 @@ inline constexpr Proof kProofs[] = {
 
     {"NoWipe", "attack_memory_test", "searchFindsAPlantedCopy", "a secret that died is gone"},
     {"NoWipe", "attack_memory_test", "deadSecretsAreGone", "the handshake's secrets are gone"},
+    {"NoMemoryLock", "attack_memory_test", "livingSecretsAreLocked", "keys in use lie in locked pages"},
     {"KeepOldKeys", "attack_memory_test", "deadSecretsAreGone", "the keys of a dead epoch are gone"},
     {"NoWipe", "attack_memory_test", "switchSecretsAreGone", "the secrets of a switch are gone"},
     {"NoSwitchExchange", "attack_memory_test", "stolenChainOpensNoLaterEpoch", "a stolen chain opens no later epoch"},

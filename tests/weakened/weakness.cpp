@@ -46,6 +46,7 @@ constexpr Named kNames[] = {
     {Weakness::KeepOldKeys, "KeepOldKeys"},
     {Weakness::NoWipe, "NoWipe"},
     {Weakness::NoSwitchExchange, "NoSwitchExchange"},
+    {Weakness::NoMemoryLock, "NoMemoryLock"},
     {Weakness::CommitEarly, "CommitEarly"},
     {Weakness::NoMac1, "NoMac1"},
     {Weakness::NoHandshakeTag, "NoHandshakeTag"},

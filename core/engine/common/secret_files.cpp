@@ -1,5 +1,6 @@
 #include "core/engine/common/secret_files.h"
 
+#include "core/base/locked_memory.h"
 #include "core/base/secret_bytes.h"
 #include "core/crypto/x25519.h"
 #include "core/keys/counter_file.h"
@@ -30,7 +31,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     auto out = std::make_unique<SecretFiles>();
     out->sealedSystems = std::move(*sealed);
     out->paths = paths;
-    out->identity = std::make_shared<const crypto::X25519KeyPair>(std::move(*identity));
+    out->identity = shareInLockedMemory(std::move(*identity));
     out->peers = std::move(peers->peers);
     out->counters = std::move(*counters);
     return out;
@@ -61,7 +62,7 @@ Result<UsablePeers, InputError> readPeers(const KeyPaths &paths)
                 out.unusable.back().message += " (pre-shared key of \"" + peer.name + "\")";
                 continue;
             }
-            peer.presharedKey = std::make_shared<const Key32>(std::move(*key));
+            peer.presharedKey = shareInLockedMemory(std::move(*key));
         }
         out.peers.push_back(std::move(peer));
     }
