@@ -1,0 +1,171 @@
+#include "tests/fuzz/simulated_host.h"
+
+#include <QtCore/QCoreApplication>
+#include <QtCore/QTimer>
+
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include <malloc.h>
+
+extern "C" {
+std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv();
+void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds);
+void __wrap__ZN6QTimer4stopEv(QTimer *timer);
+bool __wrap__ZNK6QTimer8isActiveEv(const QTimer *timer);
+void __wrap_randombytes_buf(void *out, std::size_t size);
+std::size_t __sanitizer_get_current_allocated_bytes() __attribute__((weak));
+}
+
+namespace skyseal::test {
+
+namespace {
+
+std::map<const QTimer *, TimePoint> &timers()
+{
+    static std::map<const QTimer *, TimePoint> instance;
+    return instance;
+}
+
+std::mt19937_64 &randomBytes()
+{
+    static std::mt19937_64 instance;
+    return instance;
+}
+
+std::map<LinkId, link::Link *> &links()
+{
+    static std::map<LinkId, link::Link *> instance;
+    return instance;
+}
+
+} // namespace
+
+class SimulatedLink final : public link::Link
+{
+public:
+    SimulatedLink(const link::LinkUrl &url, LinkId id, link::LinkListener &listener, const link::LinkOptions &options)
+        : Link(url, id, listener, options)
+    {
+        links()[id] = this;
+    }
+    ~SimulatedLink() override
+    {
+        if (links()[id()] == this)
+            links().erase(id());
+    }
+    void open() override { setState(traits().isListening ? link::LinkState::Listening : link::LinkState::Connected); }
+    void close() override { setState(link::LinkState::Closed); }
+    void send(const Address &to, ByteView block) override
+    {
+        SimulatedHost::instance().m_sent.push_back({id(), to, Bytes(block.begin(), block.end())});
+    }
+    void flush() override {}
+    void arrive(const Address &from, ByteView bytes)
+    {
+        Bytes copy(bytes.begin(), bytes.end());
+        const link::ReceivedBlock block{{id(), from}, copy, SimulatedHost::instance().now()};
+        listener().linkReceived(*this, {&block, 1});
+    }
+};
+
+namespace {
+
+std::unique_ptr<link::Link> makeSimulated(const link::LinkUrl &url, LinkId id, link::LinkListener &listener,
+                                          const link::LinkOptions &options)
+{
+    return std::make_unique<SimulatedLink>(url, id, listener, options);
+}
+
+const link::LinkType kTypes[] = {
+    {"udpin", link::LinkTarget::HostPort, {.isListening = true}, "", "", makeSimulated},
+    {"udpout", link::LinkTarget::HostPort, {.hasOneRemote = true}, "", "", makeSimulated},
+    {"tcpin", link::LinkTarget::HostPort, {.isStream = true, .isListening = true}, "", "", makeSimulated},
+};
+
+} // namespace
+
+SimulatedHost &SimulatedHost::instance()
+{
+    static SimulatedHost instance;
+    return instance;
+}
+
+void SimulatedHost::reset()
+{
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // the links of the last run
+    timers().clear();
+    m_sent.clear();
+    m_now = TimePoint(std::chrono::hours(1));
+    randomBytes().seed(1);
+}
+
+void SimulatedHost::advance(Duration span)
+{
+    const TimePoint end = m_now + span;
+    for (int fired = 0; fired < 100'000; ++fired) {
+        const auto next = std::min_element(timers().begin(), timers().end(),
+                                           [](const auto &a, const auto &b) { return a.second < b.second; });
+        if (next == timers().end() || next->second > end)
+            break;
+        m_now = std::max(m_now, next->second);
+        auto *timer = const_cast<QTimer *>(next->first);
+        timers().erase(next); // All timers of the engines are single-shot.
+        QMetaObject::invokeMethod(timer, "timeout", Qt::DirectConnection);
+    }
+    m_now = end;
+}
+
+link::LinkUrl SimulatedHost::url(std::string_view text)
+{
+    auto parsed = link::LinkUrl::parse(text, link::LinkUrl::kAnyHost, kTypes);
+    if (!parsed)
+        std::abort();
+    return *parsed;
+}
+
+void SimulatedHost::receive(LinkId link, const Address &from, ByteView bytes)
+{
+    if (const auto found = links().find(link); found != links().end())
+        static_cast<SimulatedLink *>(found->second)->arrive(from, bytes);
+}
+
+std::size_t allocatedBytes()
+{
+    if (__sanitizer_get_current_allocated_bytes)
+        return __sanitizer_get_current_allocated_bytes();
+    return mallinfo2().uordblks;
+}
+
+} // namespace skyseal::test
+
+using skyseal::test::SimulatedHost;
+
+std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv()
+{
+    return std::chrono::steady_clock::time_point(SimulatedHost::instance().now().time_since_epoch());
+}
+
+void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds)
+{
+    skyseal::test::timers()[timer] = SimulatedHost::instance().now() + std::chrono::milliseconds(milliseconds);
+}
+
+void __wrap__ZN6QTimer4stopEv(QTimer *timer)
+{
+    skyseal::test::timers().erase(timer);
+}
+
+bool __wrap__ZNK6QTimer8isActiveEv(const QTimer *timer)
+{
+    return skyseal::test::timers().contains(timer);
+}
+
+void __wrap_randombytes_buf(void *out, std::size_t size)
+{
+    auto *bytes = static_cast<unsigned char *>(out);
+    for (std::size_t i = 0; i < size; ++i)
+        bytes[i] = static_cast<unsigned char>(skyseal::test::randomBytes()());
+}

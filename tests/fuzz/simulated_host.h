@@ -1,0 +1,47 @@
+// The machine under an engine, simulated: the steady clock, Qt's timers, random bytes and links. The linker puts the clock, the
+// timers and the random source in place of the real ones (--wrap, see CMakeLists.txt); the links are of a type of their own.
+#pragma once
+
+#include "core/link/link.h"
+
+#include <memory>
+#include <vector>
+
+namespace skyseal::test {
+
+struct SentBlock
+{
+    LinkId link{};
+    Address to;
+    Bytes bytes;
+};
+
+class SimulatedHost
+{
+public:
+    static SimulatedHost &instance();
+
+    /// The state before a run: no timers, no links, the same time and the same random bytes each time.
+    void reset();
+    TimePoint now() const { return m_now; }
+    /// Lets the time pass; timers that are due fire in their order.
+    void advance(Duration span);
+
+    /// "udpin:", "udpout:" and "tcpin:" with simulated links.
+    static link::LinkUrl url(std::string_view text);
+    /// A block arrives at a link of the engine.
+    void receive(LinkId link, const Address &from, ByteView bytes);
+    /// Blocks that the engine sent since the last call.
+    std::vector<SentBlock> takeSent() { return std::move(m_sent); }
+
+private:
+    TimePoint m_now;
+    std::vector<SentBlock> m_sent;
+
+    friend class SimulatedLink;
+};
+
+/// Bytes that are allocated now; 0 where the library cannot say.
+std::size_t allocatedBytes();
+
+} // namespace skyseal::test
