@@ -9,7 +9,8 @@ target_compile_options(skyseal_options INTERFACE
 target_compile_options(skyseal_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-maybe-uninitialized>)
 target_include_directories(skyseal_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_definitions(skyseal_options INTERFACE
-  QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+  QT_NO_CAST_FROM_ASCII QT_NO_FOREACH QT_NO_KEYWORDS $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>
+  $<$<NOT:$<BOOL:${SKYSEAL_RESEARCH}>>:SKYSEAL_WITHOUT_RESEARCH>)
 
 include(SkysealHardening)
 

@@ -24,9 +24,9 @@ struct Settings
     bool record = true;
     QString recordFolder; ///< empty = the application's own folder
     bool allowResearch = false;
-    crypto::SuiteId weakestSuite = crypto::SuiteId::Rc4; ///< weakest suite that is offered; RC4: any sealed one
-    bool requireSealed = false;                          ///< plain MAVLink is never shown
-    double takeOffAltitude = 10;                         ///< metres above home, last used
+    crypto::SuiteId weakestSuite = crypto::weakestSealedSuite(); ///< weakest suite that is offered
+    bool requireSealed = false;                                  ///< plain MAVLink is never shown
+    double takeOffAltitude = 10;                                 ///< metres above home, last used
     QString defaultLink = QStringLiteral("udpin:0.0.0.0:14550");
 
     bool operator==(const Settings &) const = default;

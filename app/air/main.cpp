@@ -46,12 +46,14 @@ void declare(Options &options)
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "Ground stations that may connect.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
-    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
-    options.addFlag("allow-research", "Also accept insecure research suites, for comparison.");
-    options.addFlag("allow-plain",
-                    "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
-    options.addFlag("allow-inline",
-                    "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
+    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
+                     crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
+    options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
+    options.addResearchFlag(
+        "allow-plain",
+        "Forward plain MAVLink while no session is up; anyone can read and forge it. For baseline measurements.");
+    options.addResearchFlag("allow-inline",
+                            "Also seal frames in place if the station asks for it: headers are not encrypted, tags are short.");
     options.addValue(
         "max-overtaken", "SECONDS",
         "Obey no command that a newer message overtook longer ago than this: it was withheld on its way. 0.2 to 10.", "1");

@@ -23,8 +23,8 @@ void declare(Options &options)
     options.addValue("dialect", "XML", "Further messages, in MAVLink's XML.");
     options.addValue("signing-key", "FILE",
                      "Key of signed frames: 32 bytes, or 64 hex digits. Frames with another signature are reported as bad.");
-    options.addValue("framing", "plain|mavsec2019",
-                     "Protection of the frames: none, or that of the published code of the MAVSec paper.", "plain");
+    options.addResearchValue("framing", "plain|mavsec2019",
+                             "Protection of the frames: none, or that of the published code of the MAVSec paper.", "plain");
     MavsecOptions::declare(options);
 }
 

@@ -8,15 +8,15 @@ using crypto::MavsecCipher;
 
 void MavsecOptions::declare(Options &options)
 {
-    options.addValue("cipher", "NAME", "With mavsec2019: chacha20 or aes-256-ctr.", "chacha20");
-    options.addValue("key", "HEX",
-                     "With mavsec2019: the key, if it is not the published one. Every user of this machine can read a "
-                     "command line; use --key-file for a secret key.");
-    options.addValue("key-file", "FILE",
-                     "With mavsec2019: file of the key, readable by its owner only: 32 bytes, or 64 hex digits.");
-    options.addValue("nonce", "HEX",
-                     "With mavsec2019: nonce of ChaCha20 (12 bytes) or first counter block of AES-256-CTR (16).");
-    options.addValue("counter", "N", "With mavsec2019: number of ChaCha20's first block.", "1");
+    options.addResearchValue("cipher", "NAME", "With mavsec2019: chacha20 or aes-256-ctr.", "chacha20");
+    options.addResearchValue("key", "HEX",
+                             "With mavsec2019: the key, if it is not the published one. Every user of this machine can read a "
+                             "command line; use --key-file for a secret key.");
+    options.addResearchValue("key-file", "FILE",
+                             "With mavsec2019: file of the key, readable by its owner only: 32 bytes, or 64 hex digits.");
+    options.addResearchValue("nonce", "HEX",
+                             "With mavsec2019: nonce of ChaCha20 (12 bytes) or first counter block of AES-256-CTR (16).");
+    options.addResearchValue("counter", "N", "With mavsec2019: number of ChaCha20's first block.", "1");
 }
 
 MavsecOptions MavsecOptions::read(Options &options)

@@ -9,6 +9,7 @@
 #include "app/common/passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
+#include "core/base/research.h"
 #include "core/channel/suite_strength.h"
 #include "core/crypto/inline_cipher.h"
 
@@ -26,20 +27,22 @@ constexpr double kLongestRun = 1e9;
 void declare(Options &options)
 {
     options.addLink("link", "Link to vehicles or their agents, e.g. udpin:0.0.0.0:14550. May be given several times.");
-    options.addValue("secure", "required|off",
-                     "required: accept only sealed vehicles (default with --identity); off: no sealed links.");
+    options.addResearchValue("secure", "required|off",
+                             "required: accept only sealed vehicles (default with --identity); off: no sealed links.");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "File of known peers: the agents of the vehicles.");
     options.addValue("suite", "NAME", "Suite at the start of every session.");
-    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.", "rc4");
-    options.addFlag("allow-research", "Also accept insecure research suites, for comparison.");
+    options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
+                     crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
+    options.addResearchFlag("allow-research", "Also accept insecure research suites, for comparison.");
     options.addValue("switch-to", "LIST", "Suites to switch through, repeatedly.");
     options.addValue("switch-every", "S", "Seconds between two switches.", "1");
-    options.addValue("framing", "sealed|inline|mavsec2019",
-                     "Protection of MAVLink. sealed: whole frames in records; inline: frames sealed in place, headers not "
-                     "encrypted; mavsec2019: INSECURE, read-only, as in the published code of the MAVSec paper.",
-                     "sealed");
+    options.addResearchValue(
+        "framing", "sealed|inline|mavsec2019",
+        "Protection of MAVLink. sealed: whole frames in records; inline: frames sealed in place, headers not "
+        "encrypted; mavsec2019: INSECURE, read-only, as in the published code of the MAVSec paper.",
+        "sealed");
     MavsecOptions::declare(options);
     options.addValue("stream-rate", "HZ", "Request every stream at this rate instead of the default profile.");
     options.addValue("duration", "S", "Exit after this many seconds.");
@@ -89,7 +92,7 @@ void readFraming(Options &options, engine::StationConfig &config)
 void readSecurity(Options &options, engine::StationConfig &config)
 {
     const bool hasKeys = options.has("identity");
-    const std::string secure = options.has("secure") ? options.text("secure") : hasKeys ? "required" : "off";
+    const std::string secure = options.has("secure") ? options.text("secure") : hasKeys || !kResearch ? "required" : "off";
     if (secure != "required" && secure != "off")
         options.fail("--secure '" + secure + "': required or off is expected");
     config.secure = secure == "required" ? engine::SecureMode::Required : engine::SecureMode::Off;

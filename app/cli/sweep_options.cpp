@@ -1,6 +1,7 @@
 #include "app/cli/sweep_options.h"
 
 #include "app/common/options.h"
+#include "core/base/research.h"
 
 #include <algorithm>
 
@@ -15,13 +16,14 @@ void declare(Options &options)
     options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.");
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
-    options.addFlag("allow-research", "With --link: also insecure research suites.");
-    options.addFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
+    options.addResearchFlag("allow-research", "With --link: also insecure research suites.");
+    options.addResearchFlag("allow-plain", "With --link: also plain MAVLink ('none'); the agent must consent as well.");
     options.addValue("suites", "LIST", "Suites to compare, separated by commas; all = every allowed suite.", "all");
-    options.addValue("framing", "NAME",
-                     "Protection of MAVLink: sealed = whole frames in records, inline = payloads sealed in place (suites "
-                     "that are a cipher and an HMAC; an agent of --link must allow it), both.",
-                     "sealed");
+    options.addResearchValue(
+        "framing", "NAME",
+        "Protection of MAVLink: sealed = whole frames in records, inline = payloads sealed in place (suites "
+        "that are a cipher and an HMAC; an agent of --link must allow it), both.",
+        "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
     options.addValue("repeats", "R", "Runs for each suite.", "3");
     options.addValue("warm-up", "S", "Seconds before each run that are not measured.", "0.3");
@@ -38,7 +40,7 @@ void declare(Options &options)
                      "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");
     options.addValue(
         "expect", "TEXT",
-        "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(none)'. Each side is a number or a "
+        "An assertion, e.g. 'loss<=0.001' or 'cpu(aes-256-gcm)<=1.1*cpu(chacha20)'. Each side is a number or a "
         "metric with an optional factor. Without a suite or load it must hold for each. May be given several times.");
     options.addFlag("json", "One JSON object per line on stdout.");
 }
@@ -50,7 +52,7 @@ Duration inSeconds(double value)
 
 std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
 {
-    const bool plain = ownAgent || options.has("allow-plain");
+    const bool plain = (ownAgent && kResearch) || options.has("allow-plain");
     const bool research = ownAgent || options.has("allow-research");
     std::vector<crypto::SuiteId> suites = options.suites("suites", true);
     if (options.text("suites") == "all") {
@@ -63,7 +65,7 @@ std::vector<crypto::SuiteId> readSuites(Options &options, bool ownAgent)
     for (const crypto::SuiteId suite : suites) {
         const std::string what = "--suites '" + std::string(crypto::suiteInfo(suite).name) + "': ";
         if (suite == crypto::SuiteId::None && !plain)
-            options.fail(what + "plain MAVLink needs consent at both ends; --allow-plain");
+            options.fail(what + (kResearch ? "plain MAVLink needs consent at both ends; --allow-plain" : "not in this build"));
         else if (crypto::suiteInfo(suite).research && !research)
             options.fail(what + "insecure, for research only; --allow-research");
     }

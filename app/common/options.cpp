@@ -2,6 +2,7 @@
 
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "core/base/research.h"
 
 #include <QtCore/QCoreApplication>
 
@@ -93,6 +94,22 @@ void Options::addArgument(const char *name, const char *help)
     m_parser.addPositionalArgument(QLatin1String(name), QString::fromUtf8(help), QLatin1String(name));
 }
 
+void Options::addResearchFlag(const char *name, const char *help)
+{
+    if (kResearch)
+        addFlag(name, help);
+    else
+        m_left[name];
+}
+
+void Options::addResearchValue(const char *name, const char *placeholder, const char *help, const char *preset)
+{
+    if (kResearch)
+        addValue(name, placeholder, help, preset);
+    else
+        m_left[name] = preset;
+}
+
 std::optional<int> Options::parse(const QStringList &arguments)
 {
     // The parser expects the program's name first and shows it in the help.
@@ -125,12 +142,13 @@ std::optional<int> Options::finish() const
 
 bool Options::has(const char *name) const
 {
-    return m_parser.isSet(QLatin1String(name));
+    return !m_left.contains(name) && m_parser.isSet(QLatin1String(name));
 }
 
 std::string Options::text(const char *name) const
 {
-    return m_parser.value(QLatin1String(name)).toStdString();
+    const auto left = m_left.find(name);
+    return left != m_left.end() ? left->second : m_parser.value(QLatin1String(name)).toStdString();
 }
 
 std::string Options::required(const char *name)

@@ -30,6 +30,10 @@ public:
     using LinkFilter = bool (*)(const link::LinkTraits &);
     void addLink(const char *name, const char *help, LinkFilter accepted = nullptr, const char *preset = "");
     void addArgument(const char *name, const char *help);
+    /// The same for options that exist for comparison only. A build without research does not know them (core/base/research.h): for
+    /// it, has() is false and text() the preset.
+    void addResearchFlag(const char *name, const char *help);
+    void addResearchValue(const char *name, const char *placeholder, const char *help, const char *preset = "");
 
     /// `arguments`: without the program's name. Returns an exit status if the program is done: help or version was printed, or
     /// the usage is wrong.
@@ -66,6 +70,7 @@ private:
     QString m_name;
     QCommandLineParser m_parser;
     std::map<std::string, LinkFilter> m_links; ///< by the name of their option
+    std::map<std::string, std::string> m_left; ///< presets of the options that this build does not know
     std::string m_problem;
 };
 

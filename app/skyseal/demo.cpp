@@ -1,5 +1,6 @@
 #include "app/skyseal/demo.h"
 
+#include "core/base/research.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 
@@ -110,13 +111,15 @@ void Demo::start(quint16 groundPort)
 void Demo::restart()
 {
     const QString vehicle = QStringLiteral("127.0.0.1:%1").arg(m_vehiclePort);
-    if (m_agent.state() == QProcess::NotRunning)
-        launch(m_agent, kAgent,
-               {QStringLiteral("--vehicle"), QStringLiteral("udpin:") + vehicle, QStringLiteral("--ground"),
-                QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort), QStringLiteral("--identity"),
-                m_folder.filePath(QStringLiteral("air.key")), QStringLiteral("--peers"),
-                m_folder.filePath(QStringLiteral("air.peers")), QStringLiteral("--allow-research"),
-                QStringLiteral("--allow-inline")});
+    if (m_agent.state() == QProcess::NotRunning) {
+        QStringList agent{QStringLiteral("--vehicle"),  QStringLiteral("udpin:") + vehicle,
+                          QStringLiteral("--ground"),   QStringLiteral("udpout:127.0.0.1:%1").arg(m_groundPort),
+                          QStringLiteral("--identity"), m_folder.filePath(QStringLiteral("air.key")),
+                          QStringLiteral("--peers"),    m_folder.filePath(QStringLiteral("air.peers"))};
+        if (kResearch)
+            agent << QStringLiteral("--allow-research") << QStringLiteral("--allow-inline");
+        launch(m_agent, kAgent, agent);
+    }
     if (m_simulator.state() == QProcess::NotRunning)
         launch(m_simulator, kSimulator, {QStringLiteral("--link"), QStringLiteral("udpout:") + vehicle});
 }

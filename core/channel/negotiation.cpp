@@ -1,5 +1,7 @@
 #include "core/channel/negotiation.h"
 
+#include "core/base/research.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {
@@ -27,10 +29,11 @@ std::vector<SuiteId> defaultSuites()
 
 SuiteOffer offerOf(const Policy &policy)
 {
-    SuiteOffer offer{{}, policy.allowResearch, policy.allowPlain, policy.allowInline, false};
-    offer.preferInline = policy.allowInline && policy.preferInline;
+    SuiteOffer offer;
+    if constexpr (kResearch)
+        offer = {{}, policy.allowResearch, policy.allowPlain, policy.allowInline, policy.allowInline && policy.preferInline};
     for (const SuiteId suite : policy.suites) {
-        const bool wanted = suite != SuiteId::None && (policy.allowResearch || !isResearch(suite));
+        const bool wanted = suite != SuiteId::None && (offer.allowResearch || !isResearch(suite));
         if (wanted && !holds(offer.suites, suite))
             offer.suites.push_back(suite);
     }

@@ -1,10 +1,10 @@
 #include "core/crypto/suite.h"
 
+#include "core/base/research.h"
 #include "core/crypto/inline_cipher.h"
 #include "core/crypto/record_keys.h"
 
 #include <algorithm>
-#include <array>
 
 namespace skyseal::crypto {
 
@@ -19,15 +19,23 @@ SuiteInfo rc4Suite();
 std::span<const SuiteInfo> suites()
 {
     /// In order of preference, research suites last.
-    static const std::array table{
-        SuiteInfo{.name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
-        chaCha20Poly1305Suite(),
-        aes256GcmSuite(),
-        aes256CtrSuite(),
-        aes256CbcSuite(),
-        chaCha20Suite(),
-        rc4Suite(),
-    };
+    static const std::vector<SuiteInfo> table = [] {
+        std::vector<SuiteInfo> out{
+            SuiteInfo{.name = "none", .displayName = "None (plain MAVLink)", .authenticated = false},
+            chaCha20Poly1305Suite(),
+            aes256GcmSuite(),
+            aes256CtrSuite(),
+            aes256CbcSuite(),
+            chaCha20Suite(),
+        };
+        if constexpr (kResearch) {
+            out.push_back(rc4Suite());
+        } else {
+            for (SuiteInfo &suite : out)
+                suite.makeInline = nullptr; // Sealing in place is a framing for comparison.
+        }
+        return out;
+    }();
     return table;
 }
 
@@ -39,6 +47,13 @@ std::vector<SuiteId> sealedSuites()
             out.push_back(info.id);
     }
     return out;
+}
+
+SuiteId weakestSealedSuite()
+{
+    const std::vector<SuiteId> sealed = sealedSuites();
+    return *std::min_element(sealed.begin(), sealed.end(),
+                             [](SuiteId one, SuiteId other) { return suiteInfo(one).strength < suiteInfo(other).strength; });
 }
 
 const SuiteInfo &suiteInfo(SuiteId id)

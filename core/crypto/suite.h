@@ -73,6 +73,9 @@ std::span<const SuiteInfo> suites();
 /// The suites that seal, in order of preference, research suites last.
 std::vector<SuiteId> sealedSuites();
 
+/// The weakest of them by SuiteStrength: as a lower limit it admits all.
+SuiteId weakestSealedSuite();
+
 /// The descriptor of a suite; that of None for a number that is not in the table.
 const SuiteInfo &suiteInfo(SuiteId id);
 

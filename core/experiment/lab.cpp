@@ -1,5 +1,6 @@
 #include "core/experiment/lab.h"
 
+#include "core/base/research.h"
 #include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
@@ -124,11 +125,14 @@ void Lab::start(Load load, const Condition &condition, std::uint64_t seed)
                            QString::number(seed)}
                    + relayArguments(condition.settings));
     }
-    launch(m_agent, m_programs.agent,
-           {QStringLiteral("--vehicle"), loopback("udpin", m_vehiclePort), QStringLiteral("--ground"),
-            loopback("udpout", condition.clean() ? m_groundPort : m_relayPort), QStringLiteral("--identity"), file("air.key"),
-            QStringLiteral("--peers"), file("air.peers"), QStringLiteral("--allow-research"), QStringLiteral("--allow-plain"),
-            QStringLiteral("--allow-inline"), QStringLiteral("--json")});
+    QStringList agent{QStringLiteral("--vehicle"),  loopback("udpin", m_vehiclePort),
+                      QStringLiteral("--ground"),   loopback("udpout", condition.clean() ? m_groundPort : m_relayPort),
+                      QStringLiteral("--identity"), file("air.key"),
+                      QStringLiteral("--peers"),    file("air.peers"),
+                      QStringLiteral("--json")};
+    if (kResearch)
+        agent << QStringLiteral("--allow-research") << QStringLiteral("--allow-plain") << QStringLiteral("--allow-inline");
+    launch(m_agent, m_programs.agent, agent);
     QStringList simulator{QStringLiteral("--link"),    loopback("udpout", m_vehiclePort), QStringLiteral("--seed"),
                           QString::number(seed),       QStringLiteral("--json"),          QStringLiteral("--rate"),
                           QString::number(kFlightRate)};

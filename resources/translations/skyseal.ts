@@ -50,6 +50,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>not in this build</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>the settings require sealing</source>
         <translation type="unfinished"></translation>
     </message>

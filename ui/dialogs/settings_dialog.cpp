@@ -1,5 +1,6 @@
 #include "ui/dialogs/settings_dialog.h"
 
+#include "core/base/research.h"
 #include "core/link/link_url.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/theme/grid.h"
@@ -140,7 +141,8 @@ QWidget *SettingsDialog::makeSecurity()
     auto *column = new QVBoxLayout(box);
     m_required = named(new QCheckBox(tr("Show sealed vehicles &only"), box), "settingRequired",
                        tr("Show sealed vehicles only"));
-    m_required->setChecked(m_start.requireSealed);
+    m_required->setChecked(m_start.requireSealed || !kResearch);
+    m_required->setEnabled(kResearch);
     m_research = named(new QCheckBox(tr("Allow &insecure research suites (%1)").arg(researchSuites()), box), "settingResearch",
                        tr("Allow insecure research suites"));
     m_research->setChecked(m_start.allowResearch);
@@ -155,12 +157,15 @@ QWidget *SettingsDialog::makeSecurity()
     weakest->addWidget(m_weakest, 1);
     column->addLayout(weakest);
     column->addWidget(m_research);
-    column->addWidget(smallPrint(
+    auto *broken = smallPrint(
         tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured "
            "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. I "
            "understand that while one is in use the link is not confidential.")
             .arg(researchSuites()),
-        box));
+        box);
+    column->addWidget(broken);
+    m_research->setVisible(kResearch);
+    broken->setVisible(kResearch);
     return box;
 }
 

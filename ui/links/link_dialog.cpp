@@ -2,6 +2,7 @@
 
 #include "core/crypto/mavsec_cipher.h"
 #include "core/base/hex.h"
+#include "core/base/research.h"
 #include "core/link/link_url.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
@@ -58,8 +59,10 @@ LinkDialog::LinkDialog(const QString &url, QWidget *parent) : QDialog(parent)
     m_protection = new QComboBox(this);
     m_protection->setObjectName(QStringLiteral("linkProtection"));
     m_protection->addItem(tr("Sealed, or plain MAVLink"));
-    m_protection->addItem(tr("INSECURE: MAVSec 2019, ChaCha20, receive only"), int(MavsecCipher::Kind::ChaCha20));
-    m_protection->addItem(tr("INSECURE: MAVSec 2019, AES-256-CTR, receive only"), int(MavsecCipher::Kind::Aes256Ctr));
+    if (kResearch) {
+        m_protection->addItem(tr("INSECURE: MAVSec 2019, ChaCha20, receive only"), int(MavsecCipher::Kind::ChaCha20));
+        m_protection->addItem(tr("INSECURE: MAVSec 2019, AES-256-CTR, receive only"), int(MavsecCipher::Kind::Aes256Ctr));
+    }
     m_key = new QLineEdit(this);
     m_key->setObjectName(QStringLiteral("linkKeyFile"));
     m_key->setPlaceholderText(tr("the published key"));

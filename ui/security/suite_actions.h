@@ -67,7 +67,7 @@ private:
     std::optional<crypto::SuiteId> m_asked; ///< requested here and not yet answered
     bool m_keysAsked = false;               ///< the same for fresh keys
     bool m_researchAllowed = false;
-    crypto::SuiteId m_weakest = crypto::SuiteId::Rc4;
+    crypto::SuiteId m_weakest = crypto::weakestSealedSuite();
     bool m_plain = false;
     bool m_held = false;
     QString m_note;

@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_permits.h"
 
+#include "core/base/research.h"
 #include "ui/security/suite_actions.h"
 
 #include <QtCore/QCoreApplication>
@@ -41,6 +42,8 @@ QString connectedLinkDisabledReason(const SweepContext &context)
 
 QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, SuiteId suite)
 {
+    if (suite == SuiteId::None && !kResearch)
+        return Text::tr("not in this build");
     if (!crypto::suiteAvailable(suite) && suite != SuiteId::None)
         return Text::tr("missing on this machine");
     if (ownVehicle)
@@ -61,6 +64,8 @@ QString suiteDisabledReason(const SweepContext &context, bool ownVehicle, SuiteI
 
 QString inlineDisabledReason(const SweepContext &context, bool ownVehicle)
 {
+    if (!kResearch)
+        return Text::tr("not in this build");
     // It needs a new session, during which no commands can be sent.
     if (!ownVehicle && context.view.snapshot && isArmed(context.view))
         return Text::tr("not while the vehicle is armed");

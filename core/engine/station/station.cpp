@@ -1,5 +1,7 @@
 #include "core/engine/station/station.h"
 
+#include "core/base/research.h"
+
 #include "core/crypto/thread_end.h"
 #include "core/engine/station/mailbox.h"
 #include "core/engine/station/output_queue.h"
@@ -132,6 +134,8 @@ struct Station::Private
 
 Result<std::unique_ptr<Station>, InputError> Station::create(StationConfig config)
 {
+    if (!kResearch)
+        config.secure = SecureMode::Required;
     std::unique_ptr<SecretFiles> secrets;
     if (config.secure != SecureMode::Off && !config.keys.identity.empty()) {
         auto read = readSecretFiles(config.keys);
