@@ -5,6 +5,8 @@
 #include "core/base/clock.h"
 #include "core/vehicle/message_queue.h"
 
+#include <optional>
+
 namespace skyseal::vehicle {
 
 /// HEARTBEAT of a ground station (MAV_TYPE_GCS, MAV_AUTOPILOT_INVALID), urgent.
