@@ -80,7 +80,7 @@ std::string eventLine(const engine::Event &event, const engine::PeerNames &peers
     const engine::EventText text = engine::eventText(event, peers);
     if (text.isRoutine)
         return {};
-    const std::string line = text.line().toStdString();
+    std::string line = text.line().toStdString();
     switch (text.remedy) {
     case Remedy::None: break;
     case Remedy::AllowPlaintext: return line + ". --secure off accepts plain MAVLink";

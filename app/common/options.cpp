@@ -261,7 +261,7 @@ std::vector<link::LinkUrl> Options::urls(const char *name)
 
 QStringList Options::arguments(int least, int most)
 {
-    const QStringList given = m_parser.positionalArguments();
+    QStringList given = m_parser.positionalArguments();
     if (given.size() > most)
         fail("unexpected argument " + quoted(given[most].toStdString()));
     else if (given.size() < least)

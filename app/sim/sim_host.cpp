@@ -48,8 +48,8 @@ void SimHost::makeVehicles(TimePoint now)
         sim::SimulatedVehicleConfig config;
         config.systemId = static_cast<std::uint8_t>(m_settings.systemId + i);
         config.autopilot.seed = m_settings.seed + static_cast<std::uint64_t>(i);
-        // In rows of ten.
-        config.autopilot.start = field.toGeo({-kSpacing * (i / 10), kSpacing * (i % 10), 0});
+        const int row = i / 10, column = i % 10;
+        config.autopilot.start = field.toGeo({-kSpacing * row, kSpacing * column, 0});
         config.rate = m_settings.rate;
         config.bootTime = wallNow();
         m_vehicles.emplace_back(config, now);

@@ -84,7 +84,7 @@ Context keyed(const OpensslCipher &primitive, const Material &material, RecordOp
     EVP_CIPHER *cipher = EVP_CIPHER_fetch(primitive.legacy ? legacyLibrary() : nullptr, primitive.name, nullptr);
     if (!cipher)
         return nullptr;
-    const Context context(EVP_CIPHER_CTX_new(), FreeContext());
+    Context context(EVP_CIPHER_CTX_new(), FreeContext());
     const int encrypt = operation == RecordOperation::Seal ? 1 : 0;
     EVP_CipherInit_ex2(context.get(), cipher, nullptr, nullptr, encrypt, nullptr);
     if (primitive.keyedPerRecord)

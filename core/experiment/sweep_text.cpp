@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kNameWidth = 32, kWidth = 22;
 
 /// Width on a terminal: characters, not bytes of UTF-8.
-std::string padded(std::string text, std::size_t width, bool right)
+std::string padded(const std::string &text, std::size_t width, bool right)
 {
     std::size_t characters = 0;
     for (const char c : text)

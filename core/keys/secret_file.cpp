@@ -131,7 +131,7 @@ using WriteFile = Result<void, InputError> (*)(const std::string &path, ByteView
 
 static Result<void, InputError> writeText(WriteFile write, const std::string &path, std::string &&text)
 {
-    const auto written = write(path, asBytes(text));
+    auto written = write(path, asBytes(text));
     wipeSecret(text.data(), text.size());
     return written;
 }

@@ -54,7 +54,7 @@ std::string portOwner(PortKind kind, std::uint16_t port)
             std::string name;
             std::ifstream comm(process->path() / "comm");
             std::getline(comm, name);
-            return name.empty() ? std::string() : name + " (process " + pid + ")";
+            return name.empty() ? name : name.append(" (process ").append(pid).append(")");
         }
     }
     return {};

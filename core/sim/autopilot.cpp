@@ -274,7 +274,7 @@ Autopilot::Refusal Autopilot::startMission()
 {
     if (!m_armed)
         return "Mission: not armed";
-    if (const Refusal reason = enterMode(FlightMode::Auto))
+    if (Refusal reason = enterMode(FlightMode::Auto))
         return reason;
     m_modes.mission().start();
     return std::nullopt;

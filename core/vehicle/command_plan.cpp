@@ -37,7 +37,7 @@ CommandOrder order(std::uint16_t command, float p1 = 0, float p2 = 0, float p3 =
 
 Plan plan(CommandOrder command, Effect effect = {})
 {
-    return CommandPlan{{std::move(command)}, std::move(effect)};
+    return CommandPlan{{command}, std::move(effect)};
 }
 
 std::int32_t degreesE7(double degrees)

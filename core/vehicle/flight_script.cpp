@@ -14,9 +14,9 @@ namespace {
 using Action = decltype(FlightStep::action);
 using StepResult = Result<Action, InputError>;
 
-tl::unexpected<InputError> fail(const ScriptTokens &tokens, std::string expected)
+tl::unexpected<InputError> fail(const ScriptTokens &tokens, const std::string &expected)
 {
-    return tl::make_unexpected(tokens.error(std::move(expected)));
+    return tl::make_unexpected(tokens.error(expected));
 }
 
 /// A step without arguments.

@@ -67,7 +67,7 @@ QString linkText(const experiment::Condition &link)
 
 QString placeText(const experiment::Plan &plan, std::size_t condition, std::size_t load)
 {
-    const QString text = loadText(plan.loads[load]);
+    QString text = loadText(plan.loads[load]);
     if (std::ranges::all_of(plan.conditions, &experiment::Condition::clean))
         return text;
     return linkText(plan.conditions[condition]) + QStringLiteral(" · ") + text;

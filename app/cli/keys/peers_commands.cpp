@@ -197,8 +197,9 @@ int listPeers(const QStringList &arguments)
         const std::string role(keys::peerRoleText(peer.role));
         const std::string systems = keys::systemIdsText(peer.systemIds);
         if (!command.options.has("json")) {
-            printLine(peer.name + "  " + role + "  " + systems + "  " + keys::fingerprint(peer.key)
-                      + (entry.presharedKeyFile.empty() ? "" : "  psk"));
+            std::string line = peer.name;
+            line.append("  ").append(role).append("  ").append(systems).append("  ").append(keys::fingerprint(peer.key));
+            printLine(entry.presharedKeyFile.empty() ? line : line.append("  psk"));
             continue;
         }
         JsonWriter line;

@@ -26,7 +26,7 @@ LinkPhase phaseOf(link::LinkState state)
 } // namespace
 
 LinkPool::LinkPool(link::LinkListener &listener, StateChanged stateChanged, link::LinkOptions options)
-    : m_listener(listener), m_stateChanged(std::move(stateChanged)), m_options(std::move(options))
+    : m_listener(listener), m_stateChanged(std::move(stateChanged)), m_options(options)
 {}
 
 LinkPool::~LinkPool()
