@@ -4,6 +4,7 @@
 #include "app/common/exit_status.h"
 #include "app/common/process.h"
 #include "core/base/json_writer.h"
+#include "core/crypto/passphrase.h"
 #include "core/keys/public_key_text.h"
 
 #include <QtCore/QCoreApplication>

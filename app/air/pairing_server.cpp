@@ -1,6 +1,7 @@
 #include "app/air/pairing_server.h"
 
 #include "core/base/locked_memory.h"
+#include "core/crypto/passphrase.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 

@@ -4,6 +4,7 @@
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
 #include "app/skyseal/own_files.h"
+#include "core/crypto/x25519.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QTimer>

@@ -1,6 +1,7 @@
 #include "app/skyseal/demo.h"
 
 #include "core/base/research.h"
+#include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 

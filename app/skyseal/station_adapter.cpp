@@ -1,5 +1,7 @@
 #include "app/skyseal/station_adapter.h"
 
+#include "core/crypto/mavsec_cipher.h"
+
 namespace skyseal::app {
 
 using engine::Station;

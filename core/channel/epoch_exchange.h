@@ -6,6 +6,7 @@
 #include "core/base/weakness.h"
 #include "core/channel/key_chain.h"
 #include "core/channel/token_bucket.h"
+#include "core/crypto/x25519.h"
 
 #include <optional>
 

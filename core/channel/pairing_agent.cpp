@@ -1,5 +1,7 @@
 #include "core/channel/pairing_agent.h"
 
+#include "core/crypto/x25519.h"
+
 #include <sodium.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "core/channel/pairing_handshake.h"
 
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/base/byte_writer.h"
 #include "core/base/locked_memory.h"
 #include "core/base/weakness.h"

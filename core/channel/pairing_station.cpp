@@ -1,5 +1,7 @@
 #include "core/channel/pairing_station.h"
 
+#include "core/crypto/x25519.h"
+
 #include <algorithm>
 
 namespace skyseal::channel {

@@ -12,6 +12,7 @@
 #include "core/channel/tunnel_parts.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/kdf.h"
+#include "core/crypto/passphrase.h"
 #include "core/crypto/record_cipher.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/keys/public_key_text.h"

@@ -3,6 +3,8 @@
 
 #include "core/channel/pairing.h"
 #include "core/channel/pairing_handshake.h"
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "pair.h"
 
 namespace skyseal::test {

@@ -1,6 +1,7 @@
 #include "tests/engine/flight_rig.h"
 
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/x25519.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 #include "core/mavlink/stream_parser.h"

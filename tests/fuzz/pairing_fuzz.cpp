@@ -1,5 +1,7 @@
 // Pairing messages in every state of both roles: a window without callers, one that waits for an answer or an opening, and one
 // with a peer on the screen. The input is a list of datagrams, each a length and its bytes; heads are made valid.
+#include "core/crypto/passphrase.h"
+#include "core/crypto/x25519.h"
 #include "core/crypto/init_crypto.h"
 #include "pairing_pair.h"
 

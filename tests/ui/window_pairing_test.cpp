@@ -1,7 +1,9 @@
 // The window's pairing when there is no station.
 #include "app/skyseal/window_pairing.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/passphrase.h"
 #include "core/crypto/system_random.h"
+#include "core/crypto/x25519.h"
 #include "core/keys/secret_file.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"

@@ -2,6 +2,7 @@
 // over and whether its goals were reached. The listener writes the output. Lives on the thread of the Station object.
 #pragma once
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/station.h"
 #include "core/engine/headless/switch_plan.h"
 #include "core/vehicle/flight_script_runner.h"

@@ -3,6 +3,7 @@
 #include "core/base/research.h"
 
 #include "core/crypto/thread_end.h"
+#include "core/crypto/x25519.h"
 #include "core/engine/station/mailbox.h"
 #include "core/engine/station/output_queue.h"
 #include "core/engine/station/station_core.h"
