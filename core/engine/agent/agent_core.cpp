@@ -2,6 +2,7 @@
 
 #include "core/channel/endpoint.h"
 #include "core/base/weakness.h"
+#include "core/crypto/x25519.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/dialect.h"
 
@@ -120,6 +121,11 @@ void AgentCore::cancelPairing()
     finishWake();
 }
 
+const channel::PublicKey &AgentCore::publicKey() const
+{
+    return m_secrets->identity->publicKey;
+}
+
 void AgentCore::stop()
 {
     m_pairing.cancel(steadyNow(), channel::PairingEnd::Cancelled);
@@ -148,15 +154,16 @@ AgentSnapshot AgentCore::snapshot()
     out.storageProblem = m_storage.problem();
     for (LinkSnapshot &link : m_links.snapshots(now))
         (link.id == kVehicleLink ? out.vehicle : out.ground) = std::move(link);
-    const metrics::SequenceCounts counts = m_fromVehicle.total();
-    out.mavlink = {counts.received, counts.lost, counts.late, counts.duplicate, m_links.badFrames(), m_fromVehicle.evicted()};
+    const metrics::SequenceCounts counts = m_measured.fromVehicle.total();
+    out.mavlink = {counts.received,  counts.lost,         counts.late,
+                   counts.duplicate, m_links.badFrames(), m_measured.fromVehicle.evicted()};
     out.channel = m_channel.totals();
-    out.channel.rx.malformed += m_counters.unusable;
-    out.channel.rx.plaintextDropped = m_counters.clearRefused;
-    out.counters = m_counters;
+    out.channel.rx.malformed += m_measured.counters.unusable;
+    out.channel.rx.plaintextDropped = m_measured.counters.clearRefused;
+    out.counters = m_measured.counters;
     out.counters.groundIdRefused = m_groundIdClaims.count();
     m_gate.addTo(out.counters);
-    out.processCpuPercent = m_cpu.sample(now, metrics::processCpuTime());
+    out.processCpuPercent = m_measured.cpu.sample(now, metrics::processCpuTime());
     out.residentBytes = metrics::residentBytes().value_or(0);
     return out;
 }
@@ -208,14 +215,15 @@ void AgentCore::takeFromVehicle(TimePoint now, const Path &from, const mavlink::
         m_links.noteUse(from);
         if (VehicleRoutes::isVehicleHeartbeat(*item.frame) && !takeVehicleHeartbeat(now, from, *item.frame))
             return;
-        m_fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(), now);
+        m_measured.fromVehicle.note({from.link, item.frame->systemId(), item.frame->componentId()}, item.frame->sequence(),
+                                    now);
     }
     if (isPlain()) {
         m_clear.add(item.bytes);
     } else if (m_sessions.none()) {
-        ++m_counters.undelivered;
+        ++m_measured.counters.undelivered;
     } else {
-        ++m_counters.toGround;
+        ++m_measured.counters.toGround;
         for (const channel::SessionId session : m_sessions.all())
             m_channel.queue(now, session, item.bytes);
     }
@@ -288,27 +296,27 @@ void AgentCore::takeClear(const link::Link &, const link::ReceivedBlock &block, 
         m_links.noteUse(block.path);
         sendToVehicle(item);
     } else {
-        ++m_counters.clearRefused;
+        ++m_measured.counters.clearRefused;
     }
 }
 
 void AgentCore::takeUnusable(const link::Link &, Unusable what)
 {
     if (what == Unusable::Clear) {
-        ++m_counters.clearRefused;
+        ++m_measured.counters.clearRefused;
         return;
     }
     // Behind a router the datagrams themselves are not the station's.
-    m_counters.unusable += what == Unusable::Message || m_config.carrier == Carrier::Datagram;
+    m_measured.counters.unusable += what == Unusable::Message || m_config.carrier == Carrier::Datagram;
 }
 
 void AgentCore::sendToVehicle(const mavlink::ScanItem &item)
 {
     const std::uint8_t target = item.frame ? item.frame->targetSystem() : std::uint8_t(0);
     if (m_routes.forEachPathTo(target, [&](const Path &path) { m_links.send(path, item.bytes); }))
-        ++m_counters.toVehicle;
+        ++m_measured.counters.toVehicle;
     else
-        ++m_counters.undelivered;
+        ++m_measured.counters.undelivered;
 }
 
 void AgentCore::handleEvents(std::optional<channel::SessionId> speaking)

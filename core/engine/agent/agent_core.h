@@ -64,7 +64,7 @@ public:
     void confirmPairing(const channel::PublicKey &key);
     void refusePairing();
     void cancelPairing();
-    const channel::PublicKey &publicKey() const { return m_secrets->identity->publicKey; }
+    const channel::PublicKey &publicKey() const;
     /// Says goodbye to every station and closes the links.
     void stop();
     /// Call about once a second: rates and load cover the time since the last call, and refused frames are published.
@@ -80,6 +80,13 @@ private:
             m_agent.takeFromVehicle(block.time, block.path, item);
         }
         AgentCore &m_agent;
+    };
+
+    struct Measurements
+    {
+        metrics::SequenceTable fromVehicle;
+        metrics::CpuSampler cpu;
+        AgentCounters counters; ///< without the frames that m_gate refused
     };
 
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
@@ -120,9 +127,7 @@ private:
     StorageWatch m_storage;
     ArmedVehicles m_armed;
     NodeHeartbeat m_node;
-    metrics::SequenceTable m_fromVehicle;
-    metrics::CpuSampler m_cpu;
-    AgentCounters m_counters; ///< without the frames that m_gate refused
+    Measurements m_measured;
     bool m_stopped = false;
     DeadlineTimer m_timer;
 };
