@@ -4,15 +4,15 @@
 #include "core/channel/pairing.h"
 #include "core/keys/peer_line.h"
 #include "ui/keys/changed_key_warning.h"
-#include "ui/keys/fingerprint_text.h"
 #include "ui/keys/passphrase_field.h"
+#include "ui/keys/pairing_question_form.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFormLayout>
-#include <QtWidgets/QLineEdit>
+#include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
 
 #include <algorithm>
@@ -22,7 +22,6 @@ namespace skyseal::ui {
 namespace {
 
 constexpr auto kWindowSeconds = std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count();
-constexpr double kCodeScale = 2.5; ///< of the code's letters, which are read aloud
 
 } // namespace
 
@@ -46,32 +45,17 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);
     m_problem->setPalette(colors);
-    m_code = fixedWidthLabel({}, "pairingCode", tr("Code"), this);
-    QFont large = m_code->font();
-    large.setPointSizeF(large.pointSizeF() * kCodeScale);
-    large.setBold(true);
-    m_code->setFont(large);
-    m_code->setAlignment(Qt::AlignCenter);
-    m_system = label("pairingSystem");
-    m_ours = fixedWidthLabel(fingerprintLines(keyring.ownKey().publicKey.value_or(channel::PublicKey{})), "pairingOwn",
-                             tr("Fingerprint of this station"), this);
-    m_theirs = fixedWidthLabel({}, "pairingTheirs", tr("Fingerprint of the agent"), this);
-    m_name = new QLineEdit(this);
-    m_name->setObjectName(QStringLiteral("pairingName"));
-    m_name->setAccessibleName(tr("Name"));
+    m_agent = new PairingQuestionForm(keyring.ownKey().publicKey.value_or(channel::PublicKey{}), this);
     m_passphrase = new PassphraseField("pairingPassphrase", tr("Passphrase of this pairing"), this);
     m_passphrase->setPlaceholderText(tr("none; or the same as at the agent"));
     m_passphrase->setToolTip(tr("Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.\nThen "
                                 "there is no code to compare. It is valid for this pairing only."));
     m_warning = new ChangedKeyWarning(this);
-    m_form = new QFormLayout;
-    m_form->setHorizontalSpacing(2 * kGrid);
-    m_form->setVerticalSpacing(kGrid);
-    m_form->addRow(tr("&Name"), m_name);
-    m_form->addRow(tr("Vehicle"), m_system);
-    m_form->addRow(tr("This station"), m_ours);
-    m_form->addRow(tr("The agent"), m_theirs);
-    m_form->addRow(tr("&Passphrase"), m_passphrase);
+    m_passphraseRow = new QWidget(this);
+    auto *row = new QFormLayout(m_passphraseRow);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setHorizontalSpacing(2 * kGrid);
+    row->addRow(tr("&Passphrase"), m_passphrase);
     auto *buttons = new QDialogButtonBox(this);
     m_fingerprints = buttons->addButton(tr("&Fingerprints"), QDialogButtonBox::ResetRole);
     m_fingerprints->setObjectName(QStringLiteral("pairingFingerprints"));
@@ -91,8 +75,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     column->setContentsMargins(2 * kGrid, 2 * kGrid, 2 * kGrid, 2 * kGrid);
     column->setSpacing(kGrid);
     column->addWidget(m_text);
-    column->addWidget(m_code);
-    column->addLayout(m_form);
+    column->addWidget(m_agent);
+    column->addWidget(m_passphraseRow);
     column->addWidget(m_warning);
     column->addWidget(m_problem);
     column->addStretch(1);
@@ -126,7 +110,7 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
     connect(m_differ, &QPushButton::clicked, this, &PairingDialog::refuse);
     connect(m_fingerprints, &QPushButton::toggled, this, &PairingDialog::showFingerprints);
     connect(m_again, &QPushButton::clicked, this, &PairingDialog::begin);
-    connect(m_name, &QLineEdit::textChanged, this, &PairingDialog::check);
+    connect(m_agent, &PairingQuestionForm::nameChanged, this, &PairingDialog::check);
     connect(m_warning, &ChangedKeyWarning::acceptedChanged, this, &PairingDialog::check);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_tick.setInterval(1000);
@@ -167,19 +151,13 @@ void PairingDialog::showStep(Step step, const QString &text)
     m_text->setText(text);
     const bool comparing = step == Step::Comparing;
     const bool hasPeer = comparing || step == Step::Confirmed;
-    const auto showRow = [this](QWidget *field, bool visible) {
-        field->setVisible(visible);
-        m_form->labelForField(field)->setVisible(visible);
-    };
-    m_code->setVisible(hasPeer && !m_hasPassphrase);
-    showRow(m_name, hasPeer);
-    showRow(m_system, hasPeer && m_question && m_question->systemId != 0);
-    showRow(m_passphrase, step == Step::Waiting || step == Step::Failed);
+    m_agent->setVisible(hasPeer);
+    m_agent->setNameEnabled(comparing);
+    m_passphraseRow->setVisible(step == Step::Waiting || step == Step::Failed);
     m_fingerprints->setVisible(hasPeer);
     if (!hasPeer)
         m_fingerprints->setChecked(false);
     showFingerprints();
-    m_name->setEnabled(comparing);
     m_agree->setVisible(comparing);
     m_differ->setVisible(comparing);
     m_again->setVisible(step == Step::Failed);
@@ -203,10 +181,7 @@ void PairingDialog::showQuestion(const PairingQuestion &question)
         return;
     }
     m_question = question;
-    m_code->setText(question.code);
-    m_system->setText(tr("system id %1").arg(question.systemId));
-    m_theirs->setText(fingerprintLines(question.key));
-    m_name->setText(question.name);
+    m_agent->showQuestion(question, !m_hasPassphrase);
     m_agree->setText(m_hasPassphrase ? tr("&Confirm") : tr("The codes are the &same"));
     m_differ->setText(m_hasPassphrase ? tr("&Refuse") : tr("They &differ"));
     showStep(Step::Comparing,
@@ -217,11 +192,8 @@ void PairingDialog::showQuestion(const PairingQuestion &question)
 
 void PairingDialog::showFingerprints()
 {
-    const bool visible = m_fingerprints->isChecked() && (m_step == Step::Comparing || m_step == Step::Confirmed);
-    for (QLabel *print : {m_ours, m_theirs}) {
-        print->setVisible(visible);
-        m_form->labelForField(print)->setVisible(visible);
-    }
+    const bool visible = m_fingerprints->isChecked();
+    m_agent->showFingerprints(visible);
     if (visible) // a layout with wrapped texts does not enlarge the window by itself
         resize(width(), std::max(height(), sizeHint().height()));
 }
@@ -249,13 +221,13 @@ void PairingDialog::check()
         return;
     const PeerList list = m_keyring.peerList();
     const bool known = std::ranges::any_of(list.peers, [&](const KnownPeer &peer) { return peer.key == m_question->key; });
-    const auto same = std::ranges::find(list.peers, m_name->text(), &KnownPeer::name);
+    const auto same = std::ranges::find(list.peers, m_agent->name(), &KnownPeer::name);
     if (!known && same != list.peers.end())
         m_warning->showKeys(same->name, same->key, m_question->key);
     else
         m_warning->hide();
     keys::PeerEntry entry;
-    entry.peer.name = m_name->text().toStdString();
+    entry.peer.name = m_agent->name().toStdString();
     const auto fits = keys::checkPeerEntry(entry);
     m_problem->setText(fits ? QString() : fromStd(fits.error().message));
     m_agree->setEnabled(fits && (m_warning->isHidden() || m_warning->isAccepted()));
@@ -266,7 +238,7 @@ void PairingDialog::agree()
     if (!m_question)
         return;
     const bool replaces = !m_warning->isHidden();
-    m_pairing.confirm(m_question->key, m_name->text(), replaces);
+    m_pairing.confirm(m_question->key, m_agent->name(), replaces);
     showStep(Step::Confirmed, tr("Confirmed here. The pairing must now be confirmed at the agent as well."));
 }
 

@@ -9,14 +9,13 @@
 #include <QtCore/QTimer>
 #include <QtWidgets/QDialog>
 
-class QFormLayout;
 class QLabel;
-class QLineEdit;
 class QPushButton;
 
 namespace skyseal::ui {
 
 class ChangedKeyWarning;
+class PairingQuestionForm;
 class PassphraseField;
 
 class PairingDialog : public QDialog
@@ -48,9 +47,9 @@ private:
     QTimer m_tick;
     bool m_passphraseTyped = false; ///< edited since the pairing window was opened
     bool m_hasPassphrase = false;   ///< the open window has one
-    QLabel *m_text, *m_code, *m_system, *m_time, *m_ours, *m_theirs, *m_problem;
-    QFormLayout *m_form;
-    QLineEdit *m_name;
+    QLabel *m_text, *m_problem, *m_time;
+    PairingQuestionForm *m_agent;
+    QWidget *m_passphraseRow;
     PassphraseField *m_passphrase;
     ChangedKeyWarning *m_warning;
     QPushButton *m_fingerprints, *m_agree, *m_differ, *m_again, *m_close;
