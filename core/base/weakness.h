@@ -28,6 +28,7 @@ enum class Weakness : std::uint8_t {
     NoWipe,           ///< secrets stay in memory after their destruction
     NoMemoryLock,     ///< pages with keys may reach the swap space
     NoOvertakenLimit, ///< a record commands, however long ago a newer one arrived
+    NoFrameOrder,     ///< frames that arrive late set present values of the display
     NoAgeLimit,       ///< a record commands, however old it may be
     CommandsAfterClose, ///< a record commands although the peer has closed the session
     // switch

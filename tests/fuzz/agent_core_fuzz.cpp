@@ -5,6 +5,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/x25519.h"
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/carrier_writer.h"
@@ -83,10 +84,10 @@ struct Station
     std::vector<std::pair<std::uint32_t, TimePoint>> obeyed; ///< commands in the order of arrival
 };
 
-class Flight
+class AgentFlight
 {
 public:
-    explicit Flight(Carrier carrier) : m_carrier(carrier)
+    explicit AgentFlight(Carrier carrier) : m_carrier(carrier)
     {
         static const auto agent = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -398,7 +399,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    Flight flight(static_cast<Carrier>(1 + in.u8() % 3));
+    AgentFlight flight(static_cast<Carrier>(1 + in.u8() % 3));
     flight.run(in);
     return 0;
 }

@@ -115,7 +115,12 @@ void SimulatedHost::advance(Duration span)
         timers().erase(next); // All timers of the engines are single-shot.
         QMetaObject::invokeMethod(timer, "timeout", Qt::DirectConnection);
     }
-    m_now = end;
+    m_now = std::max(m_now, end);
+}
+
+TimePoint SimulatedHost::readClock()
+{
+    return m_now += std::chrono::microseconds(1);
 }
 
 link::LinkUrl SimulatedHost::url(std::string_view text)
@@ -145,7 +150,7 @@ using skyseal::test::SimulatedHost;
 
 std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv()
 {
-    return std::chrono::steady_clock::time_point(SimulatedHost::instance().now().time_since_epoch());
+    return std::chrono::steady_clock::time_point(SimulatedHost::instance().readClock().time_since_epoch());
 }
 
 void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds)

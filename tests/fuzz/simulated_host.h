@@ -24,6 +24,8 @@ public:
     /// The state before a run: no timers, no links, the same time and the same random bytes each time.
     void reset();
     TimePoint now() const { return m_now; }
+    /// The time for the engine. Each reading takes a microsecond, so that a loop that waits for the clock comes to its end.
+    TimePoint readClock();
     /// Lets the time pass; timers that are due fire in their order.
     void advance(Duration span);
 

@@ -6,6 +6,7 @@
 
 #include "core/base/byte_reader.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/x25519.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/carrier_writer.h"
 #include "core/engine/station/station_core.h"
@@ -80,10 +81,10 @@ struct Agent
     TimePoint shownSince{};
 };
 
-class Flight
+class StationFlight
 {
 public:
-    explicit Flight(std::uint8_t carriers)
+    explicit StationFlight(std::uint8_t carriers)
     {
         static const auto station = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -358,7 +359,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    Flight flight(in.u8());
+    StationFlight flight(in.u8());
     flight.run(in);
     return 0;
 }

@@ -47,6 +47,7 @@ constexpr Named kNames[] = {
     {Weakness::NoWipe, "NoWipe"},
     {Weakness::NoSwitchExchange, "NoSwitchExchange"},
     {Weakness::NoMemoryLock, "NoMemoryLock"},
+    {Weakness::NoFrameOrder, "NoFrameOrder"},
     {Weakness::CommitEarly, "CommitEarly"},
     {Weakness::NoMac1, "NoMac1"},
     {Weakness::NoHandshakeTag, "NoHandshakeTag"},

@@ -2,6 +2,7 @@
 // back (the order of the records is authenticated, that of MAVLink's sequence numbers is not).
 #pragma once
 
+#include "core/base/weakness.h"
 #include "core/channel/delivery.h"
 #include "core/mavlink/frame.h"
 
@@ -21,7 +22,7 @@ public:
         const bool isNewest = delivery.position >= newest;
         if (isNewest)
             newest = delivery.position;
-        return isNewest && delivery.freshness == channel::Freshness::Fresh;
+        return (isNewest && delivery.freshness == channel::Freshness::Fresh) || weakened(Weakness::NoFrameOrder);
     }
 
 private:
