@@ -7,7 +7,7 @@
 #include "core/channel/pairing.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/ingress.h"
-#include "tests/support/addresses.h"
+#include "tests/support/idle_link.h"
 #include "tests/support/stranger_messages.h"
 
 #include <algorithm>
@@ -56,25 +56,12 @@ constexpr std::size_t kListed = 256;
 constexpr int kMessages = 2048; ///< of one timing, from as many addresses
 constexpr int kRounds = 9;
 
-class IdleLink final : public link::Link, private link::LinkListener
-{
-public:
-    explicit IdleLink(const std::string &url) : Link(urlOf(url), kLink, *this, {}) {}
-    void open() override {}
-    void close() override {}
-    void send(const Address &, ByteView) override {}
-    void flush() override {}
-
-private:
-    void linkReceived(link::Link &, std::span<const link::ReceivedBlock>) override {}
-};
-
 /// One end that receives: its ingress, endpoint, and pairing while it is open.
 class Receiver final : public engine::IngressSink
 {
 public:
     Receiver(Side side, const engine::IngressRules &rules, const char *url, bool pairing)
-        : m_side(side), m_link(url), m_ingress(mavlink::Dialect::builtin(), m_carriers)
+        : m_side(side), m_link(url, kLink), m_ingress(mavlink::Dialect::builtin(), m_carriers)
     {
         m_pair.run(2s, [this] { return m_pair.bothUp(); });
         m_pair.link.attacker = [this](TimePoint, Flight &flight) {

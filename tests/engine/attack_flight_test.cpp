@@ -59,6 +59,18 @@ std::vector<QByteArray> hostileCommands(std::uint8_t systemId)
                 systemId)};
 }
 
+/// A pilot's flight with this system id of the station; the agent's list binds the station to `bound`, or to none (0).
+AttackedFlight withStationId(int systemId, int bound)
+{
+    return AttackedFlight(
+        channel::PeerRole::Pilot,
+        [systemId](engine::StationConfig config) {
+            config.systemId = static_cast<std::uint8_t>(systemId);
+            return config;
+        },
+        bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
+}
+
 } // namespace
 
 class AttackFlightTest : public QObject
@@ -165,13 +177,7 @@ void AttackFlightTest::nobodySpeaksAsAnother()
     // A pilot's station that is known and sealed.
     QFETCH(int, systemId);
     QFETCH(int, bound);
-    AttackedFlight flight(
-        channel::PeerRole::Pilot,
-        [systemId](engine::StationConfig config) {
-            config.systemId = static_cast<std::uint8_t>(systemId);
-            return config;
-        },
-        bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
+    AttackedFlight flight = withStationId(systemId, bound);
     // The agent knows its vehicle before the station is there.
     flight.attacker.passes = [](const UdpAttacker::Seen &) { return false; };
     EVENTUALLY(flight.rig.agent->snapshot().mavlink.frames > 100);
@@ -200,13 +206,7 @@ void AttackFlightTest::pilotsIdIsNotTaken()
     QFETCH(int, systemId);
     QFETCH(int, bound);
     QFETCH(bool, early);
-    AttackedFlight flight(
-        channel::PeerRole::Pilot,
-        [systemId](engine::StationConfig config) {
-            config.systemId = static_cast<std::uint8_t>(systemId);
-            return config;
-        },
-        bound ? std::vector<std::uint8_t>{static_cast<std::uint8_t>(bound)} : std::vector<std::uint8_t>{});
+    AttackedFlight flight = withStationId(systemId, bound);
     const auto counters = [&] { return flight.rig.agent->snapshot().counters; };
     if (early)
         flight.attacker.passes = [](const UdpAttacker::Seen &) { return false; };

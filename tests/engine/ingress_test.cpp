@@ -2,7 +2,7 @@
 #include "core/channel/cobs.h"
 #include "core/channel/handshake.h"
 #include "core/engine/common/ingress.h"
-#include "tests/support/addresses.h"
+#include "tests/support/idle_link.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/test_runner.h"
 
@@ -16,20 +16,6 @@ namespace {
 
 constexpr LinkId kLink{1};
 constexpr TimePoint kNow{std::chrono::seconds(100)};
-
-/// A link without traffic of its own.
-class IdleLink final : public link::Link, private link::LinkListener
-{
-public:
-    explicit IdleLink(const std::string &url) : Link(urlOf(url), kLink, *this, {}) {}
-    void open() override {}
-    void close() override {}
-    void send(const Address &, ByteView) override {}
-    void flush() override {}
-
-private:
-    void linkReceived(link::Link &, std::span<const link::ReceivedBlock>) override {}
-};
 
 /// Writes down one letter for each call.
 struct Calls final : IngressSink
@@ -109,7 +95,7 @@ Bytes inTunnel(const Bytes &message)
 /// An ingress with one link, and the calls that blocks lead to.
 struct Bench
 {
-    Bench(const IngressRules &rules, const std::string &url) : m_link(url)
+    Bench(const IngressRules &rules, const std::string &url) : m_link(url, kLink)
     {
         m_carriers.setNode({255, 190});
         ingress.addLink(kLink, rules, calls);
@@ -265,7 +251,7 @@ void IngressTest::rulesChangeWithinABlock()
     Ingress ingress(mavlink::Dialect::builtin(), carriers);
     sink.ingress = &ingress;
     ingress.addLink(kLink, {.isStream = true, .takesCobs = true, .clear = ClearScan::Always}, sink);
-    IdleLink link("tcp:127.0.0.1:1");
+    IdleLink link("tcp:127.0.0.1:1", kLink);
     Bytes block = inCobs(firstMessage());
     block.insert(block.end(), kHeartbeat.begin(), kHeartbeat.end());
     ingress.take(link, {{kLink, {}}, block, kNow});

@@ -20,6 +20,17 @@ using namespace skyseal;
 using namespace skyseal::ui;
 using crypto::SuiteId;
 
+namespace {
+
+channel::SwitchDone keysChanged()
+{
+    return {
+        channel::SessionId{7},        SuiteId::ChaCha20Poly1305,    SuiteId::ChaCha20Poly1305, channel::Epoch{4}, false, true,
+        channel::SwitchFailure::None, std::chrono::milliseconds(42)};
+}
+
+} // namespace
+
 class SecurityActionsTest : public QObject, private WindowRig
 {
     Q_OBJECT
@@ -80,14 +91,7 @@ private Q_SLOTS:
         QVERIFY(!change->isEnabled());
         QVERIFY(change->text().contains(QStringLiteral("changing")));
 
-        channel::SwitchDone done{channel::SessionId{7},
-                                 SuiteId::ChaCha20Poly1305,
-                                 SuiteId::ChaCha20Poly1305,
-                                 channel::Epoch{4},
-                                 false,
-                                 true,
-                                 channel::SwitchFailure::None,
-                                 std::chrono::milliseconds(42)};
+        channel::SwitchDone done = keysChanged();
         m_station->notify(done);
         QVERIFY(change->isEnabled());
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isChecked());
@@ -127,14 +131,7 @@ private Q_SLOTS:
         QVERIFY(action(SuiteId::ChaCha20Poly1305)->isEnabled());
         QTest::keyClick(m_window.get(), Qt::Key_2, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(m_station->switches.size(), std::size_t(1));
-        channel::SwitchDone done{channel::SessionId{7},
-                                 SuiteId::ChaCha20Poly1305,
-                                 SuiteId::ChaCha20Poly1305,
-                                 channel::Epoch{4},
-                                 false,
-                                 true,
-                                 channel::SwitchFailure::None,
-                                 std::chrono::milliseconds(42)};
+        channel::SwitchDone done = keysChanged();
         m_station->notify(done);
         QVERIFY(action(SuiteId::Aes256Gcm)->isEnabled());
     }
