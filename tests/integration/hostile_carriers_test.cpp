@@ -71,7 +71,7 @@ void HostileCarriersTest::tcpConnectionCut()
     TcpCable cable(port);
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
-    QVERIFY(!monitor.waitFor(QStringLiteral("link")).isEmpty());
+    QVERIFY(monitor.waitUntilListening(QStringLiteral("tcpin")));
     Program agent(QStringLiteral("skyseal-air"), with(flight.airArguments(), "--ground", loopback("tcp", cable.port())));
     QVERIFY(!monitor.waitFor(QStringLiteral("session")).isEmpty());
     QVERIFY(!monitor.waitFor(QStringLiteral("vehicle")).isEmpty());
@@ -98,7 +98,7 @@ void HostileCarriersTest::idleConnectionsDoNotBlock()
     QVERIFY(flight.ready());
     const quint16 port = freeTcpPort();
     Program monitor(QStringLiteral("skyseal-cli"), with(flight.monitorArguments(), "--link", loopback("tcpin", port)));
-    QVERIFY(!monitor.waitFor(QStringLiteral("link")).isEmpty());
+    QVERIFY(monitor.waitUntilListening(QStringLiteral("tcpin")));
     std::vector<std::unique_ptr<QTcpSocket>> idle;
     int connected = 0; // excluding those closed before they were reported as connected
     const auto connectIdle = [&](int count) {

@@ -80,6 +80,14 @@ QJsonObject Program::waitFor(const QString &event, const Predicate &predicate, i
     }
 }
 
+bool Program::waitUntilListening(const QString &scheme)
+{
+    return !waitFor(QStringLiteral("link"), [&scheme](const QJsonObject &link) {
+                return link[QLatin1String("url")].toString().startsWith(scheme + QLatin1Char(':'))
+                    && link[QLatin1String("state")] == QLatin1String("listening");
+            }).isEmpty();
+}
+
 void Program::skipReceivedEvents()
 {
     drain();

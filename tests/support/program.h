@@ -28,6 +28,8 @@ public:
     /// Waits for the next event of this kind that satisfies `predicate`, among those after the last event returned. Returns
     /// an empty object if the program ends or `milliseconds` pass without one: pass the time only to show that none comes.
     QJsonObject waitFor(const QString &event, const Predicate &predicate = {}, int milliseconds = kDeadlineMs);
+    /// Waits until a link of this scheme ("tcpin") accepts connections.
+    bool waitUntilListening(const QString &scheme);
     /// Lets waitFor() ignore the events received so far.
     void skipReceivedEvents();
     /// Waits for the end. Returns the exit status, or -1 if the program crashed or still runs. Pass the time only for a program
