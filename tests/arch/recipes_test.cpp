@@ -183,7 +183,7 @@ void RecipesTest::cipherSuiteTakesOneEdit()
     ChangedTree tree;
     tree.add(q("core/crypto/suites/dummy.cpp"));
     tree.insert(q("core/crypto/suite.cpp"), "SuiteInfo rc4Suite();\n", "SuiteInfo dummySuite();\n");
-    tree.insert(q("core/crypto/suite.cpp"), "        rc4Suite(),\n", "        dummySuite(),\n");
+    tree.insert(q("core/crypto/suite.cpp"), "            chaCha20Suite(),\n", "            dummySuite(),\n");
     QCOMPARE(tree.edited().size(), 1);
     checkThatRecipeNames(recipe("a cipher suite"), tree.edited());
     QCOMPARE(tree.errorsIn(q("core/crypto/suites/dummy.cpp"), q("core/crypto/suites/rc4.cpp")), QString());

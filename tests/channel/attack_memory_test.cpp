@@ -10,8 +10,11 @@
 #include "stolen_session.h"
 #include "tests/support/test_runner.h"
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <memory>
+#include <new>
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -192,12 +195,19 @@ void AttackMemoryTest::searchFindsAPlantedCopy()
     const Bytes wanted = hidden;
     auto image = std::make_unique<ProcessImage>();
     QCOMPARE(image->count(wanted), std::size_t(0));
+    // In memory that outlives the secret, so that neither the heap nor a call reuses its place before the search.
+    struct Place
+    {
+        alignas(SecretBytes<32>) std::array<std::byte, sizeof(SecretBytes<32>)> bytes;
+    };
+    const auto place = std::make_unique<Place>();
     {
         SecretBytes<32> onTheStack;
-        auto onTheHeap = std::make_unique<SecretBytes<32>>();
+        auto *const inPlace = new (place->bytes.data()) SecretBytes<32>;
         for (std::size_t i = 0; i < 32; ++i)
-            onTheStack.mutableView()[i] = onTheHeap->mutableView()[i] = hidden[i] ^ kMask;
+            onTheStack.mutableView()[i] = inPlace->mutableView()[i] = hidden[i] ^ kMask;
         QCOMPARE(image->count(wanted), std::size_t(2));
+        inPlace->~SecretBytes<32>();
     }
     HOLDS(image->count(wanted) == 0, "a secret that died is gone");
 }
