@@ -16,6 +16,7 @@ target_compile_options(skyseal_hardening INTERFACE
   -fstack-protector-strong -fstack-clash-protection
   $<$<CONFIG:Release,MinSizeRel>:-D_FORTIFY_SOURCE=3> $<$<CONFIG:RelWithDebInfo>:-D_FORTIFY_SOURCE=2>)
 # Indirect calls reach only marked targets, and returns their callers, where the processor enforces it: x86 (CET), ARM (BTI, PAC).
+set(CMAKE_REQUIRED_FLAGS -Werror) # clang only warns of options that the processor does not have
 foreach(option -fcf-protection -mbranch-protection=standard)
   string(MAKE_C_IDENTIFIER "SKYSEAL_HAS${option}" known)
   check_cxx_compiler_flag(${option} ${known})
@@ -23,5 +24,6 @@ foreach(option -fcf-protection -mbranch-protection=standard)
     target_compile_options(skyseal_hardening INTERFACE ${option})
   endif()
 endforeach()
+unset(CMAKE_REQUIRED_FLAGS)
 # Read-only relocations, all symbols bound at start, no executable stack.
 target_link_options(skyseal_hardening INTERFACE -Wl,-z,relro,-z,now,-z,noexecstack)

@@ -109,8 +109,9 @@ def main():
     status, text = run(flight / "skyseal-cli", "selftest")
     if status != 0:
         problems.append(f"selftest: {text}")
-    if b"rc4" in (flight / "skyseal-air").read_bytes().lower():
-        problems.append("skyseal-air contains the name rc4")
+    for folder, wanted in ((flight, False), (research, True)):
+        if bool(re.search(rb"(?<![A-Za-z0-9_])rc4(?![A-Za-z0-9_])", (folder / "skyseal-air").read_bytes())) != wanted:
+            problems.append(f"{folder}/skyseal-air {'lacks' if wanted else 'contains'} the name rc4")
     problems += check_flights(flight, research)
     for problem in problems:
         print(f"FAIL!  : {problem}")
