@@ -63,6 +63,7 @@ struct Position
 {
     std::size_t agent = 0; ///< kAgents: sent in clear
     std::uint8_t systemId = 0;
+    bool isBound = false; ///< the list had the agent of this system then; without it, the system may be clear
 };
 
 struct Agent
@@ -212,7 +213,8 @@ private:
     /// A position in the name of a system; its latitude is its number.
     Bytes position(std::size_t sender, std::uint8_t systemId)
     {
-        m_positions.push_back({sender, systemId});
+        const bool isBound = systemId >= 1 && systemId <= kAgents && m_listed[systemId - 1u];
+        m_positions.push_back({sender, systemId, isBound});
         mavlink::GlobalPositionInt message;
         message.lat = kFirstLatitude + static_cast<std::int32_t>(m_positions.size());
         message.lon = 1;
@@ -325,6 +327,8 @@ private:
             if (number < 1 || number > static_cast<std::int64_t>(m_positions.size()))
                 continue; // A position of any bytes that an agent sealed.
             const Position &shown = m_positions[static_cast<std::size_t>(number - 1)];
+            if (shown.agent == kAgents && !shown.isBound)
+                continue;
             if (shown.agent == kAgents)
                 violated("nothing clear of a sealed system is shown");
             if (systemOf(shown.agent) != system)
