@@ -151,7 +151,7 @@ QByteArrayList unlockedKeys(const std::vector<Secret> &secrets, SuiteId suite)
 /// False under a sanitizer, which replaces mlock(), and for a process that may lock nothing.
 bool canLockMemory()
 {
-    constexpr std::size_t kSize = 4096;
+    constexpr std::size_t kSize = 1 << 20; // more than the keys of the test take
     void *const page = ::mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     ::mlock(page, kSize);
     const bool locked = ProcessImage::isLocked(page);
