@@ -1,5 +1,6 @@
 // What an endpoint costs over the bare library call: seal() and handleDatagram() of a real session, with session look-up,
-// header, associated data, replay window, counters and roaming, per suite and size, in one run.
+// header, associated data, replay window, counters and roaming, per suite and size, in one run. Fails above 1.15 times the bare
+// call.
 #include "pair.h"
 #include "record_sizes.h"
 
@@ -15,6 +16,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 using namespace skyseal;
 using namespace skyseal::bench;
@@ -28,7 +30,7 @@ namespace {
 
 /// As many records as a wake-up takes from a socket; they fit into the first-level cache, as the bare call's bytes do.
 constexpr std::size_t kBatch = 64;
-constexpr int kBatches = 32; ///< of one timing
+constexpr int kBatches = 800; ///< of one measurement
 
 /// A session under a suite, and room for a batch of its records.
 struct Bench
@@ -69,7 +71,8 @@ struct Bench
     }
 };
 
-/// The time of the calls that it is given, one by one.
+/// The shortest time of the calls that it is given, of kBatch records each: a batch is short enough to be left undisturbed now and
+/// then, also on a busy machine.
 class Stopwatch
 {
 public:
@@ -77,53 +80,101 @@ public:
     {
         const auto start = std::chrono::steady_clock::now();
         call();
-        m_taken += std::chrono::steady_clock::now() - start;
+        m_shortest = std::min<Nanoseconds>(m_shortest, std::chrono::steady_clock::now() - start);
     }
-    double nanosecondsEach() const { return m_taken.count() / (kBatch * kBatches); }
+    double nanosecondsEach() const { return m_shortest.count() / kBatch; }
 
 private:
-    std::chrono::duration<double, std::nano> m_taken{};
+    using Nanoseconds = std::chrono::duration<double, std::nano>;
+    Nanoseconds m_shortest = Nanoseconds::max();
 };
 
-/// Bare and whole calls in turn, so that both meet the same machine; the best of the rounds counts.
-int printRatios()
+/// The greatest cost of an endpoint's seal() or handleDatagram() relative to the bare library call.
+constexpr double kGreatestRatio = 1.15;
+/// A row is measured again this often while it is above the limit: other programs can only make a ratio worse.
+constexpr int kRepetitions = 8;
+
+/// Nanoseconds for each record.
+struct Costs
+{
+    double bareSealed = 0, sealed = 0, bareOpened = 0, opened = 0;
+    std::uint64_t failures = 0; ///< records that did not open
+
+    double sealRatio() const { return sealed / bareSealed; }
+    double openRatio() const { return opened / bareOpened; }
+    bool areWithin(double limit) const { return sealRatio() <= limit && openRatio() <= limit && failures == 0; }
+};
+
+/// Bare and whole calls in turn, so that both meet the same machine; the best batch counts.
+Costs measureOnce(SuiteId suite, std::size_t size)
+{
+    Bench bench(suite, size);
+    const BareCall sealCall = bareRecord(suite, experiment::RecordOperation::Seal);
+    const BareCall openCall = bareRecord(suite, experiment::RecordOperation::Open);
+    const auto repeat = [size](const BareCall &call) {
+        for (std::size_t i = 0; i < kBatch; ++i) {
+            call(size);
+            benchmark::ClobberMemory();
+        }
+    };
+    Stopwatch bareSeals, seals, bareOpens, opens;
+    for (int i = 0; i < kBatches; ++i) {
+        bareSeals.time([&] { repeat(sealCall); });
+        seals.time([&] { bench.sealAll(); });
+        bareOpens.time([&] { repeat(openCall); });
+        opens.time([&] { bench.openAll(); });
+    }
+    Costs out{bareSeals.nanosecondsEach(), seals.nanosecondsEach(), bareOpens.nanosecondsEach(), opens.nanosecondsEach()};
+    out.failures = bench.failures;
+    return out;
+}
+
+/// Returns the repetition with the least ratio of each operation.
+Costs measureUntilWithin(double limit, SuiteId suite, std::size_t size)
+{
+    Costs best = measureOnce(suite, size);
+    for (int i = 1; i < kRepetitions && best.failures == 0 && !best.areWithin(limit); ++i) {
+        const Costs again = measureOnce(suite, size);
+        best.failures += again.failures;
+        if (again.sealRatio() < best.sealRatio()) {
+            best.sealed = again.sealed;
+            best.bareSealed = again.bareSealed;
+        }
+        if (again.openRatio() < best.openRatio()) {
+            best.opened = again.opened;
+            best.bareOpened = again.bareOpened;
+        }
+    }
+    return best;
+}
+
+/// Prints the table of ratios. Returns false if one is above the limit or a record did not open.
+bool ratiosAreWithin(double limit)
 {
     std::printf("%-18s %5s %9s %9s %9s %9s %7s %7s\n", "suite", "bytes", "bare seal", "seal ns", "bare open", "open ns",
                 "seal x", "open x");
-    std::uint64_t failures = 0;
+    bool within = true;
     for (const auto &info : crypto::suites()) {
         if (info.id == SuiteId::None || !crypto::suiteAvailable(info.id))
             continue;
         for (const std::size_t size : kSizes) {
-            const BareCall sealCall = bareRecord(info.id, experiment::RecordOperation::Seal);
-            const BareCall openCall = bareRecord(info.id, experiment::RecordOperation::Open);
-            Bench bench(info.id, size);
-            double bareSealed = 1e9, sealed = 1e9, bareOpened = 1e9, opened = 1e9;
-            const auto repeat = [size](const BareCall &call) {
-                for (std::size_t i = 0; i < kBatch; ++i) {
-                    call(size);
-                    benchmark::ClobberMemory();
-                }
-            };
-            for (int round = 0; round < 25; ++round) {
-                Stopwatch bareSeals, seals, bareOpens, opens;
-                for (int i = 0; i < kBatches; ++i) {
-                    bareSeals.time([&] { repeat(sealCall); });
-                    seals.time([&] { bench.sealAll(); });
-                    bareOpens.time([&] { repeat(openCall); });
-                    opens.time([&] { bench.openAll(); });
-                }
-                bareSealed = std::min(bareSealed, bareSeals.nanosecondsEach());
-                sealed = std::min(sealed, seals.nanosecondsEach());
-                bareOpened = std::min(bareOpened, bareOpens.nanosecondsEach());
-                opened = std::min(opened, opens.nanosecondsEach());
-            }
-            failures += bench.failures;
-            std::printf("%-18s %5zu %9.1f %9.1f %9.1f %9.1f %7.2f %7.2f\n", std::string(info.name).c_str(), size, bareSealed,
-                        sealed, bareOpened, opened, sealed / bareSealed, opened / bareOpened);
+            const Costs costs = measureUntilWithin(limit, info.id, size);
+            within = within && costs.areWithin(limit);
+            std::printf("%-18s %5zu %9.1f %9.1f %9.1f %9.1f %7.2f %7.2f%s\n", std::string(info.name).c_str(), size,
+                        costs.bareSealed, costs.sealed, costs.bareOpened, costs.opened, costs.sealRatio(), costs.openRatio(),
+                        costs.areWithin(limit) ? "" : "  FAIL");
         }
     }
-    return failures == 0 ? 0 : 1;
+    if (!within)
+        std::fprintf(stderr, "FAIL: a record did not open, or its cost is above %.2f of the bare library call\n", limit);
+    return within;
+}
+
+/// The limit of this run; SKYSEAL_GREATEST_RATIO sets another one, for a processor without AES instructions.
+double greatestRatio()
+{
+    const char *text = std::getenv("SKYSEAL_GREATEST_RATIO");
+    return text ? std::atof(text) : kGreatestRatio;
 }
 
 void sealRecords(benchmark::State &state, SuiteId suite)
@@ -252,5 +303,5 @@ int main(int argc, char **argv)
     benchmark::RegisterBenchmark("under_load/share_used_up", refuseFlood, FloodOf::UnderCookie);
     benchmark::Initialize(&argc, argv);
     benchmark::RunSpecifiedBenchmarks();
-    return printRatios();
+    return ratiosAreWithin(greatestRatio()) ? 0 : 1;
 }
