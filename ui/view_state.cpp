@@ -1,8 +1,15 @@
 #include "ui/view_state.h"
 
+#include "core/engine/station/snapshot.h"
+
 #include <algorithm>
 
 namespace skyseal::ui {
+
+bool ViewState::stale() const
+{
+    return vehicle && vehicle->state.messageAge > kStaleAfterSeconds;
+}
 
 ViewState viewOf(SnapshotPtr snapshot, std::uint8_t systemId)
 {

@@ -1,8 +1,16 @@
 // One snapshot with the vehicle and session that the operator has selected: the input of all panels.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/crypto/suite.h"
+#include "core/engine/station/security.h"
 #include "ui/station_interface.h"
+
+namespace skyseal::engine {
+struct LinkSnapshot;
+struct PendingVehicle;
+struct SessionSnapshot;
+struct VehicleSnapshot;
+} // namespace skyseal::engine
 
 namespace skyseal::ui {
 
@@ -21,7 +29,7 @@ struct ViewState
     bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 
     /// True if the values of the vehicle are older than the limit.
-    bool stale() const { return vehicle && vehicle->state.messageAge > kStaleAfterSeconds; }
+    bool stale() const;
 };
 
 /// The part of the view whose changes are shown at once, independent of the refresh interval of numbers.

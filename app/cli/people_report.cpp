@@ -2,6 +2,7 @@
 
 #include "app/common/format.h"
 #include "app/common/output.h"
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/event_text.h"
 #include "core/engine/text/state_text.h"
 

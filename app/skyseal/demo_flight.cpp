@@ -1,5 +1,7 @@
 #include "app/skyseal/demo_flight.h"
 
+#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/link/steady_now.h"
 #include "core/vehicle/flight_script.h"
 

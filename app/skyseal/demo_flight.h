@@ -1,11 +1,14 @@
 // Flies the vehicle of the demo: take-off, then rounds of a square. Ends with the first command of the operator.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
 #include "core/vehicle/flight_script_runner.h"
 #include "ui/station_interface.h"
 
 #include <optional>
+
+namespace skyseal::engine {
+struct Snapshot;
+}
 
 namespace skyseal::app {
 

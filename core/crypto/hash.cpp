@@ -1,5 +1,7 @@
 #include "core/crypto/hash.h"
 
+#include "core/base/secret_bytes.h"
+
 #include <sodium.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/base/bytes.h"
-#include "core/base/secret_bytes.h"
 
 #include <array>
 #include <initializer_list>

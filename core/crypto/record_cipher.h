@@ -25,7 +25,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/locked_memory.h"
-#include "core/base/secret_bytes.h"
+#include "core/base/secret_bytes_fwd.h"
 #include "core/crypto/suite.h"
 
 #include <memory>

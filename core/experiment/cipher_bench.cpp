@@ -1,5 +1,6 @@
 #include "core/experiment/cipher_bench.h"
 
+#include "core/base/secret_bytes.h"
 #include "core/crypto/record_cipher.h"
 #include "core/experiment/bare_calls.h"
 #include "core/experiment/record_pair.h"

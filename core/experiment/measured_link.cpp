@@ -1,5 +1,7 @@
 #include "core/experiment/measured_link.h"
 
+#include "core/engine/station/snapshot.h"
+
 #include <algorithm>
 
 namespace skyseal::experiment {

@@ -2,12 +2,18 @@
 // count in that mode, and what the far end allows. Holds no station and sends nothing. Plain object without a thread.
 #pragma once
 
+#include "core/channel/events.h"
 #include "core/engine/station/protection.h"
-#include "core/engine/station/snapshot.h"
 #include "core/experiment/plan.h"
 
 #include <optional>
 #include <string>
+
+namespace skyseal::engine {
+struct Snapshot;
+struct SessionSnapshot;
+struct VehicleSnapshot;
+} // namespace skyseal::engine
 
 namespace skyseal::experiment {
 

@@ -1,5 +1,6 @@
 #include "core/experiment/measurement.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/metrics/sequence_tracker.h"
 
 #include <algorithm>

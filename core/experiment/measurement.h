@@ -1,13 +1,17 @@
 // The values of one run: differences between two snapshots of the station and two readings of the agent's costs.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
 #include "core/experiment/metric.h"
 #include "core/experiment/results.h"
 #include "core/impair/impairment.h"
 
 #include <memory>
 #include <optional>
+
+namespace skyseal::engine {
+struct Snapshot;
+struct SessionSnapshot;
+} // namespace skyseal::engine
 
 namespace skyseal::experiment {
 

@@ -1,5 +1,7 @@
 #include "core/experiment/run_measurement.h"
 
+#include "core/engine/station/snapshot.h"
+
 namespace skyseal::experiment {
 
 namespace {

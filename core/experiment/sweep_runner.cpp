@@ -1,5 +1,6 @@
 #include "core/experiment/sweep_runner.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/statistics.h"
 #include "core/metrics/process_usage.h"
 

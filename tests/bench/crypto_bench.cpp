@@ -1,5 +1,6 @@
 // What sealing and opening a record cost over the bare library calls that they cannot do without, per suite and size, in
 // one run.
+#include "core/base/secret_bytes.h"
 #include "record_sizes.h"
 
 #include "core/crypto/init_crypto.h"

@@ -5,6 +5,7 @@
 #include "tests/engine/engine_rigs.h"
 
 #include "core/crypto/init_crypto.h"
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/bare_calls.h"
 
 #include <benchmark/benchmark.h>

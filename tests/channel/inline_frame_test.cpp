@@ -1,6 +1,7 @@
 // Inline frames: every message of the dialect, every length, every suite; only the exact frame opens. Also the behaviour of
 // a receiver that does not know the format, on a stream of inline and plain frames.
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"

@@ -1,4 +1,5 @@
 // Sealing and opening must not allocate: the packet path runs for hours at hundreds of records per second.
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "tests/support/test_runner.h"

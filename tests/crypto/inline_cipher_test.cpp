@@ -1,6 +1,7 @@
 // Compares every suite at every length with a second implementation of inline_cipher.h from OpenSSL's one-shot calls, which
 // include CBC with ciphertext stealing, HKDF and HMAC.
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
 #include "tests/support/test_runner.h"

@@ -1,5 +1,6 @@
 // Requirements on every suite: sealed records open, and everything else is rejected. Consistency of the table of suites.
 #include "core/base/hex.h"
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "tests/support/test_runner.h"

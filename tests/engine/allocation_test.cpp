@@ -4,6 +4,7 @@
 #include "tests/support/test_runner.h"
 
 #include "core/crypto/init_crypto.h"
+#include "core/engine/station/snapshot.h"
 
 #include <QtTest/QTest>
 

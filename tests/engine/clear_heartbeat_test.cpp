@@ -1,5 +1,6 @@
 // Where a station that can seal sends its heartbeat in clear: a link to one address (udpout), whose remote end inspects what
 // arrives and forwards it between station, agent and vehicle, as a router does.
+#include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/mavlink/frame_scanner.h"
 #include "core/mavlink/messages.h"

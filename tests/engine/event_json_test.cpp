@@ -1,5 +1,6 @@
 // The JSON lines of the station's monitor that no test over the programs reaches.
 #include "core/engine/headless/event_json.h"
+#include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QJsonDocument>

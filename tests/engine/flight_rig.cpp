@@ -2,6 +2,7 @@
 
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"
+#include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
 #include "core/mavlink/stream_parser.h"

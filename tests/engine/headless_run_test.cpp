@@ -1,5 +1,6 @@
 // A run without a window ends in an orderly way: a switch that is in progress may finish within its usual time.
 #include "core/engine/headless/headless_run.h"
+#include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"

@@ -2,6 +2,7 @@
 // after them.
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
 #include "core/mavlink/frame_writer.h"
 #include "core/mavlink/messages.h"

@@ -2,6 +2,7 @@
 // wire, where a simulated vehicle and a bare socket show what arrived.
 #include "core/engine/agent/agent_core.h"
 #include "core/engine/agent/observer_rules.h"
+#include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/frame_scanner.h"

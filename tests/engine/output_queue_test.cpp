@@ -1,6 +1,7 @@
 // The queue between a station and its reader is bounded, keeps its order, and never drops pairing events or the final
 // snapshot; a reader learns how many events it did not receive.
 #include "core/engine/station/output_queue.h"
+#include "core/engine/station/snapshot.h"
 
 #include "tests/support/test_runner.h"
 

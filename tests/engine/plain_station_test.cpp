@@ -1,5 +1,6 @@
 // A station without keys: it shows plain vehicles, names the port that is in use, and stops its heartbeat when its reader
 // hangs.
+#include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
 #include "core/keys/peers_file.h"
 #include "core/mavlink/messages.h"

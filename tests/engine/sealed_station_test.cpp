@@ -1,5 +1,6 @@
 // Station, agent and vehicle over real sockets: the session comes up, carries everything while suites change, returns after a
 // restart, and passes only what is allowed.
+#include "core/engine/station/snapshot.h"
 #include "tests/engine/ground.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"

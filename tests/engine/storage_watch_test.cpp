@@ -2,6 +2,7 @@
 #include "core/engine/common/storage_watch.h"
 #include "core/engine/headless/agent_json.h"
 #include "core/engine/headless/event_json.h"
+#include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
 
 #include <QtTest/QTest>

@@ -1,5 +1,6 @@
 // A sweep on a station that is there already, whose link or vehicle is lost meanwhile: what is measured is what is named, a
 // run that had not begun yet is made, and in the end the station is as it was.
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/sweep_runner.h"
 #include "tests/engine/ground.h"
 #include "tests/support/test_runner.h"

@@ -1,5 +1,6 @@
 // The link of a sweep by made-up snapshots: which session and vehicles count in each mode, consent, and the return to the
 // first suite.
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/measured_link.h"
 #include "tests/support/test_runner.h"
 

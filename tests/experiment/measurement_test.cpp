@@ -1,4 +1,5 @@
 // The values of a run from two snapshots: overhead of plain MAVLink, and loss by sequence numbers.
+#include "core/engine/station/snapshot.h"
 #include "core/experiment/measurement.h"
 #include "tests/support/test_runner.h"
 

@@ -2,6 +2,7 @@
 // our own measure: what a heap profiler sees beyond the same with fewer held is what it is checked against.
 //
 //     memory_probe contexts|sessions SUITE COUNT
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "core/experiment/cipher_bench.h"

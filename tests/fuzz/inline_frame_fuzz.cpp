@@ -1,5 +1,6 @@
 // The reader of frames sealed in place, and the sealer, over any bytes: as they came, with the checksum made good as anyone
 // can do, and as plain frames. Nothing opens that was not sealed, and whatever can be sealed opens as the very same bytes.
+#include "core/base/secret_bytes.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"

@@ -9,6 +9,7 @@
 #include "core/crypto/x25519.h"
 #include "core/engine/common/carrier_reader.h"
 #include "core/engine/common/carrier_writer.h"
+#include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"

@@ -2,6 +2,7 @@
 // and reports the sealed ones with incompatibility flags that require dropping them, and with invalid signatures.
 //
 // Needs node and the package: SKYSEAL_NODE_MODULES is its folder (./test installs it into build/node).
+#include "core/base/secret_bytes.h"
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/common/dialect_traits.h"

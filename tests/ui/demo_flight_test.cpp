@@ -5,6 +5,8 @@
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 #include "ui/flight/hold_button.h"

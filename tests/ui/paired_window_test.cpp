@@ -4,6 +4,7 @@
 #include "app/skyseal/application.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
 #include "tests/support/test_runner.h"

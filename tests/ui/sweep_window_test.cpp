@@ -5,6 +5,8 @@
 #include "app/skyseal/sweep_controller.h"
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
+#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/experiment/metric.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"

@@ -1,5 +1,6 @@
 #include "ui/charts/diagnostics_panel.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/charts/chart_export.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_tools.h"

@@ -2,7 +2,7 @@
 // all made from it, so a new quantity is one row in quantities.cpp.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/metrics_sample.h"
 #include "core/metrics/energy_meter.h"
 #include "ui/charts/chart.h"
 

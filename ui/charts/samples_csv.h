@@ -2,7 +2,7 @@
 // columns come from the table of quantities.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/metrics_sample.h"
 
 #include <QtCore/QByteArray>
 

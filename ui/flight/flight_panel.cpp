@@ -1,5 +1,6 @@
 #include "ui/flight/flight_panel.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/horizon.h"
 #include "ui/flight/values_panel.h"
 #include "ui/settings.h"

@@ -1,5 +1,6 @@
 #include "ui/flight/values_panel.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 

@@ -1,5 +1,6 @@
 #include "ui/flight/vehicle_actions.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/altitude_box.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"

@@ -1,5 +1,6 @@
 #include "ui/flight/vehicle_commands.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 

@@ -1,6 +1,7 @@
 #include "ui/inspector/field_model.h"
 
 #include "core/base/hex.h"
+#include "core/engine/station/inspector_row.h"
 #include "ui/inspector/field_text.h"
 #include "ui/text/state_text.h"
 #include "ui/text/plain_tip.h"

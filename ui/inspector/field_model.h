@@ -1,11 +1,14 @@
 // The fields of one message with their values, units and enum names, decoded by the dialect.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
 
 #include <QtCore/QAbstractTableModel>
 #include <QtCore/QStringList>
+
+namespace skyseal::engine {
+struct InspectorRow;
+}
 
 namespace skyseal::ui {
 

@@ -2,7 +2,7 @@
 // in place.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/inspector_row.h"
 
 #include <QtCore/QAbstractTableModel>
 

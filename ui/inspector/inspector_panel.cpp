@@ -1,5 +1,6 @@
 #include "ui/inspector/inspector_panel.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/theme/grid.h"
 
 #include <QtCore/QSortFilterProxyModel>

@@ -1,7 +1,7 @@
 // Table model of the station's links: URL, state, local and remote address, traffic. Main thread.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/common/link_snapshot.h"
 
 #include <QtCore/QAbstractTableModel>
 

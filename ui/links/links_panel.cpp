@@ -1,5 +1,6 @@
 #include "ui/links/links_panel.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/theme/grid.h"
 
 #include <QtWidgets/QHBoxLayout>

@@ -1,5 +1,6 @@
 #include "ui/logs/logs_panel.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"

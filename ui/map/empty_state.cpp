@@ -1,5 +1,6 @@
 #include "ui/map/empty_state.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/security/allow_plain.h"
 #include "ui/text/link_ended.h"

@@ -1,6 +1,7 @@
 // Shown over the map while there is no vehicle: the state of the link, and the next step for the operator.
 #pragma once
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/view_state.h"
 
 #include <QtWidgets/QFrame>

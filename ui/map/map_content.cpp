@@ -1,5 +1,8 @@
 #include "ui/map/map_content.h"
 
+#include "core/engine/station/session_snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
+
 #include <cmath>
 
 namespace skyseal::ui {

@@ -1,5 +1,6 @@
 #include "ui/mission/mission_panel.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/text/command_permits.h"
 #include "ui/mission/mission_file.h"
 #include "ui/text/state_text.h"

@@ -1,5 +1,6 @@
 #include "ui/parameters/parameters_panel.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"

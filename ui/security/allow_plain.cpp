@@ -1,5 +1,6 @@
 #include "ui/security/allow_plain.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/station_interface.h"
 #include "ui/text/state_text.h"

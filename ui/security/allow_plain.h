@@ -2,11 +2,13 @@
 // dialog explains the consequences; the default answer is Cancel.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
-
 #include <QtCore/QString>
 
 class QWidget;
+
+namespace skyseal::engine {
+struct PendingVehicle;
+}
 
 namespace skyseal::ui {
 

@@ -1,5 +1,6 @@
 #include "ui/security/secure_link_panel.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/security/counters_table.h"
 #include "ui/security/suite_actions.h"

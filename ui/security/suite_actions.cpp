@@ -1,5 +1,6 @@
 #include "ui/security/suite_actions.h"
 
+#include "core/engine/station/session_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"

@@ -3,6 +3,7 @@
 // roll-back, one line gives the reason. A further action changes the keys of the suite in use.
 #pragma once
 
+#include "core/channel/session_info.h"
 #include "ui/view_state.h"
 #include "ui/theme/suite_style.h"
 

@@ -1,5 +1,6 @@
 #include "ui/status/traffic_bar.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/figures.h"
 #include "ui/text/units.h"

@@ -1,5 +1,6 @@
 #include "ui/sweep/sweep_dialog.h"
 
+#include "core/engine/station/session_snapshot.h"
 #include "ui/theme/form_pieces.h"
 #include "ui/sweep/link_conditions.h"
 #include "ui/sweep/sweep_labels.h"

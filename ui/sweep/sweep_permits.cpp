@@ -1,6 +1,7 @@
 #include "ui/sweep/sweep_permits.h"
 
 #include "core/base/research.h"
+#include "core/engine/station/snapshot.h"
 #include "ui/security/suite_actions.h"
 
 #include <QtCore/QCoreApplication>

@@ -1,5 +1,6 @@
 #include "ui/text/command_age.h"
 
+#include "core/engine/station/session_snapshot.h"
 #include "ui/text/units.h"
 
 #include <QtCore/QCoreApplication>

@@ -1,5 +1,6 @@
 #include "ui/text/link_ended.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"

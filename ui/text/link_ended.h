@@ -1,6 +1,7 @@
 // Texts about a vehicle whose sealed session has ended, and about agents without a session, for the lock and the panels.
 #pragma once
 
+#include "core/engine/station/unknown_agent.h"
 #include "ui/view_state.h"
 
 #include <QtCore/QString>

@@ -1,5 +1,6 @@
 #include "ui/text/lock_face.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/text/link_ended.h"
 #include "ui/text/one_way.h"

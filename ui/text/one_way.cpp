@@ -1,5 +1,7 @@
 #include "ui/text/one_way.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
+
 #include <QtCore/QCoreApplication>
 
 namespace skyseal::ui {

@@ -1,5 +1,6 @@
 #include "ui/window/main_window.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"

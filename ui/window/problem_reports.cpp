@@ -1,5 +1,6 @@
 #include "ui/window/problem_reports.h"
 
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/engine/text/state_text.h"
 #include "ui/links/problem_banner.h"
 #include "ui/security/allow_plain.h"

@@ -1,5 +1,7 @@
 #include "ui/window/view_selection.h"
 
+#include "core/engine/station/snapshot.h"
+
 #include <cmath>
 
 namespace skyseal::ui {

@@ -1,5 +1,6 @@
 #include "ui/window/window_menus.h"
 
+#include "core/engine/station/snapshot.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/map/map_view.h"
 #include "ui/security/allow_plain.h"

@@ -1,5 +1,6 @@
 #include "core/engine/headless/event_json.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/vehicle/state_fields.h"
 
 namespace skyseal::engine {

@@ -4,12 +4,13 @@
 
 #include "core/engine/headless/common_json.h"
 #include "core/engine/station/event.h"
-#include "core/engine/station/snapshot.h"
 #include "core/vehicle/flight_script_runner.h"
 
 #include <string>
 
 namespace skyseal::engine {
+
+struct Snapshot;
 
 std::string vehicleEvent(const VehicleFound &found);
 std::string vehicleLostEvent(std::uint8_t systemId, bool lost);

@@ -1,6 +1,8 @@
 #include "core/engine/headless/headless_run.h"
 
 #include "core/channel/timing.h"
+#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/link/steady_now.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // an inspector is open. I/O thread.
 #pragma once
 
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/inspector_row.h"
 #include "core/mavlink/frame.h"
 #include "core/metrics/rate_meter.h"
 

@@ -6,7 +6,8 @@
 #include "core/engine/station/overhead_meter.h"
 #include "core/engine/station/process_meter.h"
 #include "core/engine/station/replay_meter.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/metrics_sample.h"
+#include "core/engine/common/totals.h"
 
 #include <deque>
 

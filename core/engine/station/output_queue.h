@@ -5,7 +5,6 @@
 
 #include "core/channel/pairing.h"
 #include "core/engine/station/event.h"
-#include "core/engine/station/snapshot.h"
 
 #include <deque>
 #include <memory>
@@ -14,6 +13,8 @@
 #include <variant>
 
 namespace skyseal::engine {
+
+struct Snapshot;
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 
 #include <bitset>
 #include <map>

@@ -7,7 +7,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/clock.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/recording_snapshot.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -4,7 +4,7 @@
 
 #include "core/channel/events.h"
 #include "core/engine/common/loss_meter.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/session_snapshot.h"
 
 #include <map>
 #include <optional>

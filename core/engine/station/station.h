@@ -9,7 +9,6 @@
 #include "core/engine/station/event.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
-#include "core/engine/station/snapshot.h"
 #include "core/keys/peers_file.h"
 #include "core/link/link_url.h"
 #include "core/vehicle/request.h"
@@ -20,6 +19,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace skyseal::engine {
+struct Snapshot;
+}
 
 Q_DECLARE_METATYPE(std::shared_ptr<const skyseal::engine::Snapshot>)
 Q_DECLARE_METATYPE(skyseal::engine::Event)

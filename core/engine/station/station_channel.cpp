@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/crypto/x25519.h"
 #include "core/engine/common/dialect_traits.h"
+#include "core/engine/station/snapshot.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"
 

@@ -13,6 +13,8 @@
 
 namespace skyseal::engine {
 
+struct Snapshot;
+
 struct StationChannel
 {
     /// `secrets` and `links` must outlive this object.

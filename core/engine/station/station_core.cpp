@@ -1,6 +1,7 @@
 #include "core/engine/station/station_core.h"
 
 #include "core/channel/endpoint.h"
+#include "core/engine/station/snapshot.h"
 #include "core/keys/counter_file.h"
 #include "core/vehicle/request_failure.h"
 

@@ -1,5 +1,6 @@
 #include "core/engine/station/station_snapshot.h"
 
+#include "core/engine/station/snapshot.h"
 #include "core/metrics/process_usage.h"
 
 namespace skyseal::engine {

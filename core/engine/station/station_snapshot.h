@@ -6,12 +6,14 @@
 #include "core/engine/station/station_receiver.h"
 #include "core/engine/station/metrics_sampler.h"
 #include "core/engine/station/recorder.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/common/totals.h"
 #include "core/engine/station/station_channel.h"
 
 #include <memory>
 
 namespace skyseal::engine {
+
+struct Snapshot;
 
 /// The parts that a snapshot shows; references live during the call.
 struct SnapshotSources

@@ -4,7 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/base/path.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/unknown_agent.h"
 
 #include <vector>
 

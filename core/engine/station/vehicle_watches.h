@@ -4,7 +4,7 @@
 
 #include "core/engine/common/loss_meter.h"
 #include "core/engine/station/session_watches.h"
-#include "core/engine/station/snapshot.h"
+#include "core/engine/station/vehicle_snapshot.h"
 #include "core/metrics/sequence_table.h"
 
 #include <map>

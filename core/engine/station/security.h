@@ -1,0 +1,22 @@
+// The security state of a station in one word, for the lock symbol and the alarms.
+#pragma once
+
+#include <cstdint>
+
+namespace skyseal::engine {
+
+/// The security state that the operator must see at a glance.
+enum class Security : std::uint8_t {
+    Nothing, ///< no vehicle and no session
+    Plain,   ///< clear MAVLink: "not sealed"
+    Sealed,
+    Switching,  ///< sealed, and a switch of suites is in progress
+    UnderAttack ///< sealed, and records are forged or replayed; see isAttacked()
+};
+
+struct Snapshot;
+
+/// Derives the security state from the sessions and vehicles of a snapshot.
+Security securityOf(const Snapshot &snapshot);
+
+} // namespace skyseal::engine
