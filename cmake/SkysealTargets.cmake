@@ -14,8 +14,8 @@ target_compile_definitions(skyseal_options INTERFACE
 
 include(SkysealHardening)
 
-# The moc of Qt 6.4 fails in libstdc++'s <concepts> unless some other standard header came before it.
-set(CMAKE_AUTOMOC_MOC_OPTIONS --include utility)
+# By its full path: automoc runs moc again for all files of a target when it does not find a file that moc names.
+set(CMAKE_AUTOMOC_MOC_OPTIONS --include ${CMAKE_CURRENT_LIST_DIR}/moc_first.h)
 
 if(SKYSEAL_SANITIZE)
   add_compile_options(-fsanitize=${SKYSEAL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
