@@ -2,6 +2,7 @@
 // them. Links the test build of the cryptography, which declassifies public results (declassified.h).
 //
 //   constant_time_probe open SUITE | inline SUITE | compare | self-test
+#include "core/base/secret_bytes.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/inline_cipher.h"
 #include "core/crypto/record_cipher.h"
