@@ -89,9 +89,7 @@ void PairingPrompt::take(PairingStatus status)
         ask();
         return;
     case State::Confirmed: say("The other end has confirmed."); return;
-    case State::Other:
-        say("WARNING: another device tried to pair meanwhile, fingerprint " + keys::fingerprint(status.key));
-        return;
+    case State::Other: say("WARNING: another device tried to pair meanwhile."); return;
     case State::Differs:
         if (!std::exchange(m_differs, true)) // the event repeats each second
             say("The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the "

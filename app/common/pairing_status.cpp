@@ -95,7 +95,7 @@ std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const 
     return std::visit(Overloaded{
                           [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
                           [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed, ""); },
-                          [&](const channel::PairingOtherTried &e) { return Out(about(State::Other, e.peer)); },
+                          [&](const channel::PairingOtherTried &) { return plain(State::Other, ""); },
                           [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs, ""); },
                           [&](const channel::Paired &) { return Out(); },
                           [&](const channel::PairingOver &e) { return plain(State::Over, reasonText(e.reason)); },

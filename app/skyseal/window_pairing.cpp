@@ -71,7 +71,7 @@ void WindowPairing::handleEvent(const channel::PairingEvent &event)
             {status->key, QString::fromStdString(status->name), QString::fromStdString(status->code), status->systemId});
         return;
     case PairingStatus::State::Confirmed: Q_EMIT confirmedThere(); return;
-    case PairingStatus::State::Other: Q_EMIT otherTried(QString::fromStdString(keys::fingerprint(status->key))); return;
+    case PairingStatus::State::Other: Q_EMIT otherTried(); return;
     case PairingStatus::State::Differs: Q_EMIT passphraseDiffers(); return;
     case PairingStatus::State::Over:
         if (!reason.isEmpty()) // empty: both confirmed

@@ -49,11 +49,9 @@ struct PairingPeerConfirmed
     PublicKey key{};
 };
 
-/// Another device finished the handshake while one was shown. At most one event a second.
+/// Another device began a handshake with this agent after the one that is shown. Unauthenticated; at most one event a second.
 struct PairingOtherTried
-{
-    PairingPeer peer;
-};
+{};
 
 /// The passphrases differ, or one end has none. At most one event a second; an unauthenticated hint.
 struct PairingPassphraseDiffers

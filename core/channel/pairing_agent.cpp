@@ -1,5 +1,6 @@
 #include "core/channel/pairing_agent.h"
 
+#include "core/base/weakness.h"
 #include "core/crypto/x25519.h"
 
 #include <sodium.h>
@@ -55,6 +56,11 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     const auto hello = readFirst(datagram);
     if (!hello || sodium_memcmp(hello->token.data(), m_token.data(), m_token.size()) != 0)
         return;
+    if (hasOpened()) {
+        if (from != m_opened->path || !std::ranges::equal(datagram, m_opened->first))
+            m_core.reportOther(now);
+        return;
+    }
     forgetOldAnswers(now);
     for (const Answered &answered : m_answered) {
         if (answered.path == from && std::ranges::equal(datagram, answered.handshake.first())) {
@@ -73,9 +79,10 @@ void PairingAgent::handleFirst(TimePoint now, const Path &from, ByteView datagra
     m_answered.push_back({std::move(handshake), from, now});
 }
 
+/// The only trace that a guess may leave.
 void PairingAgent::noteWrongOpening(TimePoint now, Answered &answered)
 {
-    if (m_opened || answered.failed)
+    if (answered.failed)
         return;
     answered.failed = true;
     m_core.hintAtPassphrase(now);
@@ -89,34 +96,34 @@ std::optional<PairingConfirmation> PairingAgent::handleOpening(TimePoint now, co
         m_core.outgoing.push(from, m_opened->ours); // The station repeats its opening: ours was lost.
         return std::nullopt;
     }
+    if (hasOpened())
+        return std::nullopt;
     forgetOldAnswers(now);
     const auto found = std::find_if(m_answered.begin(), m_answered.end(), [&](const Answered &answered) {
         return answered.path == from && answered.handshake.id() == sealedPairing(datagram);
     });
     if (found == m_answered.end())
         return std::nullopt;
+    const PairingHandshake &handshake = found->handshake;
     const auto opening = found->handshake.takeOpening(datagram);
-    if (!opening) {
+    // A right passphrase with a key that cannot be shown counts like a wrong one: any difference would confirm a guess for free.
+    const bool isShowable = opening && opening->key != m_core.config.identity->publicKey;
+    auto voice = isShowable ? handshake.finish() : std::nullopt;
+    if (!voice) {
         noteWrongOpening(now, *found);
         return std::nullopt;
     }
-    PairingHandshake handshake = std::move(found->handshake);
-    m_answered.erase(found);
-    if (opening->key == m_core.config.identity->publicKey)
-        return std::nullopt;
     PairingPeer peer{opening->key, opening->name, opening->systemId, handshake.code(), from};
-    if (m_opened && !weakened(Weakness::ShowNewest) && !weakened(Weakness::OpenAgain)) {
-        m_core.reportOther(now, std::move(peer));
-        return std::nullopt;
-    }
-    const OpeningDatagram ours = handshake.opening();
-    auto voice = std::move(handshake).finish();
-    if (!voice)
-        return std::nullopt;
-    m_opened = Opened{from, {}, ours};
+    m_opened = Opened{from, handshake.first(), {}, handshake.opening()};
     std::ranges::copy(datagram, m_opened->theirs.begin());
-    m_core.outgoing.push(from, ours);
+    m_core.outgoing.push(from, m_opened->ours);
+    m_answered.clear();
     return PairingConfirmation(std::move(peer), std::move(*voice), now);
+}
+
+bool PairingAgent::hasOpened() const
+{
+    return m_opened && !weakened(Weakness::ShowNewest) && !weakened(Weakness::OpenAgain);
 }
 
 } // namespace skyseal::channel

@@ -1,4 +1,6 @@
-// The agent's part of a pairing handshake: it calls while its window is open, and answers stations that received a call.
+// The agent's part of a pairing handshake (PROTOCOL.md, section 13): it calls while its window is open, and answers stations that
+// received a call. A station guesses the passphrase by its opening. So a guess leaves no trace but its counted outcome, and after
+// the first right opening no other one is tested.
 #pragma once
 
 #include "core/channel/handshake_limit.h"
@@ -13,8 +15,9 @@ class PairingAgent
 public:
     PairingAgent(PairingCore &core, TimePoint now);
 
+    /// Answered until the opening of a station was right; reported afterwards, whatever its sender knows.
     void handleFirst(TimePoint now, const Path &from, ByteView datagram);
-    /// The station's opening. The first right one of a window is answered by our own.
+    /// The station's opening. The first right one of a window is answered by our own, as are its copies; others are ignored.
     std::optional<PairingConfirmation> handleOpening(TimePoint now, const Path &from, ByteView datagram);
     void call(TimePoint now);
     TimePoint callDue() const { return m_callDue; }
@@ -32,10 +35,12 @@ private:
     struct Opened
     {
         Path path;
+        PairingDatagram first{}; ///< the station's
         OpeningDatagram theirs{};
         OpeningDatagram ours{};
     };
     void forgetOldAnswers(TimePoint now);
+    bool hasOpened() const;
     bool mayCompute(TimePoint now, const Path &from);
     void noteWrongOpening(TimePoint now, Answered &answered);
 

@@ -33,11 +33,11 @@ struct PairingCore
         events.push_back(PairingPassphraseDiffers{});
         hintFrom = now + std::chrono::seconds(1);
     }
-    void reportOther(TimePoint now, PairingPeer peer)
+    void reportOther(TimePoint now)
     {
         if (now < otherFrom)
             return;
-        events.push_back(PairingOtherTried{std::move(peer)});
+        events.push_back(PairingOtherTried{});
         otherFrom = now + std::chrono::seconds(1);
     }
 };

@@ -174,7 +174,7 @@ std::string PairingHandshake::code() const
     return pairingCode(m_first, m_answer, isStation ? m_mine : m_theirs, isStation ? m_theirs : m_mine);
 }
 
-std::optional<PairingVoice> PairingHandshake::finish() &&
+std::optional<PairingVoice> PairingHandshake::finish() const
 {
     const auto shared = crypto::x25519(m_identity->secret, m_theirs.key);
     if (!shared)

@@ -62,7 +62,7 @@ public:
     /// After the openings: the six digits.
     std::string code() const;
     /// After the openings. Its words prove that their sender holds the private key of its opening. nullopt for a weak key.
-    std::optional<PairingVoice> finish() &&;
+    std::optional<PairingVoice> finish() const;
 
 private:
     explicit PairingHandshake(crypto::Cpace &&cpace) : m_cpace(std::move(cpace)) {}

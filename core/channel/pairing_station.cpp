@@ -116,7 +116,7 @@ std::optional<PairingConfirmation> PairingStation::handleOpening(TimePoint now, 
         return std::nullopt;
     }
     PairingPeer peer{opening->key, opening->name, opening->systemId, m_attempt->handshake.code(), from};
-    auto voice = std::move(m_attempt->handshake).finish();
+    auto voice = m_attempt->handshake.finish();
     m_attempt.reset();
     if (!voice) {
         giveUp();

@@ -449,7 +449,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: another device tried, %1</source>
+        <source>Pairing: another device tried as well</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2339,7 +2339,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Another device tried to pair at the same time, fingerprint %1</source>
+        <source>Another device tried to pair at the same time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -122,7 +122,7 @@ void PairingWireTest::everyBitFlipped()
     QCOMPARE(seenHere->key, agent->publicKey);
     QCOMPARE(seenThere->key, station->publicKey);
     QCOMPARE(here.code(), there.code());
-    auto mouth = *std::move(here).finish(), ear = *std::move(there).finish();
+    auto mouth = *here.finish(), ear = *there.finish();
     for (const Decision mine : {Decision::None, Decision::Yes, Decision::No}) {
         for (const Heard heard : {Heard::Nothing, Heard::Yes, Heard::No, Heard::AllIsSaid}) {
             const auto word = mouth.say({mine, heard});
@@ -225,7 +225,7 @@ void PairingWireTest::shownOnlyWithThePrivateKey()
         pair.air().pairing->handleDatagram(pair.now, from, handshake.opening());
         pair.pump();
         QVERIFY(handshake.takeOpening(stranger.received));
-        auto voice = std::move(handshake).finish();
+        auto voice = handshake.finish();
         QVERIFY(voice);
         pair.air().pairing->handleDatagram(pair.now, from, voice->say({}));
         pair.pump();

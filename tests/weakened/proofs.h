@@ -139,6 +139,8 @@ inline constexpr Proof kProofs[] = {
     {"OpenAgain", "attack_pairing_test", "oneOpeningOfTheStation", "one opening in a window"},
     {"OpenAgain", "attack_pairing_test", "oneOpeningOfTheAgent", "one opening in a window"},
     {"GuessAgain", "attack_pairing_test", "passphraseGuessedAtTheAgent", "three guesses in a window"},
+    {"GuessAgain", "attack_pairing_test", "guessWithAnUnusableKeyCounts", "three guesses in a window"},
+    {"OpenAgain", "attack_pairing_test", "passphraseGuessedAfterTheOpening", "a right guess looks like a wrong one"},
 
     {"LoosePart", "attack_parts_test", "splicedTunnelParts", "no message is put together of two"},
     {"LoosePart", "attack_parts_test", "partsOfSendersAreNotMixed", "no message is put together of two senders'"},

@@ -89,9 +89,8 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
             m_text->setText(m_hasPassphrase ? tr("The agent's side has confirmed. Confirm here as well.")
                                             : tr("The agent's side has confirmed. Does the agent show this code?"));
     });
-    connect(&pairing, &PairingInterface::otherTried, this, [this](const QString &fingerprint) {
-        m_problem->setText(tr("Another device tried to pair at the same time, fingerprint %1").arg(fingerprint));
-    });
+    connect(&pairing, &PairingInterface::otherTried, this,
+            [this] { m_problem->setText(tr("Another device tried to pair at the same time")); });
     connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
         showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both ends are connected.").arg(name));
     });

@@ -43,7 +43,7 @@ public:
 Q_SIGNALS:
     void seen(const skyseal::ui::PairingQuestion &question);
     void confirmedThere();
-    void otherTried(const QString &fingerprint);
+    void otherTried();
     /// The passphrases differ, or only one end has one. Repeated every second.
     void passphraseDiffers();
     /// The peer was added to the list under this name.

@@ -21,10 +21,7 @@ public:
     {
         return tr("Pairing: confirmed at the other end, %1").arg(device(e.key));
     }
-    QString operator()(const channel::PairingOtherTried &e) const
-    {
-        return tr("Pairing: another device tried, %1").arg(device(e.peer.key));
-    }
+    QString operator()(const channel::PairingOtherTried &) const { return tr("Pairing: another device tried as well"); }
     QString operator()(const channel::PairingPassphraseDiffers &) const
     {
         return tr("Pairing: the passphrases of the two ends may differ");
