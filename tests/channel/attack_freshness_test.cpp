@@ -19,6 +19,7 @@ private Q_SLOTS:
     void withheldBurst_data();
     void withheldBurst();
     void releasedAfterClose();
+    void releasedAfterAWithheldClose();
     void releasedAfterASwitch();
     void wholeFlowHeldThenReleased_data();
     void wholeFlowHeldThenReleased();
@@ -95,6 +96,23 @@ void AttackFreshnessTest::releasedAfterClose()
     pair->run(50ms);           // less than either limit
     QVERIFY(pair->air().up()); // it waits for records that the close overtook
     HOLDS(!commands(release(*pair, command)), "nothing commands after the close");
+}
+
+/// Everything after the command is withheld, the close too: only the age of the command limits its use.
+void AttackFreshnessTest::releasedAfterAWithheldClose()
+{
+    for (const Duration held : {4500ms, 5100ms, 60'000ms}) {
+        auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+        const Caught command = catchOne(*pair, 40, Ground);
+        pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air; };
+        pair->ground().endpoint->close(pair->now, pair->ground().session());
+        pair->stopTraffic();
+        pair->run(held);
+        QVERIFY(pair->air().up());
+        const auto judged = release(*pair, command);
+        HOLDS(held <= kAge || !commands(judged), "nothing older than the limit is obeyed");
+        QCOMPARE(commands(judged), held <= kAge);
+    }
 }
 
 void AttackFreshnessTest::releasedAfterASwitch()
