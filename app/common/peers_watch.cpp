@@ -24,9 +24,11 @@ std::int64_t nanoseconds(const timespec &time)
 } // namespace
 
 PeersWatch::PeersWatch(const std::string &file, Reload reload, QObject *parent)
-    : QObject(parent), m_file(QString::fromStdString(file)), m_path(m_file.toLocal8Bit()), m_reload(std::move(reload)),
-      m_seen(stamp())
+    : QObject(parent), m_file(QString::fromStdString(file)), m_path(m_file.toLocal8Bit()), m_reload(std::move(reload))
 {
+    // A change after the stamp was taken is noticed later, even if it comes before the file is read.
+    if (const Stamp now = stamp(); m_reload())
+        m_seen = now;
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettle);
     connect(&m_settle, &QTimer::timeout, this, &PeersWatch::look);
@@ -98,12 +100,20 @@ void PeersWatch::look()
     const Stamp now = stamp();
     if (now == m_seen)
         return;
-    m_seen = now;
     const auto peers = m_reload();
-    if (peers)
+    if (peers) {
+        m_seen = now;
+        m_problem.clear();
         Q_EMIT reloaded(*peers);
-    else
-        Q_EMIT refused(QString::fromStdString(peers.error().text()));
+        return;
+    }
+    // m_seen stays, so that the next look reads the file again.
+    std::string problem = peers.error().text();
+    if (now == m_refused && problem == m_problem)
+        return;
+    m_refused = now;
+    m_problem = std::move(problem);
+    Q_EMIT refused(QString::fromStdString(m_problem));
 }
 
 PeersWatch::Stamp PeersWatch::stamp() const

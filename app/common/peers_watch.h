@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -28,12 +29,13 @@ public:
     /// Callback that reads the file and applies it; returns the result or the reason for refusing it.
     using Reload = std::function<Result<keys::PeersInForce, InputError>()>;
 
+    /// Calls `reload` once: the list may have changed since the program read it. Its failure is reported later, by refused().
     PeersWatch(const std::string &file, Reload reload, QObject *parent = nullptr);
     ~PeersWatch() override;
 
 Q_SIGNALS:
     void reloaded(const skyseal::keys::PeersInForce &peers);
-    /// `problem`: a sentence for the user.
+    /// `problem`: a sentence for the user. Reading is tried again each second, and reported again for another change or problem.
     void refused(const QString &problem);
     /// The system does not notify of changes: they take effect up to a second later. `false`: it does again.
     void notificationFailed(bool failed);
@@ -58,10 +60,12 @@ private:
     Reload m_reload;
     QFileSystemWatcher m_watcher;
     QTimer m_settle;
-    Stamp m_seen;
-    bool m_unwatched = false; ///< the system does not notify
-    unsigned m_polls = 0;     ///< while it does not
-    std::mutex m_mutex;       ///< of m_ended
+    std::optional<Stamp> m_seen; ///< of the file that is in force; nullopt if that is another one
+    Stamp m_refused;             ///< of the file that was refused last
+    std::string m_problem;       ///< of that file
+    bool m_unwatched = false;    ///< the system does not notify
+    unsigned m_polls = 0;        ///< while it does not
+    std::mutex m_mutex;          ///< of m_ended
     std::condition_variable m_wake;
     bool m_ended = false;
     std::thread m_poller;

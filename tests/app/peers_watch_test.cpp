@@ -46,6 +46,8 @@ private Q_SLOTS:
     void changeWithoutNotification_data();
     void changeWithoutNotification();
     void recoveryIsReported();
+    void changeBetweenReadingAndWatching();
+    void failedReadIsRetried();
     void eventsForPeopleAndScripts();
 };
 
@@ -84,6 +86,7 @@ void PeersWatchTest::changeWithoutNotification()
     QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [&](bool failed) { failures += failed ? 1 : 100; });
     if (inotifyIs == Inotify::UsedUp)
         EVENTUALLY(failures > 0);
+    loads = 0;
     if (replaced) {
         write(path + QStringLiteral(".new"), "two");
         QCOMPARE(::rename((path + QStringLiteral(".new")).toLocal8Bit().constData(), path.toLocal8Bit().constData()), 0);
@@ -108,6 +111,49 @@ void PeersWatchTest::recoveryIsReported()
     write(path, "two"); // watched again at the next change, or a minute later
     EVENTUALLY(reports.size() == 2);
     QCOMPARE(reports, (std::vector<bool>{true, false}));
+}
+
+/// Between the first reading of the list and the watch a program may wait for seconds, for example for a lock.
+void PeersWatchTest::changeBetweenReadingAndWatching()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    const auto content = [&path] {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    write(path, "pilot and thief");
+    QByteArray inForce = content();
+    write(path, "pilot");
+    const PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
+        inForce = content();
+        return keys::PeersInForce{};
+    });
+    QCOMPARE(inForce, QByteArray("pilot"));
+}
+
+void PeersWatchTest::failedReadIsRetried()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    write(path, "one");
+    bool fails = false;
+    int failed = 0, refused = 0, reloaded = 0;
+    PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
+        if (!fails)
+            return keys::PeersInForce{};
+        ++failed;
+        return tl::unexpected(InputError{"the disk does not answer", {}});
+    });
+    QObject::connect(&watch, &PeersWatch::refused, &watch, [&] { ++refused; });
+    QObject::connect(&watch, &PeersWatch::reloaded, &watch, [&] { ++reloaded; });
+    fails = true;
+    write(path, "two");
+    EVENTUALLY(failed >= 3);
+    QCOMPARE(refused, 1); // once, not each second
+    QCOMPARE(reloaded, 0);
+    fails = false;
+    EVENTUALLY(reloaded == 1);
 }
 
 void PeersWatchTest::eventsForPeopleAndScripts()
