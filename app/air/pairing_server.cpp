@@ -178,18 +178,24 @@ void PairingServer::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
     peer.role = m_role;
+    PairingStatus status;
+    // A station with the id of the vehicle would cut the vehicle off.
+    if (std::ranges::any_of(peer.systemIds, [this](std::uint8_t id) { return m_agent.isVehicle(id); })) {
+        status.reason = "its system id " + keys::systemIdsText(peer.systemIds)
+            + " is that of a vehicle here, and was not bound";
+        peer.systemIds.clear();
+    }
     // Stations may share an id. To bind it to this one would take it from those that are bound to none.
     const auto list = known().entries();
     if (std::ranges::any_of(
             list, [&](const keys::PeerEntry &other) { return other.peer.key != peer.key && other.peer.systemIds.empty(); }))
         peer.systemIds.clear();
-    const auto kept = keys::keepPairedPeer(m_paths.peers, peer,
-                                           m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    const auto kept = keys::keepPairedPeer(
+        m_paths.peers, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused, keys::SharedIds::Allowed);
     if (!kept) {
         notify(refusal(kept.error().text()));
         return;
     }
-    PairingStatus status;
     status.state = PairingStatus::State::Paired;
     status.name = peer.name;
     status.role = peer.role;

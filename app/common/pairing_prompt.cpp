@@ -98,6 +98,8 @@ void PairingPrompt::take(PairingStatus status)
     case State::Paired:
         m_paired = true;
         say("Paired with " + status.name + ".");
+        if (!status.reason.empty())
+            say("WARNING: " + status.reason + ".");
         if (!m_settings.decidesRole)
             say("The role of this station, pilot (may command) or observer (may only observe), was chosen at the agent.");
         return;

@@ -33,7 +33,7 @@ struct PairingStatus
     channel::PublicKey key{};
     std::optional<channel::PublicKey> knownKey; ///< the other key that is known by this name
     std::optional<channel::PeerRole> knownRole; ///< of that key or name, if known
-    std::string reason;                         ///< text
+    std::string reason;                         ///< text; with Paired, a part of the request that was refused
     int seconds = 0;                            ///< for which the window stays open
 
     /// One line, {"event":"pairing","state":…}, without its newline.

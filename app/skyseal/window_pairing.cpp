@@ -85,7 +85,8 @@ void WindowPairing::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
     peer.role = channel::PeerRole::Pilot; // an agent has no role at the station
-    const auto kept = keys::keepPairedPeer(m_peersFile, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    const auto kept = keys::keepPairedPeer(m_peersFile, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused,
+                                           keys::SharedIds::Refused);
     if (kept)
         Q_EMIT paired(QString::fromStdString(peer.name));
     else

@@ -21,6 +21,19 @@ bool fits(std::string name)
     return checkPeerEntry(entry).has_value();
 }
 
+Result<void, InputError> checkSystemsAreFree(const PeersFile &file, const channel::Peer &peer)
+{
+    for (const PeerEntry &other : file.entries()) {
+        for (const std::uint8_t id : peer.systemIds) {
+            if (other.peer.key != peer.key && std::ranges::find(other.peer.systemIds, id) != other.peer.systemIds.end())
+                return tl::unexpected(InputError{"the system id " + std::to_string(id) + " is bound to \"" + other.peer.name
+                                                     + "\" already; each vehicle needs its own",
+                                                 {}});
+        }
+    }
+    return {};
+}
+
 /// Without blanks, as required for the path of a pre-shared key. Each key gets a different file.
 std::string presharedKeyName(const channel::Peer &peer)
 {
@@ -54,7 +67,8 @@ std::string fitPeerName(std::string_view claimed, const channel::PublicKey &key)
     return fits(name) ? name : "peer-" + fingerprint(key).substr(0, 4);
 }
 
-Result<void, InputError> keepPairedPeer(const std::string &peersFile, const channel::Peer &peer, KeyChange change)
+Result<void, InputError> keepPairedPeer(const std::string &peersFile, const channel::Peer &peer, KeyChange change,
+                                        SharedIds ids)
 {
     return editPeers(peersFile, [&](PeersFile &file) -> Result<void, InputError> {
         const PeerEntry *known = file.findKey(peer.key);
@@ -67,6 +81,9 @@ Result<void, InputError> keepPairedPeer(const std::string &peersFile, const chan
         if (known) {
             entry.peer.name = known->peer.name;
             entry.peer.systemIds = known->peer.systemIds;
+        } else if (ids == SharedIds::Refused) {
+            if (auto free = checkSystemsAreFree(file, peer); !free)
+                return free;
         }
         if (peer.presharedKey) {
             entry.presharedKeyFile = presharedKeyName(entry.peer);

@@ -80,6 +80,7 @@ private Q_SLOTS:
     void heartbeatsOfAnObserverAreOnlyCounted();
     void questionsAreLimitedForEachPeer();
     void groundSystemsAreThoseOfPilots();
+    void observersIdIsNoGroundSystem();
     void lateFramesHaveTheRightsOfAnObserver();
     void anyArmedVehicleCounts();
     void onlyVehicleIsNamed();
@@ -187,7 +188,7 @@ void CommandGateTest::groundSystemsAreThoseOfPilots()
 {
     Gate gate;
     channel::Peer pilot = peer(1, channel::PeerRole::Pilot), observer = peer(2, channel::PeerRole::Observer),
-                  bound = peer(3, channel::PeerRole::Observer);
+                  bound = peer(3, channel::PeerRole::Pilot);
     bound.systemIds = {77};
     gate.setPeers({pilot, observer, bound});
     QVERIFY(gate.isGroundSystem(255));
@@ -203,6 +204,22 @@ void CommandGateTest::groundSystemsAreThoseOfPilots()
     QVERIFY(gate.isGroundSystem(42)); // the pilot comes back
     gate.setPeers({observer, bound});
     QVERIFY(!gate.isGroundSystem(42));
+}
+
+/// An observer that was paired with the id of the vehicle would take the vehicle away from the pilot.
+void CommandGateTest::observersIdIsNoGroundSystem()
+{
+    Gate gate;
+    channel::Peer pilot = peer(1, channel::PeerRole::Pilot), observer = peer(2, channel::PeerRole::Observer);
+    observer.systemIds = {1};
+    gate.setPeers({pilot, observer});
+    QVERIFY(!gate.isGroundSystem(1));
+    const mavlink::MissionRequestList question{.target_system = 1, .target_component = 1};
+    QVERIFY(!gate.take(kObserver, frameOf(question, 1))); // a vehicle that is heard keeps its id
+    QVERIFY(gate.take(kPilot, armCommand()));
+    observer.role = channel::PeerRole::Pilot;
+    gate.setPeers({pilot, observer});
+    QVERIFY(gate.isGroundSystem(1));
 }
 
 void CommandGateTest::anyArmedVehicleCounts()

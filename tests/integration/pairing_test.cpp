@@ -1,13 +1,20 @@
 // Pairing between real programs over loopback: both persons confirm the same code and a sealed session follows; a man in the middle
 // has other fingerprints and gets nothing; the window opens while the vehicle is disarmed, and closes when it is armed or left.
+#include "core/channel/pairing.h"
+#include "core/crypto/init_crypto.h"
+#include "core/crypto/x25519.h"
+#include "core/link/steady_now.h"
+#include "tests/crypto/seeded_random.h"
 #include "tests/support/eventually.h"
 #include "tests/support/flight.h"
+#include "tests/support/clear_frames.h"
 #include "tests/support/heartbeat.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_runner.h"
 
 #include <QtCore/QFile>
 #include <QtCore/QTemporaryDir>
+#include <QtCore/QTimer>
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
@@ -26,6 +33,50 @@ Program::Predicate stateIs(const char *state)
     return [state](const QJsonObject &event) { return text(event, "state") == QLatin1String(state); };
 }
 
+/// A station that claims any system id, and confirms each agent that it is shown.
+class ClaimingStation : public QObject
+{
+public:
+    ClaimingStation(quint16 port, std::uint8_t systemId)
+    {
+        m_isBound = m_socket.bind(QHostAddress::LocalHost, port);
+        channel::PairingConfig config;
+        config.identity = std::make_shared<crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(m_random));
+        config.name = "claimer";
+        config.systemId = systemId;
+        m_pairing.emplace(std::move(config), m_random, now());
+        m_timer.callOnTimeout(this, [this] { work(); });
+        m_timer.start(10);
+    }
+    bool isBound() const { return m_isBound; }
+
+private:
+    static TimePoint now() { return steadyNow(); }
+    void work()
+    {
+        while (m_socket.hasPendingDatagrams()) {
+            QByteArray bytes(m_socket.pendingDatagramSize(), 0);
+            m_socket.readDatagram(bytes.data(), bytes.size(), &m_agent, &m_port);
+            m_pairing->handleDatagram(now(), kPath, viewOf(bytes));
+        }
+        m_pairing->handleDeadline(now());
+        if (m_pairing->peer() && !m_pairing->confirmedHere())
+            m_pairing->confirm(now(), m_pairing->peer()->key);
+        while (const auto out = m_pairing->pollTransmit())
+            m_socket.writeDatagram(reinterpret_cast<const char *>(out->bytes.data()), static_cast<qint64>(out->bytes.size()),
+                                   m_agent, m_port);
+    }
+
+    static constexpr Path kPath{LinkId{1}, {}};
+    SeededRandom m_random{1};
+    std::optional<channel::Pairing> m_pairing;
+    QUdpSocket m_socket;
+    QHostAddress m_agent;
+    quint16 m_port = 0;
+    bool m_isBound = false;
+    QTimer m_timer;
+};
+
 } // namespace
 
 class PairingTest : public QObject
@@ -33,6 +84,7 @@ class PairingTest : public QObject
     Q_OBJECT
 
 private Q_SLOTS:
+    void initTestCase() { QVERIFY(crypto::initCrypto()); }
     void init();
     void bothConfirmAndASessionFollows();
     void expectedFingerprintsNeedNoPerson();
@@ -43,6 +95,7 @@ private Q_SLOTS:
     void observerIsKeptAsOne();
     void knownRoleStays();
     void idsOfOtherStationsAreNotTaken();
+    void vehiclesIdIsNotBound();
     void armedVehicleOpensNoWindow();
     void armingClosesTheWindow();
     void leavingClosesTheWindow();
@@ -337,6 +390,25 @@ void PairingTest::sendHeartbeats(Program &until, const char *event, const Progra
         heard = until.waitFor(QLatin1String(event), predicate, 100);
     }
     QVERIFY(!heard.isEmpty());
+}
+
+void PairingTest::vehiclesIdIsNotBound()
+{
+    const auto air = agent("air.key", "air.peers", m_port);
+    QVERIFY(air);
+    const auto heard = [](const QJsonObject &stats) {
+        return stats[QLatin1String("mavlink")].toObject()[QLatin1String("frames")].toInteger() > 0;
+    };
+    sendHeartbeats(*air, "stats", heard, false);
+    const ClaimingStation claimer(m_port, 1);
+    QVERIFY(claimer.isBound());
+    const auto desk = window("air.key", {QStringLiteral("--as"), QStringLiteral("tablet")});
+    QCOMPARE(desk->waitFor(QStringLiteral("pairing"), stateIs("seen"))[QLatin1String("system")].toInt(), 1);
+    desk->notify(QStringLiteral("observer"));
+    QCOMPARE(desk->waitForExit(), 0);
+    QVERIFY2(read("air.peers").startsWith("tablet observer any "), read("air.peers").constData());
+    QVERIFY2(desk->errors().contains("WARNING: its system id 1 is that of a vehicle here, and was not bound"),
+             desk->errors().constData());
 }
 
 void PairingTest::armedVehicleOpensNoWindow()

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void strangerIsAdded();
     void presharedKeyLiesBesideTheList();
     void knownKeyKeepsNameAndSystems();
+    void systemOfAnotherAgentIsRefused();
     void changedKeyIsReplacedKnowingly();
     void namesAreMadeToFit_data();
     void namesAreMadeToFit();
@@ -53,11 +54,11 @@ private:
 
 void PairedPeerTest::strangerIsAdded()
 {
-    QVERIFY(keepPairedPeer(m_file, peer("scout", 1), KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, peer("scout", 1), KeyChange::Refused, SharedIds::Allowed));
     channel::Peer observer = peer("tablet", 2);
     observer.role = PeerRole::Observer;
     observer.systemIds = {254};
-    QVERIFY(keepPairedPeer(m_file, observer, KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, observer, KeyChange::Refused, SharedIds::Allowed));
     QCOMPARE(list().entries().size(), std::size_t(2));
     QVERIFY(list().find("tablet")->peer.role == PeerRole::Observer);
     QCOMPARE(list().find("tablet")->peer.systemIds, std::vector<std::uint8_t>{254}); // as the pairing showed it
@@ -68,7 +69,7 @@ void PairedPeerTest::strangerIsAdded()
 void PairedPeerTest::presharedKeyLiesBesideTheList()
 {
     const channel::Peer paired = peer("scout", 1, true);
-    QVERIFY(keepPairedPeer(m_file, paired, KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, paired, KeyChange::Refused, SharedIds::Allowed));
     const PeerEntry entry = *list().find("scout");
     QVERIFY(!entry.presharedKeyFile.starts_with('/')); // the folder can be moved as a whole
     const std::string file = presharedKeyPath(m_file, entry);
@@ -76,9 +77,9 @@ void PairedPeerTest::presharedKeyLiesBesideTheList()
     QVERIFY(loadPresharedKey(file)->equals(*paired.presharedKey));
     // Pairing again creates another one.
     const channel::Peer again = peer("scout", 1, true);
-    QVERIFY(keepPairedPeer(m_file, again, KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, again, KeyChange::Refused, SharedIds::Allowed));
     QVERIFY(loadPresharedKey(file)->equals(*again.presharedKey));
-    QVERIFY(keepPairedPeer(m_file, peer("scout", 1), KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, peer("scout", 1), KeyChange::Refused, SharedIds::Allowed));
     QVERIFY(list().find("scout")->presharedKeyFile.empty());
 }
 
@@ -91,18 +92,33 @@ void PairedPeerTest::knownKeyKeepsNameAndSystems()
     channel::Peer paired = peer("what it calls itself", 1);
     paired.role = PeerRole::Observer;
     paired.systemIds = {9};
-    QVERIFY(keepPairedPeer(m_file, paired, KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, paired, KeyChange::Refused, SharedIds::Allowed));
     QCOMPARE(list().entries().size(), std::size_t(1));
     QCOMPARE(list().find("heron")->peer.systemIds, std::vector<std::uint8_t>{4});
     QVERIFY(list().find("heron")->peer.role == PeerRole::Observer);
 }
 
+void PairedPeerTest::systemOfAnotherAgentIsRefused()
+{
+    channel::Peer scout = peer("scout", 1), other = peer("other", 2, true);
+    scout.systemIds = other.systemIds = {1};
+    QVERIFY(keepPairedPeer(m_file, scout, KeyChange::Refused, SharedIds::Refused));
+    const auto kept = keepPairedPeer(m_file, other, KeyChange::Refused, SharedIds::Refused);
+    QVERIFY(!kept);
+    QVERIFY2(kept.error().text().find("system id 1 is bound to \"scout\"") != std::string::npos, kept.error().text().c_str());
+    QCOMPARE(list().entries().size(), std::size_t(1));
+    QVERIFY(keepPairedPeer(m_file, scout, KeyChange::Refused, SharedIds::Refused)); // again
+    // Stations may share an id.
+    QVERIFY(keepPairedPeer(m_file, other, KeyChange::Refused, SharedIds::Allowed));
+    QCOMPARE(list().find("other")->peer.systemIds, std::vector<std::uint8_t>{1});
+}
+
 void PairedPeerTest::changedKeyIsReplacedKnowingly()
 {
-    QVERIFY(keepPairedPeer(m_file, peer("scout", 1, true), KeyChange::Refused));
-    QVERIFY(!keepPairedPeer(m_file, peer("scout", 2, true), KeyChange::Refused));
+    QVERIFY(keepPairedPeer(m_file, peer("scout", 1, true), KeyChange::Refused, SharedIds::Allowed));
+    QVERIFY(!keepPairedPeer(m_file, peer("scout", 2, true), KeyChange::Refused, SharedIds::Allowed));
     QCOMPARE(list().find("scout")->peer.key, peer("", 1).key);
-    QVERIFY(keepPairedPeer(m_file, peer("scout", 2), KeyChange::Accepted));
+    QVERIFY(keepPairedPeer(m_file, peer("scout", 2), KeyChange::Accepted, SharedIds::Allowed));
     QCOMPARE(list().find("scout")->peer.key, peer("", 2).key);
     QCOMPARE(list().entries().size(), std::size_t(1));
 }

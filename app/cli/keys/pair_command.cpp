@@ -32,8 +32,8 @@ PairingStatus keep(const std::string &peersFile, channel::Peer peer, const Decis
     // The peer is an agent; the role matters only for stations.
     peer.name = keys::fitPeerName(decision.name.empty() ? peer.name : decision.name, peer.key);
     peer.role = channel::PeerRole::Pilot;
-    const auto kept = keys::keepPairedPeer(peersFile, peer,
-                                           decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused);
+    const auto kept = keys::keepPairedPeer(
+        peersFile, peer, decision.replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused, keys::SharedIds::Refused);
     PairingStatus status;
     status.state = kept ? PairingStatus::State::Paired : PairingStatus::State::Refused;
     status.name = kept ? peer.name : std::string();

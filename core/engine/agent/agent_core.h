@@ -65,6 +65,8 @@ public:
     void refusePairing();
     void cancelPairing();
     const channel::PublicKey &publicKey() const;
+    /// Whether a vehicle with this system id is heard.
+    bool isVehicle(std::uint8_t systemId) const { return m_routes.isVehicle(systemId); }
     /// Says goodbye to every station and closes the links.
     void stop();
     /// Call about once a second: rates and load cover the time since the last call, and refused frames are published.

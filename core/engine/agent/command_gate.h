@@ -33,8 +33,8 @@ public:
         return mayCommand(now, delivery, item) && maySpeakAs(delivery.session, item, isVehicle(systemOf(item)));
     }
 
-    /// Whether the system id belongs to a ground station: the customary one, those that the list binds to peers, and those that
-    /// a pilot has used since the start.
+    /// Whether the system id belongs to a ground station: the customary one, and those that the list binds to pilots or that
+    /// they have used since the start. Not those of observers, who could take the vehicle's.
     bool isGroundSystem(std::uint8_t systemId) const;
 
     /// What was refused since the last call.

@@ -110,10 +110,13 @@ bool SenderPolicy::pilotThere() const
 
 bool SenderPolicy::isPilotsSystem(std::uint8_t systemId) const
 {
-    return m_pinned.test(systemId) || std::any_of(m_peers.begin(), m_peers.end(), [&](const channel::Peer &peer) {
-               const auto heard = m_heard.find(peer.key);
-               return peer.role == channel::PeerRole::Pilot && heard != m_heard.end() && heard->second.test(systemId);
-           });
+    const auto uses = [&](const channel::Peer &peer) {
+        const auto heard = m_heard.find(peer.key);
+        return std::ranges::find(peer.systemIds, systemId) != peer.systemIds.end()
+            || (heard != m_heard.end() && heard->second.test(systemId));
+    };
+    return std::ranges::any_of(m_peers,
+                               [&](const channel::Peer &peer) { return peer.role == channel::PeerRole::Pilot && uses(peer); });
 }
 
 bool SenderPolicy::acceptSealed(channel::SessionId session, std::uint8_t systemId)

@@ -54,7 +54,7 @@ public:
     bool mayCommand(channel::SessionId session) const;
     /// Whether a peer that may command has a session.
     bool pilotThere() const;
-    /// Whether the list binds the system to a peer, or a listed peer that may command has used it.
+    /// Whether the list binds the system to a peer that may command, or such a peer has used it.
     bool isPilotsSystem(std::uint8_t systemId) const;
     /// Whether a sealed frame of this session may have this system id. A system that the list binds to peers is theirs alone;
     /// with Speakers::OnePerSystem any other belongs to the first peer that used it sealed, until that peer is removed from
