@@ -1,6 +1,6 @@
 // The packet path does not allocate: sealing, opening and refusing are counted by a replaced operator new. Datagrams of
 // unknown senders leave no state behind.
-#include "attack.h"
+#include "every_suite.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
 #include "inline_pair.h"

@@ -5,6 +5,7 @@
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
 #include "first_message_flood.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

@@ -4,6 +4,7 @@
 #include "core/channel/handshake.h"
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <array>

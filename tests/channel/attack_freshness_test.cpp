@@ -3,6 +3,7 @@
 #include "core/crypto/init_crypto.h"
 #include "crowd.h"
 #include "delayed_flight.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

@@ -6,6 +6,7 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "reconstruction.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 #include "thief.h"
 

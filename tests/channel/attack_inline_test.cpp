@@ -3,6 +3,7 @@
 #include "core/channel/inline_frame.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

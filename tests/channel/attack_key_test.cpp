@@ -6,7 +6,8 @@
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/record_cipher.h"
 #include "core/crypto/record_keys.h"
-#include "attack.h"
+#include "every_suite.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

@@ -8,6 +8,7 @@
 #include "inline_pair.h"
 #include "process_image.h"
 #include "stolen_session.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <array>

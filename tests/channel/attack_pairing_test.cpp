@@ -7,6 +7,7 @@
 #include "core/noise/cipher_state.h"
 #include "pairing_pair.h"
 #include "tests/noise/fixed_random.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

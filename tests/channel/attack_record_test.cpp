@@ -1,8 +1,9 @@
 // Attacks on single records, under every suite: reading, changing, truncating, inventing, replaying and moving them. After
 // each attack the session is up, the stream continues, and the counters have changed by exactly the number of attempts.
-#include "attack.h"
+#include "every_suite.h"
 #include "core/base/hex.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <unordered_set>

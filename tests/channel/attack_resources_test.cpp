@@ -2,6 +2,7 @@
 // a thousand handshakes here; ten million and ten thousand with the label slow.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <cstdio>

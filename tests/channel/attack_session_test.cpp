@@ -2,6 +2,7 @@
 // processes, jumping clocks, and a wire that drops every control record.
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 #include <unordered_set>

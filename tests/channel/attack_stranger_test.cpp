@@ -5,6 +5,7 @@
 #include "core/channel/cookie.h"
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

@@ -2,6 +2,7 @@
 #include "attack.h"
 #include "core/crypto/init_crypto.h"
 #include "stolen_session.h"
+#include "tests/support/holds.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;

@@ -9,6 +9,43 @@
 
 namespace skyseal::test {
 
+void SeededRandom::fill(MutableByteView out)
+{
+    for (auto &byte : out)
+        byte = static_cast<std::uint8_t>(m_random());
+}
+
+MemoryCounterStore::MemoryCounterStore() = default;
+MemoryCounterStore::MemoryCounterStore(const MemoryCounterStore &) = default;
+MemoryCounterStore::~MemoryCounterStore() = default;
+
+std::optional<std::uint64_t> MemoryCounterStore::next()
+{
+    return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own;
+}
+
+bool MemoryCounterStore::skipTo(std::uint64_t counter)
+{
+    m_own = std::max(m_own, counter);
+    return true;
+}
+
+std::uint64_t MemoryCounterStore::lastSeen(const channel::PublicKey &peer)
+{
+    return m_seen[peer];
+}
+
+bool MemoryCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
+{
+    if (fails)
+        return false;
+    m_seen[peer] = counter;
+    return true;
+}
+
+Pair::End::End() = default;
+Pair::End::~End() = default;
+
 Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)
@@ -23,6 +60,8 @@ Pair::Pair(PairOptions options)
     start(Ground);
     start(Air);
 }
+
+Pair::~Pair() = default;
 
 Path Pair::pathOf(Side side) const
 {

@@ -19,11 +19,7 @@ class SeededRandom final : public RandomSource
 {
 public:
     explicit SeededRandom(std::uint64_t seed) : m_random(seed) {}
-    void fill(MutableByteView out) override
-    {
-        for (auto &byte : out)
-            byte = static_cast<std::uint8_t>(m_random());
-    }
+    void fill(MutableByteView out) override;
 
 private:
     std::mt19937_64 m_random;
@@ -33,20 +29,14 @@ private:
 class MemoryCounterStore final : public CounterStore
 {
 public:
-    std::optional<std::uint64_t> next() override { return weakened(Weakness::CountersFromClock) ? timeOfDay : ++m_own; }
-    bool skipTo(std::uint64_t counter) override
-    {
-        m_own = std::max(m_own, counter);
-        return true;
-    }
-    std::uint64_t lastSeen(const channel::PublicKey &peer) override { return m_seen[peer]; }
-    bool remember(const channel::PublicKey &peer, std::uint64_t counter) override
-    {
-        if (fails)
-            return false;
-        m_seen[peer] = counter;
-        return true;
-    }
+    MemoryCounterStore();
+    MemoryCounterStore(const MemoryCounterStore &);
+    ~MemoryCounterStore() override;
+
+    std::optional<std::uint64_t> next() override;
+    bool skipTo(std::uint64_t counter) override;
+    std::uint64_t lastSeen(const channel::PublicKey &peer) override;
+    bool remember(const channel::PublicKey &peer, std::uint64_t counter) override;
     std::string problem() const override { return trouble; }
     bool fails = false;
     std::string trouble;         ///< reason why nothing is stored, as on a full disk
@@ -103,9 +93,13 @@ class Pair
 {
 public:
     explicit Pair(PairOptions options = {});
+    ~Pair();
 
     struct End
     {
+        End();
+        ~End();
+
         std::unique_ptr<Endpoint> endpoint;
         MemoryCounterStore counters;
         std::shared_ptr<const crypto::X25519KeyPair> identity;
