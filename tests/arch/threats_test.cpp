@@ -1,11 +1,13 @@
 // Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; each attack
-// test is named there, and proven to be able to fail; and each threat has such a test, or says why not.
+// test is named there, and proven to be able to fail; each threat has such a test, or says why not; and nothing stands there
+// twice.
 #include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
 #include <QtCore/QDirIterator>
 #include <QtCore/QFile>
 #include <QtCore/QRegularExpression>
+#include <QtCore/QSet>
 #include <QtTest/QTest>
 
 #include <algorithm>
@@ -97,6 +99,7 @@ private Q_SLOTS:
     void namedTestsExist();
     void attacksAreNamedAndProven();
     void threatsWithoutATwinSayWhy();
+    void nothingStandsTwice();
 };
 
 void ThreatsTest::namedTestsExist()
@@ -151,6 +154,20 @@ void ThreatsTest::threatsWithoutATwinSayWhy()
         QVERIFY2(hasTwin || section.contains(QStringLiteral("\n- *%1*").arg(said.captured(1))), qPrintable(line));
     }
     QVERIFY2(threats > 50, qPrintable(QString::number(threats)));
+}
+
+void ThreatsTest::nothingStandsTwice()
+{
+    // Paragraphs, list items and rows of tables, whatever their line breaks.
+    static const QRegularExpression begin(QStringLiteral("\n(?:\n|(?=- )|(?=\\| ))"));
+    static const QRegularExpression ruler(QStringLiteral("^[|-]+$"));
+    QSet<QString> known;
+    for (const QString &part : document().split(begin, Qt::SkipEmptyParts)) {
+        const QString text = part.simplified();
+        QVERIFY2(!known.contains(text) || ruler.match(text).hasMatch(), qPrintable(text));
+        known.insert(text);
+    }
+    QVERIFY(known.size() > 150);
 }
 
 SKYSEAL_TEST_APPLESS(ThreatsTest)
