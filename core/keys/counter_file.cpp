@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 namespace skyseal::keys {
@@ -127,6 +130,62 @@ CounterDisk counterDisk(const std::string &path)
     return disk;
 }
 
+/// The numbers, shared by the endpoint's thread and the store's own.
+class FileCounterStore::Shared
+{
+public:
+    Shared(CounterDisk disk, std::uint64_t first) : m_disk(std::move(disk)), m_floor(first) {}
+
+    /// The store's thread.
+    void run();
+    /// Waits until the file was read; an error if it cannot be used.
+    Result<void, InputError> waitUntilOpen();
+    /// Ends the thread. Returns false if it waits for a disk that does not answer.
+    bool end();
+
+    std::optional<std::uint64_t> next();
+    bool skipTo(std::uint64_t counter);
+    std::uint64_t lastSeen(const channel::PublicKey &peer) const;
+    void remember(const channel::PublicKey &peer, std::uint64_t counter);
+    std::string problem() const;
+    InputError waitUntilStored();
+
+    std::thread thread;
+
+private:
+    /// Numbers from `begin` up to, but not with, `end`.
+    struct Block
+    {
+        std::uint64_t begin = 0, end = 0;
+        bool empty() const { return begin >= end; }
+        std::uint64_t size() const { return empty() ? 0 : end - begin; }
+    };
+    enum class Phase { Opening, Open, Failed, Ended };
+
+    bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
+    bool isSlow() const { return m_busy && m_disk.now() - m_busySince >= kSlow; }
+    InputError slowError() const { return {"the disk does not answer", m_disk.name}; }
+    template<typename Condition> bool waitFor(std::unique_lock<std::mutex> &lock, Condition condition);
+    bool openFile(std::unique_lock<std::mutex> &lock);
+    void add(const StoredCounters &stored);
+    void update(std::unique_lock<std::mutex> &lock, bool create = false);
+
+    const CounterDisk m_disk;
+    mutable std::mutex m_mutex; ///< of all that follows
+    std::condition_variable m_wake, m_idle;
+    Phase m_phase = Phase::Opening;
+    Block m_block;         ///< in use
+    Block m_spare;         ///< in use after it
+    std::uint64_t m_floor; ///< least number of the next block to be reserved
+    std::map<channel::PublicKey, std::uint64_t> m_seen;
+    bool m_wantsBlock = true; ///< another block has to be reserved
+    bool m_wantsSeen = false; ///< m_seen has to be stored
+    bool m_busy = true;       ///< the file is read or changed
+    TimePoint m_busySince = m_disk.now();
+    bool m_stop = false;
+    InputError m_error; ///< of the last change of the file
+};
+
 Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(const std::string &path, std::uint64_t first)
 {
     return open(counterDisk(path), first);
@@ -134,37 +193,81 @@ Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(con
 
 Result<std::unique_ptr<FileCounterStore>, InputError> FileCounterStore::open(CounterDisk disk, std::uint64_t first)
 {
-    std::unique_ptr<FileCounterStore> store(new FileCounterStore(std::move(disk), first));
-    {
-        std::unique_lock lock(store->m_mutex);
-        store->update(lock, true);
-        if (!store->m_error.message.empty()) {
-            const auto read = store->m_disk.read();
-            if (!read)
-                return tl::unexpected(store->m_error);
-            store->add(*read);
-            const std::uint64_t begin = std::max(first, std::min(read->next, kGreatest));
-            store->m_spare = {begin, begin + kBlock};
-            store->m_floor = store->m_spare.end;
-        }
-    }
-    store->m_writer = std::thread([opened = store.get()] { opened->run(); });
+    const auto shared = std::make_shared<Shared>(std::move(disk), first);
+    std::unique_ptr<FileCounterStore> store(new FileCounterStore(shared));
+    shared->thread = std::thread([shared] { shared->run(); });
+    if (const auto opened = shared->waitUntilOpen(); !opened)
+        return tl::unexpected(opened.error());
     return store;
 }
 
 FileCounterStore::~FileCounterStore()
 {
-    if (!m_writer.joinable())
-        return;
-    {
-        const std::lock_guard lock(m_mutex);
-        m_stop = true;
-    }
-    m_wake.notify_one();
-    m_writer.join();
+    if (m_shared->end())
+        m_shared->thread.join();
+    else
+        m_shared->thread.detach();
 }
 
 std::optional<std::uint64_t> FileCounterStore::next()
+{
+    return m_shared->next();
+}
+
+bool FileCounterStore::skipTo(std::uint64_t counter)
+{
+    return m_shared->skipTo(counter);
+}
+
+std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
+{
+    return m_shared->lastSeen(peer);
+}
+
+bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
+{
+    m_shared->remember(peer, counter);
+    return true;
+}
+
+std::string FileCounterStore::problem() const
+{
+    return m_shared->problem();
+}
+
+InputError FileCounterStore::waitUntilStored()
+{
+    return m_shared->waitUntilStored();
+}
+
+/// Waits for a change by the store's thread, until the disk has not answered for kSlow. Returns the condition.
+template<typename Condition> bool FileCounterStore::Shared::waitFor(std::unique_lock<std::mutex> &lock, Condition condition)
+{
+    static constexpr std::chrono::milliseconds kLookAtTheClock{20};
+    while (!condition() && !isSlow())
+        m_idle.wait_for(lock, kLookAtTheClock);
+    return condition();
+}
+
+Result<void, InputError> FileCounterStore::Shared::waitUntilOpen()
+{
+    std::unique_lock lock(m_mutex);
+    if (!waitFor(lock, [this] { return m_phase != Phase::Opening; }))
+        return tl::unexpected(slowError());
+    if (m_phase == Phase::Failed)
+        return tl::unexpected(m_error);
+    return {};
+}
+
+bool FileCounterStore::Shared::end()
+{
+    std::unique_lock lock(m_mutex);
+    m_stop = true;
+    m_wake.notify_one();
+    return waitFor(lock, [this] { return m_phase == Phase::Ended || m_phase == Phase::Failed; });
+}
+
+std::optional<std::uint64_t> FileCounterStore::Shared::next()
 {
     const std::lock_guard lock(m_mutex);
     if (m_block.empty())
@@ -182,7 +285,7 @@ std::optional<std::uint64_t> FileCounterStore::next()
     return m_block.begin++;
 }
 
-bool FileCounterStore::skipTo(std::uint64_t counter)
+bool FileCounterStore::Shared::skipTo(std::uint64_t counter)
 {
     const std::lock_guard lock(m_mutex);
     const std::uint64_t from = std::min(counter, kGreatest) + 1;
@@ -196,14 +299,14 @@ bool FileCounterStore::skipTo(std::uint64_t counter)
     return false;
 }
 
-std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
+std::uint64_t FileCounterStore::Shared::lastSeen(const channel::PublicKey &peer) const
 {
     const std::lock_guard lock(m_mutex);
     const auto found = m_seen.find(peer);
     return found == m_seen.end() ? 0 : found->second;
 }
 
-bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
+void FileCounterStore::Shared::remember(const channel::PublicKey &peer, std::uint64_t counter)
 {
     const std::lock_guard lock(m_mutex);
     std::uint64_t &known = m_seen[peer];
@@ -212,27 +315,30 @@ bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t co
         m_wantsSeen = true;
         m_wake.notify_one();
     }
-    return true;
 }
 
-std::string FileCounterStore::problem() const
+std::string FileCounterStore::Shared::problem() const
 {
     const std::lock_guard lock(m_mutex);
     if (isSlow())
-        return InputError{"the disk does not answer", m_disk.name}.text();
+        return slowError().text();
     return m_error.message.empty() ? std::string() : m_error.text();
 }
 
-InputError FileCounterStore::waitUntilStored()
+InputError FileCounterStore::Shared::waitUntilStored()
 {
     std::unique_lock lock(m_mutex);
     m_idle.wait(lock, [this] { return isIdle(); });
     return m_error;
 }
 
-void FileCounterStore::run()
+void FileCounterStore::Shared::run()
 {
     std::unique_lock lock(m_mutex);
+    m_phase = openFile(lock) ? Phase::Open : Phase::Failed;
+    m_idle.notify_all();
+    if (m_phase == Phase::Failed)
+        return;
     const auto isWanted = [this] { return m_stop || m_wantsBlock || m_wantsSeen; };
     for (bool last = false; !last;) {
         if (m_error.message.empty())
@@ -243,10 +349,34 @@ void FileCounterStore::run()
         if (!last || m_wantsSeen || !m_error.message.empty())
             update(lock);
     }
+    m_phase = Phase::Ended;
+    m_idle.notify_all();
+}
+
+/// Returns false if the file cannot be used; m_error says why.
+bool FileCounterStore::Shared::openFile(std::unique_lock<std::mutex> &lock)
+{
+    const std::uint64_t first = m_floor;
+    update(lock, true);
+    if (m_error.message.empty())
+        return true;
+    m_busy = true;
+    m_busySince = m_disk.now();
+    lock.unlock();
+    const auto stored = m_disk.read();
+    lock.lock();
+    m_busy = false;
+    if (!stored)
+        return false;
+    add(*stored);
+    const std::uint64_t begin = std::max(first, std::min(stored->next, kGreatest));
+    m_spare = {begin, begin + kBlock};
+    m_floor = m_spare.end;
+    return true;
 }
 
 /// Takes the accepted numbers of the file.
-void FileCounterStore::add(const StoredCounters &stored)
+void FileCounterStore::Shared::add(const StoredCounters &stored)
 {
     for (const auto &[key, number] : stored.seen) {
         std::uint64_t &known = m_seen[key];
@@ -255,7 +385,7 @@ void FileCounterStore::add(const StoredCounters &stored)
 }
 
 /// Stores what is wanted. Call with the mutex locked; it is free while the disk works.
-void FileCounterStore::update(std::unique_lock<std::mutex> &lock, bool create)
+void FileCounterStore::Shared::update(std::unique_lock<std::mutex> &lock, bool create)
 {
     const std::uint64_t reserve = m_wantsBlock ? weakened(Weakness::CountersOneByOne) ? 1 : kBlock : 0;
     const StoredCounters ours{std::min(m_floor, kGreatest), m_seen};

@@ -18,14 +18,11 @@
 #include "core/base/result.h"
 #include "core/channel/counter_store.h"
 
-#include <condition_variable>
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
-#include <thread>
 
 namespace skyseal::keys {
 
@@ -50,7 +47,7 @@ struct CounterDisk
 };
 CounterDisk counterDisk(const std::string &path);
 
-/// Used by one thread, that of its endpoint. The disk is touched by open(), and by the store's own thread.
+/// Used by one thread, that of its endpoint. Only the store's own thread touches the disk.
 class FileCounterStore final : public channel::CounterStore
 {
 public:
@@ -62,11 +59,11 @@ public:
     static constexpr Duration kSlow = std::chrono::seconds(5);
 
     /// Creates the file if it does not exist, with `first` as its next number, and reserves the first block. Fails if the file is
-    /// damaged (starting over would allow replays of old first messages) or cannot be created. A sound file that cannot be
-    /// written is used as it is: an agent must come up again on a disk that became read-only.
+    /// damaged (starting over would allow replays of old first messages), cannot be created, or is not read within kSlow. A sound
+    /// file that cannot be written is used as it is: an agent must come up again on a disk that became read-only.
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(const std::string &path, std::uint64_t first = 1);
     static Result<std::unique_ptr<FileCounterStore>, InputError> open(CounterDisk disk, std::uint64_t first = 1);
-    /// Waits until all accepted numbers are stored, or cannot be.
+    /// Waits until all accepted numbers are stored, or cannot be, or the disk has not answered for kSlow.
     ~FileCounterStore() override;
 
     /// Nullopt until the next block is stored. Where that fails or takes longer than kSlow, numbers that are not stored are
@@ -84,35 +81,11 @@ public:
     InputError waitUntilStored();
 
 private:
-    /// Numbers from `begin` up to, but not with, `end`.
-    struct Block
-    {
-        std::uint64_t begin = 0, end = 0;
-        bool empty() const { return begin >= end; }
-        std::uint64_t size() const { return empty() ? 0 : end - begin; }
-    };
+    class Shared;
 
-    FileCounterStore(CounterDisk disk, std::uint64_t first) : m_disk(std::move(disk)), m_floor(first) {}
-    bool isIdle() const { return !m_wantsBlock && !m_wantsSeen && !m_busy; }
-    bool isSlow() const { return m_busy && m_disk.now() - m_busySince >= kSlow; }
-    void add(const StoredCounters &stored);
-    void run();
-    void update(std::unique_lock<std::mutex> &lock, bool create = false);
+    explicit FileCounterStore(std::shared_ptr<Shared> shared) : m_shared(std::move(shared)) {}
 
-    const CounterDisk m_disk;
-    mutable std::mutex m_mutex; ///< of all that follows
-    std::condition_variable m_wake, m_idle;
-    Block m_block;         ///< in use
-    Block m_spare;         ///< in use after it
-    std::uint64_t m_floor; ///< least number of the next block to be reserved
-    std::map<channel::PublicKey, std::uint64_t> m_seen;
-    bool m_wantsBlock = true; ///< another block has to be reserved
-    bool m_wantsSeen = false; ///< m_seen has to be stored
-    bool m_busy = false;      ///< the file is being changed
-    TimePoint m_busySince{};
-    bool m_stop = false;
-    InputError m_error; ///< of the last change of the file
-    std::thread m_writer;
+    std::shared_ptr<Shared> m_shared; ///< with the store's thread, which outlives the store if the disk does not answer
 };
 
 } // namespace skyseal::keys

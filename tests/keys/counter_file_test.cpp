@@ -52,6 +52,7 @@ private Q_SLOTS:
     void lockedFileHoldsNothingUp();
     void survivesAFullOrReadOnlyDisk();
     void hangingDiskHoldsNothingUp();
+    void hangingDiskDelaysNeitherStartNorEnd();
     void fileThatCannotBeWrittenIsUsedAsItIs();
 
 private:
@@ -316,6 +317,47 @@ void CounterFileTest::hangingDiskHoldsNothingUp()
     QCOMPARE(store->problem(), std::string());
     const auto number = store->next();
     QVERIFY(number && *number > last);
+}
+
+void CounterFileTest::hangingDiskDelaysNeitherStartNorEnd()
+{
+    // The store's thread is still in the disk's functions when the test is over.
+    struct Hang
+    {
+        std::mutex mutex;
+        std::condition_variable over;
+        bool hangs = true;
+        std::atomic<std::int64_t> looks = 0;
+    };
+    const auto hang = std::make_shared<Hang>();
+    CounterDisk disk;
+    disk.name = "/disk/counters";
+    disk.now = [hang] { return TimePoint(std::chrono::seconds(++hang->looks)); };
+    disk.read = [] { return Result<StoredCounters, InputError>(StoredCounters()); };
+    disk.update = [hang](StoredCounters ours, std::uint64_t reserve, bool) {
+        std::unique_lock lock(hang->mutex);
+        hang->over.wait(lock, [&] { return !hang->hangs; });
+        ours.next += reserve;
+        return Result<StoredCounters, InputError>(std::move(ours));
+    };
+    const auto set = [&hang](bool hangs) {
+        {
+            const std::lock_guard lock(hang->mutex);
+            hang->hangs = hangs;
+        }
+        hang->over.notify_all();
+    };
+    const auto refused = FileCounterStore::open(disk);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().text(), std::string("/disk/counters: the disk does not answer"));
+
+    set(false);
+    auto store = std::move(*FileCounterStore::open(disk));
+    QVERIFY(store->waitUntilStored().message.empty());
+    set(true);
+    QVERIFY(store->remember({}, 7));
+    store.reset();
+    set(false);
 }
 
 void CounterFileTest::fileThatCannotBeWrittenIsUsedAsItIs()
