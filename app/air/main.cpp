@@ -208,14 +208,7 @@ int main(int argc, char **argv)
     desk = &pairings;
     if (!pairings.problem().isEmpty())
         remark("no pairing: " + pairings.problem().toStdString());
-    const PeersWatch watch(paths.peers, [&]() -> Result<keys::PeersInForce, InputError> {
-        auto peers = engine::readPeers(paths);
-        if (!peers)
-            return tl::unexpected(peers.error());
-        auto inForce = peers->inForce();
-        agent.setPeers(std::move(peers->peers));
-        return inForce;
-    });
+    const PeersWatch watch(paths.peers, [&](std::vector<channel::Peer> peers) { agent.setPeers(std::move(peers)); });
     tellPeers(watch, options.has("json"));
     QElapsedTimer clock;
     clock.start();

@@ -32,6 +32,26 @@ void write(QLocalSocket &socket, const PairingStatus &status)
     socket.write(QByteArray::fromStdString(status.toJson()) + '\n');
 }
 
+/// Stores the peer and returns the status to be sent. `reason`: a part of the request that was refused.
+PairingStatus stored(const std::string &peersFile, channel::Peer peer, std::string reason, keys::KeyChange change)
+{
+    // Stations may share an id. To bind it to this one would take it from those that are bound to none.
+    const auto known = keys::PeersFile::loadOrEmpty(peersFile).value_or(keys::PeersFile()).entries();
+    if (std::ranges::any_of(
+            known, [&](const keys::PeerEntry &other) { return other.peer.key != peer.key && other.peer.systemIds.empty(); }))
+        peer.systemIds.clear();
+    const auto kept = keys::keepPairedPeer(peersFile, peer, change, keys::SharedIds::Allowed);
+    if (!kept)
+        return refusal(kept.error().text());
+    PairingStatus status;
+    status.state = PairingStatus::State::Paired;
+    status.reason = std::move(reason);
+    status.name = peer.name;
+    status.role = peer.role;
+    status.key = peer.key;
+    return status;
+}
+
 } // namespace
 
 QString controlSocket(const std::string &identityFile)
@@ -161,46 +181,35 @@ void PairingServer::confirm(const QJsonObject &order)
     m_agent.confirmPairing(*key);
 }
 
-keys::PeersFile PairingServer::known() const
-{
-    return keys::PeersFile::loadOrEmpty(m_paths.peers).value_or(keys::PeersFile());
-}
-
 void PairingServer::take(const channel::PairingEvent &event)
 {
     if (const auto *paired = std::get_if<channel::Paired>(&event))
-        keep(paired->peer);
-    else if (const auto status = statusOf(event, known(), m_callIt))
-        notify(*status);
+        return keep(paired->peer);
+    m_files.run(
+        this, [file = m_paths.peers] { return keys::PeersFile::loadOrEmpty(file).value_or(keys::PeersFile()); },
+        [this, event, callIt = m_callIt](const keys::PeersFile &known) {
+            if (const auto status = statusOf(event, known, callIt))
+                notify(*status);
+        });
 }
 
 void PairingServer::keep(channel::Peer peer)
 {
     peer.name = keys::fitPeerName(m_name.empty() ? peer.name : m_name, peer.key);
     peer.role = m_role;
-    PairingStatus status;
+    std::string reason;
     // A station with the id of the vehicle would cut the vehicle off.
     if (std::ranges::any_of(peer.systemIds, [this](std::uint8_t id) { return m_agent.isVehicle(id); })) {
-        status.reason = "its system id " + keys::systemIdsText(peer.systemIds)
-            + " is that of a vehicle here, and was not bound";
+        reason = "its system id " + keys::systemIdsText(peer.systemIds) + " is that of a vehicle here, and was not bound";
         peer.systemIds.clear();
     }
-    // Stations may share an id. To bind it to this one would take it from those that are bound to none.
-    const auto list = known().entries();
-    if (std::ranges::any_of(
-            list, [&](const keys::PeerEntry &other) { return other.peer.key != peer.key && other.peer.systemIds.empty(); }))
-        peer.systemIds.clear();
-    const auto kept = keys::keepPairedPeer(
-        m_paths.peers, peer, m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused, keys::SharedIds::Allowed);
-    if (!kept) {
-        notify(refusal(kept.error().text()));
-        return;
-    }
-    status.state = PairingStatus::State::Paired;
-    status.name = peer.name;
-    status.role = peer.role;
-    status.key = peer.key;
-    notify(status);
+    const auto change = m_replace ? keys::KeyChange::Accepted : keys::KeyChange::Refused;
+    m_files.run(
+        this,
+        [file = m_paths.peers, peer = std::move(peer), reason = std::move(reason), change] {
+            return stored(file, peer, reason, change);
+        },
+        [this](const PairingStatus &status) { notify(status); });
 }
 
 void PairingServer::notify(const PairingStatus &status)

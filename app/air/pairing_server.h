@@ -8,6 +8,7 @@
 // The window closes when the client that opened it disconnects.
 #pragma once
 
+#include "app/common/file_thread.h"
 #include "app/common/pairing_status.h"
 #include "core/engine/agent/agent_core.h"
 
@@ -49,7 +50,6 @@ private:
     void keep(channel::Peer peer);
     void leave();
     void notify(const PairingStatus &status);
-    keys::PeersFile known() const;
 
     engine::AgentCore &m_agent;
     engine::KeyPaths m_paths;
@@ -62,6 +62,7 @@ private:
     std::string m_name;            ///< the confirmed name of the peer
     channel::PeerRole m_role = channel::PeerRole::Observer;
     bool m_replace = false;
+    FileThread m_files; ///< the list of peers; the agent must not wait for the disk
 };
 
 } // namespace skyseal::app

@@ -201,7 +201,7 @@ int runMonitor(const QStringList &arguments)
     engine::HeadlessRun run(**station, *report, std::move(plan), links);
     std::optional<PeersWatch> watch;
     if (config.secure == engine::SecureMode::Required) {
-        watch.emplace(config.keys.peers, [&] { return (*station)->reloadPeers(); });
+        watch.emplace(config.keys.peers, [&](std::vector<channel::Peer> peers) { (*station)->setPeers(std::move(peers)); });
         tellPeers(*watch, options.has("json"));
     }
     StopSignals signals;

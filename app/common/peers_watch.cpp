@@ -5,82 +5,170 @@
 
 #include <QtCore/QFileInfo>
 
+#include <cstdint>
+#include <optional>
+#include <utility>
+
 #include <sys/stat.h>
 
 namespace skyseal::app {
 
 namespace {
 
-/// Editors write a file in several steps; the file is complete a moment after the first.
+/// Editors write a file in several steps: it is read when two looks in this interval find the same.
 constexpr std::chrono::milliseconds kSettle{50};
-constexpr std::chrono::seconds kPollEvery{1};
+constexpr std::chrono::seconds kLookEvery{1};
 constexpr unsigned kWatchAgainEvery = 60; ///< looks at the file
+
+/// Detects a change of the file without reading it.
+struct Stamp
+{
+    std::uint64_t device = 0, inode = 0, size = 0;
+    std::int64_t modified = 0, changed = 0; ///< ns
+
+    bool operator==(const Stamp &) const = default;
+    bool isFile() const { return !(*this == Stamp()); }
+};
 
 std::int64_t nanoseconds(const timespec &time)
 {
     return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
+/// All zero if there is no file.
+Stamp stampOf(const QByteArray &path)
+{
+    struct stat status
+    {};
+    if (::stat(path.constData(), &status) != 0)
+        return {};
+    return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), nanoseconds(status.st_mtim),
+            nanoseconds(status.st_ctim)};
+}
+
 } // namespace
 
-PeersWatch::PeersWatch(const std::string &file, Reload reload, QObject *parent)
-    : QObject(parent), m_file(QString::fromStdString(file)), m_path(m_file.toLocal8Bit()), m_reload(std::move(reload))
+/// The result of a look.
+struct PeersWatch::Found
 {
-    // A change after the stamp was taken is noticed later, even if it comes before the file is read.
-    if (const Stamp now = stamp(); m_reload())
-        m_seen = now;
+    bool isFile = false;
+    bool changing = false;                                     ///< look again after kSettle
+    std::optional<Result<keys::UsablePeers, InputError>> list; ///< to be applied or reported
+};
+
+/// What the other thread knows of the file.
+class PeersWatch::Reader
+{
+public:
+    Reader(const QString &path, Read read) : m_path(path.toLocal8Bit()), m_read(std::move(read)) {}
+
+    Found look()
+    {
+        const Stamp stamp = stampOf(m_path);
+        Found found{stamp.isFile(), false, {}};
+        if (stamp == m_inForce)
+            return found;
+        const std::optional<Stamp> last = std::exchange(m_last, stamp);
+        if (last && !(*last == stamp)) {
+            found.changing = true;
+            return found;
+        }
+        auto list = m_read();
+        if (list) {
+            m_inForce = stamp;
+            m_problem.clear();
+            found.list = std::move(list);
+            return found;
+        }
+        // m_inForce stays, so that the next look reads the file again. The same problem is reported once.
+        std::string problem = list.error().text();
+        if (stamp == m_refused && problem == m_problem)
+            return found;
+        m_refused = stamp;
+        m_problem = std::move(problem);
+        found.list = std::move(list);
+        return found;
+    }
+
+private:
+    const QByteArray m_path;
+    const Read m_read;
+    std::optional<Stamp> m_inForce; ///< of the file that is in force; nullopt if it is not known
+    std::optional<Stamp> m_last;    ///< of the last look
+    Stamp m_refused;                ///< of the file that was refused last
+    std::string m_problem;          ///< of that file
+};
+
+PeersWatch::PeersWatch(const std::string &file, Apply apply, QObject *parent)
+    : PeersWatch(
+        file, [file] { return keys::readPeers(file); }, std::move(apply), parent)
+{}
+
+PeersWatch::PeersWatch(const std::string &file, Read read, Apply apply, QObject *parent)
+    : QObject(parent), m_file(QString::fromStdString(file)), m_apply(std::move(apply)),
+      m_reader(std::make_shared<Reader>(m_file, std::move(read)))
+{
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettle);
     connect(&m_settle, &QTimer::timeout, this, &PeersWatch::look);
+    connect(&m_everySecond, &QTimer::timeout, this, &PeersWatch::look);
     // Watch the folder as well, since most programs replace a file instead of writing into it.
-    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, [this] {
-        if (!m_settle.isActive() && !(stamp() == m_seen))
-            m_settle.start();
-    });
-    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, [this] {
-        if (!m_settle.isActive())
-            m_settle.start();
-    });
+    connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &PeersWatch::look);
+    connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &PeersWatch::look);
     keepWatching();
-    m_poller = std::thread([this] { poll(); });
+    m_everySecond.start(kLookEvery);
+    look();
 }
 
-PeersWatch::~PeersWatch()
+PeersWatch::~PeersWatch() = default;
+
+void PeersWatch::look()
 {
-    {
-        const std::lock_guard lock(m_mutex);
-        m_ended = true;
+    if (m_looking) {
+        m_lookAgain = true;
+        checkDisk();
+        return;
     }
-    m_wake.notify_one();
-    m_poller.join();
+    m_looking = true;
+    m_lookBegan.start();
+    m_files.run(
+        this, [reader = m_reader] { return reader->look(); }, [this](Found found) { take(std::move(found)); });
 }
 
-/// The poller's thread.
-void PeersWatch::poll()
+void PeersWatch::checkDisk()
 {
-    std::unique_lock lock(m_mutex);
-    while (!m_wake.wait_for(lock, kPollEvery, [this] { return m_ended; })) {
-        lock.unlock();
-        const Stamp now = stamp(); // may wait for the disk
-        QMetaObject::invokeMethod(
-            this, [this, now] { polled(now); }, Qt::QueuedConnection);
-        lock.lock();
-    }
+    if (m_slow || !m_lookBegan.hasExpired(std::chrono::milliseconds(kSlow).count()))
+        return;
+    m_slow = true;
+    Q_EMIT refused(QString::fromStdString(InputError{"the disk does not answer", m_file.toStdString()}.text()));
 }
 
-void PeersWatch::polled(const Stamp &now)
+void PeersWatch::take(Found found)
 {
-    const bool isThere = !(now == Stamp());
-    const auto isUnwatched = [&] { return m_watcher.directories().isEmpty() || (isThere && m_watcher.files().isEmpty()); };
+    m_looking = m_slow = false;
+    // The first list is the one that the program has read, as a rule.
+    const bool isFirst = std::exchange(m_first, false);
+    const auto isUnwatched = [&] { return m_watcher.directories().isEmpty() || (found.isFile && m_watcher.files().isEmpty()); };
     // Each attempt writes lines to stderr (Qt). A change of the file is one more.
-    if (isUnwatched() && ++m_polls % kWatchAgainEvery == 0)
+    if (found.changing || found.list || (isUnwatched() && ++m_looks % kWatchAgainEvery == 0))
         keepWatching();
     if (isUnwatched() != m_unwatched) {
         m_unwatched = !m_unwatched;
         Q_EMIT notificationFailed(m_unwatched);
     }
-    if (!(now == m_seen) && !m_settle.isActive())
+    if (std::exchange(m_lookAgain, false) || found.changing)
         m_settle.start();
+    if (!found.list)
+        return;
+    if (!*found.list) {
+        Q_EMIT refused(QString::fromStdString(found.list->error().text()));
+        return;
+    }
+    keys::UsablePeers &list = **found.list;
+    const keys::PeersInForce inForce = list.inForce();
+    m_apply(std::move(list.peers));
+    if (!isFirst)
+        Q_EMIT reloaded(inForce);
 }
 
 void PeersWatch::keepWatching()
@@ -92,38 +180,6 @@ void PeersWatch::keepWatching()
     m_watcher.removePath(m_file);
     if (QFileInfo::exists(m_file))
         m_watcher.addPath(m_file);
-}
-
-void PeersWatch::look()
-{
-    keepWatching();
-    const Stamp now = stamp();
-    if (now == m_seen)
-        return;
-    const auto peers = m_reload();
-    if (peers) {
-        m_seen = now;
-        m_problem.clear();
-        Q_EMIT reloaded(*peers);
-        return;
-    }
-    // m_seen stays, so that the next look reads the file again.
-    std::string problem = peers.error().text();
-    if (now == m_refused && problem == m_problem)
-        return;
-    m_refused = now;
-    m_problem = std::move(problem);
-    Q_EMIT refused(QString::fromStdString(m_problem));
-}
-
-PeersWatch::Stamp PeersWatch::stamp() const
-{
-    struct stat status
-    {};
-    if (::stat(m_path.constData(), &status) != 0)
-        return {};
-    return {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), nanoseconds(status.st_mtim),
-            nanoseconds(status.st_ctim)};
 }
 
 std::string peersEvent(const keys::PeersInForce &peers)
@@ -151,7 +207,7 @@ std::string peersText(const keys::PeersInForce &peers)
 
 std::string peersText(const std::string &problem)
 {
-    return "the changed list of known peers is invalid, the previous one stays in force: " + problem;
+    return "the list of known peers cannot be used, the previous one stays in force: " + problem;
 }
 
 std::string peersWatchEvent(bool failed)

@@ -3,37 +3,45 @@
 // the file once a second does. An invalid edit is reported, and the previous list stays in force.
 #pragma once
 
+#include "app/common/file_thread.h"
 #include "core/base/result.h"
-#include "core/keys/peers_file.h"
+#include "core/keys/usable_peers.h"
 
+#include <QtCore/QElapsedTimer>
 #include <QtCore/QFileSystemWatcher>
 #include <QtCore/QObject>
 #include <QtCore/QTimer>
 
-#include <condition_variable>
-#include <cstdint>
 #include <functional>
-#include <mutex>
-#include <optional>
+#include <memory>
 #include <string>
-#include <thread>
+#include <vector>
 
 namespace skyseal::app {
 
-/// Lives on the thread of its event loop, which must not wait for a disk that hangs: a thread of its own looks at the file.
+/// Lives on the thread of its event loop, which must not wait for a disk that hangs: another thread reads the file.
 class PeersWatch : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Callback that reads the file and applies it; returns the result or the reason for refusing it.
-    using Reload = std::function<Result<keys::PeersInForce, InputError>()>;
+    /// Reads the list, on the other thread; must own all that it uses.
+    using Read = std::function<Result<keys::UsablePeers, InputError>()>;
+    using Apply = std::function<void(std::vector<channel::Peer>)>;
 
-    /// Calls `reload` once: the list may have changed since the program read it. Its failure is reported later, by refused().
-    PeersWatch(const std::string &file, Reload reload, QObject *parent = nullptr);
+    /// A look that takes longer is reported by refused().
+    static constexpr std::chrono::seconds kSlow{5};
+
+    /// Reads the list once, as it may have changed since the program read it.
+    PeersWatch(const std::string &file, Apply apply, QObject *parent = nullptr);
+    PeersWatch(const std::string &file, Read read, Apply apply, QObject *parent = nullptr);
     ~PeersWatch() override;
 
+    /// Looks whether the file has changed. Call after a change that need not wait for the system's notification.
+    void look();
+
 Q_SIGNALS:
+    /// Another list was applied.
     void reloaded(const skyseal::keys::PeersInForce &peers);
     /// `problem`: a sentence for the user. Reading is tried again each second, and reported again for another change or problem.
     void refused(const QString &problem);
@@ -41,34 +49,26 @@ Q_SIGNALS:
     void notificationFailed(bool failed);
 
 private:
-    /// Detects a change of the file without reading it.
-    struct Stamp
-    {
-        std::uint64_t device = 0, inode = 0, size = 0;
-        std::int64_t modified = 0, changed = 0; ///< ns
-        bool operator==(const Stamp &) const = default;
-    };
+    class Reader;
+    struct Found;
 
-    void look();
+    void take(Found found);
     void keepWatching();
-    void poll();
-    void polled(const Stamp &now);
-    Stamp stamp() const;
+    void checkDisk();
 
-    QString m_file;
-    const QByteArray m_path; ///< m_file for system calls
-    Reload m_reload;
+    const QString m_file;
+    const Apply m_apply;
+    const std::shared_ptr<Reader> m_reader; ///< used on the other thread
     QFileSystemWatcher m_watcher;
-    QTimer m_settle;
-    std::optional<Stamp> m_seen; ///< of the file that is in force; nullopt if that is another one
-    Stamp m_refused;             ///< of the file that was refused last
-    std::string m_problem;       ///< of that file
-    bool m_unwatched = false;    ///< the system does not notify
-    unsigned m_polls = 0;        ///< while it does not
-    std::mutex m_mutex;          ///< of m_ended
-    std::condition_variable m_wake;
-    bool m_ended = false;
-    std::thread m_poller;
+    QTimer m_everySecond, m_settle;
+    QElapsedTimer m_lookBegan;
+    bool m_looking = false;   ///< the other thread looks at the file
+    bool m_lookAgain = false; ///< it was asked for meanwhile
+    bool m_slow = false;      ///< kSlow was reported
+    bool m_first = true;      ///< no look has ended
+    bool m_unwatched = false; ///< the system does not notify
+    unsigned m_looks = 0;     ///< while it does not
+    FileThread m_files;
 };
 
 /// {"event":"peers","count":…}, with a "problem" if a peer is excluded, and {"event":"peers","problem":…}

@@ -70,28 +70,21 @@ void Application::useKeys(const engine::KeyPaths &keys)
     m_peersWatch.reset();
     if (keys.peers.empty())
         return;
-    m_peersWatch = std::make_unique<PeersWatch>(keys.peers, [this] { return m_station->reloadPeers(); });
+    m_peersWatch = std::make_unique<PeersWatch>(
+        keys.peers, [this](std::vector<channel::Peer> peers) { m_station->setPeers(std::move(peers)); });
     connect(m_peersWatch.get(), &PeersWatch::reloaded, this, [this](const keys::PeersInForce &peers) {
         m_keyring.touched();
         tellLeftOut(peers);
     });
     connect(m_peersWatch.get(), &PeersWatch::refused, this, [this](const QString &problem) {
         m_keyring.touched();
-        m_window->reportProblem(tr("The changed list of peers is invalid, the previous list stays in use: %1").arg(problem));
+        m_window->reportProblem(tr("The list of peers cannot be used, the previous list stays in force: %1").arg(problem));
     });
     connect(m_peersWatch.get(), &PeersWatch::notificationFailed, this, [this](bool failed) {
         if (failed)
             m_window->reportProblem(
                 tr("The system does not notify of changes of the list of peers: it is checked once a second"));
     });
-}
-
-void Application::reloadPeers()
-{
-    if (const auto peers = m_station->reloadPeers())
-        tellLeftOut(*peers);
-    else
-        m_window->reportProblem(QString::fromStdString(peers.error().text()));
 }
 
 void Application::tellLeftOut(const keys::PeersInForce &peers)
@@ -196,7 +189,10 @@ void Application::makeWindow()
     m_sweep = std::make_unique<SweepController>(*m_station, m_heap);
     m_window->setSweep(*m_sweep);
     connect(m_station.get(), &StationAdapter::eventOccurred, &m_keyring, &Keyring::handleEvent);
-    connect(&m_keyring, &Keyring::edited, this, &Application::reloadPeers);
+    connect(&m_keyring, &Keyring::edited, this, [this] {
+        if (m_peersWatch)
+            m_peersWatch->look();
+    });
     connect(m_window.get(), &ui::MainWindow::demoRequested, this, [this] {
         if (m_demo)
             return;

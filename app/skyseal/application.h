@@ -35,7 +35,6 @@ private:
     void useKeys(const engine::KeyPaths &keys);
     void tellKeyProblem();
     void tryKeysAgain();
-    void reloadPeers();
     void tellLeftOut(const keys::PeersInForce &peers);
     void makeWindow();
     void openLinks();

@@ -33,9 +33,10 @@ void StationAdapter::exchange(const engine::StationConfig &config)
     m_station->setInspecting(m_inspecting);
 }
 
-Result<keys::PeersInForce, InputError> StationAdapter::reloadPeers()
+void StationAdapter::setPeers(std::vector<channel::Peer> peers)
 {
-    return m_station ? m_station->reloadPeers() : keys::PeersInForce{};
+    if (m_station)
+        m_station->setPeers(std::move(peers));
 }
 
 Result<LinkId, InputError> StationAdapter::addLink(const std::string &url)

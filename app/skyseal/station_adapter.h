@@ -21,7 +21,7 @@ public:
     engine::Station &station() { return *m_station; }
     bool isRunning() const { return m_station != nullptr; }
     /// See engine::Station.
-    Result<keys::PeersInForce, InputError> reloadPeers();
+    void setPeers(std::vector<channel::Peer> peers);
 
     Result<LinkId, InputError> addLink(const std::string &url) override;
     Result<LinkId, InputError> addMavsecLink(const std::string &url, const engine::MavsecSettings &settings) override;

@@ -94,13 +94,6 @@ std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entr
 /// The peers of a file in the channel's form, without their pre-shared keys.
 Result<std::vector<channel::Peer>, InputError> loadPeers(const std::string &path);
 
-/// The result of reloading a list that changed while the program runs.
-struct PeersInForce
-{
-    std::size_t count = 0;
-    std::string leftOut; ///< text: peers whose pre-shared key cannot be used, and why; empty if there are none
-};
-
 /// "pilot" or "observer"; nullopt for anything else.
 std::optional<channel::PeerRole> peerRoleFromText(std::string_view text);
 std::string_view peerRoleText(channel::PeerRole role);

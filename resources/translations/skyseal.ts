@@ -169,7 +169,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The changed list of peers is invalid, the previous list stays in use: %1</source>
+        <source>The list of peers cannot be used, the previous list stays in force: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

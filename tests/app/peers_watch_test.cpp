@@ -8,7 +8,11 @@
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
+#include <atomic>
 #include <cerrno>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
 #include <sys/inotify.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -21,6 +25,11 @@ namespace {
 
 enum class Inotify { Works, UsedUp, Silent };
 Inotify inotifyIs = Inotify::Works;
+
+Result<keys::UsablePeers, InputError> readNothing()
+{
+    return keys::UsablePeers{};
+}
 
 } // namespace
 
@@ -48,6 +57,7 @@ private Q_SLOTS:
     void recoveryIsReported();
     void changeBetweenReadingAndWatching();
     void failedReadIsRetried();
+    void hangingDiskStopsNothing();
     void eventsForPeopleAndScripts();
 };
 
@@ -79,21 +89,18 @@ void PeersWatchTest::changeWithoutNotification()
     const QString path = folder.filePath(QStringLiteral("peers"));
     write(path, "one");
     int loads = 0, failures = 0;
-    PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
-        ++loads;
-        return keys::PeersInForce{1, {}};
-    });
+    PeersWatch watch(path.toStdString(), readNothing, [&](const auto &) { ++loads; });
     QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [&](bool failed) { failures += failed ? 1 : 100; });
     if (inotifyIs == Inotify::UsedUp)
         EVENTUALLY(failures > 0);
-    loads = 0;
+    EVENTUALLY_EQUAL(loads, 1);
     if (replaced) {
         write(path + QStringLiteral(".new"), "two");
         QCOMPARE(::rename((path + QStringLiteral(".new")).toLocal8Bit().constData(), path.toLocal8Bit().constData()), 0);
     } else {
         write(path, "two");
     }
-    EVENTUALLY(loads > 0);
+    EVENTUALLY_EQUAL(loads, 2);
     QCOMPARE(failures, inotifyIs == Inotify::UsedUp ? 1 : 0); // once, not each second
 }
 
@@ -103,7 +110,7 @@ void PeersWatchTest::recoveryIsReported()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("peers"));
     write(path, "one");
-    PeersWatch watch(path.toStdString(), []() -> Result<keys::PeersInForce, InputError> { return keys::PeersInForce{}; });
+    PeersWatch watch(path.toStdString(), readNothing, [](const auto &) {});
     std::vector<bool> reports;
     QObject::connect(&watch, &PeersWatch::notificationFailed, &watch, [&](bool failed) { reports.push_back(failed); });
     EVENTUALLY(reports.size() == 1);
@@ -125,11 +132,8 @@ void PeersWatchTest::changeBetweenReadingAndWatching()
     write(path, "pilot and thief");
     QByteArray inForce = content();
     write(path, "pilot");
-    const PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
-        inForce = content();
-        return keys::PeersInForce{};
-    });
-    QCOMPARE(inForce, QByteArray("pilot"));
+    const PeersWatch watch(path.toStdString(), readNothing, [&](const auto &) { inForce = content(); });
+    EVENTUALLY_EQUAL(inForce, QByteArray("pilot"));
 }
 
 void PeersWatchTest::failedReadIsRetried()
@@ -137,16 +141,19 @@ void PeersWatchTest::failedReadIsRetried()
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("peers"));
     write(path, "one");
-    bool fails = false;
-    int failed = 0, refused = 0, reloaded = 0;
-    PeersWatch watch(path.toStdString(), [&]() -> Result<keys::PeersInForce, InputError> {
+    std::atomic<bool> fails = false;
+    std::atomic<int> failed = 0;
+    int refused = 0, reloaded = 0, applied = 0;
+    const auto read = [&]() -> Result<keys::UsablePeers, InputError> {
         if (!fails)
-            return keys::PeersInForce{};
+            return keys::UsablePeers{};
         ++failed;
         return tl::unexpected(InputError{"the disk does not answer", {}});
-    });
+    };
+    PeersWatch watch(path.toStdString(), read, [&](const auto &) { ++applied; });
     QObject::connect(&watch, &PeersWatch::refused, &watch, [&] { ++refused; });
     QObject::connect(&watch, &PeersWatch::reloaded, &watch, [&] { ++reloaded; });
+    EVENTUALLY_EQUAL(applied, 1);
     fails = true;
     write(path, "two");
     EVENTUALLY(failed >= 3);
@@ -154,6 +161,40 @@ void PeersWatchTest::failedReadIsRetried()
     QCOMPARE(reloaded, 0);
     fails = false;
     EVENTUALLY(reloaded == 1);
+    QCOMPARE(applied, 2);
+}
+
+/// Neither the event loop nor the end of the program waits for a disk that hangs, and the user is told.
+void PeersWatchTest::hangingDiskStopsNothing()
+{
+    struct Hang
+    {
+        std::mutex mutex;
+        std::condition_variable over;
+        bool hangs = true;
+    };
+    const auto hang = std::make_shared<Hang>();
+    const auto read = [hang]() -> Result<keys::UsablePeers, InputError> {
+        std::unique_lock lock(hang->mutex);
+        hang->over.wait(lock, [&] { return !hang->hangs; });
+        return keys::UsablePeers{};
+    };
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("peers"));
+    write(path, "one");
+    int applied = 0;
+    QString problem;
+    auto watch = std::make_unique<PeersWatch>(path.toStdString(), read, [&](const auto &) { ++applied; });
+    QObject::connect(watch.get(), &PeersWatch::refused, watch.get(), [&](const QString &text) { problem = text; });
+    EVENTUALLY(!problem.isEmpty());
+    QVERIFY2(problem.endsWith(QStringLiteral("peers: the disk does not answer")), qPrintable(problem));
+    watch.reset();
+    QCOMPARE(applied, 0);
+    {
+        const std::lock_guard lock(hang->mutex);
+        hang->hangs = false;
+    }
+    hang->over.notify_all();
 }
 
 void PeersWatchTest::eventsForPeopleAndScripts()

@@ -4,8 +4,8 @@
 #include "core/base/secret_bytes.h"
 #include "core/crypto/x25519.h"
 #include "core/keys/counter_file.h"
-#include "core/keys/peers_file.h"
 #include "core/keys/secret_file.h"
+#include "core/keys/usable_peers.h"
 
 namespace skyseal::engine {
 
@@ -14,7 +14,7 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     auto identity = keys::loadIdentity(paths.identity, paths.askPassphrase);
     if (!identity)
         return tl::unexpected(identity.error());
-    auto peers = readPeers(paths);
+    auto peers = keys::readPeers(paths.peers);
     if (!peers)
         return tl::unexpected(peers.error());
     if (!peers->unusable.empty())
@@ -34,38 +34,6 @@ Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths 
     out->identity = shareInLockedMemory(std::move(*identity));
     out->peers = std::move(peers->peers);
     out->counters = std::move(*counters);
-    return out;
-}
-
-keys::PeersInForce UsablePeers::inForce() const
-{
-    keys::PeersInForce out{peers.size(), {}};
-    for (const InputError &error : unusable)
-        out.leftOut += (out.leftOut.empty() ? "" : "; ") + error.text();
-    return out;
-}
-
-Result<UsablePeers, InputError> readPeers(const KeyPaths &paths)
-{
-    if (paths.peers.empty())
-        return UsablePeers{};
-    const auto file = keys::PeersFile::load(paths.peers);
-    if (!file)
-        return tl::unexpected(file.error());
-    UsablePeers out;
-    for (const keys::PeerEntry &entry : file->entries()) {
-        channel::Peer peer = entry.peer;
-        if (!entry.presharedKeyFile.empty()) {
-            auto key = keys::loadPresharedKey(keys::presharedKeyPath(paths.peers, entry));
-            if (!key) {
-                out.unusable.push_back(std::move(key.error()));
-                out.unusable.back().message += " (pre-shared key of \"" + peer.name + "\")";
-                continue;
-            }
-            peer.presharedKey = shareInLockedMemory(std::move(*key));
-        }
-        out.peers.push_back(std::move(peer));
-    }
     return out;
 }
 

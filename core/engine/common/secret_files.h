@@ -31,16 +31,4 @@ inline std::string sealedSystemsFile(const KeyPaths &paths)
     return paths.peers + ".systems";
 }
 
-/// The peers of the current file, except those whose pre-shared key cannot be used: one bad key file must not keep peers in
-/// force that were removed from the list.
-struct UsablePeers
-{
-    std::vector<channel::Peer> peers;
-    std::vector<InputError> unusable; ///< pre-shared keys; each message names its peer
-
-    keys::PeersInForce inForce() const;
-};
-/// An error if the list itself cannot be read.
-Result<UsablePeers, InputError> readPeers(const KeyPaths &paths);
-
 } // namespace skyseal::engine

@@ -116,7 +116,6 @@ struct Station::Private
     QThread thread;
     std::unique_ptr<StationWorker> worker; ///< used on its own thread until that has ended
     ReaderSignals readerSignals;
-    KeyPaths paths;
     std::optional<channel::PublicKey> publicKey;
     std::uint32_t nextLink = 1;
     std::uint32_t nextRequest = 1;
@@ -145,7 +144,6 @@ Result<std::unique_ptr<Station>, InputError> Station::create(StationConfig confi
         secrets = std::move(*read);
     }
     auto parts = std::make_unique<Private>();
-    parts->paths = config.keys;
     if (secrets)
         parts->publicKey = secrets->identity->publicKey;
     parts->worker = std::make_unique<StationWorker>(std::move(config), std::move(secrets));
@@ -232,14 +230,9 @@ void Station::setAllowResearch(bool allow)
     d->post([allow](StationCore &core) { core.setAllowResearch(allow); });
 }
 
-Result<keys::PeersInForce, InputError> Station::reloadPeers()
+void Station::setPeers(std::vector<channel::Peer> peers)
 {
-    auto peers = readPeers(d->paths);
-    if (!peers)
-        return tl::unexpected(peers.error());
-    auto inForce = peers->inForce();
-    d->post([list = std::move(peers->peers)](StationCore &core) mutable { core.setPeers(std::move(list)); });
-    return inForce;
+    d->post([peers = std::move(peers)](StationCore &core) mutable { core.setPeers(std::move(peers)); });
 }
 
 void Station::allowPlaintext(std::uint8_t systemId)

@@ -9,7 +9,7 @@
 #include "core/engine/station/event.h"
 #include "core/engine/station/protection.h"
 #include "core/engine/station/station_config.h"
-#include "core/keys/peers_file.h"
+#include "core/keys/usable_peers.h"
 #include "core/link/link_url.h"
 #include "core/vehicle/request.h"
 
@@ -55,9 +55,8 @@ public:
     void setAllowResearch(bool);
     /// Stops offering suites weaker than this one; see crypto::SuiteStrength. Sessions that use one are switched.
     void setWeakestSuite(crypto::SuiteId weakest);
-    /// Call after the peers file was changed; sessions of peers that are not in it end. Returns the peers in force; an error
-    /// leaves the old list in force.
-    Result<keys::PeersInForce, InputError> reloadPeers();
+    /// Replaces the list of known peers; sessions of peers that are not in it end.
+    void setPeers(std::vector<channel::Peer> peers);
     /// Accepts a vehicle in clear that awaits approval because it may be an impostor, until this station is destroyed. Only
     /// an explicit act of the operator may call it.
     void allowPlaintext(std::uint8_t systemId);

@@ -1,0 +1,55 @@
+// A thread for work on files, so that a disk that hangs stops neither an event loop nor the end of a program.
+#pragma once
+
+#include <QtCore/QFutureWatcher>
+#include <QtCore/QPromise>
+#include <QtCore/QThreadPool>
+
+#include <chrono>
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+namespace skyseal::app {
+
+/// Used by one thread, that of its owner's event loop.
+class FileThread
+{
+public:
+    static constexpr std::chrono::milliseconds kPatience{2000};
+
+    explicit FileThread(std::chrono::milliseconds patience = kPatience) : m_patience(patience) { m_pool->setMaxThreadCount(1); }
+    FileThread(const FileThread &) = delete;
+    FileThread &operator=(const FileThread &) = delete;
+    /// Waits for the work that was given, at most `patience`. A thread that still waits for the disk ends with the process.
+    ~FileThread()
+    {
+        if (!m_pool->waitForDone(static_cast<int>(m_patience.count())))
+            static_cast<void>(m_pool.release());
+    }
+
+    /// Calls `work` in the thread, after all earlier work, and then `done` with its result in the thread of `context`, unless that
+    /// was destroyed. `work` must own all that it uses.
+    template<typename Work, typename Done> void run(QObject *context, Work work, Done done)
+    {
+        using Outcome = std::invoke_result_t<Work>;
+        const auto promise = std::make_shared<QPromise<Outcome>>();
+        promise->start();
+        auto *watcher = new QFutureWatcher<Outcome>(context);
+        QObject::connect(watcher, &QFutureWatcherBase::finished, context, [watcher, done = std::move(done)]() mutable {
+            watcher->deleteLater();
+            done(watcher->future().takeResult());
+        });
+        watcher->setFuture(promise->future());
+        m_pool->start([promise, work = std::move(work)]() mutable {
+            promise->addResult(work());
+            promise->finish();
+        });
+    }
+
+private:
+    std::chrono::milliseconds m_patience;
+    std::unique_ptr<QThreadPool> m_pool = std::make_unique<QThreadPool>();
+};
+
+} // namespace skyseal::app
