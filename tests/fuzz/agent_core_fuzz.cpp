@@ -1,24 +1,25 @@
-// A whole agent between a vehicle and three stations. The input is a program of steps: time passes, stations send commands,
-// records are held back, replayed, changed or cut off, clear frames and any bytes arrive, roles change, the store fails. Whatever
-// happens, the vehicle receives no command that a pilot did not seal a moment ago, each once, and nothing grows.
+// A whole agent between a vehicle and three stations. The input is the settings of both and a program of steps: time passes,
+// stations send frames, in records or sealed in place, frames are held back, replayed, changed or cut off, clear frames and any
+// bytes arrive, roles change, stations pair and close, the store fails. Whatever happens, each frame that leaves for the vehicle is
+// one that a station sealed, once; unless it only asks, a pilot sealed it, a moment ago, and has not closed since; nobody is paired
+// without both people; and nothing grows.
+#include "tests/fuzz/harmless_frame.h"
+#include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"
 
-#include "core/base/byte_reader.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"
 #include "core/engine/agent/agent_core.h"
-#include "core/engine/common/carrier_reader.h"
-#include "core/engine/common/carrier_writer.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
+#include "core/mavlink/frame_intake.h"
 #include "core/mavlink/messages.h"
-#include "tests/channel/pair.h"
 
 #include <QtCore/QCoreApplication>
 
-#include <cstdio>
+#include <algorithm>
 #include <cstdlib>
-#include <deque>
+#include <map>
 
 using namespace skyseal;
 using namespace skyseal::channel;
@@ -29,65 +30,40 @@ namespace {
 
 constexpr LinkId kVehicleLink{1}, kGroundLink{2};
 constexpr std::size_t kStations = 3;
-constexpr Duration kOvertaken = 1s, kAge = 5s;
 constexpr Duration kStep = 50ms;
-constexpr std::uint16_t kCommand = mavlink::MAV_CMD_COMPONENT_ARM_DISARM;
-constexpr std::uint16_t kQuestions[] = {mavlink::MAV_CMD_GET_HOME_POSITION, mavlink::MAV_CMD_REQUEST_MESSAGE,
-                                        mavlink::MAV_CMD_REQUEST_PROTOCOL_VERSION,
-                                        mavlink::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES};
-
-[[noreturn]] void violated(const char *oracle)
-{
-    std::fprintf(stderr, "violated: %s\n", oracle);
-#ifdef SKYSEAL_WEAKEN
-    std::_Exit(1);
-#else
-    std::abort();
-#endif
-}
-
-Address addressOf(std::size_t number)
-{
-    Address out;
-    out.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, static_cast<std::uint8_t>(number + 1)};
-    out.port = static_cast<std::uint16_t>(14550 + number);
-    return out;
-}
 
 const Address kVehicleAddress = addressOf(100);
 
-std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed)
+/// Bits 3 and 4 of the settings select T, bits 5 and 6 T2.
+FreshnessLimits limitsOf(std::uint8_t settings)
 {
-    SeededRandom random(seed);
-    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+    const Duration overtaken[] = {1s, FreshnessLimits::kLeastOvertaken, FreshnessLimits::kMostOvertaken, 1s};
+    const std::optional<Duration> age[] = {5s, FreshnessLimits::kLeastAge, FreshnessLimits::kMostAge, std::nullopt};
+    return {overtaken[settings >> 3 & 3], age[settings >> 5 & 3]};
 }
 
-/// Ids and rights of a command on its way.
-struct Command
+/// A frame that a station sealed. Its number is its place in the order of sealing.
+struct SealedFrame
 {
-    std::size_t station = 0; ///< kStations: sent in clear
+    std::size_t station = 0;
     TimePoint sent;
+    bool arrived = false; ///< at the vehicle
 };
 
 struct Station
 {
-    std::unique_ptr<Endpoint> endpoint;
-    MemoryCounterStore counters;
-    std::unique_ptr<SeededRandom> random;
-    engine::CarrierReader reader;
-    engine::CarrierWriter writer;
+    std::unique_ptr<RemoteEnd> end;
     Peer listed; ///< by the agent
     bool isListed = true;
-    bool held = false;
-    std::deque<Bytes> queue;                                 ///< blocks that were held back
-    std::deque<Bytes> history;                               ///< the newest blocks that arrived, or were withheld
-    std::vector<std::pair<std::uint32_t, TimePoint>> obeyed; ///< commands in the order of arrival
+    bool saidYes = false;                                  ///< to a pairing, since the agent's window opened
+    std::vector<std::pair<std::size_t, TimePoint>> obeyed; ///< commands in the order of arrival
+    std::size_t closed = 0; ///< frames that were sealed before a Close that the agent has accepted, of all stations
 };
 
 class AgentFlight
 {
 public:
-    explicit AgentFlight(Carrier carrier) : m_carrier(carrier)
+    AgentFlight(Carrier carrier, std::uint8_t settings) : m_limits(limitsOf(settings))
     {
         static const auto agent = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -98,27 +74,25 @@ public:
         for (std::size_t i = 0; i < kStations; ++i) {
             static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {keyPair(1), keyPair(2), keyPair(3)};
             Station &station = m_stations[i];
-            station.random = std::make_unique<SeededRandom>(10 + i);
             station.listed.key = keys[i]->publicKey;
             station.listed.name = "station";
             station.listed.role = i == 1 ? PeerRole::Observer : PeerRole::Pilot;
-            station.writer.setNode({static_cast<std::uint8_t>(250 + i), 190});
+            secrets->peers.push_back(station.listed);
             Config config;
             config.identity = keys[i];
-            config.policy = {defaultSuites(), true, false, i == 0};
-            Peer air;
-            air.key = agent->publicKey;
-            air.name = "air";
-            config.peers = {air};
-            station.endpoint = std::make_unique<Endpoint>(std::move(config), *station.random, station.counters, host().now());
-            secrets->peers.push_back(station.listed);
+            config.policy = policyOf(settings & 1);
+            config.peers = {{agent->publicKey, "air", PeerRole::Pilot, {}}};
+            station.end = std::make_unique<RemoteEnd>(std::move(config), Path{kGroundLink, addressOf(99), carrier},
+                                                      Node{static_cast<std::uint8_t>(250 + i), 190}, 10 + i, now());
         }
         const bool stream = carrier == Carrier::Serial;
         engine::AgentConfig config{.vehicle = SimulatedHost::url("udpin:14560"),
                                    .ground = SimulatedHost::url(stream ? "tcpin:14550" : "udpin:14550"),
-                                   .policy = {defaultSuites(), true, false, true},
-                                   .carrier = carrier};
-        m_agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets), [](const engine::AgentEvent &) {});
+                                   .policy = policyOf(settings & 6),
+                                   .carrier = carrier,
+                                   .freshness = m_limits};
+        m_agent = std::make_unique<engine::AgentCore>(std::move(config), std::move(secrets),
+                                                      [this](const engine::AgentEvent &event) { judge(event); });
         m_agent->start();
         pass(2s);
     }
@@ -134,109 +108,88 @@ public:
 
 private:
     static SimulatedHost &host() { return SimulatedHost::instance(); }
+    static TimePoint now() { return host().now(); }
 
     void step(ByteReader &in)
     {
         const std::uint8_t operation = in.u8(), argument = in.u8();
-        Station &station = m_stations[operation / 16 % kStations];
-        switch (operation % 16) {
+        const std::size_t number = operation / 32 % kStations;
+        Station &station = m_stations[number];
+        const auto anyBytes = [&] { return in.bytes(std::min<std::size_t>(argument, in.remaining())); };
+        switch (operation % 32) {
         case 0: return pass(argument * 10ms);
         case 1: return pass(argument * 100ms);
-        case 2: return sendCommand(station);
-        case 3: return hold(station, argument);
-        case 4: // The newest block is taken off the path, to be delivered by step 5.
-            if (!station.queue.empty()) {
-                station.history.push_back(std::move(station.queue.back()));
-                station.queue.pop_back();
-            }
-            return;
-        case 5:
-            if (!station.history.empty())
-                deliver(station, station.history[station.history.size() - 1 - argument % station.history.size()]);
-            return;
-        case 6:
-            if (!station.history.empty()) {
-                Bytes copy = station.history.back();
-                copy[argument % copy.size()] ^= static_cast<std::uint8_t>(1 + in.u8() % 255);
-                deliver(station, copy);
-            }
-            return;
-        case 7:
-            if (!station.history.empty()) {
-                Bytes copy = station.history.back();
-                copy.resize(argument % copy.size());
-                deliver(station, copy);
-            }
-            return;
-        case 8:
-            return arrive(kGroundLink, addressOf(operation / 16), in.bytes(std::min<std::size_t>(argument, in.remaining())));
-        case 9: return arrive(kVehicleLink, kVehicleAddress, in.bytes(std::min<std::size_t>(argument, in.remaining())));
-        case 10: return arrive(kGroundLink, addressOf(operation / 16), command(kStations));
+        case 2: return send(number, frame(argument & 0x7f, in), argument & 0x80);
+        case 3: station.end->hold(argument); return pump();
+        case 4: return station.end->withholdNewest(); // step 5 delivers it
+        case 5: return arrive(station, station.end->repeat(argument));
+        case 6: return arrive(station, station.end->changed(argument, in.u8()));
+        case 7: return arrive(station, station.end->cut(argument));
+        case 8: return arrive(kGroundLink, addressOf(number), anyBytes());
+        case 9: return arrive(kVehicleLink, kVehicleAddress, anyBytes());
+        case 10: return arrive(kGroundLink, addressOf(number), frame(argument & 0x7f, in));
         case 11: return setRole(station, argument);
-        case 12: return sendAnything(station, in.bytes(std::min<std::size_t>(argument, in.remaining())));
+        case 12: {
+            const ByteView bytes = anyBytes();
+            return bytes.empty() ? void() : send(number, Bytes(bytes.begin(), bytes.end()), false);
+        }
         case 13: m_counters->fails = argument & 1; return;
-        case 14:
-            for (const SessionId session : station.endpoint->sessions())
-                station.endpoint->switchSuite(host().now(), session, crypto::suites()[argument % crypto::suites().size()].id);
+        case 14: station.end->switchSuite(now(), argument); return pump();
+        case 15: station.end->close(now(), m_sealed.size()); return pump();
+        case 16: m_agent->snapshot(); return pump();
+        case 17: return openPairing(number, argument);
+        case 18: return decidePairing(station, argument);
+        case 19: m_isArmed = argument & 1; return;
+        case 20:
+            host().reconnect(kGroundLink, addressOf(number));
+            station.end->reconnect(now());
             return pump();
-        default:
-            if (argument & 1) {
-                for (const SessionId session : station.endpoint->sessions())
-                    station.endpoint->close(host().now(), session);
-            } else {
-                m_agent->snapshot();
-            }
-            return pump();
+        default: return;
         }
     }
 
-    /// A command of a station, or a clear one. Its fifth parameter is its number.
-    Bytes command(std::size_t sender)
+    // ---- the stations
+
+    /// An arming command, a question, or any message of the dialect, to the vehicle. Each has another number within, as far as
+    /// its payload has room.
+    Bytes frame(std::uint8_t kind, ByteReader &in)
     {
-        m_commands.push_back({sender, host().now()});
-        mavlink::CommandLong message;
-        message.command = kCommand;
-        message.param1 = 1;
-        message.param5 = static_cast<float>(m_commands.size());
-        message.target_system = 1;
-        message.target_component = 1;
+        const auto number = static_cast<std::uint32_t>(++m_frameNumber);
         std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-        const ByteView frame = m_frames.write(message, buffer);
-        return Bytes(frame.begin(), frame.end());
-    }
-
-    void sendCommand(Station &station)
-    {
-        if (!station.endpoint->sessions().empty())
-            send(station, command(static_cast<std::size_t>(&station - m_stations.data())));
-    }
-    /// What only an observer may try, so that no command of a pilot is unknown.
-    void sendAnything(Station &station, ByteView bytes)
-    {
-        if (!bytes.empty() && (!station.isListed || station.listed.role == PeerRole::Observer))
-            send(station, Bytes(bytes.begin(), bytes.end()));
-    }
-    void send(Station &station, const Bytes &frames)
-    {
-        for (const SessionId session : station.endpoint->sessions()) {
-            Bytes record(frames.size() + kMaxRecordOverhead);
-            if (const auto size = station.endpoint->seal(host().now(), session, frames, record))
-                transmit(station, station.endpoint->recordPath(session), ByteView(record).first(*size));
+        mavlink::CommandLong command;
+        command.command = kind == 0 ? mavlink::MAV_CMD_COMPONENT_ARM_DISARM : mavlink::MAV_CMD_REQUEST_MESSAGE;
+        command.param1 = kind == 0 ? 1 : static_cast<float>(number);
+        command.param5 = kind == 0 ? static_cast<float>(number) : 0;
+        command.target_system = 1;
+        command.target_component = 1;
+        ByteView out;
+        if (kind < 2) {
+            out = m_ground.write(command, buffer);
+        } else {
+            const auto messages = mavlink::Dialect::builtin().messages();
+            const mavlink::MessageInfo &info = messages[((kind - 2u) * 256u + in.u8()) % messages.size()];
+            std::array<std::uint8_t, 255> payload{};
+            for (std::size_t i = 0; i < 4; ++i)
+                payload[i] = static_cast<std::uint8_t>(number >> 8 * i);
+            for (const std::int16_t target : {info.targetSystemOffset, info.targetComponentOffset}) {
+                if (target >= 0)
+                    payload[static_cast<std::size_t>(target)] = 1;
+            }
+            out = m_ground.write(info.id, info.crcExtra, info.minLength, ByteView(payload).first(info.maxLength), buffer);
         }
-        pump();
-    }
-    void transmit(Station &station, const Path &to, ByteView message)
-    {
-        station.writer.write(to, message, [&](ByteView block) { station.queue.emplace_back(block.begin(), block.end()); });
+        return Bytes(out.begin(), out.end());
     }
 
-    void hold(Station &station, std::uint8_t how)
+    void send(std::size_t number, const Bytes &frames, bool inRecord)
     {
-        station.held = how & 1;
-        if (how & 2)
-            std::reverse(station.queue.begin(), station.queue.end());
-        if (how & 4)
-            station.queue.clear();
+        if (m_stations[number].end->send(now(), frames, inRecord)) {
+            mavlink::scanFrames(frames, mavlink::Dialect::builtin(), [&](const mavlink::ScanItem &item) {
+                if (!mavlink::isWholeFrame(item))
+                    return;
+                m_byBytes[Bytes(item.bytes.begin(), item.bytes.end())].push_back(m_sealed.size());
+                m_sealed.push_back({number, now()});
+            });
+        }
         pump();
     }
 
@@ -244,6 +197,10 @@ private:
     {
         station.isListed = role % 3 != 2;
         station.listed.role = role % 3 == 0 ? PeerRole::Pilot : PeerRole::Observer;
+        relist();
+    }
+    void relist()
+    {
         std::vector<Peer> peers;
         for (const Station &each : m_stations) {
             if (each.isListed)
@@ -253,29 +210,83 @@ private:
         pump();
     }
 
-    void deliver(Station &station, const Bytes &block)
+    void openPairing(std::size_t number, std::uint8_t choice)
     {
-        arrive(kGroundLink, addressOf(static_cast<std::size_t>(&station - m_stations.data())), block);
+        if (choice & 16 && m_agent->openPairing("air", passphraseOf(choice))) {
+            m_shown.reset();
+            m_saidYes = false;
+            for (Station &each : m_stations)
+                each.saidYes = false;
+        }
+        if (choice & 32)
+            m_stations[number].end->openPairing(now(), "ground", 255, choice >> 2);
+        pump();
+    }
+    void decidePairing(Station &station, std::uint8_t choice)
+    {
+        if (choice & 1)
+            station.saidYes = station.end->confirmPairing(now()) || station.saidYes;
+        if (choice & 2 && m_shown) {
+            m_saidYes = true;
+            m_agent->confirmPairing(*m_shown);
+        }
+        if (choice & 4)
+            station.end->cancelPairing(now());
+        if (choice & 8)
+            m_agent->refusePairing();
+        pump();
+    }
+    void takePaired()
+    {
+        for (const Peer &peer : std::exchange(m_paired, {})) {
+            for (Station &station : m_stations) {
+                if (station.listed.key == peer.key) {
+                    station.listed.presharedKey = peer.presharedKey;
+                    station.isListed = true;
+                }
+            }
+            relist();
+        }
+    }
+
+    // ---- the path
+
+    void arrive(Station &station, const std::optional<RemoteEnd::Block> &block)
+    {
+        if (!block)
+            return;
+        deliver(station, *block);
+        pump();
     }
     void arrive(LinkId link, const Address &from, ByteView bytes)
     {
         host().receive(link, from, bytes);
         pump();
     }
+    void deliver(Station &station, const RemoteEnd::Block &block)
+    {
+        const auto accepted = [this] { return m_agent->snapshot().channel.rx.good; };
+        const std::uint64_t before = block.closes ? accepted() : 0;
+        host().receive(kGroundLink, addressOf(static_cast<std::size_t>(&station - m_stations.data())), block.bytes);
+        collect(); // before the Close counts
+        if (block.closes && accepted() > before)
+            station.closed = *block.closes;
+    }
 
     void pass(Duration span)
     {
         for (Duration passed{}; passed < span; passed += kStep) {
-            if (host().now() >= m_nextHeartbeat) {
-                m_nextHeartbeat = host().now() + 1s;
+            if (now() >= m_nextHeartbeat) {
+                m_nextHeartbeat = now() + 1s;
+                mavlink::Heartbeat heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
+                                             .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA};
+                if (m_isArmed)
+                    heartbeat.base_mode = mavlink::MAV_MODE_FLAG_SAFETY_ARMED;
                 std::array<std::uint8_t, mavlink::kMaxFrameLength> buffer;
-                host().receive(kVehicleLink, kVehicleAddress,
-                               m_vehicle.write(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
-                                                                  .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA},
-                                               buffer));
+                host().receive(kVehicleLink, kVehicleAddress, m_vehicle.write(heartbeat, buffer));
             }
             for (Station &station : m_stations)
-                station.endpoint->handleDeadline(host().now());
+                station.end->handleDeadline(now());
             pump();
             host().advance(kStep);
         }
@@ -286,24 +297,20 @@ private:
     void pump()
     {
         for (int round = 0; round < 20; ++round) {
-            bool moved = false;
-            for (const SentBlock &sent : host().takeSent()) {
-                moved = true;
-                sent.link == kVehicleLink ? judge(sent.bytes) : toStations(sent);
+            collect();
+            takePaired();
+            bool moved = !m_toGround.empty();
+            for (const SentBlock &sent : std::exchange(m_toGround, {})) {
+                for (std::size_t i = 0; i < kStations; ++i) {
+                    if (sent.to == Address{} || sent.to == addressOf(i))
+                        m_stations[i].end->receive(now(), sent.bytes);
+                }
             }
             for (Station &station : m_stations) {
-                while (const auto out = station.endpoint->pollTransmit())
-                    transmit(station, out->to, out->bytes);
-                while (station.endpoint->pollEvent())
-                    continue;
-                while (!station.held && !station.queue.empty()) {
+                station.end->poll(now());
+                while (const auto block = station.end->next()) {
                     moved = true;
-                    station.history.push_back(std::move(station.queue.front()));
-                    station.queue.pop_front();
-                    if (station.history.size() > 32)
-                        station.history.pop_front();
-                    const Bytes block = station.history.back();
-                    host().receive(kGroundLink, addressOf(static_cast<std::size_t>(&station - m_stations.data())), block);
+                    deliver(station, *block);
                 }
             }
             if (!moved)
@@ -311,78 +318,87 @@ private:
         }
     }
 
-    void toStations(const SentBlock &sent)
+    // ---- the oracles
+
+    void collect()
     {
-        for (std::size_t i = 0; i < kStations; ++i) {
-            Station &station = m_stations[i];
-            if (sent.to != Address{} && sent.to != addressOf(i))
-                continue;
-            Bytes bytes = sent.bytes;
-            const link::ReceivedBlock block{{kGroundLink, addressOf(99)}, bytes, host().now()};
-            const auto take = [&](const link::ReceivedBlock &message) {
-                if (Endpoint::owns(message.bytes[0]))
-                    station.endpoint->handleDatagram(message.time, message.path, message.bytes);
-            };
-            if (m_carrier == Carrier::Serial) {
-                station.reader.takeCobs(block, take);
-            } else if (m_carrier == Carrier::Tunnel) {
-                mavlink::FrameScanner scanner(bytes, mavlink::Dialect::builtin());
-                while (const auto item = scanner.next()) {
-                    if (!engine::CarrierReader::isTunnel(*item))
-                        continue;
-                    if (const auto message = station.reader.takeTunnel(host().now(), block.path, *item->frame,
-                                                                       station.writer.node()))
-                        take(*message);
-                }
-            } else {
-                take(block);
-            }
+        for (SentBlock &sent : host().takeSent()) {
+            if (sent.link == kVehicleLink)
+                judge(sent.bytes);
+            else
+                m_toGround.push_back(std::move(sent));
         }
     }
 
-    /// What the vehicle receives.
-    void judge(ByteView bytes)
+    /// A block for the vehicle, which is one frame.
+    void judge(const Bytes &block)
     {
-        mavlink::FrameScanner scanner(bytes, mavlink::Dialect::builtin());
-        while (const auto item = scanner.next()) {
-            if (!item->frame || item->frame->messageId() != mavlink::CommandLong::kId)
-                continue;
-            const auto message = mavlink::CommandLong::decode(item->frame->payload());
-            if (message.command == kCommand)
-                judge(message.param5);
-            else if (std::find(std::begin(kQuestions), std::end(kQuestions), message.command) == std::end(kQuestions))
-                violated("no observer commands");
-        }
-    }
-    void judge(float number)
-    {
-        if (!(number >= 1) || number > static_cast<float>(m_commands.size()))
-            violated("no observer commands");
-        const auto id = static_cast<std::uint32_t>(number);
-        const Command &command = m_commands[id - 1];
-        if (command.station == kStations)
+        const auto found = m_byBytes.find(block);
+        if (found == m_byBytes.end())
             violated("nothing clear commands");
-        Station &station = m_stations[command.station];
-        if (!station.isListed || station.listed.role != PeerRole::Pilot)
-            violated("no observer commands");
-        const TimePoint now = host().now();
-        if (now - command.sent > kAge)
-            violated("nothing old commands");
-        for (const auto &[earlier, arrived] : station.obeyed) {
-            if (earlier == id)
-                violated("no command comes twice");
-            if (earlier > id && now - arrived > kOvertaken)
-                violated("nothing overtaken commands");
+        const char *reason = nullptr;
+        for (const std::size_t number : found->second) {
+            reason = whyNot(number, block);
+            if (!reason)
+                return;
         }
-        station.obeyed.emplace_back(id, now);
+        violated(reason);
+    }
+    /// Takes one of the sealed frames with these bytes as the one that arrived, or returns the oracle that it violates.
+    const char *whyNot(std::size_t number, const Bytes &block)
+    {
+        SealedFrame &frame = m_sealed[number];
+        Station &station = m_stations[frame.station];
+        if (frame.arrived)
+            return "no command comes twice";
+        if (!station.isListed)
+            return "no station commands that is not listed";
+        if (!isHarmless(block)) {
+            if (station.listed.role != PeerRole::Pilot)
+                return "no observer commands";
+            if (number < station.closed)
+                return "nothing commands after the close";
+            if (m_limits.age && now() - frame.sent > *m_limits.age)
+                return "nothing old commands";
+            for (const auto &[earlier, arrived] : station.obeyed) {
+                if (earlier > number && now() - arrived > m_limits.overtaken)
+                    return "nothing overtaken commands";
+            }
+            station.obeyed.emplace_back(number, now());
+        }
+        frame.arrived = true;
+        return nullptr;
     }
 
-    Carrier m_carrier;
+    void judge(const engine::AgentEvent &event)
+    {
+        const auto *pairing = std::get_if<PairingEvent>(&event);
+        if (!pairing)
+            return;
+        if (const auto *seen = std::get_if<PairingPeerSeen>(pairing))
+            m_shown = seen->peer.key;
+        const auto *paired = std::get_if<Paired>(pairing);
+        if (!paired)
+            return;
+        const auto saidYes = [&](const Station &station) { return station.saidYes && station.listed.key == paired->peer.key; };
+        if (!m_saidYes || m_shown != paired->peer.key || std::none_of(m_stations.begin(), m_stations.end(), saidYes))
+            violated("nobody is paired without both people");
+        m_paired.push_back(paired->peer);
+    }
+
+    FreshnessLimits m_limits;
     MemoryCounterStore *m_counters = nullptr;
     std::array<Station, kStations> m_stations;
-    std::vector<Command> m_commands;
-    mavlink::FrameWriter m_frames{255, 190}, m_vehicle{1, 1};
+    std::vector<SealedFrame> m_sealed;
+    std::map<Bytes, std::vector<std::size_t>> m_byBytes; ///< into m_sealed
+    std::size_t m_frameNumber = 0;
+    std::vector<SentBlock> m_toGround;
+    mavlink::FrameWriter m_ground{255, 190}, m_vehicle{1, 1};
     TimePoint m_nextHeartbeat{};
+    bool m_isArmed = false;
+    std::optional<channel::PublicKey> m_shown; ///< by the agent's pairing
+    bool m_saidYes = false;                    ///< the agent's person, to that key
+    std::vector<Peer> m_paired;                ///< to be listed
     std::unique_ptr<engine::AgentCore> m_agent;
 };
 
@@ -399,7 +415,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    AgentFlight flight(static_cast<Carrier>(1 + in.u8() % 3));
+    const auto carrier = static_cast<Carrier>(1 + in.u8() % 3);
+    AgentFlight flight(carrier, in.u8());
     flight.run(in);
     return 0;
 }

@@ -69,6 +69,11 @@ public:
         const link::ReceivedBlock block{{id(), from}, copy, SimulatedHost::instance().now()};
         listener().linkReceived(*this, {&block, 1});
     }
+    void reconnect(const Address &from)
+    {
+        listener().linkPeerLeft(*this, {id(), from});
+        listener().linkPeerJoined(*this, {id(), from});
+    }
 };
 
 namespace {
@@ -135,6 +140,12 @@ void SimulatedHost::receive(LinkId link, const Address &from, ByteView bytes)
 {
     if (const auto found = links().find(link); found != links().end())
         static_cast<SimulatedLink *>(found->second)->arrive(from, bytes);
+}
+
+void SimulatedHost::reconnect(LinkId link, const Address &from)
+{
+    if (const auto found = links().find(link); found != links().end())
+        static_cast<SimulatedLink *>(found->second)->reconnect(from);
 }
 
 std::size_t allocatedBytes()

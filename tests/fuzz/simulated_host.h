@@ -33,6 +33,8 @@ public:
     static link::LinkUrl url(std::string_view text);
     /// A block arrives at a link of the engine.
     void receive(LinkId link, const Address &from, ByteView bytes);
+    /// The stream from this address to a link of the engine ends, and another begins.
+    void reconnect(LinkId link, const Address &from);
     /// Blocks that the engine sent since the last call.
     std::vector<SentBlock> takeSent() { return std::move(m_sent); }
 

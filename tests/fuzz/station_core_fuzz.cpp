@@ -1,27 +1,23 @@
 // A whole ground station between two agents, whose keys are bound to the systems 1 and 2, and a third device in clear. The input
-// is a program of steps: time passes, agents send telemetry, in their own name or in the other's, records are held back, replayed,
-// changed or cut off, clear frames and any bytes arrive, the list of peers changes, the store fails. Whatever happens, a position
-// that is shown was sealed by the agent of that system and replaces no newer one, and nothing grows.
+// is the settings of all ends and a program of steps: time passes, agents send telemetry, in records or sealed in place, in their
+// own name or in the other's, records are held back, replayed, changed or cut off, clear frames and any bytes arrive, the list of
+// peers and the policy change, agents pair and close, the store fails. Whatever happens, a position that is shown was sealed by the
+// agent of that system and replaces no newer one; nobody is paired without both people; and nothing grows.
+#include "tests/fuzz/remote_end.h"
 #include "tests/fuzz/simulated_host.h"
 
-#include "core/base/byte_reader.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/x25519.h"
-#include "core/engine/common/carrier_reader.h"
-#include "core/engine/common/carrier_writer.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/station_core.h"
-#include "core/mavlink/dialect.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
-#include "tests/channel/pair.h"
 
 #include <QtCore/QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
-#include <deque>
 
 using namespace skyseal;
 using namespace skyseal::channel;
@@ -30,34 +26,18 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr LinkId kLink{1};
+constexpr LinkId kDatagrams{1}, kStreams{2};
 constexpr std::size_t kAgents = 2;
 constexpr Duration kOvertaken = 1s;
 constexpr Duration kStep = 50ms;
 constexpr std::int32_t kFirstLatitude = 100'000'000; ///< in 1e-7 degrees; the number of a position is added
 
-[[noreturn]] void violated(const char *oracle)
+/// Two bits for each agent: datagrams, TUNNEL in datagrams, COBS, or TUNNEL in a stream.
+Path pathOf(std::uint8_t carriers, std::size_t agent)
 {
-    std::fprintf(stderr, "violated: %s\n", oracle);
-#ifdef SKYSEAL_WEAKEN
-    std::_Exit(1);
-#else
-    std::abort();
-#endif
-}
-
-Address addressOf(std::size_t number)
-{
-    Address out;
-    out.ip = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xff, 0xff, 10, 0, 0, static_cast<std::uint8_t>(number + 1)};
-    out.port = static_cast<std::uint16_t>(40000 + number);
-    return out;
-}
-
-std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed)
-{
-    SeededRandom random(seed);
-    return std::make_shared<const crypto::X25519KeyPair>(crypto::X25519KeyPair::generate(random));
+    const unsigned choice = carriers >> 2 * agent & 3u;
+    const Carrier carriersOf[] = {Carrier::Datagram, Carrier::Tunnel, Carrier::Serial, Carrier::Tunnel};
+    return {choice < 2 ? kDatagrams : kStreams, addressOf(99), carriersOf[choice]};
 }
 
 struct Position
@@ -69,24 +49,18 @@ struct Position
 
 struct Agent
 {
-    std::unique_ptr<Endpoint> endpoint;
-    MemoryCounterStore counters;
-    std::unique_ptr<SeededRandom> random;
-    engine::CarrierReader reader;
-    engine::CarrierWriter writer;
-    Carrier carrier{};
+    std::unique_ptr<RemoteEnd> end;
     Peer listed; ///< by the station
-    bool held = false;
-    std::deque<Bytes> queue;   ///< blocks that were held back
-    std::deque<Bytes> history; ///< the newest blocks that arrived, or were withheld
-    std::uint32_t shown = 0;   ///< the greatest number of a position that was shown
+    bool isListed = true;
+    bool saidYes = false;    ///< to a pairing, since the station's window opened
+    std::uint32_t shown = 0; ///< the greatest number of a position that was shown
     TimePoint shownSince{};
 };
 
 class StationFlight
 {
 public:
-    explicit StationFlight(std::uint8_t carriers)
+    StationFlight(std::uint8_t carriers, std::uint8_t settings)
     {
         static const auto station = keyPair(100);
         auto secrets = std::make_unique<engine::SecretFiles>();
@@ -97,33 +71,29 @@ public:
         for (std::size_t i = 0; i < kAgents; ++i) {
             static const std::shared_ptr<const crypto::X25519KeyPair> keys[] = {keyPair(1), keyPair(2)};
             Agent &agent = m_agents[i];
-            agent.carrier = carriers >> i & 1 ? Carrier::Tunnel : Carrier::Datagram;
-            agent.random = std::make_unique<SeededRandom>(10 + i);
             agent.listed.key = keys[i]->publicKey;
             agent.listed.name = "air";
             agent.listed.systemIds = {systemOf(i)};
-            agent.writer.setNode({systemOf(i), 191});
+            secrets->peers.push_back(agent.listed);
             Config config;
             config.role = Role::Agent;
             config.identity = keys[i];
-            config.policy = {defaultSuites(), true, false, i == 0};
-            Peer ground;
-            ground.key = station->publicKey;
-            ground.name = "ground";
-            config.peers = {ground};
-            config.announceTo = {Path{kLink, addressOf(99), agent.carrier, {}}};
-            agent.endpoint = std::make_unique<Endpoint>(std::move(config), *agent.random, agent.counters, host().now());
-            secrets->peers.push_back(agent.listed);
+            config.policy = policyOf(settings & 1);
+            config.peers = {{station->publicKey, "ground", PeerRole::Pilot, {}}};
+            agent.end = std::make_unique<RemoteEnd>(std::move(config), pathOf(carriers, i), Node{systemOf(i), 191}, 10 + i,
+                                                    now());
         }
         engine::StationConfig config;
-        config.secure = engine::SecureMode::Preferred;
-        config.policy = {defaultSuites(), true, false, true};
+        config.secure = settings & 8 ? engine::SecureMode::Required : engine::SecureMode::Preferred;
+        config.policy = policyOf(settings & 7);
         config.record = false;
         engine::StationSinks sinks;
         sinks.snapshot = [this](const std::shared_ptr<const engine::Snapshot> &snapshot) { judge(*snapshot); };
         sinks.event = [](const engine::Event &) {};
+        sinks.pairing = [this](const PairingEvent &event) { judge(event); };
         m_station = std::make_unique<engine::StationCore>(std::move(config), std::move(secrets), std::move(sinks));
-        m_station->addLink(kLink, SimulatedHost::url("udpin:14550"));
+        m_station->addLink(kDatagrams, SimulatedHost::url("udpin:14550"));
+        m_station->addLink(kStreams, SimulatedHost::url("tcpin:14551"));
         pass(2s);
     }
 
@@ -138,69 +108,61 @@ public:
 
 private:
     static SimulatedHost &host() { return SimulatedHost::instance(); }
+    static TimePoint now() { return host().now(); }
     static std::uint8_t systemOf(std::size_t agent) { return static_cast<std::uint8_t>(agent + 1); }
-    std::size_t numberOf(const Agent &agent) const { return static_cast<std::size_t>(&agent - m_agents.data()); }
 
     void step(ByteReader &in)
     {
         const std::uint8_t operation = in.u8(), argument = in.u8();
-        Agent &agent = m_agents[operation / 16 % kAgents];
-        switch (operation % 16) {
+        const std::size_t number = operation / 32 % kAgents;
+        Agent &agent = m_agents[number];
+        switch (operation % 32) {
         case 0: return pass(argument * 10ms);
         case 1: return pass(argument * 100ms);
-        case 2: return send(agent, position(numberOf(agent), systemOf(argument & 1 ? 1 - numberOf(agent) : numberOf(agent))));
-        case 3:
-            agent.held = argument & 1;
-            if (argument & 2)
-                std::reverse(agent.queue.begin(), agent.queue.end());
-            if (argument & 4)
-                agent.queue.clear();
+        case 2: // a position, in its own name or in the other's
+            agent.end->send(now(), position(number, systemOf(argument & 1 ? 1 - number : number)), argument & 0x80);
             return pump();
-        case 4: // The newest block is taken off the path, to be delivered by step 5.
-            if (!agent.queue.empty()) {
-                agent.history.push_back(std::move(agent.queue.back()));
-                agent.queue.pop_back();
-            }
-            return;
-        case 5:
-            if (!agent.history.empty())
-                arrive(numberOf(agent), Bytes(agent.history[agent.history.size() - 1 - argument % agent.history.size()]));
-            return;
-        case 6:
-            if (!agent.history.empty()) {
-                Bytes copy = agent.history.back();
-                copy[argument % copy.size()] ^= static_cast<std::uint8_t>(1 + in.u8() % 255);
-                arrive(numberOf(agent), copy);
-            }
-            return;
-        case 7:
-            if (!agent.history.empty()) {
-                Bytes copy = agent.history.back();
-                copy.resize(argument % copy.size());
-                arrive(numberOf(agent), copy);
-            }
-            return;
-        case 8: return arrive(operation / 16, in.bytes(std::min<std::size_t>(argument, in.remaining())));
+        case 3: agent.end->hold(argument); return pump();
+        case 4: return agent.end->withholdNewest(); // step 5 delivers it
+        case 5: return arrive(number, agent.end->repeat(argument));
+        case 6: return arrive(number, agent.end->changed(argument, in.u8()));
+        case 7: return arrive(number, agent.end->cut(argument));
+        case 8: return arrive(number, RemoteEnd::Block{anyBytes(in, argument), {}});
         case 9:
-            return send(agent,
-                        Bytes(frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
-                                                         .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA},
-                                      systemOf(numberOf(agent)))));
-        case 10: return arrive(argument & 0x80 ? 7u : operation / 16 % kAgents, position(kAgents, argument & 0x7f));
+            agent.end->send(now(),
+                            frameOf(mavlink::Heartbeat{.type = mavlink::MAV_TYPE_QUADROTOR,
+                                                       .autopilot = mavlink::MAV_AUTOPILOT_ARDUPILOTMEGA},
+                                    systemOf(number)),
+                            argument & 0x80);
+            return pump();
+        case 10: {
+            const std::size_t sender = argument & 0x80 ? 7 : number;
+            host().receive(m_agents[number].end->engine().link, addressOf(sender), position(kAgents, argument & 0x7f));
+            return pump();
+        }
         case 11: // The list of peers; the keys stay bound to their systems.
-            m_listed[numberOf(agent)] = argument & 1;
+            agent.isListed = argument & 1;
             return relist();
         case 12: return m_station->allowPlaintext(argument);
         case 13: m_counters->fails = argument & 1; return;
-        case 14:
-            for (const SessionId session : agent.endpoint->sessions())
-                agent.endpoint->switchSuite(host().now(), session, crypto::suites()[argument % crypto::suites().size()].id);
+        case 14: agent.end->switchSuite(now(), argument); return pump();
+        case 15: agent.end->close(now(), 0); return pump();
+        case 16: agent.end->send(now(), anyBytes(in, argument), false); return pump();
+        case 17: return openPairing(number, argument);
+        case 18: return decidePairing(agent, argument);
+        case 19: return setPolicy(argument);
+        case 20:
+            host().reconnect(agent.end->engine().link, addressOf(number));
+            agent.end->reconnect(now());
             return pump();
-        default:
-            for (const SessionId session : agent.endpoint->sessions())
-                agent.endpoint->close(host().now(), session);
-            return pump();
+        default: return;
         }
+    }
+
+    static Bytes anyBytes(ByteReader &in, std::uint8_t most)
+    {
+        const ByteView bytes = in.bytes(std::min<std::size_t>(most, in.remaining()));
+        return Bytes(bytes.begin(), bytes.end());
     }
 
     template<typename Message> Bytes frameOf(const Message &message, std::uint8_t systemId)
@@ -214,7 +176,7 @@ private:
     /// A position in the name of a system; its latitude is its number.
     Bytes position(std::size_t sender, std::uint8_t systemId)
     {
-        const bool isBound = systemId >= 1 && systemId <= kAgents && m_listed[systemId - 1u];
+        const bool isBound = systemId >= 1 && systemId <= kAgents && m_agents[systemId - 1u].isListed;
         m_positions.push_back({sender, systemId, isBound});
         mavlink::GlobalPositionInt message;
         message.lat = kFirstLatitude + static_cast<std::int32_t>(m_positions.size());
@@ -225,31 +187,72 @@ private:
     void relist()
     {
         std::vector<Peer> peers;
-        for (std::size_t i = 0; i < kAgents; ++i) {
-            if (m_listed[i])
-                peers.push_back(m_agents[i].listed);
+        for (const Agent &agent : m_agents) {
+            if (agent.isListed)
+                peers.push_back(agent.listed);
         }
         m_station->setPeers(std::move(peers));
         pump();
     }
 
-    void send(Agent &agent, const Bytes &frames)
+    /// Never to plain MAVLink, under which clear frames are shown.
+    void setPolicy(std::uint8_t choice)
     {
-        for (const SessionId session : agent.endpoint->sessions()) {
-            Bytes record(frames.size() + kMaxRecordOverhead);
-            if (const auto size = agent.endpoint->seal(host().now(), session, frames, record))
-                transmit(agent, agent.endpoint->recordPath(session), ByteView(record).first(*size));
-        }
+        const std::optional<engine::Protection> protections[] = {std::nullopt, engine::Protection::Sealed,
+                                                                 engine::Protection::Inline, std::nullopt};
+        if (choice & 1)
+            m_station->setAllowResearch(choice & 2);
+        if (choice & 4)
+            m_station->setProtection(protections[choice >> 3 & 3]);
+        if (choice & 32)
+            m_station->setWeakestSuite(defaultSuites()[(choice >> 6) % defaultSuites().size()]);
         pump();
     }
-    void transmit(Agent &agent, const Path &to, ByteView message)
+
+    void openPairing(std::size_t number, std::uint8_t choice)
     {
-        agent.writer.write(to, message, [&](ByteView block) { agent.queue.emplace_back(block.begin(), block.end()); });
+        if (choice & 16) {
+            m_station->openPairing("ground", passphraseOf(choice));
+            m_shown.reset();
+            m_saidYes = false;
+            for (Agent &each : m_agents)
+                each.saidYes = false;
+        }
+        if (choice & 32)
+            m_agents[number].end->openPairing(now(), "air", systemOf(number), choice >> 2);
+        pump();
+    }
+    void decidePairing(Agent &agent, std::uint8_t choice)
+    {
+        if (choice & 1)
+            agent.saidYes = agent.end->confirmPairing(now()) || agent.saidYes;
+        if (choice & 2 && m_shown) {
+            m_saidYes = true;
+            m_station->confirmPairing(*m_shown);
+        }
+        if (choice & 4)
+            agent.end->cancelPairing(now());
+        if (choice & 8)
+            m_station->refusePairing();
+        pump();
+    }
+    void takePaired()
+    {
+        for (const Peer &peer : std::exchange(m_paired, {})) {
+            for (Agent &agent : m_agents) {
+                if (agent.listed.key == peer.key) {
+                    agent.listed.presharedKey = peer.presharedKey;
+                    agent.isListed = true;
+                }
+            }
+            relist();
+        }
     }
 
-    void arrive(std::size_t sender, ByteView bytes)
+    void arrive(std::size_t sender, const std::optional<RemoteEnd::Block> &block)
     {
-        host().receive(kLink, addressOf(sender), bytes);
+        if (block)
+            host().receive(m_agents[sender].end->engine().link, addressOf(sender), block->bytes);
         pump();
     }
 
@@ -257,7 +260,7 @@ private:
     {
         for (Duration passed{}; passed < span; passed += kStep) {
             for (Agent &agent : m_agents)
-                agent.endpoint->handleDeadline(host().now());
+                agent.end->handleDeadline(now());
             pump();
             host().advance(kStep);
         }
@@ -268,24 +271,19 @@ private:
     void pump()
     {
         for (int round = 0; round < 20; ++round) {
-            bool moved = false;
-            for (const SentBlock &sent : host().takeSent()) {
-                moved = true;
-                toAgents(sent);
-            }
-            for (Agent &agent : m_agents) {
-                while (const auto out = agent.endpoint->pollTransmit())
-                    transmit(agent, out->to, out->bytes);
-                while (agent.endpoint->pollEvent())
-                    continue;
-                while (!agent.held && !agent.queue.empty()) {
+            takePaired();
+            const std::vector<SentBlock> sent = host().takeSent();
+            bool moved = !sent.empty();
+            for (std::size_t i = 0; i < kAgents; ++i) {
+                RemoteEnd &end = *m_agents[i].end;
+                for (const SentBlock &block : sent) {
+                    if (block.link == end.engine().link && block.to == addressOf(i))
+                        end.receive(now(), block.bytes);
+                }
+                end.poll(now());
+                while (const auto block = end.next()) {
                     moved = true;
-                    agent.history.push_back(std::move(agent.queue.front()));
-                    agent.queue.pop_front();
-                    if (agent.history.size() > 32)
-                        agent.history.pop_front();
-                    const Bytes block = agent.history.back();
-                    host().receive(kLink, addressOf(numberOf(agent)), block);
+                    host().receive(end.engine().link, addressOf(i), block->bytes);
                 }
             }
             if (!moved)
@@ -293,29 +291,7 @@ private:
         }
     }
 
-    void toAgents(const SentBlock &sent)
-    {
-        for (std::size_t i = 0; i < kAgents; ++i) {
-            Agent &agent = m_agents[i];
-            if (sent.to != addressOf(i))
-                continue;
-            Bytes bytes = sent.bytes;
-            const Path from{kLink, addressOf(99)};
-            if (agent.carrier == Carrier::Datagram) {
-                if (!bytes.empty() && Endpoint::owns(bytes[0]))
-                    agent.endpoint->handleDatagram(host().now(), from, bytes);
-                continue;
-            }
-            mavlink::FrameScanner scanner(bytes, mavlink::Dialect::builtin());
-            while (const auto item = scanner.next()) {
-                if (!engine::CarrierReader::isTunnel(*item))
-                    continue;
-                const auto message = agent.reader.takeTunnel(host().now(), from, *item->frame, agent.writer.node());
-                if (message && Endpoint::owns(message->bytes[0]))
-                    agent.endpoint->handleDatagram(message->time, message->path, message->bytes);
-            }
-        }
-    }
+    // ---- the oracles
 
     /// What the operator sees.
     void judge(const engine::Snapshot &snapshot)
@@ -335,19 +311,34 @@ private:
             if (systemOf(shown.agent) != system)
                 violated("no agent speaks as another");
             Agent &agent = m_agents[shown.agent];
-            if (number < agent.shown && host().now() - agent.shownSince > kOvertaken + 200ms)
+            if (number < agent.shown && now() - agent.shownSince > kOvertaken + 200ms)
                 violated("nothing overtaken is shown");
             if (number > agent.shown) {
                 agent.shown = static_cast<std::uint32_t>(number);
-                agent.shownSince = host().now();
+                agent.shownSince = now();
             }
         }
     }
 
+    void judge(const PairingEvent &event)
+    {
+        if (const auto *seen = std::get_if<PairingPeerSeen>(&event))
+            m_shown = seen->peer.key;
+        const auto *paired = std::get_if<Paired>(&event);
+        if (!paired)
+            return;
+        const auto saidYes = [&](const Agent &agent) { return agent.saidYes && agent.listed.key == paired->peer.key; };
+        if (!m_saidYes || m_shown != paired->peer.key || std::none_of(m_agents.begin(), m_agents.end(), saidYes))
+            violated("nobody is paired without both people");
+        m_paired.push_back(paired->peer);
+    }
+
     MemoryCounterStore *m_counters = nullptr;
     std::array<Agent, kAgents> m_agents;
-    std::array<bool, kAgents> m_listed{true, true};
     std::vector<Position> m_positions;
+    std::optional<channel::PublicKey> m_shown; ///< by the station's pairing
+    bool m_saidYes = false;                    ///< the station's operator, to that key
+    std::vector<Peer> m_paired;                ///< to be listed
     std::unique_ptr<engine::StationCore> m_station;
 };
 
@@ -364,7 +355,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         std::abort();
     SimulatedHost::instance().reset();
     ByteReader in(ByteView(data, size));
-    StationFlight flight(in.u8());
+    const std::uint8_t carriers = in.u8();
+    StationFlight flight(carriers, in.u8());
     flight.run(in);
     return 0;
 }

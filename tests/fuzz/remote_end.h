@@ -1,0 +1,103 @@
+// The other end of an engine that is fuzzed, and the attacker on its path. An endpoint, and a pairing if one is open, whose blocks
+// wait in a queue: steps of the input hold, reorder, withhold, repeat, change or cut them before they reach the engine.
+#pragma once
+
+#include "core/base/byte_reader.h"
+#include "core/channel/endpoint.h"
+#include "core/channel/pairing.h"
+#include "core/engine/common/carrier_reader.h"
+#include "core/engine/common/carrier_writer.h"
+#include "tests/channel/pair.h"
+
+#include <deque>
+#include <optional>
+
+namespace skyseal::crypto {
+class Passphrase;
+}
+
+namespace skyseal::test {
+
+/// Ends the run: the oracle with this name found a violation. A weakened twin exits with an error, so that its test can read the
+/// name; a fuzzer crashes.
+[[noreturn]] void violated(const char *oracle);
+
+/// 10.0.0.1 and so on.
+Address addressOf(std::size_t number);
+std::shared_ptr<const crypto::X25519KeyPair> keyPair(std::uint64_t seed);
+/// One of three passphrases, or none, as the two low bits of `choice` say.
+std::shared_ptr<const crypto::Passphrase> passphraseOf(std::uint8_t choice);
+
+/// What the configuration of one end allows and prefers, as the low bits of a byte of the input say: bit 0 prefers frames sealed in
+/// place, and the suites that have them; bit 1 forbids them; bit 2 forbids research suites.
+Policy policyOf(std::uint8_t choice);
+
+class RemoteEnd
+{
+public:
+    struct Block
+    {
+        Bytes bytes;
+        std::optional<std::size_t> closes; ///< it carries a Close: the mark passed to close()
+    };
+
+    /// `engine`: where this end finds the engine, and in which carrier. `node`: its ids in TUNNEL.
+    RemoteEnd(Config config, const Path &engine, Node node, std::uint64_t seed, TimePoint now);
+
+    Endpoint &endpoint() { return *m_endpoint; }
+    const Path &engine() const { return m_engine; }
+    bool hasSession() const { return !m_endpoint->sessions().empty(); }
+
+    /// Seals frames and queues them, a single one in place if the session's framing says so and `inRecord` is false. Returns false
+    /// without a session.
+    bool send(TimePoint now, const Bytes &frames, bool inRecord);
+    void switchSuite(TimePoint now, std::uint8_t choice);
+    /// Ends its session; the Close is queued as a block of its own, with this mark.
+    void close(TimePoint now, std::size_t mark);
+    /// Opens a window, with passphraseOf(passphrase).
+    void openPairing(TimePoint now, std::string name, std::uint8_t systemId, std::uint8_t passphrase);
+    /// The person at this end confirms the engine, if it is shown. Returns true if so.
+    bool confirmPairing(TimePoint now);
+    void cancelPairing(TimePoint now);
+    /// The stream to the engine began anew.
+    void reconnect(TimePoint now);
+
+    void handleDeadline(TimePoint now);
+    /// A block from the engine.
+    void receive(TimePoint now, ByteView block);
+    /// Moves what the endpoint and the pairing have to send to the queue. The session follows the key of a pairing that succeeded.
+    void poll(TimePoint now);
+
+    // the attacker
+    /// `how`, bit 0: hold all blocks from now on; bit 1: reverse those that are held; bit 2: drop them.
+    void hold(std::uint8_t how);
+    /// Takes the newest block that is held off the path.
+    void withholdNewest();
+    /// The next block on its way to the engine; nullopt if there is none, or all are held.
+    std::optional<Block> next();
+    /// A block that arrived or was withheld: `choice` 0 is the newest.
+    std::optional<Block> repeat(std::uint8_t choice) const;
+    /// The newest one, with a byte changed, or cut to a length.
+    std::optional<Block> changed(std::uint8_t at, std::uint8_t by) const;
+    std::optional<Block> cut(std::uint8_t length) const;
+
+private:
+    void transmit(const Path &to, ByteView message, std::optional<std::size_t> closes = {});
+    void handleMessage(TimePoint now, const link::ReceivedBlock &message);
+    void keep(Block block);
+
+    SeededRandom m_random;
+    MemoryCounterStore m_counters;
+    Config m_config;
+    Path m_engine;
+    std::unique_ptr<Endpoint> m_endpoint;
+    std::optional<Pairing> m_pairing;
+    std::optional<channel::PublicKey> m_shown; ///< by the pairing
+    engine::CarrierReader m_reader;
+    engine::CarrierWriter m_writer;
+    bool m_isHeld = false;
+    std::deque<Block> m_queue;   ///< on their way
+    std::deque<Block> m_history; ///< the newest ones that arrived or were withheld
+};
+
+} // namespace skyseal::test
