@@ -14,8 +14,24 @@
 #include <QtNetwork/QUdpSocket>
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::test;
+
+namespace {
+
+/// Whether the agent received the goodbye of a station.
+bool wasClosedByTheStation(const FlightRig &rig)
+{
+    return std::ranges::any_of(rig.agentEvents, [](const engine::AgentEvent &event) {
+        const auto *common = std::get_if<channel::Event>(&event);
+        const auto *down = common ? std::get_if<channel::SessionDown>(common) : nullptr;
+        return down && down->reason == channel::DownReason::PeerClosed;
+    });
+}
+
+} // namespace
 
 class SealedStationTest : public QObject
 {
@@ -34,6 +50,7 @@ private Q_SLOTS:
     void unknownStationGetsNothing();
     void agentThatDoesNotKnowUsIsNamed();
     void lastSnapshotKeepsTheCounts();
+    void destructionSaysGoodbye();
 };
 
 void SealedStationTest::sessionComesUp()
@@ -319,16 +336,18 @@ void SealedStationTest::lastSnapshotKeepsTheCounts()
     QVERIFY(last->mavlink.frames > 5);
     QVERIFY(last->channel.rx.good > 5);
     QVERIFY(last->channel.up);
-    const auto goodbye = [&rig] {
-        for (const engine::AgentEvent &event : rig.agentEvents) {
-            const auto *told = std::get_if<channel::Event>(&event);
-            const auto *down = told ? std::get_if<channel::SessionDown>(told) : nullptr;
-            if (down && down->reason == channel::DownReason::PeerClosed)
-                return true;
-        }
-        return false;
-    };
-    EVENTUALLY(goodbye());
+    EVENTUALLY(wasClosedByTheStation(rig));
+}
+
+void SealedStationTest::destructionSaysGoodbye()
+{
+    FlightRig rig;
+    {
+        Ground ground(rig.stationConfig());
+        rig.startAgent(ground.ears->listening());
+        EVENTUALLY(ground.up());
+    }
+    EVENTUALLY(wasClosedByTheStation(rig));
 }
 
 SKYSEAL_TEST(SealedStationTest)

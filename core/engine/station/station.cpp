@@ -70,6 +70,8 @@ public:
 
     void end()
     {
+        if (m_ask) // not stopped: the peers must not have to wait for a timeout
+            m_core->stop();
         m_ask.reset();
         m_core.reset();
         crypto::endThread();

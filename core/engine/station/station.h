@@ -41,6 +41,7 @@ public:
     /// Reads the key files and starts the I/O thread; call crypto::initCrypto() first. An unreadable or unsafe key file is an
     /// error that names the file.
     static Result<std::unique_ptr<Station>, InputError> create(StationConfig config);
+    /// Says goodbye to every peer, unless stop() was called, and ends the I/O thread.
     ~Station() override;
 
     LinkId addLink(const link::LinkUrl &url);
