@@ -65,9 +65,16 @@ PairingPrompt::PairingPrompt(Settings settings, QObject *parent) : QObject(paren
     connect(m_input.get(), &QSocketNotifier::activated, this, &PairingPrompt::hear);
 }
 
-void PairingPrompt::say(const std::string &text) const
+void PairingPrompt::say(const std::string &line) const
 {
-    remark(text);
+    remark(line);
+}
+
+void PairingPrompt::show(const std::string &title, std::initializer_list<std::string> values) const
+{
+    say(title);
+    for (const std::string &value : values)
+        say("    " + value);
 }
 
 void PairingPrompt::take(PairingStatus status)
@@ -79,7 +86,7 @@ void PairingPrompt::take(PairingStatus status)
     case State::Open:
         say("Open for pairing for " + std::to_string(status.seconds) + " s.");
         if (m_settings.showsFingerprints)
-            say("The fingerprint of this device:\n    " + keys::fingerprint(status.key));
+            show("The fingerprint of this device:", {keys::fingerprint(status.key)});
         if (!m_settings.decidesRole)
             say("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
         say("Waiting for the other end …");
@@ -124,12 +131,12 @@ void PairingPrompt::ask()
     if (m_settings.hasPassphrase)
         say("It knows the passphrase.");
     else
-        say("Compare this code with the one that the other end shows:\n    " + m_asked->code);
+        show("Compare this code with the one that the other end shows:", {m_asked->code});
     if (m_settings.showsFingerprints)
-        say("The fingerprint of the other end:\n    " + print);
+        show("The fingerprint of the other end:", {print});
     if (m_asked->knownKey) {
-        say("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key, and this one:");
-        say("    " + keys::fingerprint(*m_asked->knownKey) + "\n    " + print);
+        show("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key, and this one:",
+             {keys::fingerprint(*m_asked->knownKey), print});
         say("Either the device has a new key, or this is an impersonation.");
     }
     if (m_settings.decidesRole && role())
@@ -148,13 +155,17 @@ void PairingPrompt::ask()
 
 std::string PairingPrompt::question() const
 {
-    const std::string same = m_settings.hasPassphrase ? "Is this the right device?" : "Are the codes the same?";
+    return (m_settings.hasPassphrase ? "Is this the right device? " : "Are the codes the same? ") + answers();
+}
+
+std::string PairingPrompt::answers() const
+{
     if (m_asked->knownKey)
-        return same + " Type replace or no:";
+        return "Type replace to accept the new key, or no:";
     if (!m_settings.decidesRole)
-        return same + " Type yes or no:";
-    return same + " Type " + (role() ? "yes, or another role: " : "the role that it gets: ")
-        + "pilot (may command) or observer (may only observe); or no:";
+        return "Type yes or no:";
+    const std::string roles = "pilot (may command), observer (may only observe) or no:";
+    return role() ? "Type yes to keep its role, or " + roles : "Type its role, " + roles;
 }
 
 void PairingPrompt::hear()
@@ -192,8 +203,11 @@ void PairingPrompt::answer(const std::string &line)
         confirm(*chosen);
     else if (word == (m_asked->knownKey ? "replace" : "yes") && (role() || !m_settings.decidesRole))
         confirm(role().value_or(channel::PeerRole::Observer));
+    else if (word == "yes")
+        say((m_asked->knownKey ? "\"yes\" does not replace a key. " : "\"yes\" is not enough: the station needs a role. ")
+            + answers());
     else
-        ask();
+        say("\"" + line + "\" is not an answer. " + answers());
 }
 
 /// The role that is given by an option or known here.

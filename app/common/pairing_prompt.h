@@ -8,6 +8,7 @@
 #include <QtCore/QObject>
 #include <QtCore/QSocketNotifier>
 
+#include <initializer_list>
 #include <memory>
 
 namespace skyseal::app {
@@ -62,9 +63,13 @@ private:
     std::optional<channel::PeerRole> role() const;
     bool choosesRole() const;
     std::string question() const;
+    /// The answers that the question accepts, as an instruction.
+    std::string answers() const;
     void refuse(const std::string &text);
     void confirm(channel::PeerRole role);
-    void say(const std::string &text) const;
+    void say(const std::string &line) const;
+    /// One line for the title and one for each value, indented.
+    void show(const std::string &title, std::initializer_list<std::string> values) const;
 
     Settings m_settings;
     std::unique_ptr<QSocketNotifier> m_input;

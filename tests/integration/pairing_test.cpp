@@ -190,16 +190,22 @@ void PairingTest::bothConfirmAndASessionFollows()
     QCOMPARE(text(shownHere, "code"), text(shownThere, "code"));
     QCOMPARE(text(shownHere, "code").size(), 7);
     QCOMPARE(shownThere[QLatin1String("system")].toInt(), 255);
-    EVENTUALLY2(ground->errors().contains(text(shownHere, "code").toUtf8()), ground->errors().constData());
+    for (Program *program : {ground.get(), desk.get()}) {
+        const QByteArray codeLine = "shows:\n    " + text(shownHere, "code").toUtf8() + '\n';
+        EVENTUALLY2(program->errors().contains(codeLine), program->errors().constData());
+        QVERIFY2(!program->errors().contains(":?"), program->errors().constData()); // a line break made printable
+    }
     QVERIFY(!ground->errors().contains(m_air.toUtf8())); // only with --fingerprints
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty());
 
-    ground->notify(QStringLiteral("maybe")); // no answer
+    ground->notify(QStringLiteral("maybe"));
+    EVENTUALLY2(ground->errors().contains("\"maybe\" is not an answer. Type yes or no:"), ground->errors().constData());
     ground->notify(QStringLiteral("yes"));
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), stateIs("confirmed")).isEmpty());
     QVERIFY(read("ground.peers").isEmpty() && read("air.peers").isEmpty()); // one yes is none
-    desk->notify(QStringLiteral("yes"));                                    // is no role
-    EVENTUALLY2(desk->errors().count("the role that it gets") >= 2, desk->errors().constData());
+    desk->notify(QStringLiteral("yes"));
+    EVENTUALLY2(desk->errors().contains("\"yes\" is not enough: the station needs a role. Type its role, pilot"),
+                desk->errors().constData());
     desk->notify(QStringLiteral("pilot"));
     QCOMPARE(desk->waitForExit(), 0);
     QCOMPARE(ground->waitForExit(), 0);
@@ -287,7 +293,8 @@ void PairingTest::changedKeyIsReplacedKnowingly()
     QCOMPARE(text(seen, "fingerprint"), changed);
     QCOMPARE(text(seen, "known_fingerprint"), m_air);
     const QByteArray before = read("ground.peers");
-    ground->notify(QStringLiteral("yes")); // is not enough
+    ground->notify(QStringLiteral("yes"));
+    EVENTUALLY2(ground->errors().contains("\"yes\" does not replace a key. Type replace"), ground->errors().constData());
     ground->notify(QStringLiteral("replace"));
     QCOMPARE(ground->waitForExit(), 0);
     QVERIFY(read("ground.peers").startsWith("heron ") && read("ground.peers") != before);
