@@ -11,6 +11,8 @@
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
 #include "core/crypto/init_crypto.h"
+#include "core/keys/file_io.h"
+#include "core/keys/peers_file.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QElapsedTimer>
@@ -44,7 +46,7 @@ void declare(Options &options)
                      "Default: datagram or serial, depending on the link. The station detects the carrier.");
     options.addValue("identity", "FILE", "Private key of this agent (skyseal-cli keys new).");
     PassphraseInput::declare(options);
-    options.addValue("peers", "FILE", "Ground stations that may connect.");
+    options.addValue("peers", "FILE", "Ground stations that may connect; created if missing.");
     options.addValue("suites", "LIST", "Suites to offer, separated by commas, the preferred one first.", "all");
     options.addValue("weakest-suite", "NAME", "Use no suite that is weaker than this one.",
                      crypto::suiteInfo(crypto::weakestSealedSuite()).name.data());
@@ -121,6 +123,20 @@ void refusePairingOptions(Options &options)
     }
 }
 
+/// A new agent starts with an empty list, so that a station can be paired. Not without a key: then a path may be mistyped.
+bool createMissingList(const engine::KeyPaths &paths)
+{
+    if (!keys::fileExists(paths.identity))
+        return true;
+    const auto created = keys::createMissingPeers(paths.peers);
+    if (!created)
+        complain(kName, created.error().text());
+    else if (*created)
+        remark(paths.peers + ": created; no station is known yet, pair one with " + kName.toStdString() + " --pair --identity "
+               + paths.identity);
+    return created.has_value();
+}
+
 /// skyseal-air --pair: a client of the running agent.
 int pair(Options &options)
 {
@@ -181,6 +197,8 @@ int main(int argc, char **argv)
         complain(kName, "the system provides no randomness");
         return kCannotOpen;
     }
+    if (!createMissingList(paths))
+        return kCannotOpen;
     auto secrets = engine::readSecretFiles(paths);
     if (!secrets) {
         complain(kName, secrets.error().text());

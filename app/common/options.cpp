@@ -60,6 +60,11 @@ std::string shortText(double number)
 
 } // namespace
 
+bool isLive(const link::LinkTraits &traits)
+{
+    return !traits.isRecording;
+}
+
 void complain(const QString &program, const std::string &text)
 {
     remark(program.toStdString() + ": " + text);

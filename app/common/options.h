@@ -74,6 +74,9 @@ private:
     std::string m_problem;
 };
 
+/// For Options::addLink(): any link except recordings, which only replay.
+bool isLive(const link::LinkTraits &traits);
+
 /// Prints "skyseal-air: message", one line on stderr.
 void complain(const QString &program, const std::string &text);
 

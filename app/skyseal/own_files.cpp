@@ -32,10 +32,8 @@ Result<engine::KeyPaths, InputError> ownKeys(RandomSource &random)
         if (!made)
             return tl::unexpected(made.error());
     }
-    if (!QFileInfo::exists(QString::fromStdString(paths.peers))) {
-        if (auto saved = keys::PeersFile().save(paths.peers); !saved)
-            return tl::unexpected(saved.error());
-    }
+    if (const auto created = keys::createMissingPeers(paths.peers); !created)
+        return tl::unexpected(created.error());
     return paths;
 }
 

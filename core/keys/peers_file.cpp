@@ -185,6 +185,14 @@ Result<void, InputError> editPeers(const std::string &path, const std::function<
     return file->save(path);
 }
 
+Result<bool, InputError> createMissingPeers(const std::string &path)
+{
+    if (fileExists(path))
+        return false;
+    const auto created = createFile(path, {});
+    return created ? Result<bool, InputError>(true) : tl::unexpected(created.error());
+}
+
 std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entry)
 {
     const std::string &file = entry.presharedKeyFile;

@@ -88,6 +88,9 @@ private:
 /// fails, nothing is written and its error is returned.
 Result<void, InputError> editPeers(const std::string &path, const std::function<Result<void, InputError>(PeersFile &)> &change);
 
+/// Creates an empty list, readable by the owner only, unless the file exists. Returns whether it created one.
+Result<bool, InputError> createMissingPeers(const std::string &path);
+
 /// The path of an entry's pre-shared key; a relative one is resolved from the folder of the list. Empty if it has none.
 std::string presharedKeyPath(const std::string &peersFile, const PeerEntry &entry);
 

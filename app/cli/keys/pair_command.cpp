@@ -6,8 +6,8 @@
 #include "app/common/pairing_prompt.h"
 #include "app/common/process.h"
 #include "core/engine/station/station.h"
-#include "core/keys/file_io.h"
 #include "core/keys/paired_peer.h"
+#include "core/keys/peers_file.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtCore/QSysInfo>
@@ -50,7 +50,7 @@ int pairWithAgent(const QStringList &arguments)
     Options options(name,
                     QStringLiteral("Pairs this station with an agent whose pairing window is open (skyseal-air --pair). Both "
                                    "users compare a code of six digits and confirm."));
-    options.addLink("link", "Link to the agent.", nullptr, "udpin:0.0.0.0:14550");
+    options.addLink("link", "Link to the agent.", isLive, "udpin:0.0.0.0:14550");
     options.addValue("identity", "FILE", "Private key of this station.");
     PassphraseInput::declare(options);
     options.addValue("peers", "FILE", "File of known peers that the agent is added to; created if missing.");
@@ -76,11 +76,9 @@ int pairWithAgent(const QStringList &arguments)
         return kCannotOpen;
     }
     const std::string peersFile = config.keys.peers;
-    if (!keys::fileExists(peersFile)) {
-        if (const auto made = keys::createFile(peersFile, {}); !made) {
-            complain(name, made.error().text());
-            return kCannotOpen;
-        }
+    if (const auto created = keys::createMissingPeers(peersFile); !created) {
+        complain(name, created.error().text());
+        return kCannotOpen;
     }
     auto station = engine::Station::create(config);
     if (!station) {
