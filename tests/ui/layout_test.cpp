@@ -7,7 +7,9 @@
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/fitting_scroll.h"
+#include "ui/flight/hold_button.h"
 #include "ui/flight/tape.h"
+#include "ui/flight/vehicle_commands.h"
 #include "ui/window/main_window.h"
 #include "ui/security/counters_table.h"
 #include "ui/status/status_strip.h"
@@ -223,6 +225,43 @@ private Q_SLOTS:
         const auto after = places();
         for (auto at = before.begin(); at != before.end(); ++at)
             QVERIFY2(after.value(at.key()) == at.value(), qPrintable(at.key()));
+    }
+
+    void longResultsMoveNothing_data()
+    {
+        QTest::addColumn<QSize>("size");
+        for (const QSize size : {QSize(1024, 700), QSize(1280, 800)})
+            QTest::addRow("%dx%d", size.width(), size.height()) << size;
+    }
+
+    void longResultsMoveNothing()
+    {
+        QFETCH(QSize, size);
+        open(size);
+        m_station->show(sealedSnapshot(1));
+        QCoreApplication::processEvents();
+        const auto places = [this] {
+            std::vector<std::pair<QString, QRect>> out;
+            for (const HoldButton *button : m_window->findChildren<HoldButton *>())
+                out.emplace_back(button->objectName(), QRect(button->mapTo(m_window.get(), QPoint()), button->size()));
+            return out;
+        };
+        const auto before = places();
+        QCOMPARE(before.size(), std::size_t(5));
+        auto *commands = m_window->findChild<VehicleCommands *>();
+        commands->send(1, vehicle::TakeOff{10});
+        const QString reason = QStringLiteral(
+            "failed: PreArm: Compass not healthy; PreArm: GPS 1: Bad fix; PreArm: Battery 1 "
+            "below minimum arming voltage; PreArm: RC not calibrated; PreArm: Logging failed");
+        m_station->notify(
+            vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, reason.toStdString()});
+        QCoreApplication::processEvents();
+        auto *result = m_window->findChild<QLabel *>(QStringLiteral("commandResult"));
+        QVERIFY(result->text().contains(reason));
+        QVERIFY(result->toolTip().contains(QStringLiteral("Logging failed")));
+        QVERIFY(places() == before);
+        for (const auto &[name, place] : before)
+            QVERIFY2(!m_window->findChild<HoldButton *>(name)->visibleRegion().isEmpty(), qPrintable(name));
     }
 
 private:

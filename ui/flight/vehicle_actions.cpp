@@ -2,14 +2,15 @@
 
 #include "core/engine/station/vehicle_snapshot.h"
 #include "ui/flight/altitude_box.h"
+#include "ui/flight/result_label.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtCore/QSignalBlocker>
 #include <QtWidgets/QComboBox>
 #include <QtWidgets/QGridLayout>
-#include <QtWidgets/QLabel>
 
 namespace skyseal::ui {
 
@@ -32,18 +33,15 @@ VehicleActions::VehicleActions(VehicleCommands &commands, QWidget *parent) : QWi
     m_modes->setAccessibleName(tr("Flight mode to set"));
     m_modes->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_modes->setMinimumContentsLength(8);
+    connect(m_modes, &QComboBox::currentIndexChanged, this, [this] { m_modeEdited = true; });
     m_altitude = new AltitudeBox(this);
     m_altitude->setObjectName(QStringLiteral("takeOffAltitude"));
     m_altitude->setMetres(commands.takeOffAltitude());
     connect(m_altitude, &AltitudeBox::metresChanged, &commands, &VehicleCommands::setTakeOffAltitude);
     connect(&commands, &VehicleCommands::takeOffAltitudeChanged, m_altitude, &AltitudeBox::setMetres);
-    m_result = new QLabel(this);
-    m_result->setTextFormat(Qt::PlainText); // the reason is text from the vehicle
+    m_result = new ResultLabel(this);
     m_result->setObjectName(QStringLiteral("commandResult"));
     m_result->setAccessibleName(tr("Result of the last command"));
-    m_result->setWordWrap(true);
-    m_result->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    m_result->setMinimumHeight(2 * fontMetrics().lineSpacing());
 
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(kGrid, kHalfGrid, kGrid, kGrid);
@@ -80,6 +78,7 @@ void VehicleActions::showViewState(const ViewState &view)
     const std::uint8_t systemId = present ? view.vehicle->state.systemId : 0;
     if (systemId != m_systemId)
         endHolds({m_arm, m_takeOff, m_land, m_return, m_setMode}, tr("another vehicle is selected"));
+    m_modeEdited = m_modeEdited && systemId == m_systemId;
     m_systemId = systemId;
     m_armed = present && view.vehicle->state.armed;
     const QString word = m_armed ? tr("Disarm") : tr("Arm");
@@ -127,16 +126,21 @@ void VehicleActions::showPermit(const ViewState &view)
 
 void VehicleActions::showModes(const std::vector<std::string> &modes, const std::string &current)
 {
-    if (modes == m_knownModes)
-        return;
-    endHolds({m_setMode}, tr("the vehicle's modes have changed"));
-    m_knownModes = modes;
-    m_modes->clear();
-    for (const std::string &mode : modes)
-        m_modes->addItem(fromStd(mode));
-    m_modes->setCurrentIndex(m_modes->findText(fromStd(current)));
-    if (m_modes->currentIndex() < 0)
-        m_modes->setCurrentIndex(0);
+    const QSignalBlocker quiet(m_modes); // the signal is for changes of the operator
+    if (modes != m_knownModes) {
+        endHolds({m_setMode}, tr("the vehicle's modes have changed"));
+        m_knownModes = modes;
+        m_modes->clear();
+        for (const std::string &mode : modes)
+            m_modes->addItem(fromStd(mode));
+        m_modes->setCurrentIndex(modes.empty() ? -1 : 0);
+        m_modeEdited = false;
+    }
+    const int inUse = m_modes->findText(fromStd(current));
+    if (inUse == m_modes->currentIndex())
+        m_modeEdited = false;
+    else if (inUse >= 0 && !m_modeEdited && !m_setMode->isHeld())
+        m_modes->setCurrentIndex(inUse);
 }
 
 void VehicleActions::setUnits(UnitSystem units)
@@ -146,7 +150,7 @@ void VehicleActions::setUnits(UnitSystem units)
 
 void VehicleActions::say(const QString &line, bool ok)
 {
-    m_result->setText(line);
+    m_result->showResult(line);
     QPalette colors = palette();
     if (!ok)
         colors.setColor(QPalette::WindowText, stateColors(palette()).alarm);

@@ -9,11 +9,11 @@
 #include <QtWidgets/QWidget>
 
 class QComboBox;
-class QLabel;
 
 namespace skyseal::ui {
 
 class AltitudeBox;
+class ResultLabel;
 
 class VehicleActions : public QWidget
 {
@@ -30,17 +30,19 @@ private:
     /// Aborts holds whose meaning has changed.
     void endHolds(const std::vector<HoldButton *> &buttons, const QString &why);
     void showPermit(const ViewState &view);
+    /// Offers the modes of the vehicle and selects the one in use, unless the operator has selected another.
     void showModes(const std::vector<std::string> &modes, const std::string &current);
 
     VehicleCommands &m_commands;
     HoldButton *m_arm, *m_takeOff, *m_land, *m_return, *m_setMode;
     QComboBox *m_modes;
     AltitudeBox *m_altitude;
-    QLabel *m_result;
+    ResultLabel *m_result;
     std::vector<std::string> m_knownModes;
     QString m_disabledReason; ///< reason why commands cannot be sent, as shown in the result line
     std::uint8_t m_systemId = 0;
     bool m_armed = false;
+    bool m_modeEdited = false; ///< the selected mode is the operator's choice, which the vehicle is not in
 };
 
 } // namespace skyseal::ui

@@ -59,7 +59,9 @@ void VehicleCommands::handleEvent(const engine::Event &event)
     const auto asked = m_asked.constFind(static_cast<quint32>(result->id));
     if (asked == m_asked.constEnd())
         return;
-    const QString line = tr("%1: %2").arg(asked.value(), commandOutcomeText(*result));
+    QString outcome = commandOutcomeText(*result);
+    outcome.replace(QStringLiteral(": %1: ").arg(asked.value()), QStringLiteral(": ")); // autopilots begin with "Arm: " as well
+    const QString line = tr("%1: %2").arg(asked.value(), outcome);
     m_asked.erase(asked);
     Q_EMIT resultReported(line, result->outcome == vehicle::CommandOutcome::Accepted);
 }

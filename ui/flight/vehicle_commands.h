@@ -1,4 +1,4 @@
-// Sends commands to the selected vehicle and reports the results as text ("Arm: refused: …"). Shared by the buttons of the
+// Sends commands to the selected vehicle and reports the results as text ("Arm: denied: …"). Shared by the buttons of the
 // flight panel and the Vehicle menu. Lives on the GUI thread.
 #pragma once
 

@@ -63,7 +63,8 @@ QString commandOutcomeText(const vehicle::CommandResult &result)
     const QString reason = fromStd(result.reason);
     switch (result.outcome) {
     case vehicle::CommandOutcome::Accepted: return Text::tr("accepted");
-    case vehicle::CommandOutcome::Refused: return reason.isEmpty() ? Text::tr("refused") : Text::tr("refused: %1").arg(reason);
+    case vehicle::CommandOutcome::Refused:
+        return reason.isEmpty() ? Text::tr("refused") : reason; // "denied: …", "nothing was sent: …"
     case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Text::tr("no answer") : reason;
     }
     return {};
