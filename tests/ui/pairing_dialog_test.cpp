@@ -47,6 +47,7 @@ private Q_SLOTS:
     void waitingShowsInstructions();
     void comparedAndConfirmed();
     void returnKeyDoesNotConfirm();
+    void returnKeyDoesNotCloseTheLastPage();
     void refusedByTheEye();
     void fingerprintsAreBehindTheButton();
     void passphraseNeedsNoCode();
@@ -56,6 +57,8 @@ private Q_SLOTS:
     void failureCanBeTriedAgain();
     void leavingCancels();
     void passphraseIsUsedOnceItIsTyped();
+    void passphraseNeedsNoReturn();
+    void passphraseIsUsedWhenTheWindowIsLeft();
     void questionWithoutTheTypedPassphraseIsNotShown();
     void wrongPassphraseIsTold();
 
@@ -109,6 +112,21 @@ void PairingDialogTest::returnKeyDoesNotConfirm()
         QTest::keyClick(at, Qt::Key_Enter);
     }
     QVERIFY(m_pairing->confirmations.empty());
+}
+
+void PairingDialogTest::returnKeyDoesNotCloseTheLastPage()
+{
+    see(5, "heron");
+    auto *agree = find<QPushButton>("pairingAgree");
+    agree->setFocus();
+    QTest::keyClick(agree, Qt::Key_Space);
+    QCOMPARE(m_pairing->confirmations.size(), std::size_t(1));
+    Q_EMIT m_pairing->paired(QStringLiteral("heron"));
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter}) {
+        QTest::keyClick(m_dialog->focusWidget() ? m_dialog->focusWidget() : m_dialog.get(), key);
+        QTest::keyClick(m_dialog.get(), key);
+    }
+    QVERIFY(m_dialog->isVisible());
 }
 
 void PairingDialogTest::refusedByTheEye()
@@ -224,6 +242,31 @@ void PairingDialogTest::passphraseIsUsedOnceItIsTyped()
     QCOMPARE(m_pairing->passphrases.size(), std::size_t(2));
     see(5, "heron");
     QVERIFY(!field->isVisible());
+}
+
+void PairingDialogTest::passphraseNeedsNoReturn()
+{
+    auto *field = find<QLineEdit>("pairingPassphrase");
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("blue heron"));
+    Q_EMIT m_pairing->passphraseDiffers(); // an agent answers the window that has no passphrase
+    QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
+    EVENTUALLY(m_pairing->passphrases.size() > 1);
+    QCOMPARE(m_pairing->passphrases, (std::vector<std::string>{"", "blue heron"})); // once, after a pause
+    see(5, "heron");
+    QVERIFY(words().contains(QStringLiteral("knows the passphrase")));
+}
+
+void PairingDialogTest::passphraseIsUsedWhenTheWindowIsLeft()
+{
+    auto *field = find<QLineEdit>("pairingPassphrase");
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("blue heron"));
+    QWidget terminal;
+    terminal.show();
+    terminal.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&terminal, test::kDeadlineMs));
+    QCOMPARE(m_pairing->passphrases, (std::vector<std::string>{"", "blue heron"}));
 }
 
 void PairingDialogTest::questionWithoutTheTypedPassphraseIsNotShown()

@@ -10,6 +10,7 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
+#include <QtCore/QEvent>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFormLayout>
 #include <QtWidgets/QLabel>
@@ -22,6 +23,8 @@ namespace skyseal::ui {
 namespace {
 
 constexpr auto kWindowSeconds = std::chrono::duration_cast<std::chrono::seconds>(channel::kPairingWindow).count();
+/// After this pause the passphrase counts as typed. Not shorter: an agent ends the pairing after three wrong passphrases.
+constexpr std::chrono::seconds kTypingPause{3};
 
 } // namespace
 
@@ -99,11 +102,17 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
             showStep(Step::Failed, tr("Not paired: %1.").arg(reason));
     });
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
-        if (m_step == Step::Waiting)
+        if (m_step == Step::Waiting && !m_passphraseTyped)
             m_problem->setText(tr("An agent answers, but the passphrases differ, or only one end has one, or the link is very "
                                   "bad. Start again with the same passphrase at both ends."));
     });
-    connect(m_passphrase, &QLineEdit::textEdited, this, [this] { m_passphraseTyped = true; });
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(kTypingPause);
+    connect(&m_typing, &QTimer::timeout, this, &PairingDialog::applyPassphrase);
+    connect(m_passphrase, &QLineEdit::textEdited, this, [this] {
+        m_passphraseTyped = true;
+        m_typing.start();
+    });
     connect(m_passphrase, &QLineEdit::editingFinished, this, &PairingDialog::applyPassphrase);
     connect(m_agree, &QPushButton::clicked, this, &PairingDialog::agree);
     connect(m_differ, &QPushButton::clicked, this, &PairingDialog::refuse);
@@ -128,6 +137,7 @@ void PairingDialog::begin()
 {
     m_question.reset();
     m_passphraseTyped = false;
+    m_typing.stop();
     m_clock.start();
     m_tick.start();
     showStep(Step::Waiting,
@@ -136,6 +146,14 @@ void PairingDialog::begin()
     const auto passphrase = m_passphrase->passphrase();
     m_hasPassphrase = passphrase.has_value();
     m_pairing.open(passphrase);
+}
+
+/// The operator goes on at the agent, in another window.
+void PairingDialog::changeEvent(QEvent *event)
+{
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::ActivationChange && isVisible() && !isActiveWindow())
+        applyPassphrase();
 }
 
 void PairingDialog::applyPassphrase()

@@ -26,10 +26,14 @@ public:
     PairingDialog(PairingInterface &pairing, const KeyringInterface &keyring, QWidget *parent = nullptr);
     ~PairingDialog() override;
 
+protected:
+    void changeEvent(QEvent *event) override;
+
 private:
     enum class Step { Waiting, Comparing, Confirmed, Paired, Failed };
 
     void begin();
+    /// Starts again with the passphrase as it is typed, unless it is the one in use.
     void applyPassphrase();
     void showStep(Step step, const QString &text);
     void showQuestion(const PairingQuestion &question);
@@ -45,6 +49,7 @@ private:
     std::optional<PairingQuestion> m_question;
     QElapsedTimer m_clock;
     QTimer m_tick;
+    QTimer m_typing;                ///< since the last letter of the passphrase
     bool m_passphraseTyped = false; ///< edited since the pairing window was opened
     bool m_hasPassphrase = false;   ///< the open window has one
     QLabel *m_text, *m_problem, *m_time;
