@@ -31,8 +31,8 @@ struct OwnKey
 struct KnownPeer
 {
     QString name;
-    channel::PeerRole role = channel::PeerRole::Pilot;
-    std::vector<std::uint8_t> systems; ///< empty = any
+    channel::PeerRole role = channel::PeerRole::Pilot; ///< kept as it is in the file; only an agent obeys it
+    std::vector<std::uint8_t> systems;                 ///< empty = any
     channel::PublicKey key{};
     bool hasPresharedKey = false;
     bool connected = false; ///< has a session

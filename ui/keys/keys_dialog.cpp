@@ -34,7 +34,6 @@ QTreeView *makeView(PeerModel &model, QWidget *parent)
     view->setTabKeyNavigation(false);
     const auto room = [view](const QString &sample) { return view->fontMetrics().horizontalAdvance(sample) + 3 * kGrid; };
     view->header()->resizeSection(PeerModel::Name, room(QStringLiteral("with a pre-shared key")));
-    view->header()->resizeSection(PeerModel::Role, room(QStringLiteral("observer")));
     view->header()->resizeSection(PeerModel::Systems, room(QStringLiteral("Systems")));
     view->header()->resizeSection(PeerModel::LastSeen, room(QStringLiteral("12/24/2026 12:00 PM")));
     view->header()->setStretchLastSection(true);

@@ -9,7 +9,6 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
-#include <QtWidgets/QComboBox>
 #include <QtWidgets/QDialogButtonBox>
 #include <QtWidgets/QFileDialog>
 #include <QtWidgets/QFormLayout>
@@ -53,11 +52,6 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     m_name = new QLineEdit(this);
     m_name->setObjectName(QStringLiteral("peerName"));
     m_name->setAccessibleName(tr("Name"));
-    m_role = new QComboBox(this);
-    m_role->setObjectName(QStringLiteral("peerRole"));
-    m_role->setAccessibleName(tr("Role"));
-    m_role->addItem(tr("pilot: may send commands"), static_cast<int>(channel::PeerRole::Pilot));
-    m_role->addItem(tr("observer: receives telemetry only"), static_cast<int>(channel::PeerRole::Observer));
     m_systems = new QLineEdit(this);
     m_systems->setObjectName(QStringLiteral("peerSystems"));
     m_systems->setAccessibleName(tr("MAVLink system ids"));
@@ -84,7 +78,6 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
     }
     form->addRow(tr("Fingerprint"), m_fingerprint);
     form->addRow(tr("&Name"), m_name);
-    form->addRow(tr("&Role"), m_role);
     form->addRow(tr("&Systems"), m_systems);
     m_key->setVisible(!peer);
     browse->setVisible(!peer);
@@ -98,11 +91,9 @@ PeerDialog::PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget
 
     if (peer) {
         m_name->setText(peer->name);
-        m_role->setCurrentIndex(m_role->findData(static_cast<int>(peer->role)));
         m_systems->setText(systemsOf(*peer));
     } else {
         connect(m_name, &QLineEdit::textChanged, this, &PeerDialog::proposeAsKnown);
-        connect(m_role, &QComboBox::activated, this, [this] { m_roleChosen = true; });
         connect(m_systems, &QLineEdit::textEdited, this, [this] { m_systemsTyped = true; });
     }
     for (const QLineEdit *edit : {m_key, m_name, m_systems})
@@ -135,12 +126,10 @@ const KnownPeer *PeerDialog::knownByName(const QString &name) const
 
 void PeerDialog::proposeAsKnown()
 {
+    if (m_systemsTyped)
+        return;
     const KnownPeer *known = knownByName(m_name->text().trimmed());
-    const KnownPeer proposed = known ? *known : KnownPeer();
-    if (!m_roleChosen)
-        m_role->setCurrentIndex(m_role->findData(static_cast<int>(proposed.role)));
-    if (!m_systemsTyped)
-        m_systems->setText(systemsOf(proposed));
+    m_systems->setText(known ? systemsOf(*known) : QString());
 }
 
 QString PeerDialog::problem(KnownPeer &out) const
@@ -148,7 +137,9 @@ QString PeerDialog::problem(KnownPeer &out) const
     if (m_changing)
         out = *m_changing;
     out.name = m_name->text().trimmed();
-    out.role = static_cast<channel::PeerRole>(m_role->currentData().toInt());
+    // The roles of stations are chosen at the agent; the peers of a station are agents, whose role means nothing here.
+    if (const KnownPeer *known = knownByName(out.name); known && !m_changing)
+        out.role = known->role;
     QString wrong;
     const auto note = [&wrong](const std::string &text) {
         if (wrong.isEmpty())

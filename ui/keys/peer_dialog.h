@@ -6,7 +6,6 @@
 
 #include <QtWidgets/QDialog>
 
-class QComboBox;
 class QDialogButtonBox;
 class QLabel;
 class QLineEdit;
@@ -31,7 +30,7 @@ private:
     PeerDialog(KeyringInterface &keyring, const KnownPeer *peer, QWidget *parent);
     void readKeyFile();
     void check();
-    /// Replacing the key of a peer keeps role and systems, unless they were edited.
+    /// Replacing the key of a peer keeps its systems, unless they were edited.
     void proposeAsKnown();
     /// Returns the first error of the input; empty if it is valid. Fills `out` as far as possible.
     QString problem(KnownPeer &out) const;
@@ -40,9 +39,8 @@ private:
     KeyringInterface &m_keyring;
     std::vector<KnownPeer> m_peers;
     std::optional<KnownPeer> m_changing;
-    bool m_roleChosen = false, m_systemsTyped = false; ///< edited by the operator
+    bool m_systemsTyped = false; ///< edited by the operator
     QLineEdit *m_key, *m_name, *m_systems;
-    QComboBox *m_role;
     QLabel *m_fingerprint, *m_problem;
     ChangedKeyWarning *m_warning;
     QDialogButtonBox *m_buttons;

@@ -7,7 +7,6 @@
 #include "ui/theme/grid.h"
 #include "ui/theme/palettes.h"
 
-#include <QtCore/QCoreApplication>
 #include <QtCore/QLocale>
 #include <QtCore/QSize>
 #include <QtGui/QFontDatabase>
@@ -17,12 +16,6 @@
 #include <algorithm>
 
 namespace skyseal::ui {
-
-QString roleText(channel::PeerRole role)
-{
-    return role == channel::PeerRole::Pilot ? QCoreApplication::translate("PeerModel", "pilot")
-                                            : QCoreApplication::translate("PeerModel", "observer");
-}
 
 void PeerModel::setPeers(std::vector<KnownPeer> peers)
 {
@@ -63,7 +56,6 @@ QString PeerModel::text(const KnownPeer &peer, int column) const
 {
     switch (column) {
     case Name: return peer.hasPresharedKey ? tr("%1\nwith a pre-shared key").arg(peer.name) : peer.name;
-    case Role: return roleText(peer.role);
     case Systems: return peer.systems.empty() ? tr("any") : fromStd(keys::systemIdsText(peer.systems));
     case LastSeen:
         if (peer.connected)
@@ -98,7 +90,6 @@ QVariant PeerModel::headerData(int section, Qt::Orientation orientation, int rol
         return {};
     switch (section) {
     case Name: return tr("Name");
-    case Role: return tr("Role");
     case Systems: return tr("Systems");
     case LastSeen: return tr("Last seen");
     case Fingerprint: return tr("Fingerprint");

@@ -7,14 +7,12 @@
 
 namespace skyseal::ui {
 
-QString roleText(channel::PeerRole role);
-
 class PeerModel : public QAbstractTableModel
 {
     Q_OBJECT
 
 public:
-    enum Column { Name, Role, Systems, LastSeen, Fingerprint, Columns };
+    enum Column { Name, Systems, LastSeen, Fingerprint, Columns };
 
     using QAbstractTableModel::QAbstractTableModel;
 
