@@ -215,6 +215,21 @@ private Q_SLOTS:
         QVERIFY(note()->text().contains(QStringLiteral("did not confirm")));
     }
 
+    void newSessionClearsTheEndOfTheLast()
+    {
+        m_station->show(sealedSnapshot(1));
+        m_station->notify(channel::SessionDown{channel::SessionId{7}, channel::DownReason::PeerClosed, {}});
+        QVERIFY2(note()->text().startsWith(QStringLiteral("Session ended")), qPrintable(note()->text()));
+        m_station->show(plainSnapshot(2));
+        QVERIFY(!note()->text().isEmpty());
+        engine::Snapshot again = sealedSnapshot(3);
+        again.sessions.front().info.session = channel::SessionId{8};
+        again.vehicles.front().session = channel::SessionId{8};
+        m_station->show(again);
+        QVERIFY2(note()->text().isEmpty(), qPrintable(note()->text()));
+        QCOMPARE(m_window->findChild<QLabel *>(QStringLiteral("secureTitle"))->text(), QStringLiteral("Sealed"));
+    }
+
     void rowsAreReachedByKeys()
     {
         m_station->show(sealedSnapshot(1));

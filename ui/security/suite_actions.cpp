@@ -104,6 +104,8 @@ void SuiteActions::showViewState(const ViewState &view)
             m_asked.reset();
             m_keysAsked = false;
         }
+        if ((!m_info || m_info->session != view.session->info.session) && !m_note.isEmpty())
+            setNote({}, false); // of another session, or its end
         m_info = view.session->info;
     }
     refresh();
