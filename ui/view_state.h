@@ -25,6 +25,7 @@ struct ViewState
     const engine::LinkSnapshot *link = nullptr; ///< last link of the vehicle; null if it was removed
     const engine::SessionSnapshot *session = nullptr;
     const engine::PendingVehicle *pendingApproval = nullptr; ///< entry of the selected vehicle, or the first entry without one
+    QString keyProblem = {};                                 ///< why this station cannot use its key; empty if it can
     bool inSweep = false;                                    ///< a sweep measures the connected link and restarts sessions
     bool plainRun = false; ///< the sweep measures plain MAVLink with the consent of the operator
 

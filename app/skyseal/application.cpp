@@ -1,5 +1,6 @@
 #include "app/skyseal/application.h"
 
+#include "app/common/exit_status.h"
 #include "app/common/options.h"
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
@@ -66,6 +67,7 @@ void Application::useKeys(const engine::KeyPaths &keys)
     m_keys = keys;
     m_keyring.use(keys);
     m_keyring.setProblem(m_keyProblem);
+    m_window->setKeyProblem(m_keyProblem);
     m_pairing.use(*m_station, keys.peers);
     m_peersWatch.reset();
     if (keys.peers.empty())
@@ -244,7 +246,7 @@ void Application::takeScreenshot()
     const bool saved = m_window->grab().save(m_options.screenshot);
     if (!saved)
         complain(kName, m_options.screenshot.toStdString() + ": the picture could not be written");
-    QCoreApplication::exit(saved ? 0 : 1);
+    QCoreApplication::exit(saved ? kDone : kCannotOpen);
 }
 
 } // namespace skyseal::app

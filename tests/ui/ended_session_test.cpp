@@ -135,7 +135,7 @@ private Q_SLOTS:
         QVERIFY(enabled(true));
         QCOMPARE(find<QLabel>("commandResult")->text(), QString());
         Q_EMIT menu->aboutToShow();
-        QVERIFY(find<QAction>("actionArm")->isEnabled());
+        QVERIFY(find<QAction>("actionDisarm")->isEnabled());
         m_station->show(plainSnapshot(4));
         QVERIFY(enabled(true));
     }

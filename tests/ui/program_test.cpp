@@ -1,4 +1,6 @@
 // The program skyseal from the outside: help, usage, pictures, an orderly end, a port that is taken.
+#include "core/engine/station/snapshot.h"
+#include "tests/engine/flight_rig.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -6,9 +8,13 @@
 #include <QtCore/QTemporaryDir>
 #include <QtGui/QImage>
 #include <QtNetwork/QUdpSocket>
+#include <QtTest/QSignalSpy>
 #include <QtTest/QTest>
 
 #include <csignal>
+
+using namespace skyseal;
+using namespace skyseal::test;
 
 class ProgramTest : public QObject
 {
@@ -80,7 +86,7 @@ private Q_SLOTS:
         QVERIFY(picture.width() >= 1024);
     }
 
-    void anUnwritablePictureIsOne()
+    void anUnwritablePictureIsThree()
     {
         QProcess skyseal;
         prepare(skyseal);
@@ -89,7 +95,8 @@ private Q_SLOTS:
                        m_folder.filePath(QStringLiteral("no/such/folder.png")), QStringLiteral("--after"),
                        QStringLiteral("0.2")});
         QVERIFY(skyseal.waitForFinished());
-        QCOMPARE(skyseal.exitCode(), 1);
+        QCOMPARE(skyseal.exitCode(), 3);
+        QVERIFY(skyseal.readAllStandardError().contains("folder.png: the picture could not be written"));
     }
 
     void firstRunMakesAnIdentity()
@@ -116,6 +123,41 @@ private Q_SLOTS:
         QVERIFY(skyseal.waitForFinished());
         QCOMPARE(skyseal.exitStatus(), QProcess::NormalExit);
         QCOMPARE(skyseal.exitCode(), 0);
+    }
+
+    void quittingSaysGoodbyeToTheAgent()
+    {
+        FlightRig rig;
+        const engine::KeyPaths keys = rig.stationConfig().keys;
+        QUdpSocket probe;
+        QVERIFY(probe.bind(QHostAddress::LocalHost, 0));
+        const quint16 port = probe.localPort();
+        probe.close();
+        QProcess skyseal;
+        prepare(skyseal);
+        skyseal.start(program(),
+                      {QStringLiteral("--identity"), QString::fromStdString(keys.identity), QStringLiteral("--peers"),
+                       QString::fromStdString(keys.peers), QStringLiteral("--link"),
+                       QStringLiteral("udpin:127.0.0.1:%1").arg(port)});
+        QVERIFY(skyseal.waitForStarted());
+        rig.startAgent("127.0.0.1:" + std::to_string(port));
+        const auto channelEvents = [&rig] {
+            std::vector<channel::Event> out;
+            for (const engine::AgentEvent &event : rig.agentEvents)
+                if (const auto *common = std::get_if<channel::Event>(&event))
+                    out.push_back(*common);
+            return out;
+        };
+        EVENTUALLY(!channelEvents().empty() && std::holds_alternative<channel::SessionUp>(channelEvents().back()));
+        ::kill(static_cast<pid_t>(skyseal.processId()), SIGTERM); // closes the windows
+        QSignalSpy ended(&skyseal, &QProcess::finished);
+        EVENTUALLY(!ended.empty());
+        const auto wasClosed = [&channelEvents] {
+            const std::vector<channel::Event> events = channelEvents();
+            const auto *down = std::get_if<channel::SessionDown>(&events.back());
+            return down && down->reason == channel::DownReason::PeerClosed;
+        };
+        EVENTUALLY(wasClosed());
     }
 
 private:

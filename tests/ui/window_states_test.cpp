@@ -170,8 +170,8 @@ private Q_SLOTS:
         QVERIFY(std::holds_alternative<vehicle::Disarm>(m_station->commands[0].second));
         QCOMPARE(m_station->commands[0].first, std::uint8_t(1));
         m_station->notify(
-            vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "still flying"});
-        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: refused: still flying"));
+            vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused, 4, "failed: still flying"});
+        QCOMPARE(find<QLabel>("commandResult")->text(), QStringLiteral("Disarm: failed: still flying"));
         QTest::mousePress(arm, Qt::LeftButton);
         EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(2));
         QTest::mouseRelease(arm, Qt::LeftButton);

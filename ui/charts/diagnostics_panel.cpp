@@ -140,6 +140,7 @@ void DiagnosticsPanel::showGroup()
 
 void DiagnosticsPanel::showView()
 {
+    const bool sweepBefore = m_pages->currentWidget() == m_sweep;
     switch (m_tools->view()) {
     case DiagnosticsView::Table: m_pages->setCurrentWidget(m_table); break;
     case DiagnosticsView::Sweep: m_pages->setCurrentWidget(m_sweep); break;
@@ -149,6 +150,8 @@ void DiagnosticsPanel::showView()
         plot.scale = AxisScale(plot.quantity->least);
     showCursor({});
     refresh();
+    if (const bool sweep = m_pages->currentWidget() == m_sweep; sweep != sweepBefore)
+        Q_EMIT sweepShown(sweep);
 }
 
 void DiagnosticsPanel::showSweep()

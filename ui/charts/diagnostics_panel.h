@@ -52,6 +52,10 @@ public:
     QString saveCsv(const QString &file) const;
     QString savePicture(const QString &file);
 
+Q_SIGNALS:
+    /// The page of the sweep was opened or left.
+    void sweepShown(bool shown);
+
 protected:
     void exposedChanged(bool seen) override;
     void keyPressEvent(QKeyEvent *event) override;

@@ -108,7 +108,9 @@ QWidget *SettingsDialog::makeStation()
     form->addRow(tr("MAVLink c&omponent"), m_componentId);
     form->addRow(tr("&Link at start"), m_link);
     form->addRow(QString(), m_record);
-    form->addRow(tr("&Folder"), where);
+    auto *folderLabel = new QLabel(tr("&Folder"), box);
+    folderLabel->setBuddy(m_folder); // a form finds no buddy in a row of widgets
+    form->addRow(folderLabel, where);
     form->addRow(QString(), smallPrint(tr("Ids, link and folder take effect at the next start."), box));
     return box;
 }
@@ -159,8 +161,8 @@ QWidget *SettingsDialog::makeSecurity()
     column->addWidget(m_research);
     auto *broken = smallPrint(
         tr("Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured "
-           "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. I "
-           "understand that while one is in use the link is not confidential.")
+           "against the others, are never chosen automatically, and work only when the vehicle's agent allows them as well. "
+           "While one is in use, the link is not confidential.")
             .arg(researchSuites()),
         box);
     column->addWidget(broken);

@@ -105,7 +105,10 @@ void EmptyState::showViewState(const ViewState &view)
     }
     QString title, text, command;
     const engine::UnknownAgent *unknown = unknownAgentOf(view);
-    if (view.session) {
+    if (!view.keyProblem.isEmpty()) {
+        title = tr("This station cannot use its key");
+        text = tr("%1\n\nNo link is sealed until this is solved. Plain MAVLink is shown, but not sealed.").arg(view.keyProblem);
+    } else if (view.session) {
         title = tr("Waiting for the autopilot behind %1").arg(fromStd(view.session->info.peerName));
         text = tr("The link to the agent is sealed; nothing has been received from the vehicle beside it yet.");
     } else if (view.pendingApproval) {
@@ -153,7 +156,7 @@ void EmptyState::showViewState(const ViewState &view)
     }
     m_command->setVisible(!command.isEmpty());
     m_otherwise->setVisible(!command.isEmpty() && !unknown);
-    m_keys->setVisible(unknown != nullptr);
+    m_keys->setVisible(unknown || !view.keyProblem.isEmpty());
     if (m_command->text() != command)
         m_command->setText(command);
     if (m_title->text() != title)

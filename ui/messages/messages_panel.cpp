@@ -42,6 +42,16 @@ MessagesPanel::MessagesPanel(QWidget *parent) : DockPanel(parent)
     connect(copy, &QAction::triggered, this, &MessagesPanel::copySelected);
     m_view->addAction(copy);
     m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+    // A hidden view has no range: the operator's position counts only while it can be seen.
+    QScrollBar *bar = m_view->verticalScrollBar();
+    connect(bar, &QScrollBar::valueChanged, this, [this, bar](int value) {
+        if (m_view->isVisible())
+            m_followsNewest = value >= bar->maximum();
+    });
+    connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int maximum) {
+        if (m_followsNewest)
+            bar->setValue(maximum);
+    });
 
     auto *wanted = new QLineEdit(this);
     wanted->setObjectName(QStringLiteral("messageFilter"));
@@ -106,10 +116,8 @@ void MessagesPanel::showCommandResult(const QString &line, bool ok)
 
 void MessagesPanel::append(const Message &message)
 {
-    const QScrollBar *bar = m_view->verticalScrollBar();
-    const bool atEnd = bar->value() >= bar->maximum();
     m_model.append(message);
-    if (atEnd)
+    if (m_followsNewest)
         m_view->scrollToBottom();
 }
 

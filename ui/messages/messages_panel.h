@@ -37,6 +37,7 @@ private:
     MessageModel m_model;
     MessageFilter m_filter;
     QTreeView *m_view;
+    bool m_followsNewest = true; ///< unless the operator scrolls up
 };
 
 } // namespace skyseal::ui

@@ -13,6 +13,7 @@
 #include <QtWidgets/QHeaderView>
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QStackedWidget>
 #include <QtWidgets/QTreeView>
 
 namespace skyseal::ui {
@@ -37,7 +38,8 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
         tools->addWidget(made);
     tools->addWidget(m_result, 1);
 
-    auto *view = new QTreeView(this);
+    m_pages = new QStackedWidget(this);
+    auto *view = new QTreeView(m_pages);
     view->setObjectName(QStringLiteral("missionView"));
     view->setAccessibleName(tr("Mission items"));
     view->setModel(&m_model);
@@ -47,11 +49,18 @@ MissionPanel::MissionPanel(StationInterface &station, QWidget *parent) : DockPan
     view->header()->setStretchLastSection(false);
     view->header()->resizeSection(MissionModel::Number, 6 * kGrid);
     view->header()->setSectionResizeMode(MissionModel::Command, QHeaderView::Stretch);
+    m_empty = new QLabel(m_pages);
+    m_empty->setObjectName(QStringLiteral("missionEmpty"));
+    m_empty->setWordWrap(true);
+    m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setForegroundRole(QPalette::PlaceholderText);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(view);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(kGrid, kGrid, kGrid, kGrid);
     column->setSpacing(kGrid);
     column->addLayout(tools);
-    column->addWidget(view, 1);
+    column->addWidget(m_pages, 1);
 
     connect(m_read, &QPushButton::clicked, this, [this] {
         say(tr("Reading …"));
@@ -108,7 +117,7 @@ void MissionPanel::sendFile(const QString &file, std::uint8_t systemId)
         say(fromStd(items.error().text()));
         return;
     }
-    say(tr("Sending %1 items …").arg(items->size()));
+    say(items->size() == 1 ? tr("Sending one item …") : tr("Sending %1 items …").arg(items->size()));
     m_station.perform(systemId, vehicle::WriteMission{*items});
 }
 
@@ -130,7 +139,14 @@ void MissionPanel::showViewState(const ViewState &view)
         button->setEnabled(m_disabledReason.isEmpty());
         button->setToolTip(m_disabledReason);
     }
-    m_save->setEnabled(m_mission && !m_mission->empty());
+    const bool hasItems = m_mission && !m_mission->empty();
+    m_save->setEnabled(hasItems);
+    m_pages->setCurrentIndex(hasItems ? 1 : 0);
+    const QString why = !view.vehicle ? tr("No vehicle.")
+        : m_mission                   ? tr("The vehicle has no mission. Send a file to write one.")
+                                      : tr("The mission has not been read from the vehicle.");
+    if (m_empty->text() != why)
+        m_empty->setText(why);
     m_model.setMission(m_mission, view.vehicle ? view.vehicle->state.missionCurrent : -1);
 }
 

@@ -7,6 +7,7 @@
 
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 
 namespace skyseal::ui {
 
@@ -35,6 +36,8 @@ private:
     MissionModel::Mission m_mission;
     QPushButton *m_read, *m_send, *m_save;
     QLabel *m_result;
+    QStackedWidget *m_pages; ///< the reason why there are no items, or the items
+    QLabel *m_empty;
     QString m_disabledReason; ///< reason why nothing can be sent to the vehicle
     std::uint8_t m_systemId = 0;
 };

@@ -179,7 +179,10 @@ void SecureLinkPanel::showHead(const ViewState &view)
     case Security::Nothing:
         title = tr("No sealed link");
         advice = tr("The session starts by itself once a known agent announces itself.");
-        if (oneWay) {
+        if (!view.keyProblem.isEmpty()) {
+            title = tr("No sealed links");
+            advice = tr("This station cannot use its key: %1").arg(view.keyProblem);
+        } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
         } else if (const engine::UnansweringAgent *agent = unansweringOf(view)) {
@@ -210,6 +213,11 @@ void SecureLinkPanel::showHead(const ViewState &view)
         } else if (oneWay) {
             title = oneWay->title;
             advice = oneWay->advice;
+        } else if (!view.keyProblem.isEmpty()) {
+            advice =
+                tr("This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station "
+                   "cannot seal the link, because it cannot use its key: %1")
+                    .arg(view.keyProblem);
         } else if (view.plainRun) {
             title = tr("Not sealed, in a sweep");
             advice = tr("Plain MAVLink is measured at present, with your consent: anyone on the path can read the "
@@ -259,8 +267,9 @@ void SecureLinkPanel::showHead(const ViewState &view)
     }
     put(m_title, title);
     put(m_advice, advice);
-    m_help->setVisible(!view.session && !face.lost && !view.plainRun && !oneWay);
-    m_keys->setVisible((face.lost || unknown) && !view.inSweep);
+    const bool keyUnusable = !view.session && !view.keyProblem.isEmpty();
+    m_help->setVisible(!view.session && !face.lost && !view.plainRun && !oneWay && !keyUnusable);
+    m_keys->setVisible((face.lost || unknown || keyUnusable) && !view.inSweep);
     const QPixmap picture = iconPixmap(face.icon, 24, color, devicePixelRatioF());
     if (m_icon->pixmap(Qt::ReturnByValue).cacheKey() != picture.cacheKey())
         m_icon->setPixmap(picture);

@@ -157,9 +157,11 @@ void StatusStrip::showLink(const ViewState &view)
     const double latency = std::isfinite(state.latency)             ? state.latency
         : view.session && view.session->stats.roundTrip.count() > 0 ? seconds(view.session->stats.roundTrip)
                                                                     : vehicle::kUnknown;
-    const QString tip = tr("%1 frames/s, %2 lost, latency %3, newest message %4 ago")
-                            .arg(number(view.vehicle->framesPerSecond, 0), grouped(state.sequence.lost), latencyText(latency),
-                                 age);
+    const QString percent = number(arrived, 1) + QStringLiteral(" %");
+    // In the order of the item's numbers, which have no labels there.
+    const QString tip = tr("%1 of the frames arrived\n%2 latency\n%3 since the newest message\n%4 frames/s, %5 lost")
+                            .arg(percent, latencyText(latency), age, number(view.vehicle->framesPerSecond, 0),
+                                 grouped(state.sequence.lost));
     const auto commandAge = commandAgeOf(view);
     m_link->setToolTip(commandAge ? tip + QLatin1Char('\n') + commandAge->sentence + QLatin1Char('\n') + commandAge->limits
                                   : tip);
@@ -169,7 +171,6 @@ void StatusStrip::showLink(const ViewState &view)
         return;
     }
     const bool poor = arrived < 90;
-    const QString percent = number(arrived, 1) + QStringLiteral(" %");
     const QString word = poor ? tr("Link poor %1") : tr("Link OK %1");
     m_link->setContent({word.arg(percent) + kDot + latencyText(latency) + kDot + age,
                         word.arg(percent) + kDot + latencyText(latency), percent},

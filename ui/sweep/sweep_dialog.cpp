@@ -199,6 +199,9 @@ void SweepDialog::updateChoices()
 
 void SweepDialog::updateSummary()
 {
+    const bool repeats = m_repeats->value() > 1;
+    m_noise->setEnabled(repeats);
+    m_noise->setToolTip(repeats ? QString() : tr("The noise shows only in repeats: 2 or more."));
     const experiment::Plan plan = order().plan;
     const std::size_t runs = experiment::schedule(plan).size();
     const bool possible = runs > 0 && (m_connected->isEnabled() || m_own->isEnabled());

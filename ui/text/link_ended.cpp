@@ -30,8 +30,8 @@ std::optional<LinkEnded> linkEndedOf(const ViewState &view)
     const QString name = ended.peerName.empty() ? Text::tr("the agent") : fromStd(ended.peerName);
     const QString ago = durationText(ended.age);
     const QString waiting = QLatin1Char(' ')
-        + Text::tr("Waiting: the session is established automatically when it is heard again. The last received "
-                   "values are shown, and clear MAVLink that claims to be it is still refused.");
+        + Text::tr("Waiting: the session is established automatically when it is heard again. The last received values are "
+                   "shown. Plain MAVLink with the vehicle's system id is still refused.");
     if (view.inSweep && ended.reason == DownReason::Closed)
         return LinkEnded{Text::tr("New session · %1").arg(name),
                          Text::tr("The sweep changes the protection of the link, which needs a new handshake.")};

@@ -116,7 +116,10 @@ LockFace lockFaceOf(const ViewState &view)
         if (face.security == Security::Nothing) {
             face.icon = QStringLiteral("lock-none");
             face.variants = {Text::tr("Nothing sealed"), Text::tr("Nothing sealed")};
-            face.toolTip = Text::tr("No vehicle and no session yet");
+            face.toolTip = view.keyProblem.isEmpty() ? Text::tr("No vehicle and no session yet")
+                                                     : Text::tr("No sealed links: this station cannot use its key")
+                                                           .append(QLatin1Char('\n'))
+                                                           .append(view.keyProblem);
             return face;
         }
         return plainFace(view);

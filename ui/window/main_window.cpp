@@ -36,6 +36,10 @@
 
 namespace skyseal::ui {
 
+namespace {
+constexpr int kSweepHeight = 320; ///< pixels: room for a row of each suite
+} // namespace
+
 MainWindow::MainWindow(StationInterface &station, QSettings &store, const ProgramFacts &facts, QWidget *parent)
     : QMainWindow(parent), m_station(station), m_store(store), m_settings(loadSettings(store)),
       m_selection(new ViewSelection(this)), m_suites(new SuiteActions(station, this)),
@@ -117,6 +121,11 @@ void MainWindow::makeMenus(const ProgramFacts &facts)
 
 void MainWindow::connectParts()
 {
+    m_selection->setAnnotation([this](ViewState &view) {
+        view.keyProblem = m_keyProblem;
+        if (m_sweep)
+            m_sweep->mark(view);
+    });
     connect(&m_station, &StationInterface::snapshotReady, m_selection, &ViewSelection::setSnapshot);
     connect(&m_station, &StationInterface::eventOccurred, m_problems,
             [this](const engine::Event &event) { m_problems->handleEvent(event, m_selection->view()); });
@@ -162,6 +171,12 @@ void MainWindow::showNumbers(const ViewState &view)
 void MainWindow::reportProblem(const QString &problem, const QString &remedy, std::function<void()> act)
 {
     m_problems->report(problem, remedy, std::move(act));
+}
+
+void MainWindow::setKeyProblem(const QString &problem)
+{
+    m_keyProblem = problem;
+    m_selection->refresh();
 }
 
 void MainWindow::addLink(const QString &url)
@@ -224,10 +239,15 @@ void MainWindow::setSweep(SweepInterface &sweep)
 {
     SweepPage *page = m_docks->panel<DiagnosticsPanel>()->sweep();
     m_sweep = new SweepPresenter(sweep, *page, *m_suites, *this);
-    m_selection->setAnnotation([this](ViewState &view) { m_sweep->mark(view); });
     page->setPossible(true);
     connect(m_sweep, &SweepPresenter::dialogRequested, this, &MainWindow::openSweep);
     connect(m_sweep, &SweepPresenter::began, this, &MainWindow::revealSweep);
+    connect(m_docks->panel<DiagnosticsPanel>(), &DiagnosticsPanel::sweepShown, this, [this, page](bool shown) {
+        if (shown && page->results())
+            m_docks->growTo("dockDiagnostics", kSweepHeight);
+        else if (!shown)
+            m_docks->shrinkBack();
+    });
 }
 
 void MainWindow::openSweep()
@@ -240,7 +260,6 @@ void MainWindow::openSweep()
 
 void MainWindow::revealSweep()
 {
-    constexpr int kSweepHeight = 320; // pixels: room for a row of each suite
     m_docks->reveal("dockDiagnostics");
     m_docks->panel<DiagnosticsPanel>()->showSweep();
     m_docks->growTo("dockDiagnostics", kSweepHeight);
@@ -262,6 +281,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
+    m_docks->shrinkBack();
     m_docks->save(m_store);
     event->accept();
 }

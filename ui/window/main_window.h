@@ -49,6 +49,8 @@ public:
 
     /// Shows a problem that the operator has to act on; `remedy` is the text of the button that calls `act`.
     void reportProblem(const QString &problem, const QString &remedy = {}, std::function<void()> act = {});
+    /// The reason why this station cannot use its key, for panels that would otherwise wait for a sealed link; empty if it can.
+    void setKeyProblem(const QString &problem);
     /// Adds a link by its URL; an invalid URL is reported in the window.
     void addLink(const QString &url);
     /// Without a keyring, the dialog of keys and peers does not open. Both must outlive the window.
@@ -88,6 +90,7 @@ private:
     VehicleCommands *m_commands;
     WindowDialogs *m_dialogs;
     SweepPresenter *m_sweep = nullptr;
+    QString m_keyProblem;
     StatusStrip *m_strip;
     TrafficBar *m_traffic;
     MapView *m_map;

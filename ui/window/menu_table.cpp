@@ -1,6 +1,7 @@
 #include "ui/window/menu_table.h"
 
 #include <QtGui/QAction>
+#include <QtGui/QActionGroup>
 #include <QtWidgets/QMenu>
 #include <QtWidgets/QMenuBar>
 
@@ -16,9 +17,13 @@ QAction *addSubmenu(QMenu &menu, const MenuItem &item)
 {
     QMenu *submenu = menu.addMenu(item.text);
     submenu->setObjectName(item.id);
-    QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, items = item.submenu] {
+    auto *choices = new QActionGroup(submenu); // one of the checkable items: shown with radio buttons
+    QObject::connect(submenu, &QMenu::aboutToShow, submenu, [submenu, choices, items = item.submenu] {
         submenu->clear();
         addItems(*submenu, items());
+        for (QAction *action : submenu->actions())
+            if (action->isCheckable())
+                choices->addAction(action);
     });
     return submenu->menuAction();
 }

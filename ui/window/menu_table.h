@@ -26,8 +26,9 @@ struct MenuItem
     QKeySequence shortcut = {};                   ///< active in the whole window
     std::function<QString()> disabledReason = {}; ///< read when the menu opens: the reason shown in tips, empty if enabled
     std::optional<bool> checked = {};             ///< set: the item is checkable
-    std::function<MenuItems()> submenu = {};      ///< set: the item is a submenu, filled each time it opens
-    QAction *action = nullptr;                    ///< set: this existing action is shown; the other fields are unused
+    std::function<MenuItems()> submenu =
+        {};                    ///< set: a submenu, filled each time it opens; its checkable items exclude each other
+    QAction *action = nullptr; ///< set: this existing action is shown; the other fields are unused
 };
 
 struct Menu

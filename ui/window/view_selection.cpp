@@ -26,8 +26,15 @@ void ViewSelection::setSnapshot(const SnapshotPtr &snapshot)
 void ViewSelection::selectVehicle(std::uint8_t systemId)
 {
     m_systemId = systemId;
+    refresh();
+}
+
+void ViewSelection::refresh()
+{
     if (m_view.snapshot)
         setSnapshot(m_view.snapshot);
+    else if (m_annotate)
+        m_annotate(m_view);
     Q_EMIT numbersDue(m_view);
 }
 

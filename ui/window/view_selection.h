@@ -23,6 +23,8 @@ public:
     /// to the vehicle that is shown.
     void setSnapshot(const SnapshotPtr &snapshot);
     void selectVehicle(std::uint8_t systemId);
+    /// Publishes the view again, after the state of the annotation has changed.
+    void refresh();
     /// Selects the vehicle of this session, if there is one.
     void selectSession(quint32 session);
     /// Called for each new view before it is published, to add state that is not in the snapshot.

@@ -8,6 +8,9 @@
 #include <QtGui/QAction>
 #include <QtWidgets/QDockWidget>
 #include <QtWidgets/QMainWindow>
+#include <QtWidgets/QTabBar>
+
+#include <cstdlib>
 
 namespace skyseal::ui {
 
@@ -127,8 +130,31 @@ void WindowDocks::reveal(const char *id)
 void WindowDocks::growTo(const char *id, int height)
 {
     auto *dock = m_window.findChild<QDockWidget *>(QLatin1String(id));
-    if (dock && !dock->isFloating() && dock->height() < height)
-        m_window.resizeDocks({dock}, {height}, Qt::Vertical);
+    if (!dock || dock->isFloating() || dock->height() >= height)
+        return;
+    if (!m_grown)
+        m_grown = {dock, tabsAbove(dock) + dock->height(), height};
+    m_window.resizeDocks({dock}, {height}, Qt::Vertical);
+}
+
+/// The height of the tabs above a dock, which QMainWindow::resizeDocks() counts as a part of it.
+int WindowDocks::tabsAbove(const QDockWidget *dock) const
+{
+    for (const QTabBar *tabs : m_window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly)) {
+        const bool meets = tabs->isVisible() && tabs->geometry().left() <= dock->geometry().right()
+            && tabs->geometry().right() >= dock->geometry().left()
+            && std::abs(dock->geometry().top() - tabs->geometry().bottom()) <= 2;
+        if (meets)
+            return dock->geometry().top() - tabs->geometry().top();
+    }
+    return 0;
+}
+
+void WindowDocks::shrinkBack()
+{
+    if (m_grown && !m_grown->widget->isFloating() && m_grown->widget->height() <= m_grown->height)
+        m_window.resizeDocks({m_grown->widget}, {m_grown->before}, Qt::Vertical);
+    m_grown.reset();
 }
 
 void WindowDocks::rememberDefault()

@@ -6,6 +6,7 @@
 #include <QtCore/QByteArray>
 #include <QtCore/QObject>
 
+#include <optional>
 #include <vector>
 
 class QAction;
@@ -47,8 +48,10 @@ public:
 
     /// Shows the dock of this object name, brings its tab to the front and gives it the focus.
     void reveal(const char *id);
-    /// Makes the dock of this object name at least `height` pixels high, unless it floats.
+    /// Makes the dock of this object name at least `height` pixels high, unless it floats, until shrinkBack().
     void growTo(const char *id, int height);
+    /// Returns a dock to the height that it had before growTo(), unless the operator has made it even higher.
+    void shrinkBack();
 
     /// Saves the arrangement that reset() returns to. To be called once the window has its first size.
     void rememberDefault();
@@ -71,9 +74,18 @@ private:
     void setFirstSizes();
     QDockWidget *firstIn(Qt::DockWidgetArea area) const;
     void toFront(QDockWidget *dock);
+    int tabsAbove(const QDockWidget *dock) const;
+
+    /// A dock that is higher than the operator left it.
+    struct GrownDock
+    {
+        QDockWidget *widget;
+        int before, height; ///< pixels
+    };
 
     QMainWindow &m_window;
     std::vector<Dock> m_docks;
+    std::optional<GrownDock> m_grown;
     QByteArray m_default;
 };
 

@@ -116,10 +116,16 @@ Menu vehicleMenu(const MenuTargets &on)
                         .trigger = [on, question, order] { confirmAndSend(on, question, order); },
                         .disabledReason = commandDisabledReason};
     };
+    MenuItem arm = command(Text::tr("&Arm …"), QStringLiteral("actionArm"),
+                           Text::tr("Arm the motors? The propellers will turn."), vehicle::Arm{});
+    arm.disabledReason = [on, commandDisabledReason] {
+        const auto *vehicle = on.selection.view().vehicle;
+        const QString reason = commandDisabledReason();
+        return reason.isEmpty() && vehicle->state.armed ? Text::tr("the vehicle is armed") : reason;
+    };
     return {QStringLiteral("menuVehicle"),
             Text::tr("&Vehicle"),
-            {command(Text::tr("&Arm …"), QStringLiteral("actionArm"), Text::tr("Arm the motors? The propellers will turn."),
-                     vehicle::Arm{}),
+            {arm,
              command(Text::tr("&Disarm …"), QStringLiteral("actionDisarm"), Text::tr("Disarm the motors?"), vehicle::Disarm{}),
              {},
              {.id = QStringLiteral("actionTakeOff"),

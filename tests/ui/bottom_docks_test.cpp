@@ -1,0 +1,146 @@
+// The docks below the map: the messages follow the newest one, the diagnostics are enlarged only for a sweep, and
+// an empty mission says why.
+#include "core/mavlink/enums.h"
+#include "fake_sweep.h"
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/sweep/sweep_dialog.h"
+#include "window_rig.h"
+
+#include <QtGui/QAction>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QDialogButtonBox>
+#include <QtWidgets/QDockWidget>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+#include <QtWidgets/QScrollBar>
+#include <QtWidgets/QTreeView>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class BottomDocksTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void messagesFollowTheNewest()
+    {
+        EVENTUALLY(isBehind("dockMessages"));
+        say(100);
+        bringToFront("dockMessages");
+        EVENTUALLY(showsNewest());
+        say(50);
+        EVENTUALLY(showsNewest());
+    }
+
+    void messagesStayWhereTheOperatorScrolledTo()
+    {
+        auto *view = find<QTreeView>("messageView");
+        bringToFront("dockMessages");
+        say(100);
+        EVENTUALLY(showsNewest());
+        QTest::keyClick(view, Qt::Key_Home);
+        EVENTUALLY(view->verticalScrollBar()->value() == 0);
+        say(10);
+        QCoreApplication::processEvents();
+        QCOMPARE(view->verticalScrollBar()->value(), 0);
+        view->verticalScrollBar()->setValue(view->verticalScrollBar()->maximum());
+        say(10);
+        EVENTUALLY(showsNewest());
+    }
+
+    void sweepEnlargesTheDiagnosticsForItsTime()
+    {
+        FakeSweep sweeps;
+        m_window->setSweep(sweeps);
+        m_station->show(sealedSnapshot(1));
+        const auto *dock = find<QDockWidget>("dockDiagnostics");
+        const int before = dock->height();
+        runSweep(sweeps);
+        EVENTUALLY(dock->height() > before + 50);
+        const int grown = dock->height();
+        auto *choice = find<QComboBox>("chartView");
+        const int sweepPage = choice->currentIndex();
+        choosePage(0);
+        EVENTUALLY_EQUAL(dock->height(), before);
+        choosePage(sweepPage); // the results need the room again
+        EVENTUALLY_EQUAL(dock->height(), grown);
+        m_window->close();
+        open();
+        EVENTUALLY_EQUAL(find<QDockWidget>("dockDiagnostics")->height(), before);
+    }
+
+    void missionPanelShowsWhyItIsEmpty()
+    {
+        const auto *why = find<QLabel>("missionEmpty");
+        bringToFront("dockMission");
+        QCOMPARE(why->text(), QStringLiteral("No vehicle."));
+        engine::Snapshot snapshot = sealedSnapshot(1);
+        snapshot.vehicles.front().mission = nullptr;
+        m_station->show(snapshot);
+        QVERIFY2(why->text().contains(QStringLiteral("not been read")), qPrintable(why->text()));
+        ++snapshot.time;
+        snapshot.vehicles.front().mission = std::make_shared<const std::vector<vehicle::MissionItem>>();
+        m_station->show(snapshot);
+        QVERIFY2(why->text().contains(QStringLiteral("has no mission")), qPrintable(why->text()));
+        ++snapshot.time;
+        snapshot.vehicles.front().mission = std::make_shared<const std::vector<vehicle::MissionItem>>(2);
+        m_station->show(snapshot);
+        QVERIFY(!why->isVisible());
+        QCOMPARE(find<QTreeView>("missionView")->model()->rowCount(), 2);
+    }
+
+private:
+    void say(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            vehicle::TextReceived text;
+            text.systemId = 1;
+            text.text.severity = mavlink::MAV_SEVERITY_WARNING;
+            text.text.text = "warning " + std::to_string(++m_said);
+            m_station->notify(text);
+        }
+    }
+    bool showsNewest() const
+    {
+        const auto *view = find<QTreeView>("messageView");
+        const QModelIndex last = view->model()->index(view->model()->rowCount() - 1, 3);
+        return last.data().toString() == QStringLiteral("warning %1").arg(m_said)
+            && view->viewport()->rect().contains(view->visualRect(last).center());
+    }
+    bool isBehind(const char *dock) const { return find<QDockWidget>(dock)->visibleRegion().isEmpty(); }
+    void bringToFront(const char *dock)
+    {
+        EVENTUALLY(isBehind(dock)); // the action hides a dock that is in front
+        find<QAction>((QByteArray("view_") + dock).constData())->trigger();
+        EVENTUALLY(!isBehind(dock));
+    }
+    void choosePage(int index)
+    {
+        auto *choice = find<QComboBox>("chartView");
+        choice->setFocus();
+        const Qt::Key key = index < choice->currentIndex() ? Qt::Key_Up : Qt::Key_Down;
+        while (choice->currentIndex() != index)
+            QTest::keyClick(choice, key);
+    }
+    void runSweep(FakeSweep &sweeps)
+    {
+        find<QAction>("actionSweep")->trigger();
+        auto *dialog = m_window->findChild<SweepDialog *>();
+        QVERIFY(dialog);
+        QTest::mouseClick(dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok), Qt::LeftButton);
+        QCOMPARE(sweeps.orders.size(), std::size_t(1));
+        sweeps.finish();
+    }
+
+    int m_said = 0;
+};
+
+SKYSEAL_TEST_WIDGETS(BottomDocksTest)
+#include "bottom_docks_test.moc"

@@ -1,0 +1,52 @@
+// A station that cannot use its key: no part of the window waits for a sealed link that cannot come.
+#include "scripted_snapshots.h"
+#include "tests/support/test_runner.h"
+#include "ui/status/strip_item.h"
+#include "window_rig.h"
+
+#include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QPushButton>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class KeyProblemTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void everyPartNamesTheProblem()
+    {
+        const QString problem = QStringLiteral("/home/ann/identity.key: is damaged");
+        m_window->setKeyProblem(problem);
+        m_station->show(waitingSnapshot());
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed links"));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(problem));
+        QVERIFY(find<QLabel>("emptyText")->text().contains(problem));
+        QVERIFY(!find<QLabel>("emptyCommand")->isVisible()); // an agent would not help
+        QVERIFY(find<QPushButton>("secureKeys")->isVisible() && find<QPushButton>("emptyKeys")->isVisible());
+        QVERIFY(!find<QPushButton>("secureHelp")->isVisible());
+        QVERIFY(find<StripItem>("stripLock")->toolTip().contains(problem));
+
+        m_station->show(plainSnapshot(1));
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("Not sealed"));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(problem));
+    }
+
+    void solvedProblemDisappearsAtOnce()
+    {
+        m_window->setKeyProblem(QStringLiteral("is damaged"));
+        m_station->show(waitingSnapshot());
+        m_window->setKeyProblem({});
+        QCOMPARE(find<QLabel>("secureTitle")->text(), QStringLiteral("No sealed link"));
+        QVERIFY(find<QLabel>("secureAdvice")->text().contains(QStringLiteral("starts by itself")));
+        QVERIFY(find<QLabel>("emptyCommand")->isVisible());
+    }
+};
+
+SKYSEAL_TEST_WIDGETS(KeyProblemTest)
+#include "key_problem_test.moc"

@@ -1,0 +1,53 @@
+// The settings dialog by keys: every mnemonic leads to a field.
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/dialogs/settings_dialog.h"
+#include "ui/settings.h"
+
+#include <QtTest/QTest>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QLineEdit>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class SettingsDialogTest : public QObject
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void mnemonicsHaveTheirFields()
+    {
+        const SettingsDialog dialog{Settings()};
+        int mnemonics = 0;
+        for (const QLabel *label : dialog.findChildren<QLabel *>()) {
+            if (!label->text().contains(QLatin1Char('&')))
+                continue;
+            ++mnemonics;
+            QVERIFY2(label->buddy(), qPrintable(label->text())); // without one the label shows the ampersand
+        }
+        QCOMPARE(mnemonics, 7);
+    }
+
+    void folderIsReachedByItsKey()
+    {
+        SettingsDialog dialog{Settings()};
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog, test::kDeadlineMs));
+        dialog.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&dialog, test::kDeadlineMs));
+        QTest::keyClick(&dialog, Qt::Key_F, Qt::AltModifier);
+        QTest::keyClicks(dialog.focusWidget(), QStringLiteral("/tmp/flights"));
+        QCOMPARE(dialog.settings().recordFolder, QStringLiteral("/tmp/flights"));
+    }
+
+    void warningsSpeakOfTheLink()
+    {
+        const SettingsDialog dialog{Settings()};
+        for (const QLabel *label : dialog.findChildren<QLabel *>())
+            QVERIFY2(!label->text().contains(QStringLiteral("I understand")), qPrintable(label->text()));
+    }
+};
+
+SKYSEAL_TEST_WIDGETS(SettingsDialogTest)
+#include "settings_dialog_test.moc"

@@ -1,0 +1,139 @@
+// The buttons and the menu that command the vehicle: what they offer follows the vehicle, and results are said once.
+#include "scripted_snapshots.h"
+#include "tests/support/eventually.h"
+#include "tests/support/test_runner.h"
+#include "ui/flight/hold_button.h"
+#include "window_rig.h"
+
+#include <QtGui/QAction>
+#include <QtGui/QActionGroup>
+#include <QtTest/QTest>
+#include <QtWidgets/QComboBox>
+#include <QtWidgets/QLabel>
+#include <QtWidgets/QMenu>
+#include <QtWidgets/QMenuBar>
+
+using namespace skyseal;
+using namespace skyseal::ui;
+
+class VehicleActionsTest : public QObject, private WindowRig
+{
+    Q_OBJECT
+
+private Q_SLOTS:
+    void init() { setUp(); }
+    void cleanup() { tearDown(); }
+
+    void modeBoxFollowsTheVehicle()
+    {
+        const auto *modes = find<QComboBox>("modeBox");
+        show("GUIDED");
+        QCOMPARE(modes->currentText(), QStringLiteral("GUIDED"));
+        show("RTL");
+        QCOMPARE(modes->currentText(), QStringLiteral("RTL"));
+    }
+
+    void modeBoxKeepsTheOperatorsChoice()
+    {
+        auto *modes = find<QComboBox>("modeBox");
+        show("GUIDED");
+        modes->setFocus();
+        while (modes->currentText() != QStringLiteral("LAND"))
+            QTest::keyClick(modes, Qt::Key_Down);
+        show("RTL"); // by itself
+        QCOMPARE(modes->currentText(), QStringLiteral("LAND"));
+        auto *button = find<HoldButton>("setModeButton");
+        QTest::mousePress(button, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        QTest::mouseRelease(button, Qt::LeftButton);
+        QCOMPARE(std::get<vehicle::SetMode>(m_station->commands[0].second).mode, std::string("LAND"));
+        show("LAND"); // the choice is in use
+        show("GUIDED");
+        QCOMPARE(modes->currentText(), QStringLiteral("GUIDED"));
+    }
+
+    void armingIsOfferedOnlyToADisarmedVehicle()
+    {
+        show("GUIDED", true);
+        openVehicleMenu();
+        const auto *arm = find<QAction>("actionArm"), *disarm = find<QAction>("actionDisarm");
+        QVERIFY(!arm->isEnabled() && disarm->isEnabled());
+        QCOMPARE(arm->toolTip(), QStringLiteral("the vehicle is armed"));
+        closeVehicleMenu();
+        show("GUIDED", false);
+        openVehicleMenu();
+        QVERIFY(arm->isEnabled() && disarm->isEnabled()); // an armed vehicle may be shown as disarmed
+        closeVehicleMenu();
+    }
+
+    void modesAreRadioButtons()
+    {
+        show("GUIDED");
+        openVehicleMenu();
+        auto *menu = find<QMenu>("menuMode");
+        Q_EMIT menu->aboutToShow();
+        QStringList checked;
+        QVERIFY(menu->actions().size() > 5);
+        for (const QAction *action : menu->actions()) {
+            QVERIFY(action->actionGroup() && action->actionGroup()->isExclusive());
+            if (action->isChecked())
+                checked << action->text();
+        }
+        QCOMPARE(checked, QStringList{QStringLiteral("GUIDED …")});
+        closeVehicleMenu();
+    }
+
+    void refusalsAreSaidOnce_data()
+    {
+        QTest::addColumn<int>("result");
+        QTest::addColumn<QString>("reason");
+        QTest::addColumn<QString>("line");
+        QTest::newRow("with its command") << 4 << QStringLiteral("failed: Disarm: still flying")
+                                          << QStringLiteral("Disarm: failed: still flying");
+        QTest::newRow("not sent") << 0 << QStringLiteral("nothing was sent: too many commands")
+                                  << QStringLiteral("Disarm: nothing was sent: too many commands");
+        QTest::newRow("without texts") << 2 << QStringLiteral("denied") << QStringLiteral("Disarm: denied");
+        QTest::newRow("without a reason") << 4 << QString() << QStringLiteral("Disarm: refused");
+    }
+
+    void refusalsAreSaidOnce()
+    {
+        QFETCH(int, result);
+        QFETCH(QString, reason);
+        show("GUIDED", true);
+        auto *button = find<HoldButton>("armButton");
+        QTest::mousePress(button, Qt::LeftButton);
+        EVENTUALLY_EQUAL(m_station->commands.size(), std::size_t(1));
+        QTest::mouseRelease(button, Qt::LeftButton);
+        m_station->notify(vehicle::CommandResult{vehicle::RequestId{1}, 1, vehicle::CommandOutcome::Refused,
+                                                 static_cast<std::uint8_t>(result), reason.toStdString()});
+        QTEST(find<QLabel>("commandResult")->text(), "line");
+    }
+
+private:
+    void show(const char *mode, bool armed = true)
+    {
+        engine::Snapshot snapshot = sealedSnapshot(++m_time);
+        snapshot.vehicles.front().state.mode = mode;
+        snapshot.vehicles.front().state.armed = armed;
+        m_station->show(snapshot);
+    }
+    void openVehicleMenu()
+    {
+        auto *menu = find<QMenu>("menuVehicle");
+        QTest::mouseClick(m_window->menuBar(), Qt::LeftButton, {},
+                          m_window->menuBar()->actionGeometry(menu->menuAction()).center());
+        EVENTUALLY(menu->isVisible());
+    }
+    void closeVehicleMenu()
+    {
+        auto *menu = find<QMenu>("menuVehicle");
+        QTest::keyClick(menu, Qt::Key_Escape);
+        EVENTUALLY(!menu->isVisible());
+    }
+
+    double m_time = 0;
+};
+
+SKYSEAL_TEST_WIDGETS(VehicleActionsTest)
+#include "vehicle_actions_test.moc"
