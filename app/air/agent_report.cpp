@@ -8,6 +8,7 @@
 #include "core/engine/text/agent_event_text.h"
 #include "core/keys/public_key_text.h"
 #include "core/link/address_text.h"
+#include "core/link/steady_now.h"
 
 #include <utility>
 
@@ -39,7 +40,15 @@ void AgentReport::notify(const engine::AgentEvent &event)
     if (const auto *common = std::get_if<channel::Event>(&event))
         m_peers.note(*common);
     const engine::EventText text = engine::agentEventText(event, m_peers);
-    say(jsonOf(event), text.isRoutine ? std::string() : text.line().toStdString());
+    const auto *refused = std::get_if<engine::FramesRefused>(&event);
+    const bool isShown = !text.isRoutine && (!refused || m_refusals.isNew(steadyNow(), *refused));
+    say(jsonOf(event), isShown ? text.line().toStdString() : std::string());
+}
+
+void AgentReport::sayRepeatedRefusals(TimePoint now)
+{
+    for (const engine::FramesRefused &refused : m_refusals.takeDue(now))
+        say({}, engine::agentEventText(refused, m_peers).line().toStdString());
 }
 
 /// Empty for events that scripts are not told.
@@ -96,12 +105,14 @@ void AgentReport::pairing(const PairingStatus &status)
 
 void AgentReport::stats(const engine::AgentSnapshot &snapshot, double time)
 {
+    sayRepeatedRefusals(steadyNow());
     if (m_json)
         print(engine::agentStatsEvent("stats", snapshot, time));
 }
 
 void AgentReport::summary(const engine::AgentSnapshot &snapshot, double time)
 {
+    sayRepeatedRefusals(kNever);
     if (m_json && hasRoom(stdout, kSummaryWaitMs))
         printLine(engine::agentStatsEvent("summary", snapshot, time));
 }

@@ -3,6 +3,7 @@
 
 #include "app/common/pairing_status.h"
 #include "core/engine/agent/agent_core.h"
+#include "core/engine/agent/repeated_refusals.h"
 #include "core/engine/common/peer_names.h"
 
 #include <string>
@@ -22,13 +23,15 @@ public:
 
 private:
     void say(const std::string &json, const std::string &sentence);
+    void sayRepeatedRefusals(TimePoint now);
     void print(const std::string &json);
     std::string jsonOf(const engine::AgentEvent &event) const;
     std::string jsonOf(const channel::Event &event) const;
 
     bool m_json;
     engine::PeerNames m_peers;
-    unsigned m_unread = 0; ///< lines of JSON that were left out since the last one that was printed
+    engine::RepeatedRefusals m_refusals; ///< of the sentences; JSON has every event
+    unsigned m_unread = 0;               ///< lines of JSON that were left out since the last one that was printed
 };
 
 } // namespace skyseal::app

@@ -2,6 +2,7 @@
 #include "core/engine/agent/armed_vehicles.h"
 #include "core/engine/agent/command_gate.h"
 #include "core/engine/agent/ground_sessions.h"
+#include "core/engine/agent/repeated_refusals.h"
 #include "core/engine/agent/vehicle_routes.h"
 #include "core/mavlink/messages.h"
 #include "tests/support/clear_frames.h"
@@ -85,7 +86,36 @@ private Q_SLOTS:
     void anyArmedVehicleCounts();
     void onlyVehicleIsNamed();
     void lossOfEachStationIsItsOwn();
+    void repeatedRefusalsAreMerged();
 };
+
+void CommandGateTest::repeatedRefusalsAreMerged()
+{
+    RepeatedRefusals refusals;
+    TimePoint now{std::chrono::hours(1)};
+    const FramesRefused arm{FramesRefused::Reason::Observer,       "vm", mavlink::CommandLong::kId, "COMMAND_LONG",
+                            mavlink::MAV_CMD_COMPONENT_ARM_DISARM, 1};
+    FramesRefused takeOff = arm;
+    takeOff.command = mavlink::MAV_CMD_NAV_TAKEOFF;
+    QVERIFY(refusals.isNew(now, arm));
+    QVERIFY(refusals.isNew(now, takeOff)); // another command
+    for (int retry = 0; retry < 4; ++retry) {
+        now += std::chrono::seconds(2);
+        QVERIFY(!refusals.isNew(now, arm));
+        QVERIFY(refusals.takeDue(now).empty());
+    }
+    now += std::chrono::seconds(2);
+    const auto merged = refusals.takeDue(now);
+    QCOMPARE(merged.size(), std::size_t(1));
+    QCOMPARE(merged[0].frames, std::uint64_t(4));
+    QCOMPARE(merged[0].command, arm.command);
+    QVERIFY(!refusals.isNew(now, arm));
+    QCOMPARE(refusals.takeDue(kNever).size(), std::size_t(1)); // at the end of the program
+    RepeatedRefusals later;
+    QVERIFY(later.isNew(now, arm));
+    QVERIFY(later.takeDue(now + RepeatedRefusals::kWindow).empty());
+    QVERIFY(later.isNew(now + RepeatedRefusals::kWindow, arm)); // not a repetition any more
+}
 
 void CommandGateTest::lateFramesHaveTheRightsOfAnObserver()
 {

@@ -52,6 +52,7 @@ private Q_SLOTS:
     void failedReadOfParametersHasNoName();
     void vehicleThatWaitsForApprovalIsNotCalledRefused();
     void systemOfAnotherPeerNamesItsOwner();
+    void numbersAgreeWithTheirNouns();
     void vehicleIsNamedInALine();
     void switchTimesAreRounded();
     void peerNameIsKeptToTheEndOfItsSession();
@@ -152,6 +153,22 @@ void EventTextTest::systemOfAnotherPeerNamesItsOwner()
         sentence("air-1"),
         QStringLiteral("Refused 3 frames of air-2, which sends as this vehicle although that belongs to air-1. If air-2 is "
                        "a new agent of the same vehicle, remove air-1 from the list of peers or bind the system to air-2"));
+}
+
+void EventTextTest::numbersAgreeWithTheirNouns()
+{
+    const auto refused = [](std::uint64_t frames) {
+        return agentEventText(FramesRefused{FramesRefused::Reason::Observer, "vm", 76, "COMMAND_LONG", 400, frames}, {})
+            .sentence;
+    };
+    QCOMPARE(refused(1), QStringLiteral("Refused one frame of vm, which is an observer: COMMAND_LONG 400"));
+    QCOMPARE(refused(4), QStringLiteral("Refused 4 frames of vm, which is an observer: the last one COMMAND_LONG 400"));
+    QCOMPARE(eventText(EventsDropped{1}, {}).sentence,
+             QStringLiteral("Dropped one event because this program did not keep up"));
+    QVERIFY(eventText(PlaintextRefused{1, "10.0.0.9:14550", 1, {}}, {})
+                .sentence.startsWith(
+                    QStringLiteral("Refused one plain frame from 10.0.0.9:14550 with the system id of this sealed vehicle")));
+    QVERIFY(eventText(SystemRefused{1, "air-2", "", 1}, {}).sentence.startsWith(QStringLiteral("Refused one frame of air-2,")));
 }
 
 void EventTextTest::vehicleIsNamedInALine()

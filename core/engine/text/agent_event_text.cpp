@@ -74,7 +74,11 @@ public:
         QString message = e.messageName.empty() ? tr("message %1").arg(e.messageId) : qt(e.messageName);
         if (e.command != 0)
             message += QStringLiteral(" %1").arg(e.command);
-        return {sentenceFor(e.reason).arg(e.frames).arg(qt(e.peer), message), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
+        const QString count = e.reason == FramesRefused::Reason::TooOften
+            ? counted(e.frames, tr("one question"), tr("%1 questions"))
+            : counted(e.frames, tr("one frame"), tr("%1 frames"));
+        const QString which = e.frames == 1 ? message : tr("the last one %1").arg(message);
+        return {sentenceFor(e.reason).arg(count, qt(e.peer), which), std::uint8_t(mavlink::MAV_SEVERITY_WARNING)};
     }
     EventText operator()(const GroundIdClaimed &e) const
     {
@@ -97,14 +101,12 @@ private:
     static QString sentenceFor(FramesRefused::Reason reason)
     {
         switch (reason) {
-        case FramesRefused::Reason::Observer: return tr("Refused %1 frames of %2, which is an observer; the last one was %3");
-        case FramesRefused::Reason::System:
-            return tr("Refused %1 frames of %2, which may not send as that system; the last one was %3");
-        case FramesRefused::Reason::TooOften:
-            return tr("Refused %1 questions of %2, which asks too often; the last one was %3");
+        case FramesRefused::Reason::Observer: return tr("Refused %1 of %2, which is an observer: %3");
+        case FramesRefused::Reason::System: return tr("Refused %1 of %2, which may not send as that system: %3");
+        case FramesRefused::Reason::TooOften: return tr("Refused %1 of %2, which asks too often: %3");
         case FramesRefused::Reason::Late: break;
         }
-        return tr("Refused %1 frames of %2, which arrived too late to be obeyed; the last one was %3");
+        return tr("Refused %1 of %2, too late to be obeyed: %3");
     }
 
     const PeerNames &m_names;

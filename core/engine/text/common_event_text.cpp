@@ -80,13 +80,12 @@ public:
     {
         const double age = double(e.report.ageMicroseconds) / 1e6, limit = double(e.report.limitMilliseconds) / 1e3;
         if (limit > 0 && age > limit)
-            return {
-                tr("Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4 messages")
-                    .arg(age, 0, 'f', 1)
-                    .arg(peer(e.session))
-                    .arg(limit, 0, 'f', 1)
-                    .arg(e.records),
-                kError};
+            return {tr("Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4")
+                        .arg(age, 0, 'f', 1)
+                        .arg(peer(e.session))
+                        .arg(limit, 0, 'f', 1)
+                        .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
+                    kError};
         return {tr("Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2")
                     .arg(peer(e.session))
                     .arg(e.records),

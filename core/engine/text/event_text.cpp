@@ -47,9 +47,9 @@ public:
     {
         const QString address = qt(e.remoteAddress);
         if (e.mayBe.empty())
-            return {
-                tr("Refused %1 plain frames from %2 that claim to come from this sealed vehicle").arg(e.frames).arg(address),
-                kError, e.systemId};
+            return {tr("Refused %1 from %2 with the system id of this sealed vehicle")
+                        .arg(counted(e.frames, tr("one plain frame"), tr("%1 plain frames")), address),
+                    kError, e.systemId};
         return {
             tr("This vehicle, at %1, waits for approval: it is not sealed and may be an impostor of %2, which was never heard")
                 .arg(address, anyOfNames(e.mayBe)),
@@ -58,18 +58,17 @@ public:
     EventText operator()(const SystemRefused &e) const
     {
         const QString peer = qt(e.peer), owner = qt(e.owner);
+        const QString frames = counted(e.frames, tr("one frame"), tr("%1 frames"));
         if (e.owner.empty())
-            return {
-                tr("Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in "
-                   "the list of peers")
-                    .arg(e.frames)
-                    .arg(peer),
-                kError, e.systemId};
-        return {tr("Refused %1 frames of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of "
-                   "the same vehicle, remove %3 from the list of peers or bind the system to %2")
-                    .arg(e.frames)
-                    .arg(peer, owner),
-                kError, e.systemId};
+            return {tr("Refused %1 of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the "
+                       "list of peers")
+                        .arg(frames, peer),
+                    kError, e.systemId};
+        return {
+            tr("Refused %1 of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same "
+               "vehicle, remove %3 from the list of peers or bind the system to %2")
+                .arg(frames, peer, owner),
+            kError, e.systemId};
     }
     EventText operator()(const AgentUnanswering &e) const
     {
@@ -86,7 +85,8 @@ public:
     }
     EventText operator()(const EventsDropped &e) const
     {
-        return {tr("Dropped %1 events because this program did not keep up").arg(e.events), kWarning};
+        return {tr("Dropped %1 because this program did not keep up").arg(counted(e.events, tr("one event"), tr("%1 events"))),
+                kWarning};
     }
     EventText operator()(const CounterStorage &e) const
     {
