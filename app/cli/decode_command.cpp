@@ -3,6 +3,7 @@
 #include "app/cli/log_input.h"
 #include "app/cli/mavsec_options.h"
 #include "app/common/exit_status.h"
+#include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
 #include "core/engine/station/mavsec_stream.h"
@@ -96,8 +97,11 @@ int runDecode(const QStringList &arguments)
     });
     std::fflush(stdout);
     if (!how.json)
-        remark(std::to_string(counts.messages) + " messages, " + std::to_string(counts.bad) + " bad");
-    return kDone;
+        remark(counted(counts.messages, "message") + ", " + std::to_string(counts.bad) + " bad");
+    if (counts.messages > 0)
+        return kDone;
+    complain(name, files[0].toStdString() + (counts.bad == 0 ? ": is empty" : ": contains no valid MAVLink message"));
+    return kNotReached;
 }
 
 } // namespace skyseal::app

@@ -17,19 +17,47 @@ unsigned long long count(std::uint64_t n)
     return n;
 }
 
+std::string spotText(const tlog::BadSpot &spot)
+{
+    return format("offset %llu: %s, ", count(spot.offset), std::string(mavlink::nameOf(spot.fault)).c_str())
+        + counted(spot.length, "byte");
+}
+
 void printSummary(const tlog::LogSummary &summary)
 {
-    printLine(format("%llu bytes, %llu frames (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.bytes),
-                     count(summary.frames), count(summary.signedFrames), count(summary.version1Frames),
-                     count(summary.unknownMessages)));
+    printLine(counted(summary.bytes, "byte") + ", " + counted(summary.frames, "frame")
+              + format(" (%llu signed, %llu of MAVLink 1, %llu of unknown messages)", count(summary.signedFrames),
+                       count(summary.version1Frames), count(summary.unknownMessages)));
     if (summary.first && summary.last)
         printLine("from " + tlog::utcText(*summary.first) + " to " + tlog::utcText(*summary.last));
     for (const auto &[sender, frames] : summary.bySender)
         printLine(format("  system %u component %u: %llu", unsigned(sender.first), unsigned(sender.second), count(frames)));
     for (const auto &[message, frames] : summary.byMessage)
         printLine(format("  %-32s %llu", message.c_str(), count(frames)));
-    printLine(format("%llu bad spots (%llu bytes), %llu pauses, time ran back %llu times", count(summary.badSpots),
-                     count(summary.badBytes), count(summary.pauses), count(summary.backwardSteps)));
+    printLine(counted(summary.badSpots, "bad spot") + " (" + counted(summary.badBytes, "byte") + "), "
+              + counted(summary.pauses, "pause") + ", time ran back " + counted(summary.backwardSteps, "time"));
+}
+
+void printVerdict(const tlog::LogSummary &summary)
+{
+    for (const tlog::BadSpot &spot : summary.listedSpots)
+        printLine(spotText(spot));
+    if (summary.isSound())
+        printLine("sound: " + counted(summary.frames, "frame"));
+    else
+        printLine("damaged: " + counted(summary.badSpots, "bad spot") + ", time runs back "
+                  + counted(summary.backwardSteps, "time") + "; " + counted(summary.frames, "good frame"));
+}
+
+/// Why there is nothing to show or to verify; nullopt if there are frames.
+std::optional<std::string> noFrames(const std::string &file, const tlog::LogSummary &summary)
+{
+    if (summary.frames > 0)
+        return std::nullopt;
+    if (summary.bytes == 0)
+        return file + ": is empty";
+    return file + ": contains no MAVLink frame"
+        + (summary.listedSpots.empty() ? std::string() : "; " + spotText(summary.listedSpots.front()));
 }
 
 int summarizeFile(const QString &name, const QStringList &arguments, bool verify)
@@ -51,23 +79,19 @@ int summarizeFile(const QString &name, const QStringList &arguments, bool verify
         return kCannotOpen;
     }
     const tlog::LogSummary summary = tlog::summarize(input.stream(), mavlink::Dialect::builtin());
+    const std::optional<std::string> nothing = noFrames(files[0].toStdString(), summary);
     if (options.has("json")) {
         JsonWriter json;
         json.beginObject().field("event", "log").field("file", files[0].toStdString()).field("sound", summary.isSound());
         tlog::writeSummaryFields(json, summary);
         json.endObject();
         printLine(json.text());
-    } else if (verify) {
-        for (const tlog::BadSpot &spot : summary.listedSpots)
-            printLine(format("offset %llu: %s, %llu bytes", count(spot.offset),
-                             std::string(mavlink::nameOf(spot.fault)).c_str(), count(spot.length)));
-        printLine(summary.isSound() ? format("sound: %llu frames", count(summary.frames))
-                                    : format("damaged: %llu bad spots, time runs back %llu times; %llu good frames",
-                                             count(summary.badSpots), count(summary.backwardSteps), count(summary.frames)));
-    } else {
-        printSummary(summary);
+    } else if (!nothing) {
+        verify ? printVerdict(summary) : printSummary(summary);
     }
-    return verify && !summary.isSound() ? kNotReached : kDone;
+    if (nothing)
+        complain(name, *nothing);
+    return nothing || (verify && !summary.isSound()) ? kNotReached : kDone;
 }
 
 int exportFile(const QString &name, const QStringList &arguments)
@@ -101,7 +125,7 @@ int exportFile(const QString &name, const QStringList &arguments)
         complain(name, (target.empty() ? "standard output" : target) + ": " + std::strerror(errno));
         return kCannotOpen;
     }
-    remark(std::to_string(rows) + " rows");
+    remark(counted(rows, "row"));
     return rows > 0 ? kDone : kNotReached;
 }
 

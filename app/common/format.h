@@ -14,4 +14,10 @@ template<typename... Args> std::string format(const char *pattern, Args... args)
     return out;
 }
 
+/// "1 frame", "2 frames": `noun` in the singular, of a regular plural.
+inline std::string counted(unsigned long long number, const std::string &noun)
+{
+    return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
+}
+
 } // namespace skyseal::app

@@ -44,8 +44,8 @@ struct LogSummary
     std::vector<BadSpot> listedSpots;
     std::vector<TimeGap> listedGaps;
 
-    /// No damage and no step back in time. Unknown messages and pauses are not faults of the recording.
-    bool isSound() const { return badSpots == 0 && backwardSteps == 0; }
+    /// At least one frame, no damage and no step back in time. Unknown messages and pauses are not faults of the recording.
+    bool isSound() const { return frames > 0 && badSpots == 0 && backwardSteps == 0; }
 };
 
 /// Reads `input` to its end. Two consecutive entries more than `pause` apart count as a pause.

@@ -49,6 +49,7 @@ void CommandLineTest::helpAndVersion_data()
     row("skyseal-cli", "sweep --help", "--expect");
     row("skyseal-cli", "decode --help", "FILE");
     row("skyseal-cli", "keys --help", "peers add");
+    row("skyseal-cli", "keys peers --help", "peers revoke");
     row("skyseal-cli", "log --help", "verify");
     row("skyseal-air", "--help", "--allow-plain");
     row("skyseal-sim", "--help", "udpin:HOST:PORT");
@@ -139,6 +140,10 @@ void CommandLineTest::usageErrors_data()
     for (const char *option : {"role observer", "replace", "expect 41c0", "as base", "pair-passphrase", "pair-passphrase-fd 0"})
         row("skyseal-air", (agent + option).constData(), "requires --pair");
     row("skyseal-sim", "--link tlog:flight.tlog", "tcpin:HOST:PORT or serial:/dev/NAME:BAUD is expected");
+    for (const char *command :
+         {"keys pair --link tlog:flight.tlog --identity k --peers p", "sweep --link tlog:flight.tlog --identity k --peers p",
+          "impair --listen tlog:flight.tlog --to udpout:127.0.0.1:9"})
+        row("skyseal-cli", command, "tcpin:HOST:PORT or serial:/dev/NAME:BAUD is expected");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpin:127.0.0.1:0 --identity k --peers p",
         "--ground 'udpin:127.0.0.1:0': udpout:HOST:PORT, ");
     row("skyseal-air", "--vehicle udpin:127.0.0.1:0 --ground udpout:127.0.0.1:9 --identity k --peers p --suites ,", "suite");
