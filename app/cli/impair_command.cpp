@@ -18,8 +18,8 @@ namespace {
 
 void declare(Options &options)
 {
-    options.addLink("listen", "The link to one side, e.g. udpin:127.0.0.1:14560.");
-    options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.");
+    options.addLink("listen", "The link to one side, e.g. udpin:127.0.0.1:14560.", isLive);
+    options.addLink("to", "The link to the other side, e.g. udpout:127.0.0.1:14550.", isLive);
     options.addValue("loss", "P", "Share of datagrams that are lost, 0 to 1.", "0");
     options.addValue("duplicate", "P", "Share that is duplicated.", "0");
     options.addValue("reorder", "P", "Share that arrives after later ones.", "0");

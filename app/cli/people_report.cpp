@@ -21,7 +21,7 @@ std::string linkText(const engine::Snapshot &snapshot)
         const vehicle::SequenceCounters &count = vehicle.state.sequence;
         const double total = static_cast<double>(count.frames + count.lost);
         const double good = total > 0 ? 100.0 * static_cast<double>(count.frames) / total : 100.0;
-        out += format("%sLink %u %s %.1f %% (%llu frames, %llu lost, %.2f s)", out.empty() ? "" : ", ",
+        out += format("%sLink %u %s, %.1f %% arrived (%llu frames, %llu lost, newest %.2f s ago)", out.empty() ? "" : ", ",
                       unsigned(vehicle.state.systemId), vehicle.state.lost ? "LOST" : "OK", good,
                       static_cast<unsigned long long>(count.frames), static_cast<unsigned long long>(count.lost),
                       vehicle.state.messageAge);

@@ -13,7 +13,8 @@ using experiment::Load;
 
 void declare(Options &options)
 {
-    options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.");
+    options.addLink("link", "Link to the vehicle's agent. Without it a simulator and an agent are started for the sweep.",
+                    isLive);
     options.addValue("identity", "FILE", "With --link: private key of this station.");
     options.addValue("peers", "FILE", "With --link: file of known peers, the agents of the vehicles.");
     options.addResearchFlag("allow-research", "With --link: also insecure research suites.");
@@ -25,7 +26,7 @@ void declare(Options &options)
         "that are a cipher and an HMAC; an agent of --link must allow it), both.",
         "sealed");
     options.addValue("seconds", "S", "Length of each run.", "5");
-    options.addValue("repeats", "R", "Runs for each suite.", "3");
+    options.addValue("repeats", "R", "Runs for each suite; comparisons need 2 or more.", "3");
     options.addValue("warm-up", "S", "Seconds before each run that are not measured.", "0.3");
     options.addValue("seed", "N", "Repeats the same order of runs and the same impairment.", "1");
     options.addValue(
@@ -34,7 +35,8 @@ void declare(Options &options)
     options.addValue("impair", "SPEC",
                      "A link condition: clean, or loss=, duplicate=, reorder=, corrupt=, delay=, jitter=, rate= separated by "
                      "commas. May be given several times.");
-    options.addFlag("no-noise", "Do not measure one suite twice to estimate the machine's noise (A/A).");
+    options.addFlag("no-noise",
+                    "Do not measure one suite twice to estimate the machine's noise (A/A). That takes --repeats of 2 or more.");
     options.addValue("out", "DIR",
                      "Folder for sweep.json, sweep.csv, report.html and the figures; PNG and PDF if skyseal-figures is "
                      "installed. The files of an older sweep in it are replaced; its figures and PDF are removed first.");

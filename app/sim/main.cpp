@@ -37,8 +37,7 @@ int main(int argc, char **argv)
     QCoreApplication application(argc, argv);
     app::Options options(QStringLiteral("skyseal-sim"),
                          QStringLiteral("Simulated multicopters that behave like ArduCopter on MAVLink."));
-    options.addLink("link", "Link to a ground station or agent; may be given several times.",
-                    [](const link::LinkTraits &traits) { return !traits.isRecording; });
+    options.addLink("link", "Link to a ground station or agent; may be given several times.", app::isLive);
     options.addValue("vehicles", "N", "Number of vehicles, which share the links.", "1");
     options.addValue("sysid", "N", "System id of the first vehicle.", "1");
     options.addValue("seed", "N", "Seed of wind and noise, to repeat a flight.", "1");

@@ -129,6 +129,20 @@ std::string intervalText(const NoiseCheck &noise)
     return std::isfinite(low) && std::isfinite(high) ? readable(low) + " to " + readable(high) + " %" : "–";
 }
 
+/// How the report tells a difference from noise; `families`: groups of comparisons that were made.
+std::string criterion(std::size_t families)
+{
+    if (families == 0)
+        return "No two suites were measured twice each under the same conditions, so no difference can be told from noise: that "
+               "takes two runs or more of each.";
+    return "Two suites differ significantly by Welch's t test at 5 %, its p values corrected by Holm's method over all pairs of "
+           "one metric, link and load: of the "
+        + std::to_string(families)
+        + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
+          "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
+          "fewer than five runs, it cannot be said.";
+}
+
 std::string noiseTable(const Results &results)
 {
     std::string rows;
@@ -145,7 +159,7 @@ std::string noiseTable(const Results &results)
                      readable(pair.adjusted), verdictText(pair, noise.differs())});
     }
     if (rows.empty())
-        return "<p>No suite was measured twice.</p>\n";
+        return "<p>No suite was measured under two names, which takes two runs or more of each.</p>\n";
     return "<p>One suite was measured under two names, so that what differs between the two is noise. The 95 % confidence interval "
            "of the difference, in per cent of the mean, says how large a difference these runs could have missed: a smaller one "
            "between two suites means nothing. \"As two suites\" is the criterion by which two suites differ above: this pair is "
@@ -295,12 +309,8 @@ std::string body(const ReportParts &parts, bool inlineFigures)
           "where it begins at zero, below which nothing can be; where nothing was lost in any run, that end is the 95 % bound by "
           "all frames of these runs together, about 3 divided by their number; * marks outliers by Tukey's fences, which stay in. Resident "
           "memory is that of one process through all suites: its runs are not independent, so it has no interval, and suites "
-          "are not compared by it.</p>\n<p>Two suites differ significantly by Welch's t test at 5 %, its p values corrected by "
-          "Holm's method over all pairs of one metric, link and load: of the "
-        + std::to_string(familiesOf(results))
-        + " such families of this sweep (sweep.json has them all) about one in twenty shows a difference by chance. Two frames "
-          "in a run, and a step of the histogram in a percentile, are no difference. Where neither of two suites varies in "
-          "fewer than five runs, it cannot be said.</p>\n<h2>Figures</h2>\n";
+          "are not compared by it.</p>\n<p>"
+        + criterion(familiesOf(results)) + "</p>\n<h2>Figures</h2>\n";
     out += inlineFigures ? inlined(parts.figures) : inPairs(parts.figures);
     // In the PDF each section begins a page, so that no table head is left alone at the bottom of one.
     const std::string section = inlineFigures ? "<h2>" : "<h2 style=\"page-break-before:always\">";

@@ -61,16 +61,20 @@ template<std::size_t N> const Subcommand *named(const Subcommand (&commands)[N],
     return nullptr;
 }
 
-void printHelp()
+template<std::size_t... N> void printHelp(const Subcommand (&...commands)[N])
 {
     std::string text;
-    const auto list = [&text](const auto &commands) {
-        for (const Subcommand &command : commands)
+    const auto list = [&text](const auto &table) {
+        for (const Subcommand &command : table)
             text.append(text.empty() ? "Usage: " : "\n       ").append("skyseal-cli keys ").append(command.synopsis);
     };
-    list(kOwn);
-    list(kPeers);
+    (list(commands), ...);
     printOwnText(text + "\nEach command has --help.");
+}
+
+bool asksForHelp(const QString &argument)
+{
+    return argument == QLatin1String("--help") || argument == QLatin1String("-h");
 }
 
 } // namespace
@@ -78,11 +82,15 @@ void printHelp()
 int runKeys(const QStringList &arguments)
 {
     const QString action = arguments.value(0);
-    if (action == QLatin1String("--help") || action == QLatin1String("-h")) {
-        printHelp();
+    if (asksForHelp(action)) {
+        printHelp(kOwn, kPeers);
         return kDone;
     }
     if (action == QLatin1String("peers")) {
+        if (asksForHelp(arguments.value(1))) {
+            printHelp(kPeers);
+            return kDone;
+        }
         const Subcommand *command = named(kPeers, arguments.value(1));
         return command ? command->run(arguments.mid(2)) : usage("peers is followed by one of " + namesOf(kPeers));
     }
