@@ -2,17 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1">
 <context>
-    <name>PeerModel</name>
-    <message>
-        <source>pilot</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observer</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>QObject</name>
     <message>
         <source>Known peers</source>
@@ -176,6 +165,10 @@
         <source>Ignored entries in the list of peers: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The system does not notify of changes of the list of peers: it is checked once a second</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::app::Demo</name>
@@ -255,15 +248,51 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 frames of %2, which is an observer; the last one was %3</source>
+        <source>one question</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 frames of %2, which may not send as that system; the last one was %3</source>
+        <source>%1 questions</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 frames of %2, which arrived too late to be obeyed; the last one was %3</source>
+        <source>one frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the last one %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A device on the vehicle&apos;s side claims to be a vehicle with the system id %1 of a ground station: not accepted; an autopilot needs another id</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counters of handshakes are stored again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counters of handshakes cannot be stored: %1. The links go on. If this agent restarts now, it will answer handshakes that were recorded before; no session comes of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, which is an observer: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, which may not send as that system: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, which asks too often: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, too late to be obeyed: %3</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -286,19 +315,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Refused %1 plain frames from %2 that claim to come from this sealed vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>This vehicle, at %1, waits for approval: it is not sealed and may be an impostor of %2, which was never heard</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 frames of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Refused %1 frames of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -311,10 +328,6 @@
     </message>
     <message>
         <source>Not recording to %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dropped %1 events because this program did not keep up</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -430,11 +443,75 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4 messages</source>
+        <source>Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2</source>
+        <source>Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computer of %1 stores the counters of handshakes again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computer of %1 cannot store the counters of handshakes; its disk may be full, read-only or broken. The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session comes of them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 from %2 with the system id of this sealed vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one plain frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 plain frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, which may not send as this vehicle. If %2 is its agent, bind the system to %2 in the list of peers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused %1 of %2, which sends as this vehicle although that belongs to %3. If %2 is a new agent of the same vehicle, remove %3 from the list of peers or bind the system to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropped %1 because this program did not keep up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>one event</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 events</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counters of handshakes are stored again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counters of handshakes cannot be stored: %1. The links go on. If this station restarts now, agents refuse its first handshake and return the right number</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1286,6 +1363,16 @@ If the agent is yours, pair the two: choose Pair in Keys and peers here and, whi
         <source>No vehicle in the log so far.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This station cannot use its key</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+
+No link is sealed until this is solved. Plain MAVLink is shown, but not sealed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::FieldModel</name>
@@ -1694,10 +1781,6 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Waiting: the session is established automatically when it is heard again. The last received values are shown, and clear MAVLink that claims to be it is still refused.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>New session · %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1711,6 +1794,10 @@ INSECURE: anyone can read, change and forge this stream. Nothing is sent.</sourc
     </message>
     <message>
         <source>%1 was not heard for too long; the session ended %2 ago.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting: the session is established automatically when it is heard again. The last received values are shown. Plain MAVLink with the vehicle&apos;s system id is still refused.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1891,6 +1978,10 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>New keys are being agreed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No sealed links: this station cannot use its key</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2161,6 +2252,22 @@ Fingerprint %3</source>
         <source>Mission written to the vehicle</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Sending one item …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle has no mission. Send a file to write one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mission has not been read from the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::OneWay</name>
@@ -2279,26 +2386,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Fingerprint of this station</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fingerprint of the agent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The agent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Passphrase of this pairing</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2308,10 +2395,6 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>&amp;Passphrase</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This station</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2359,16 +2442,8 @@ Waiting for the agent …</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Code</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Only an agent with the same passphrase is shown: skyseal-air --pair --pair-passphrase.
 Then there is no code to compare. It is valid for this pairing only.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Vehicle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2389,10 +2464,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>An agent answers, but the passphrases differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>system id %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2421,6 +2492,45 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Not paired: the codes differ. If both were codes of this pairing, somebody is between this station and the agent (man in the middle).</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>skyseal::ui::PairingQuestionForm</name>
+    <message>
+        <source>Code</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint of this station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fingerprint of the agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Vehicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This station</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The agent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>system id %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2540,10 +2650,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Role</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>MAVLink system ids</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2557,10 +2663,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>&amp;Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Role</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2585,14 +2687,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
     </message>
     <message>
         <source>Add</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>pilot: may send commands</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>observer: receives telemetry only</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2625,10 +2719,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Role</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3031,6 +3121,34 @@ with a pre-shared key</source>
         <source>%1. %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No sealed links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This station cannot use its key: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This vehicle uses plain MAVLink: anyone on the path can read its telemetry and command it. This station cannot seal the link, because it cannot use its key: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, the disk of the agent fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vehicle&apos;s computer cannot store the counters of handshakes: its disk may be full, read-only or broken. The link goes on. If that computer restarts now, it will answer handshakes that were recorded before; no session comes of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sealed, the disk of this computer fails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The counters of handshakes cannot be stored: %1. The link goes on. If this program restarts now, agents refuse its first handshake and return the right number.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::ui::SettingsDialog</name>
@@ -3159,10 +3277,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. I understand that while one is in use the link is not confidential.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Weakest suite</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3188,6 +3302,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>Plain MAVLink is then neither shown nor answered. Takes effect at the next start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Research suites (%1) are broken: anyone who records the link may be able to read it. They are here to be measured against the others, are never chosen automatically, and work only when the vehicle&apos;s agent allows them as well. While one is in use, the link is not confidential.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3267,10 +3385,6 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>refused: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3413,7 +3527,10 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 frames/s, %2 lost, latency %3, newest message %4 ago</source>
+        <source>%1 of the frames arrived
+%2 latency
+%3 since the newest message
+%4 frames/s, %5 lost</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3670,6 +3787,10 @@ with a pre-shared key</source>
     </message>
     <message>
         <source>You consent to plain MAVLink: during these runs telemetry and commands are sent in clear, and anyone can command the vehicle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The noise shows only in repeats: 2 or more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4254,6 +4375,10 @@ GPL-3.0-or-later; built with Qt %2, Qt Charts, libsodium and OpenSSL.</source>
     </message>
     <message>
         <source>&amp;About Skyseal</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the vehicle is armed</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
