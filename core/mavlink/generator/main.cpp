@@ -6,7 +6,9 @@
 #include <cctype>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
 #include <string>
 
 using namespace skyseal::mavlink;
@@ -56,7 +58,7 @@ std::string typeNameOf(const std::string &message)
     return out;
 }
 
-void writeTables(const DialectDefinition &dialect, std::ofstream &out)
+void writeTables(const DialectDefinition &dialect, std::ostream &out)
 {
     out << kHead << "#include \"core/mavlink/builtin_tables.h\"\n\nnamespace skyseal::mavlink::builtin {\n\nnamespace {\n\n";
     for (const MessageDefinition &m : dialect.messages) {
@@ -92,7 +94,7 @@ void writeTables(const DialectDefinition &dialect, std::ofstream &out)
            "} // namespace skyseal::mavlink::builtin\n";
 }
 
-void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
+void writeEnums(const DialectDefinition &dialect, std::ostream &out)
 {
     out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\n";
     for (const EnumDefinition &e : dialect.enums) {
@@ -106,7 +108,7 @@ void writeEnums(const DialectDefinition &dialect, std::ofstream &out)
     out << "} // namespace skyseal::mavlink\n";
 }
 
-void writeMessageIds(const DialectDefinition &dialect, std::ofstream &out)
+void writeMessageIds(const DialectDefinition &dialect, std::ostream &out)
 {
     out << kHead << "#pragma once\n\n#include <cstdint>\n\nnamespace skyseal::mavlink {\n\nenum MessageId : std::uint32_t {\n";
     for (const MessageDefinition &m : dialect.messages)
@@ -114,7 +116,7 @@ void writeMessageIds(const DialectDefinition &dialect, std::ofstream &out)
     out << "};\n\n} // namespace skyseal::mavlink\n";
 }
 
-void writeMessage(const MessageDefinition &m, std::ofstream &out)
+void writeMessage(const MessageDefinition &m, std::ostream &out)
 {
     const std::string type = typeNameOf(m.name);
     out << "struct " << type << "\n{\n    static constexpr std::uint32_t kId = " << m.id
@@ -141,6 +143,17 @@ void writeMessage(const MessageDefinition &m, std::ofstream &out)
     out << "    }\n};\n\n";
 }
 
+/// Leaves a file that has this content untouched, so that a change of the generator does not rebuild all that includes it.
+bool update(const std::string &path, const std::string &content)
+{
+    std::ifstream old(path, std::ios::binary);
+    if (old && std::string(std::istreambuf_iterator<char>(old), {}) == content)
+        return true;
+    std::ofstream out(path, std::ios::binary | std::ios::trunc);
+    out << content;
+    return out.flush().good();
+}
+
 } // namespace
 
 int main(int argc, char **argv)
@@ -159,11 +172,7 @@ int main(int argc, char **argv)
     for (std::string name; list >> name;)
         typed.insert(name);
 
-    const std::string folder = argv[3];
-    std::ofstream tables(folder + "/builtin_tables.cpp");
-    std::ofstream enums(folder + "/enums.h");
-    std::ofstream ids(folder + "/message_ids.h");
-    std::ofstream messages(folder + "/messages.h");
+    std::ostringstream tables, enums, ids, messages;
     writeTables(*dialect, tables);
     writeEnums(*dialect, enums);
     writeMessageIds(*dialect, ids);
@@ -179,5 +188,9 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "%s: no message is named %s\n", argv[2], typed.begin()->c_str());
         return 1;
     }
-    return tables.good() && enums.good() && ids.good() && messages.good() ? 0 : 1;
+    const std::string folder = argv[3];
+    return update(folder + "/builtin_tables.cpp", tables.str()) && update(folder + "/enums.h", enums.str())
+            && update(folder + "/message_ids.h", ids.str()) && update(folder + "/messages.h", messages.str())
+        ? 0
+        : 1;
 }
