@@ -70,7 +70,7 @@ public:
             return true;
         };
         m_pair.run(2s);
-        m_knows.receiver = end().identity->publicKey;
+        m_knows.receiver = end().publicKey();
         m_knows.listed = m_pair.configOf(side).peers.front().key;
         std::vector<channel::Peer> peers;
         for (std::size_t i = 0; i + 1 < kListed; ++i) {
@@ -234,11 +234,11 @@ int main()
                     [&](std::mt19937_64 &random) { return wrapped(setup.wrapping, message.make(receiver.knows(), random)); });
         }
         if (setup.rules.isStream) {
-            for (const auto &[name, fill] :
+            for (const auto &stream :
                  {std::pair("1460 bytes of 0xFE", 0xfe), std::pair("1460 bytes of COBS without an end", 1)}) {
                 Receiver receiver(setup.side, setup.rules, setup.url, false);
-                measure(setup.end, setup.carrier, name, receiver, true,
-                        [fill](std::mt19937_64 &) { return Bytes(1460, static_cast<std::uint8_t>(fill)); });
+                measure(setup.end, setup.carrier, stream.first, receiver, true,
+                        [&](std::mt19937_64 &) { return Bytes(1460, static_cast<std::uint8_t>(stream.second)); });
             }
         }
     }

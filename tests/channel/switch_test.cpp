@@ -266,7 +266,7 @@ void SwitchTest::stricterPolicyAppliesToPendingHandshakes()
     Pair pair(options);
     pair.run(std::chrono::milliseconds(after));
     pair.ends[static_cast<std::size_t>(side)].endpoint->setPolicy(pair.now, Policy{{SuiteId::Aes256Ctr}, false, false});
-    const auto strict = [&pair](const Pair::End &end) {
+    const auto strict = [](const Pair::End &end) {
         const auto info = end.endpoint->sessionInfo(end.session());
         return info && info->suite == SuiteId::Aes256Ctr && !info->pending;
     };

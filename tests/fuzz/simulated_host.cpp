@@ -10,6 +10,9 @@
 
 #include <malloc.h>
 
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wreturn-type-c-linkage" // the wrapped symbol is a mangled C++ name
+#endif
 extern "C" {
 std::chrono::steady_clock::time_point __wrap__ZNSt6chrono3_V212steady_clock3nowEv();
 void __wrap__ZN6QTimer5startEi(QTimer *timer, int milliseconds);

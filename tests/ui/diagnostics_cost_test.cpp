@@ -18,7 +18,7 @@ using crypto::SuiteId;
 
 namespace {
 
-constexpr double kVisibleLimit = 3; // percent of one core
+[[maybe_unused]] constexpr double kVisibleLimit = 3; // percent of one core; not of a debug build
 constexpr int kSeconds = 8;
 constexpr double kHistory = 580;
 
