@@ -6,6 +6,7 @@
 #include "app/common/format.h"
 #include "app/common/options.h"
 #include "app/common/output.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/mavsec_stream.h"
 #include "core/log/decode.h"
 #include "core/mavlink/signing_key.h"

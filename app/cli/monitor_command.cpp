@@ -9,6 +9,7 @@
 #include "app/common/passphrase_input.h"
 #include "app/common/peers_watch.h"
 #include "app/common/process.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/base/research.h"
 #include "core/channel/suite_strength.h"
 #include "core/crypto/inline_cipher.h"
@@ -185,7 +186,7 @@ int runMonitor(const QStringList &arguments)
             complain(name, cipher.error().text());
             return kCannotOpen;
         }
-        plan.mavsec = std::move(*cipher);
+        plan.mavsec = std::make_shared<const crypto::MavsecCipher>(std::move(*cipher));
         complain(name, "INSECURE: anyone can read, change and forge frames that are encrypted as in MAVSec's code");
     }
     auto station = engine::Station::create(config);

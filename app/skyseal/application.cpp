@@ -2,6 +2,7 @@
 
 #include "app/common/exit_status.h"
 #include "app/common/options.h"
+#include "core/crypto/passphrase.h"
 #include "core/channel/policy.h"
 #include "core/channel/suite_strength.h"
 #include "app/skyseal/own_files.h"

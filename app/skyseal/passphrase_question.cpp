@@ -1,8 +1,15 @@
 #include "app/skyseal/passphrase_question.h"
 
+#include "core/base/locked_memory.h"
+#include "core/crypto/passphrase.h"
 #include "ui/keys/passphrase_dialog.h"
 
 namespace skyseal::app {
+
+keys::AskPassphrase PassphraseQuestion::ask()
+{
+    return [this](const std::string &file, int attempt) { return answer(file, attempt); };
+}
 
 Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::string &file, int attempt)
 {
@@ -24,7 +31,7 @@ Result<crypto::Passphrase, InputError> PassphraseQuestion::answer(const std::str
     if (!passphrase)
         return tl::unexpected(none);
     if (dialog.isToBeRemembered())
-        m_toRemember.emplace(passphrase->clone());
+        m_toRemember = shareInLockedMemory(passphrase->clone());
     else
         m_forget = problem.isEmpty() && m_memory.remembers(file);
     return std::move(*passphrase);

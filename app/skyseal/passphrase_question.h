@@ -2,9 +2,11 @@
 // from the operator.
 #pragma once
 
-#include "core/crypto/passphrase.h"
 #include "app/skyseal/passphrase_memory.h"
 #include "core/keys/secret_file.h"
+
+#include <memory>
+#include <string>
 
 namespace skyseal::app {
 
@@ -16,10 +18,7 @@ public:
 
     /// Returns a function that asks until the file opens or the operator cancels. It blocks on the GUI thread and must not outlive
     /// this.
-    keys::AskPassphrase ask()
-    {
-        return [this](const std::string &file, int attempt) { return answer(file, attempt); };
-    }
+    keys::AskPassphrase ask();
     /// True if the operator cancelled.
     bool declined() const { return m_declined; }
     /// The last answer opened the file: stores the passphrase if the operator chose so.
@@ -30,7 +29,7 @@ private:
 
     PassphraseMemory &m_memory;
     std::string m_file;
-    std::optional<crypto::Passphrase> m_toRemember;
+    std::shared_ptr<const crypto::Passphrase> m_toRemember;
     bool m_forget = false;
     bool m_declined = false;
 };

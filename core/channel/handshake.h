@@ -12,25 +12,11 @@
 #include "core/base/random_source.h"
 #include "core/base/result.h"
 #include "core/channel/events.h"
-#include "core/channel/handshake_payload.h"
+#include "core/channel/handshake_messages.h"
 #include "core/channel/key_chain.h"
-#include "core/channel/mac1.h"
 #include "core/noise/handshake_state.h"
 
 namespace skyseal::channel {
-
-inline constexpr std::size_t kFirstNoiseLength = 32 + 48 + FirstPayload::kLength + 16;
-inline constexpr std::size_t kAnswerNoiseLength = 32 + AnswerPayload::kLength + 16;
-inline constexpr std::size_t kNumberNoiseLength = 32 + NumberPayload::kLength + 16;
-inline constexpr std::size_t kFirstLength = 1 + kFirstNoiseLength + kMacLength;
-inline constexpr std::size_t kAnswerLength = 3 + kAnswerNoiseLength + kMacLength;
-inline constexpr std::size_t kNumberLength = 3 + kNumberNoiseLength + kMacLength;
-static_assert(kFirstLength == 127 && kAnswerLength == 77 && kNumberLength == 72, "as PROTOCOL.md says");
-static_assert(Announcement::kLength >= kFirstLength, "a first message must not be longer than the announcement it answers");
-
-using FirstMessage = std::array<std::uint8_t, kFirstLength>;
-using AnswerMessage = std::array<std::uint8_t, kAnswerLength>;
-using NumberMessage = std::array<std::uint8_t, kNumberLength>;
 
 /// Result of a handshake at one end.
 struct Agreement

@@ -7,7 +7,7 @@
 #include "core/channel/cookie.h"
 #include "core/channel/epoch_exchange.h"
 #include "core/channel/epochs.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/crypto/init_crypto.h"
 #include "core/crypto/system_random.h"
 #include "core/experiment/bare_calls.h"

@@ -119,7 +119,7 @@ void AllocationTest::unknownSendersLeaveNoState()
     Pair pair(attackOptions());
     pair.kill(Ground);
     pair.run(1s);
-    const Mac1 mac(pair.air().identity->publicKey);
+    const Mac1 mac(pair.air().publicKey());
     SeededRandom random(kAttackSeed);
     const auto flood = [&](std::uint32_t from, std::uint32_t to) {
         FirstMessage message;

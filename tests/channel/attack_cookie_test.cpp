@@ -107,8 +107,8 @@ void AttackCookieTest::forgedCookiesDoNotAmplify()
     // address.
     Pair pair;
     SeededRandom random(7);
-    CookieMaker imitator(pair.air().identity->publicKey, random);
-    const Announcement announcement(pair.air().identity->publicKey);
+    CookieMaker imitator(pair.air().publicKey(), random);
+    const Announcement announcement(pair.air().publicKey());
     pair.kill(Air);
     std::optional<Bytes> first;
     std::uint64_t in = 0, out = 0;

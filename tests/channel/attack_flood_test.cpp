@@ -1,7 +1,7 @@
 // Attacks by quantity: garbage, forgeries, first messages, oversized datagrams. An end never sends more bytes than it
 // received.
 #include "attack.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/channel/mac1.h"
 #include "core/crypto/init_crypto.h"
 #include "tests/support/holds.h"
@@ -144,7 +144,7 @@ void AttackFloodTest::handshakeFloodWithTheRightMac()
     Pair pair(attackOptions());
     pair.kill(Ground);
     pair.run(1s);
-    const Mac1 mac(pair.air().identity->publicKey);
+    const Mac1 mac(pair.air().publicKey());
     Bytes flood(127);
     const auto before = pair.air().endpoint->unmatched().forged;
     pair.every(1ms, [&] {
@@ -177,7 +177,7 @@ void AttackFloodTest::floodAnswers(Pair &pair, std::size_t length, double &took)
         knownFrom = at + 2ms; // its distance to the agent is that of the station
         return !jammed;
     };
-    const Mac1 mac(pair.ground().identity->publicKey);
+    const Mac1 mac(pair.ground().publicKey());
     pair.every(1ms, [&, length] {
         if (heard.empty())
             return;
@@ -252,7 +252,7 @@ void AttackFloodTest::numberFloodWithTheRightMac()
     };
     pair.start(Ground);
     QVERIFY(pair.run(4s, [&] { return !number.empty(); }));
-    const Mac1 mac(pair.ground().identity->publicKey);
+    const Mac1 mac(pair.ground().publicKey());
     for (int i = 0; i < 20; ++i) {
         Bytes forged(number.size());
         fill(forged);

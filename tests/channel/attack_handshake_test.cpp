@@ -131,7 +131,7 @@ void AttackHandshakeTest::unknownKeyShare()
     two.air().endpoint->setPeers(two.now, peers);
     Bytes carried = tap.ofKind(0x59).at(0).bytes;
     offer(two, Air, carried);
-    Mac1(two.air().identity->publicKey).sign(carried);
+    Mac1(two.air().publicKey()).sign(carried);
     offer(two, Air, carried);
     two.run(1s);
     HOLDS(answers.ofKind(0x5a).empty(), "a message for another agent gets no answer");
@@ -147,7 +147,7 @@ void AttackHandshakeTest::keyCompromiseImpersonation()
     Tap tap(pair);
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
     pair.run(1s);
-    const crypto::PublicKey &station = pair.ground().identity->publicKey;
+    const crypto::PublicKey &station = pair.ground().publicKey();
     const auto before = pair.air().counters.lastSeen(station);
     const auto call = [&](std::uint64_t counter) {
         Thief thief(pair.air().identity->clone(), station, {ConnectionId{1}, m_offer, counter}, m_random);

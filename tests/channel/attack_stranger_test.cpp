@@ -156,7 +156,7 @@ void AttackStrangerTest::floodRaisesOneEventASecond()
     pair.run(11s); // its answer has expired
     pair.kill(Ground);
     pair.air().events.clear();
-    const Mac1 mac(pair.air().identity->publicKey);
+    const Mac1 mac(pair.air().publicKey());
     Path source = pair.pathOf(Ground);
     SeededRandom random(kAttackSeed);
     std::uint16_t port = 1000;

@@ -1,6 +1,7 @@
 // Sessions on each carrier: they come up, and switch under loss without losing a frame of their own. Messages moved to another
 // carrier are refused. A serial line needs no connection ids, whichever end restarts.
-#include "core/channel/handshake.h"
+#include "core/crypto/x25519.h"
+#include "core/channel/handshake_messages.h"
 #include "core/channel/message_traits.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"

@@ -1,4 +1,5 @@
 // The cookie under load: its binding, its lifetime, and the effect of false cookies.
+#include "core/crypto/x25519.h"
 #include "core/channel/cookie.h"
 #include "core/channel/handshake_limit.h"
 #include "core/crypto/init_crypto.h"
@@ -173,7 +174,7 @@ void CookieTest::unrelatedCookiesHaveNoEffect()
     // In every state: before an attempt, during one, and with a session.
     Pair pair;
     SeededRandom random(5);
-    CookieMaker stranger(pair.ground().identity->publicKey, random), imitator(pair.air().identity->publicKey, random);
+    CookieMaker stranger(pair.ground().publicKey(), random), imitator(pair.air().publicKey(), random);
     FirstMessage unseen;
     random.fill(unseen);
     std::uint64_t given = 0, sent = 0;
@@ -205,7 +206,7 @@ void CookieTest::forgedCookieDelaysOneAttempt()
     // An attacker with the public key who reads the wire can forge a cookie. Every second copy is sent without one.
     Pair pair;
     SeededRandom random(6);
-    CookieMaker imitator(pair.air().identity->publicKey, random);
+    CookieMaker imitator(pair.air().publicKey(), random);
     int swallow = 1; // so that the first one does not succeed at once
     std::uint64_t copies = 0;
     pair.link.attacker = [&](TimePoint, Flight &flight) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/channel/cookie.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "pair.h"
 
 #include <map>
@@ -27,7 +27,7 @@ inline Path addressNumber(std::uint32_t number)
 class Flood
 {
 public:
-    Flood(Pair &pair, std::uint32_t addresses) : m_pair(pair), m_addresses(addresses), m_mac(pair.air().identity->publicKey) {}
+    Flood(Pair &pair, std::uint32_t addresses) : m_pair(pair), m_addresses(addresses), m_mac(pair.air().publicKey()) {}
 
     void sendOne()
     {
@@ -46,7 +46,7 @@ public:
                 continue;
             }
             bytesOut += out->bytes.size();
-            const auto cookie = openCookie(m_pair.air().identity->publicKey, ByteView(message).last(16), out->bytes);
+            const auto cookie = openCookie(m_pair.air().publicKey(), ByteView(message).last(16), out->bytes);
             if (cookie && m_answersCookies)
                 m_cookies[from] = *cookie;
             cookies += cookie.has_value();

@@ -1,6 +1,6 @@
 // Messages that arrive after their context has changed: handshakes of removed peers, abandoned switches, and counts and closes
 // that overtook records.
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/crypto/init_crypto.h"
 #include "inline_pair.h"
 #include "tap.h"
@@ -121,13 +121,13 @@ void LateMessagesTest::forgedAnswerBeforeTheTrueOne()
     for (const std::size_t at : {3u, 34u, 35u, 57u}) {
         Bytes forged = answer;
         forged[at] ^= 1;
-        Mac1(pair.ground().identity->publicKey).sign(forged); // possible with the public key
+        Mac1(pair.ground().publicKey()).sign(forged); // possible with the public key
         give(pair, Ground, forged);
         QVERIFY(!pair.ground().up());
     }
     QCOMPARE(pair.ground().endpoint->unmatched().forged, std::uint64_t(4));
     QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).reason, RefusalReason::WrongKey);
-    QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).peer, pair.air().identity->publicKey);
+    QCOMPARE(pair.ground().all<HandshakeRefused>().at(0).peer, pair.air().publicKey());
     give(pair, Ground, answer);
     QVERIFY(pair.ground().up());
 }

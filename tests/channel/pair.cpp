@@ -46,6 +46,11 @@ bool MemoryCounterStore::remember(const channel::PublicKey &peer, std::uint64_t 
 Pair::End::End() = default;
 Pair::End::~End() = default;
 
+const PublicKey &Pair::End::publicKey() const
+{
+    return identity->publicKey;
+}
+
 Pair::Pair(PairOptions options)
     : now(TimePoint(std::chrono::hours(1))), link(options.link, options.seed ^ 0x5eed), m_options(options),
       m_random(options.seed)

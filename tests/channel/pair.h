@@ -99,6 +99,7 @@ public:
     {
         End();
         ~End();
+        const PublicKey &publicKey() const;
 
         std::unique_ptr<Endpoint> endpoint;
         MemoryCounterStore counters;

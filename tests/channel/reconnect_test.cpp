@@ -1,5 +1,6 @@
 // Getting a session, keeping it over an outage, and getting it back: in either order of start, with replayed messages, and
 // with lost counters.
+#include "core/crypto/x25519.h"
 #include "core/channel/handshake.h"
 #include "core/crypto/init_crypto.h"
 #include "pair.h"
@@ -42,7 +43,7 @@ private:
     /// A forged first message of the pair's station, possible with the agent's key; the thief cannot use the answer.
     Bytes firstOfAThief(Pair &pair, std::uint64_t counter)
     {
-        const Peer agent{pair.air().identity->publicKey, "air", {}, {}, {}};
+        const Peer agent{pair.air().publicKey(), "air", {}, {}, {}};
         const auto forged = Initiator::begin(*pair.ground().identity, agent,
                                              {ConnectionId{1}, offerOf(Policy{defaultSuites(), true, false}), counter},
                                              m_random);
@@ -244,12 +245,12 @@ void ReconnectTest::lostCountersRecover()
         QVERIFY(pair.run(4s, [&] { return pair.bothUp() && pair.air().all<SessionUp>().size() == std::size_t(i + 1); }));
         pair.run(100ms);
     }
-    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
+    const auto before = pair.air().counters.lastSeen(pair.ground().publicKey());
     pair.kill(Ground);
     pair.ground().counters.loseOwn();
     pair.start(Ground);
     QVERIFY(pair.run(4s, [&] { return pair.air().all<SessionUp>().size() == 31; }));
-    QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) > before);
+    QVERIFY(pair.air().counters.lastSeen(pair.ground().publicKey()) > before);
     // Reported at both ends.
     const auto refused = [](const Pair::End &end, RefusalReason reason) {
         const auto events = end.all<HandshakeRefused>();
@@ -257,7 +258,7 @@ void ReconnectTest::lostCountersRecover()
     };
     QCOMPARE(refused(pair.ground(), RefusalReason::CounterBehind), 1);
     QVERIFY(refused(pair.air(), RefusalReason::ReplayedHandshake) >= 1);
-    QCOMPARE(pair.ground().all<HandshakeRefused>().back().peer, pair.air().identity->publicKey);
+    QCOMPARE(pair.ground().all<HandshakeRefused>().back().peer, pair.air().publicKey());
 }
 
 void ReconnectTest::restoredCountersRecover()
@@ -269,7 +270,7 @@ void ReconnectTest::restoredCountersRecover()
         options.link.loss = 0.3;
         options.link.delay = 60ms;
         Pair pair(options);
-        pair.air().counters.remember(pair.ground().identity->publicKey, 1000000);
+        pair.air().counters.remember(pair.ground().publicKey(), 1000000);
         QVERIFY2(pair.run(15s, [&] { return pair.bothUp(); }), qPrintable(QString::number(seed)));
         QVERIFY(pair.ground().counters.next() > 1000001);
     }
@@ -298,7 +299,7 @@ void ReconnectTest::counterCorrectionIsBoundToItsStation()
     pair.kill(Ground);
     pair.kill(Air);
     pair.start(Air);
-    const auto before = pair.air().counters.lastSeen(pair.ground().identity->publicKey);
+    const auto before = pair.air().counters.lastSeen(pair.ground().publicKey());
     for (int i = 0; i < 100; ++i) {
         Bytes copy = firsts[0];
         in += copy.size();
@@ -308,7 +309,7 @@ void ReconnectTest::counterCorrectionIsBoundToItsStation()
     QVERIFY(!numbers.empty() && numbers.size() <= 26);
     QVERIFY(out <= in);
     QVERIFY(!pair.air().up());
-    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), before);
+    QCOMPARE(pair.air().counters.lastSeen(pair.ground().publicKey()), before);
     const std::uint64_t own = *pair.ground().counters.next();
     pair.start(Ground);
     for (const Bytes &number : numbers) {
@@ -336,7 +337,7 @@ void ReconnectTest::counterCorrectionThatCannotBeStored()
         std::uint64_t m_own = 0;
     } stubborn;
     Pair pair;
-    pair.air().counters.remember(pair.ground().identity->publicKey, 1000000);
+    pair.air().counters.remember(pair.ground().publicKey(), 1000000);
     SeededRandom random(3);
     pair.ground().endpoint = std::make_unique<Endpoint>(pair.configOf(Ground), random, stubborn, pair.now);
     pair.run(10s);
@@ -348,7 +349,7 @@ void ReconnectTest::counterCorrectionThatCannotBeStored()
 void ReconnectTest::greatestCounterIsNotAccepted()
 {
     Pair pair;
-    pair.air().counters.remember(pair.ground().identity->publicKey, kGreatestCounter - 5);
+    pair.air().counters.remember(pair.ground().publicKey(), kGreatestCounter - 5);
     pair.run(5s);
     QVERIFY(!pair.bothUp());
     QVERIFY(pair.ground().counters.next() < 100);
@@ -361,7 +362,7 @@ void ReconnectTest::lastCounterIsTheLast()
     Pair pair;
     QVERIFY(pair.ground().counters.skipTo(kGreatestCounter - 1));
     QVERIFY(pair.run(2s, [&] { return pair.bothUp(); }));
-    QCOMPARE(pair.air().counters.lastSeen(pair.ground().identity->publicKey), kGreatestCounter);
+    QCOMPARE(pair.air().counters.lastSeen(pair.ground().publicKey()), kGreatestCounter);
     pair.kill(Ground);
     pair.start(Ground);
     std::size_t firsts = 0;
@@ -375,7 +376,7 @@ void ReconnectTest::lastCounterIsTheLast()
     const auto refusals = pair.ground().all<HandshakeRefused>();
     QVERIFY(!refusals.empty() && refusals.size() <= 11);
     QCOMPARE(refusals.back().reason, RefusalReason::CountersUsedUp);
-    QCOMPARE(refusals.back().peer, pair.air().identity->publicKey);
+    QCOMPARE(refusals.back().peer, pair.air().publicKey());
 }
 
 void ReconnectTest::changedCounterCorrectionIsRefused()
@@ -429,7 +430,7 @@ void ReconnectTest::firstMessagesOfAThiefDoNotBlock()
     pair.run(15s);
     QVERIFY(pair.bothUp());
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);
-    QVERIFY(pair.air().counters.lastSeen(pair.ground().identity->publicKey) < 10);
+    QVERIFY(pair.air().counters.lastSeen(pair.ground().publicKey()) < 10);
 }
 
 void ReconnectTest::repeatedOlderFirstMessagesDisplaceNothing()

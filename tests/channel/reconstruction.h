@@ -2,7 +2,9 @@
 // ephemeral keys is missing; the test supplies guesses.
 #pragma once
 
-#include "core/channel/handshake.h"
+#include "core/crypto/x25519.h"
+#include "core/channel/key_chain.h"
+#include "core/channel/handshake_messages.h"
 #include "core/crypto/kdf.h"
 #include "core/noise/symmetric_state.h"
 

@@ -83,7 +83,7 @@ void SessionTest::comesUpWithinASecond()
     const auto info = pair.ground().endpoint->sessionInfo(pair.ground().session());
     QVERIFY(info);
     QCOMPARE(info->suite, SuiteId::ChaCha20Poly1305);
-    QCOMPARE(info->peer, pair.air().identity->publicKey);
+    QCOMPARE(info->peer, pair.air().publicKey());
     QCOMPARE(info->peerName, std::string("air"));
     QCOMPARE(pair.ground().all<SessionUp>().size(), 1u);
     QCOMPARE(pair.air().all<SessionUp>().size(), 1u);

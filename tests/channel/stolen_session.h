@@ -6,6 +6,7 @@
 #include "reconstruction.h"
 #include "tap.h"
 
+#include "core/channel/control.h"
 #include "core/channel/record.h"
 #include "core/crypto/record_cipher.h"
 

@@ -1,8 +1,9 @@
 // An agent whose configuration names a station's host, under a flood from many hosts that answer its cookies: the station at
 // that host gets its session before any of them. Covers the whole path from the configuration on, over real sockets;
 // channel_attack_cookie_test tests the limit itself with addresses.
+#include "core/crypto/x25519.h"
 #include "core/channel/cookie.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/crypto/init_crypto.h"
 #include "core/engine/agent/agent_core.h"
 #include "tests/engine/bare_end.h"

@@ -1,6 +1,6 @@
 // The classification of received blocks by the rules of their link: every kind of traffic on every kind of link.
 #include "core/channel/cobs.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/engine/common/ingress.h"
 #include "tests/support/idle_link.h"
 #include "tests/support/heartbeat.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/channel/cookie.h"
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/channel/mac1.h"
 #include "core/channel/pairing_messages.h"
 #include "core/crypto/cpace.h"

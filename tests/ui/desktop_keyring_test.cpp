@@ -1,5 +1,6 @@
 // The passphrase of a sealed key in the desktop's keyring: against a real gnome-keyring-daemon on a session bus of its own.
 // Skipped, and saying so, where these programs or the library are missing.
+#include "core/crypto/passphrase.h"
 #include "app/skyseal/passphrase_memory.h"
 #include "app/skyseal/passphrase_question.h"
 #include "tests/support/eventually.h"

@@ -1,7 +1,6 @@
 // A keyring without files: records the changes of the dialogs and holds the content that a test (or the gallery) sets.
 #pragma once
 
-#include "core/crypto/passphrase.h"
 #include "ui/keys/keyring_interface.h"
 
 #include <algorithm>
@@ -39,12 +38,7 @@ public:
     Result<void, InputError> exportPublicKey(const QString &) const override { return {}; }
 
     void changePassphrase(std::optional<crypto::Passphrase> present, std::optional<crypto::Passphrase> next,
-                          bool remember) override
-    {
-        remembers = remember;
-        const auto text = [](const auto &words) { return words ? std::string(asText(words->view())) : std::string(); };
-        passphrases.emplace_back(text(present), text(next));
-    }
+                          bool remember) override;
     /// The end of the work that changePassphrase() began.
     void finishPassphrase(const QString &problem)
     {

@@ -22,10 +22,7 @@ public:
 
     using PairingInterface::PairingInterface;
 
-    void open(const std::optional<crypto::Passphrase> &passphrase) override
-    {
-        passphrases.push_back(passphrase ? std::string(asText(passphrase->view())) : std::string());
-    }
+    void open(const std::optional<crypto::Passphrase> &passphrase) override;
     void confirm(const channel::PublicKey &key, const QString &name, bool replace) override
     {
         confirmations.push_back({key, name, replace});

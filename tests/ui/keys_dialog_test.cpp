@@ -1,5 +1,6 @@
 // The dialog of keys and peers by real clicks and keys: each state designed, each change asked of the keyring, a changed key
 // replaced only knowingly, revoking confirmed.
+#include "core/crypto/passphrase.h"
 #include "core/keys/public_key_text.h"
 #include "fake_keyring.h"
 #include "tests/support/eventually.h"

@@ -2,7 +2,6 @@
 
 #include "core/channel/endpoint.h"
 #include "core/base/weakness.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/mavlink/dialect.h"
 
@@ -123,7 +122,7 @@ void AgentCore::cancelPairing()
 
 const channel::PublicKey &AgentCore::publicKey() const
 {
-    return m_secrets->identity->publicKey;
+    return m_secrets->publicKey();
 }
 
 void AgentCore::stop()

@@ -1,6 +1,6 @@
 #include "core/engine/common/carrier_reader.h"
 
-#include "core/channel/handshake.h"
+#include "core/channel/handshake_messages.h"
 #include "core/channel/pairing_messages.h"
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"

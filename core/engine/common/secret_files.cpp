@@ -9,6 +9,11 @@
 
 namespace skyseal::engine {
 
+const channel::PublicKey &SecretFiles::publicKey() const
+{
+    return identity->publicKey;
+}
+
 Result<std::unique_ptr<SecretFiles>, InputError> readSecretFiles(const KeyPaths &paths)
 {
     auto identity = keys::loadIdentity(paths.identity, paths.askPassphrase);

@@ -15,6 +15,8 @@ namespace skyseal::engine {
 
 struct SecretFiles
 {
+    const channel::PublicKey &publicKey() const;
+
     KeyPaths paths;
     std::shared_ptr<const crypto::X25519KeyPair> identity;
     std::vector<channel::Peer> peers;

@@ -1,5 +1,6 @@
 #include "core/engine/headless/headless_run.h"
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/channel/timing.h"
 #include "core/engine/station/snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"

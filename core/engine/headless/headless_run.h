@@ -2,7 +2,6 @@
 // over and whether its goals were reached. The listener writes the output. Lives on the thread of the Station object.
 #pragma once
 
-#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/station.h"
 #include "core/engine/headless/switch_plan.h"
 #include "core/vehicle/flight_script_runner.h"
@@ -12,6 +11,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 
 namespace skyseal::engine {
@@ -24,7 +24,7 @@ struct RunPlan
     std::optional<Duration> duration;
     bool sessionRequired = false;
     /// All links carry the encryption of MAVSec's published code and are never sent to.
-    std::optional<crypto::MavsecCipher> mavsec;
+    std::shared_ptr<const crypto::MavsecCipher> mavsec;
     bool inlineRequired = false; ///< a session must agree to inline framing
 };
 

@@ -1,10 +1,20 @@
 #include "core/engine/station/mavsec_stream.h"
 
+#include "core/crypto/mavsec_cipher.h"
 #include "core/mavlink/crc.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace skyseal::engine {
+
+MavsecStream::MavsecStream(crypto::MavsecCipher cipher, const mavlink::Dialect &dialect)
+    : m_cipher(std::make_unique<crypto::MavsecCipher>(std::move(cipher))), m_dialect(&dialect)
+{}
+
+MavsecStream::MavsecStream(MavsecStream &&) noexcept = default;
+MavsecStream &MavsecStream::operator=(MavsecStream &&) noexcept = default;
+MavsecStream::~MavsecStream() = default;
 
 mavlink::Frame MavsecStream::open(const mavlink::Frame &encrypted)
 {
@@ -13,7 +23,7 @@ mavlink::Frame MavsecStream::open(const mavlink::Frame &encrypted)
     std::copy(bytes.begin(), bytes.end(), frame.begin());
     const std::size_t header = encrypted.version() == 2 ? 10 : 6;
     const std::size_t end = header + encrypted.payload().size();
-    m_cipher.apply(frame.subspan(header, encrypted.payload().size()));
+    m_cipher->apply(frame.subspan(header, encrypted.payload().size()));
     std::uint16_t crc = mavlink::crcAccumulate(mavlink::kCrcStart, ByteView(frame).subspan(1, end - 1));
     crc = mavlink::crcAccumulate(crc, {&encrypted.info().crcExtra, 1});
     frame[end] = static_cast<std::uint8_t>(crc);

@@ -2,8 +2,14 @@
 // the checksum of the encrypted frame. INSECURE (core/crypto/mavsec_cipher.h); such a link is received and never sent to.
 #pragma once
 
-#include "core/crypto/mavsec_cipher.h"
 #include "core/mavlink/frame.h"
+
+#include <array>
+#include <memory>
+
+namespace skyseal::crypto {
+class MavsecCipher;
+}
 
 namespace skyseal::engine {
 
@@ -11,16 +17,17 @@ class MavsecStream
 {
 public:
     /// `dialect` must outlive this object.
-    MavsecStream(crypto::MavsecCipher cipher, const mavlink::Dialect &dialect)
-        : m_cipher(std::move(cipher)), m_dialect(&dialect)
-    {}
+    MavsecStream(crypto::MavsecCipher cipher, const mavlink::Dialect &dialect);
+    MavsecStream(MavsecStream &&) noexcept;
+    MavsecStream &operator=(MavsecStream &&) noexcept;
+    ~MavsecStream();
 
     /// Returns the decrypted frame, MAVLink 1 or 2, with a checksum of its own; valid until the next call. A wrong key, or a
     /// frame that was not encrypted, cannot be detected.
     mavlink::Frame open(const mavlink::Frame &encrypted);
 
 private:
-    crypto::MavsecCipher m_cipher;
+    std::unique_ptr<crypto::MavsecCipher> m_cipher;
     const mavlink::Dialect *m_dialect;
     std::array<std::uint8_t, mavlink::kMaxFrameLength> m_frame{};
 };

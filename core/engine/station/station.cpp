@@ -3,9 +3,9 @@
 #include "core/base/research.h"
 
 #include "core/crypto/thread_end.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/station/mailbox.h"
 #include "core/engine/station/output_queue.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/engine/station/station_core.h"
 
 #include <QtCore/QThread>
@@ -147,7 +147,7 @@ Result<std::unique_ptr<Station>, InputError> Station::create(StationConfig confi
     }
     auto parts = std::make_unique<Private>();
     if (secrets)
-        parts->publicKey = secrets->identity->publicKey;
+        parts->publicKey = secrets->publicKey();
     parts->worker = std::make_unique<StationWorker>(std::move(config), std::move(secrets));
     return std::unique_ptr<Station>(new Station(std::move(parts)));
 }

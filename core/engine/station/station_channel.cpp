@@ -1,7 +1,6 @@
 #include "core/engine/station/station_channel.h"
 
 #include "core/channel/endpoint.h"
-#include "core/crypto/x25519.h"
 #include "core/engine/common/dialect_traits.h"
 #include "core/engine/station/snapshot.h"
 #include "core/keys/public_key_text.h"
@@ -27,7 +26,7 @@ channel::Endpoint makeEndpoint(TimePoint now, const channel::Policy &policy, Sec
 StationChannel::StationChannel(TimePoint now, const channel::Policy &policy, SecretFiles &secrets, LinkPool &links,
                                PairingDriver::Notify notify)
     : driver(makeEndpoint(now, policy, secrets), links), pairing(links, secrets.random, std::move(notify)),
-      unanswering(keys::fingerprint(secrets.identity->publicKey))
+      unanswering(keys::fingerprint(secrets.publicKey()))
 {}
 
 bool StationChannel::switchAll(TimePoint now, crypto::SuiteId suite)

@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/engine/station/snapshot.h"
 #include "core/keys/counter_file.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/vehicle/request_failure.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include "core/engine/station/station_receiver.h"
 
 #include "core/channel/endpoint.h"
+#include "core/crypto/mavsec_cipher.h"
 #include "core/link/steady_now.h"
 
 namespace skyseal::engine {
