@@ -65,7 +65,8 @@ void setCounter(Bytes &record, std::uint32_t counter)
 
 ReceiveCounters received(const Pair::End &end)
 {
-    return end.endpoint->stats(end.session())->rx;
+    const auto stats = end.endpoint->stats(end.session());
+    return stats ? stats->rx : ReceiveCounters{};
 }
 
 std::uint64_t refused(const ReceiveCounters &c)

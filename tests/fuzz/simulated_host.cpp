@@ -46,15 +46,15 @@ std::map<LinkId, link::Link *> &links()
 
 } // namespace
 
-class SimulatedLink final : public link::Link
+class HostLink final : public link::Link
 {
 public:
-    SimulatedLink(const link::LinkUrl &url, LinkId id, link::LinkListener &listener, const link::LinkOptions &options)
+    HostLink(const link::LinkUrl &url, LinkId id, link::LinkListener &listener, const link::LinkOptions &options)
         : Link(url, id, listener, options)
     {
         links()[id] = this;
     }
-    ~SimulatedLink() override
+    ~HostLink() override
     {
         if (links()[id()] == this)
             links().erase(id());
@@ -84,7 +84,7 @@ namespace {
 std::unique_ptr<link::Link> makeSimulated(const link::LinkUrl &url, LinkId id, link::LinkListener &listener,
                                           const link::LinkOptions &options)
 {
-    return std::make_unique<SimulatedLink>(url, id, listener, options);
+    return std::make_unique<HostLink>(url, id, listener, options);
 }
 
 const link::LinkType kTypes[] = {
@@ -142,13 +142,13 @@ link::LinkUrl SimulatedHost::url(std::string_view text)
 void SimulatedHost::receive(LinkId link, const Address &from, ByteView bytes)
 {
     if (const auto found = links().find(link); found != links().end())
-        static_cast<SimulatedLink *>(found->second)->arrive(from, bytes);
+        static_cast<HostLink *>(found->second)->arrive(from, bytes);
 }
 
 void SimulatedHost::reconnect(LinkId link, const Address &from)
 {
     if (const auto found = links().find(link); found != links().end())
-        static_cast<SimulatedLink *>(found->second)->reconnect(from);
+        static_cast<HostLink *>(found->second)->reconnect(from);
 }
 
 std::size_t allocatedBytes()

@@ -42,7 +42,7 @@ private:
     TimePoint m_now;
     std::vector<SentBlock> m_sent;
 
-    friend class SimulatedLink;
+    friend class HostLink;
 };
 
 /// Bytes that are allocated now; 0 where the library cannot say.
