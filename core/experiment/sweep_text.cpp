@@ -109,7 +109,8 @@ std::string failedRuns(const Results &results)
     }
     if (failed == 0)
         return {};
-    std::string out = std::to_string(failed) + " of " + std::to_string(results.samples.size()) + " runs failed: ";
+    const std::size_t all = results.samples.size();
+    std::string out = std::to_string(failed) + " of " + std::to_string(all) + (all == 1 ? " run failed: " : " runs failed: ");
     for (std::size_t i = 0; i < reasons.size(); ++i)
         out += (i > 0 ? "; " : "") + reasons[i];
     return out;

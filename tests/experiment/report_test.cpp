@@ -93,6 +93,7 @@ private Q_SLOTS:
     void ratioToNothingIsNull();
     void noiseIsJudgedAsSuitesAre();
     void comparedIsWhatThePaperCompared();
+    void singleRunsAreNotCompared();
     void framingsAreTold();
     void reportIsWholeAndSafe();
 };
@@ -467,6 +468,22 @@ void ReportTest::comparedIsWhatThePaperCompared()
             QVERIFY2(part.find(std::string(title) + "</td>") != std::string::npos, title);
         QVERIFY(part.find("Memory") == std::string::npos);
     }
+}
+
+void ReportTest::singleRunsAreNotCompared()
+{
+    Results results;
+    results.plan.arms = armsOf({SuiteId::None, SuiteId::Aes256Gcm}, {channel::Framing::Sealed}, false);
+    results.plan.repeats = 1;
+    for (const Run &run : schedule(results.plan)) {
+        Sample sample;
+        sample.run = run;
+        sample.values[Metric::Packets] = 100;
+        results.samples.push_back(sample);
+    }
+    const std::string page = htmlReport({results, {}, {}, {}});
+    QVERIFY(page.find("no difference can be told from noise: that takes two runs or more") != std::string::npos);
+    QVERIFY(page.find("of the 0 such families") == std::string::npos);
 }
 
 void ReportTest::framingsAreTold()

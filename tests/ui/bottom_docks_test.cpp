@@ -37,6 +37,14 @@ private Q_SLOTS:
         EVENTUALLY(showsNewest());
         say(50);
         EVENTUALLY(showsNewest());
+        // A smaller view has a longer range.
+        auto *dock = find<QDockWidget>("dockMessages");
+        const int before = dock->height();
+        m_window->resizeDocks({dock}, {before - 40}, Qt::Vertical);
+        EVENTUALLY(dock->height() < before);
+        EVENTUALLY(showsNewest());
+        say(1);
+        EVENTUALLY(showsNewest());
     }
 
     void messagesStayWhereTheOperatorScrolledTo()

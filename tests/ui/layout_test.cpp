@@ -131,6 +131,9 @@ private Q_SLOTS:
         QVERIFY(refused->toolTip().contains(QStringLiteral("7 forged")));
         QVERIFY(!m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
         QVERIFY(m_window->findChild<QLabel *>(QStringLiteral("securePeer"))->toolTip().contains(QStringLiteral("41c0 9be7")));
+        const QString link = m_window->findChild<StripItem *>(QStringLiteral("stripLink"))->toolTip(); // labels of its numbers
+        for (const char *label : {" of the frames arrived", " latency", " since the newest message"})
+            QVERIFY2(link.contains(QLatin1String(label)), qPrintable(link));
         m_window->resize(1280, 1000);
         EVENTUALLY(m_window->findChild<QLabel *>(QStringLiteral("secureFingerprint"))->isVisible());
         QVERIFY(!counters->isBrief());

@@ -16,6 +16,7 @@
 #include <QtWidgets/QLabel>
 #include <QtWidgets/QLineEdit>
 #include <QtWidgets/QPushButton>
+#include <QtWidgets/QSpinBox>
 
 #include <memory>
 
@@ -74,6 +75,23 @@ private Q_SLOTS:
         click("sweepOwnLink");
         QVERIFY(!run().isEnabled()); // no link at all
         QVERIFY(find<QLabel>("sweepSummary")->text().contains(QStringLiteral("Choose a link")));
+    }
+
+    void noiseNeedsRepeats()
+    {
+        SweepDialog &dialog = open({});
+        auto *noise = find<QAbstractButton>("sweepNoise");
+        auto *repeats = find<QSpinBox>("sweepRepeats");
+        QVERIFY(noise->isEnabled() && noise->isChecked());
+        repeats->setFocus();
+        while (repeats->value() > 1)
+            QTest::keyClick(repeats, Qt::Key_Down);
+        QVERIFY(!noise->isEnabled());
+        QVERIFY(noise->toolTip().contains(QStringLiteral("2 or more")));
+        for (const experiment::SweepArm &arm : dialog.order().plan.arms)
+            QVERIFY(!arm.again);
+        QTest::keyClick(repeats, Qt::Key_Up);
+        QVERIFY(noise->isEnabled() && noise->isChecked());
     }
 
     void theSameLinkIsMeasuredOnce()
