@@ -32,10 +32,15 @@ struct FreshnessLimits
 /// The judgements of an agent, for the station (PROTOCOL.md, section 7).
 struct FreshnessReport
 {
+    /// The agent has no bound on the age: a clock has stepped, or no report of the station arrived for long.
+    static constexpr std::uint64_t kUnknownAge = UINT64_MAX;
+
     std::uint64_t stale = 0;                 ///< records with frames that were not fresh
-    std::uint64_t ageMicroseconds = 0;       ///< greatest possible age of the newest record with frames
+    std::uint64_t ageMicroseconds = 0;       ///< greatest possible age of the newest record with frames, or kUnknownAge
     std::uint64_t overtakenMilliseconds = 0; ///< the limits
     std::uint64_t limitMilliseconds = 0;     ///< 0: none
+
+    bool isAgeKnown() const { return ageMicroseconds != kUnknownAge; }
 };
 
 } // namespace skyseal::channel

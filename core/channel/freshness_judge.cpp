@@ -21,9 +21,8 @@ Freshness FreshnessJudge::judgeAge(const Arrival &arrival, const PeerClock &peer
     if (arrival.afterClose && !weakened(Weakness::CommandsAfterClose))
         return Freshness::AfterClose;
     const auto peerStamp = arrival.peerStamp ? arrival.peerStamp : stampBefore(arrival.position);
-    const auto age = peerStamp ? peerClock.age(arrival.now, *peerStamp) : std::nullopt;
-    m_age = age.value_or(m_age);
-    const bool young = !m_limits.age || (age && *age <= *m_limits.age);
+    m_age = peerStamp ? peerClock.age(arrival.now, *peerStamp) : std::nullopt;
+    const bool young = !m_limits.age || (m_age && *m_age <= *m_limits.age);
     return young || weakened(Weakness::NoAgeLimit) ? Freshness::Fresh : Freshness::TooOld;
 }
 
@@ -33,7 +32,7 @@ FreshnessReport FreshnessJudge::report(std::uint64_t stale) const
     using Microseconds = std::chrono::duration<std::uint64_t, std::micro>;
     FreshnessReport out;
     out.stale = stale;
-    out.ageMicroseconds = std::chrono::duration_cast<Microseconds>(m_age).count();
+    out.ageMicroseconds = m_age ? std::chrono::duration_cast<Microseconds>(*m_age).count() : FreshnessReport::kUnknownAge;
     out.overtakenMilliseconds = std::chrono::duration_cast<Milliseconds>(m_limits.overtaken).count();
     out.limitMilliseconds = std::chrono::duration_cast<Milliseconds>(m_limits.age.value_or(Duration::zero())).count();
     return out;

@@ -56,7 +56,7 @@ private:
     /// The peer's latest two reports, newest first, since frames may arrive after a report that was sent after them. Its clock
     /// began at 0 with the session.
     std::array<ReportStamp, 2> m_reports{};
-    Duration m_age{}; ///< greatest possible age of the newest frames
+    std::optional<Duration> m_age = Duration::zero(); ///< greatest possible age of the newest frames; nullopt: unknown
 };
 
 } // namespace skyseal::channel

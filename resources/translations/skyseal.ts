@@ -443,6 +443,10 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>%1 does not know how late commands arrive, and obeys none that may be older than %2 s: it ignored %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Messages to %1 were withheld or delayed on their way, and others overtook them: it ignored %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1024,6 +1028,14 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Commands are ignored: how late they arrive is unknown, and the limit is %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How late commands arrive is unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Commands are ignored: they arrive up to %1 late, and the limit is %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1033,6 +1045,14 @@ If this should be the vehicle of %3, choose Cancel: its sealed link is broken or
     </message>
     <message>
         <source>Commands arrive within %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Commands ignored, delay unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Delay of commands unknown</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -2,15 +2,31 @@
 #pragma once
 
 #include "attack.h"
+#include "inline_pair.h"
 
 namespace skyseal::test {
 
 inline constexpr Duration kOvertaken = 1s, kAge = 5s;
 
-inline PairOptions optionsWith(Carrier carrier, std::optional<Duration> age)
+/// How frames travel: in records of each carrier, or sealed in place.
+struct Way
 {
-    PairOptions options = attackOptions();
-    options.carrier = carrier;
+    const char *name;
+    Carrier carrier;
+    bool inPlace = false;
+};
+inline constexpr Way kWays[] = {{"datagrams", Carrier::Datagram},
+                                {"TUNNEL", Carrier::Tunnel},
+                                {"serial", Carrier::Serial},
+                                {"sealed in place", Carrier::Datagram, true}};
+inline constexpr Way kRecords = kWays[0];
+
+inline PairOptions optionsWith(const Way &way, std::optional<Duration> age)
+{
+    PairOptions options = way.inPlace ? inlineOptions(kAttackSeed) : attackOptions();
+    if (way.inPlace)
+        std::stable_partition(options.ground.suites.begin(), options.ground.suites.end(), crypto::mayBeInline);
+    options.carrier = way.carrier;
     options.freshness = {kOvertaken, age};
     return options;
 }
@@ -26,11 +42,14 @@ inline std::unique_ptr<Pair> flight(PairOptions options)
     return pair;
 }
 
-/// Delivers a caught record to the agent. Returns the judgement, nullopt if it is refused.
+/// Delivers a caught record, or frame sealed in place, to its receiver. Returns the judgement, nullopt if it is refused.
 inline std::optional<Freshness> release(Pair &pair, const Caught &caught)
 {
+    const Side from = caught.flight.from, to = from == Ground ? Air : Ground;
     Bytes bytes = caught.flight.bytes;
-    const auto delivery = pair.air().endpoint->handleDatagram(pair.nowAt(Air), pair.pathOf(Ground), bytes);
+    Endpoint &endpoint = *pair.ends[to].endpoint;
+    const auto delivery = Endpoint::ownsFrame(bytes) ? endpoint.handleInlineFrame(pair.nowAt(to), pair.pathOf(from), bytes)
+                                                     : endpoint.handleDatagram(pair.nowAt(to), pair.pathOf(from), bytes);
     pair.pump();
     return delivery ? std::optional(delivery->freshness) : std::nullopt;
 }

@@ -3,7 +3,6 @@
 #include "core/channel/peer_clock.h"
 #include "core/crypto/init_crypto.h"
 #include "delayed_flight.h"
-#include "inline_pair.h"
 #include "tests/support/test_runner.h"
 
 using namespace skyseal;
@@ -21,6 +20,7 @@ private Q_SLOTS:
     void slowLinkStaysFresh();
     void suspendedMachineRecovers_data();
     void suspendedMachineRecovers();
+    void unknownAgeIsReported();
     void limitsAndRefusalsReachTheStation();
     void framesSealedInPlaceHaveTheAgeOfTheLastReport();
 };
@@ -97,7 +97,7 @@ void FreshnessTest::slowLinkStaysFresh()
 {
     QFETCH(int, loss);
     QFETCH(double, rate);
-    PairOptions options = optionsWith(Carrier::Datagram, kAge);
+    PairOptions options = optionsWith(kRecords, kAge);
     options.link.delay = 900ms;
     options.link.jitter = 300ms; // 0.9 to 1.5 s each way
     options.link.loss = loss / 100.;
@@ -115,32 +115,58 @@ void FreshnessTest::slowLinkStaysFresh()
 void FreshnessTest::suspendedMachineRecovers_data()
 {
     QTest::addColumn<int>("side");
-    QTest::addRow("station") << static_cast<int>(Ground);
-    QTest::addRow("agent") << static_cast<int>(Air);
+    QTest::addColumn<int>("seconds");
+    for (const int seconds : {3, 8, 300}) {
+        QTest::addRow("station, %d s", seconds) << static_cast<int>(Ground) << seconds;
+        QTest::addRow("agent, %d s", seconds) << static_cast<int>(Air) << seconds;
+    }
 }
 
 void FreshnessTest::suspendedMachineRecovers()
 {
-    // A steady clock stands still while its machine sleeps.
+    // Its steady clock stands still, and it receives nothing. Its first frames may be refused, and make the agent request a report.
     QFETCH(int, side);
-    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
-    pair->ends[static_cast<std::size_t>(side)].clock.offset -= 8s;
-    const TimePoint slept = pair->now;
-    pair->run(20s);
-    QVERIFY(shareOfFresh(*pair, slept + 12s) == 1.);
+    QFETCH(int, seconds);
+    auto pair = flight(optionsWith(kRecords, kAge));
+    Pair::End &end = pair->ends[static_cast<std::size_t>(side)];
+    const auto asleep = std::chrono::seconds(seconds);
+    std::unique_ptr<Endpoint> suspended = std::move(end.endpoint);
+    pair->run(asleep);
+    end.endpoint = std::move(suspended);
+    end.clock.offset -= asleep;
+    const TimePoint awake = pair->now;
+    pair->run(60s);
+    QVERIFY(pair->ground().all<SessionDown>().empty() && pair->air().all<SessionDown>().empty());
+    QCOMPARE(shareOfFresh(*pair, awake + 1500ms), 1.);
+    QCOMPARE(freshAndOlder(*pair, kAge), std::size_t(0));
+}
+
+void FreshnessTest::unknownAgeIsReported()
+{
+    // After a step of the station's steady clock, as of a virtual machine, its stamps say nothing before its next report.
+    auto pair = flight(optionsWith(kRecords, kAge));
+    pair->ground().clock.offset += 8s;
+    pair->link.attacker = [](TimePoint, Flight &datagram) { return datagram.from == Air || datagram.tag != 0; };
+    QVERIFY(pair->run(3s, [&] { return !pair->ground().all<CommandsLate>().empty(); }));
+    QVERIFY(!pair->ground().all<CommandsLate>().front().report.isAgeKnown());
+    pair->link.attacker = {};
+    const TimePoint reported = pair->now;
+    pair->run(5s);
+    QCOMPARE(shareOfFresh(*pair, reported + 1500ms), 1.);
+    QVERIFY(pair->ground().endpoint->stats(pair->ground().session())->peerFreshness->isAgeKnown());
 }
 
 void FreshnessTest::limitsAndRefusalsReachTheStation()
 {
-    auto pair = flight(optionsWith(Carrier::Datagram, kAge));
+    auto pair = flight(optionsWith(kRecords, kAge));
     const Caught command = catchOne(*pair, 40, Ground);
     pair->run(2s);
     QCOMPARE(static_cast<int>(*release(*pair, command)), static_cast<int>(Freshness::Overtaken));
     QVERIFY(pair->run(2s, [&] { return !pair->ground().all<CommandsLate>().empty(); }));
-    const auto told = pair->ground().all<CommandsLate>().front();
-    QCOMPARE(told.records, std::uint64_t(1));
-    QCOMPARE(told.report.overtakenMilliseconds, std::uint64_t(1000));
-    QCOMPARE(told.report.limitMilliseconds, std::uint64_t(5000));
+    const auto late = pair->ground().all<CommandsLate>().front();
+    QCOMPARE(late.records, std::uint64_t(1));
+    QCOMPARE(late.report.overtakenMilliseconds, std::uint64_t(1000));
+    QCOMPARE(late.report.limitMilliseconds, std::uint64_t(5000));
     const auto stats = pair->ground().endpoint->stats(pair->ground().session());
     QVERIFY(stats->peerFreshness && stats->peerFreshness->stale == 1);
     QVERIFY(stats->peerFreshness->ageMicroseconds < 20'000); // a millisecond each way

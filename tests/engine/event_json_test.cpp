@@ -1,4 +1,5 @@
 // The JSON lines of the station's monitor that no test over the programs reaches.
+#include "core/engine/headless/common_json.h"
 #include "core/engine/headless/event_json.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
@@ -26,6 +27,7 @@ class EventJsonTest : public QObject
 private Q_SLOTS:
     void droppedEventsAreReported();
     void agentThatDoesNotAnswerIsNamed();
+    void unknownAgeOfCommandsIsNull();
 };
 
 void EventJsonTest::droppedEventsAreReported()
@@ -49,6 +51,15 @@ void EventJsonTest::agentThatDoesNotAnswerIsNamed()
     QCOMPARE(event.value(QStringLiteral("state")).toString(), QStringLiteral("begun"));
     QCOMPARE(event.value(QStringLiteral("peer")).toString(), QStringLiteral("air-1"));
     QCOMPARE(event.value(QStringLiteral("own_fingerprint")).toString(), QStringLiteral("abc"));
+}
+
+void EventJsonTest::unknownAgeOfCommandsIsNull()
+{
+    channel::CommandsLate late;
+    late.report.ageMicroseconds = 2'500'000;
+    QCOMPARE(parsed(commandsLateEvent(late, "air-1")).value(QStringLiteral("age_ms")).toDouble(), 2500.0);
+    late.report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
+    QVERIFY(parsed(commandsLateEvent(late, "air-1")).value(QStringLiteral("age_ms")).isNull());
 }
 
 SKYSEAL_TEST(EventJsonTest)

@@ -47,6 +47,7 @@ private Q_SLOTS:
     void eachStationEventHasASentence();
     void eachAgentEventHasASentence();
     void channelEventsReadTheSameAtBothEnds();
+    void unknownAgeOfCommandsIsNamed();
     void eachReasonHasItsOwnText();
     void eachMissionTransferHasItsOwnTexts();
     void failedReadOfParametersHasNoName();
@@ -89,6 +90,20 @@ void EventTextTest::channelEventsReadTheSameAtBothEnds()
              QStringLiteral("Under attack: refused 3 forged and 4 replayed records that claim to come from air-1"));
     QCOMPARE(int(text.severity), 2);
     QCOMPARE(agentEventText(channel::Event(alarm), names).sentence, text.sentence);
+}
+
+void EventTextTest::unknownAgeOfCommandsIsNamed()
+{
+    PeerNames names;
+    names.note(channel::Event(channel::SessionUp{kSession, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    channel::CommandsLate late{kSession, 4, {}};
+    late.report.limitMilliseconds = 5000;
+    late.report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
+    QCOMPARE(eventText(late, names).sentence,
+             QStringLiteral("air-1 does not know how late commands arrive, and obeys none that may be older than 5.0 s: it "
+                            "ignored 4 messages"));
+    late.report.limitMilliseconds = 0; // no limit: others overtook them
+    QVERIFY(eventText(late, names).sentence.contains(QStringLiteral("overtook")));
 }
 
 void EventTextTest::eachReasonHasItsOwnText()

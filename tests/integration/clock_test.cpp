@@ -56,7 +56,10 @@ void ClockTest::tenYearsInFlight()
     QVERIFY(flight.ready());
     Program sim(QStringLiteral("skyseal-sim"), flight.simArguments());
     Program air(kEnv, shifted(QStringLiteral("skyseal-air"), flight.airArguments(), kTenYears, 3));
-    Program monitor(kEnv, shifted(QStringLiteral("skyseal-cli"), flight.monitorArguments(), -kTenYears, 5));
+    Program monitor(kEnv,
+                    shifted(QStringLiteral("skyseal-cli"),
+                            flight.monitorArguments({QStringLiteral("--do"), QStringLiteral("sleep 7; mode GUIDED")}),
+                            -kTenYears, 5));
     QVERIFY2(!monitor.waitFor(QStringLiteral("session")).isEmpty(), monitor.errors().constData());
     QJsonObject stats;
     for (int second = 0; second < 8; ++second) {
@@ -66,6 +69,13 @@ void ClockTest::tenYearsInFlight()
     QCOMPARE(monitor.events(QStringLiteral("session")).size(), std::size_t(1));
     QCOMPARE(lost(stats), 0);
     QVERIFY(stats[QLatin1String("mavlink")][QLatin1String("frames")].toInteger() > 50);
+    // After both steps, commands are as fresh as before.
+    const QJsonObject mode = monitor.waitFor(QStringLiteral("command"), [](const QJsonObject &command) {
+        return command[QLatin1String("step")].toString().startsWith(QLatin1String("mode"));
+    });
+    QCOMPARE(mode[QLatin1String("result")].toString(), QStringLiteral("accepted"));
+    QVERIFY(monitor.events(QStringLiteral("commands_late")).empty());
+    QVERIFY(air.events(QStringLiteral("frames_refused")).empty());
 }
 
 void ClockTest::tenYearsBackBeforeAHandshake()

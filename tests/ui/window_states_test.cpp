@@ -276,8 +276,18 @@ private Q_SLOTS:
         QCOMPARE(ignored.first, QStringLiteral("Sealed, commands are ignored"));
         QVERIFY2(ignored.second.contains(QStringLiteral("up to 6.1 s late, and the limit is 5.0 s")),
                  qPrintable(ignored.second));
+        const auto unknown = [&] {
+            report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
+            ++snapshot.time;
+            m_station->show(snapshot);
+            return std::pair(find<QLabel>("secureTitle")->text(), find<QLabel>("secureAdvice")->text());
+        };
+        QCOMPARE(unknown().first, QStringLiteral("Sealed, commands are ignored"));
+        QVERIFY2(unknown().second.contains(QStringLiteral("how late they arrive is unknown")), qPrintable(unknown().second));
         report.limitMilliseconds = 0;
         QCOMPARE(shown(6020).first, QStringLiteral("Sealed, commands are late"));
+        QVERIFY2(unknown().second.startsWith(QStringLiteral("How late commands arrive is unknown.")),
+                 qPrintable(unknown().second));
     }
     void failingDisksAreShown()
     {

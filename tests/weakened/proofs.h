@@ -64,6 +64,7 @@ inline constexpr Proof kProofs[] = {
     {"NoOvertakenLimit", "attack_freshness_test", "releasedAfterASwitch", "no overtaken command is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowHeldThenReleased", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "wholeFlowDelayed", "nothing older than the limit is obeyed"},
+    {"NoAgeLimit", "attack_freshness_test", "onlyTheWayBackDelayed", "nothing that may be older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "growingDelay", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "limitIsConfigurable", "nothing older than the limit is obeyed"},
     {"NoAgeLimit", "attack_freshness_test", "otherStationsKeepNothingFresh", "nothing older than the limit is obeyed"},

@@ -32,13 +32,21 @@ std::optional<CommandAge> commandAgeOf(const ViewState &view)
     CommandAge out;
     out.late = age >= kLateFrom;
     out.ignored = limit > 0 && age > limit;
-    if (out.ignored)
+    if (!report.isAgeKnown())
+        out.sentence = out.ignored
+            ? Text::tr("Commands are ignored: how late they arrive is unknown, and the limit is %1").arg(limitText)
+            : Text::tr("How late commands arrive is unknown");
+    else if (out.ignored)
         out.sentence = Text::tr("Commands are ignored: they arrive up to %1 late, and the limit is %2").arg(ageText, limitText);
     else if (out.late)
         out.sentence = Text::tr("Commands arrive up to %1 late").arg(ageText);
     else
         out.sentence = Text::tr("Commands arrive within %1").arg(ageText);
-    out.brief = out.ignored ? Text::tr("Commands ignored, %1 late").arg(ageText) : Text::tr("Commands %1 late").arg(ageText);
+    if (!report.isAgeKnown())
+        out.brief = out.ignored ? Text::tr("Commands ignored, delay unknown") : Text::tr("Delay of commands unknown");
+    else
+        out.brief = out.ignored ? Text::tr("Commands ignored, %1 late").arg(ageText)
+                                : Text::tr("Commands %1 late").arg(ageText);
     const QString overtaken = Text::tr("%1 s").arg(number(static_cast<double>(report.overtakenMilliseconds) / 1e3, 1));
     out.limits = limit > 0
         ? Text::tr("The agent ignores commands that are older than %1, or that newer messages overtook by %2")

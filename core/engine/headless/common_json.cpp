@@ -54,7 +54,10 @@ void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
 
 void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
 {
-    json.field("age_ms", double(report.ageMicroseconds) / 1e3);
+    if (report.isAgeKnown())
+        json.field("age_ms", double(report.ageMicroseconds) / 1e3);
+    else
+        json.key("age_ms").null();
     json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
 }
 

@@ -79,6 +79,12 @@ public:
     EventText operator()(const channel::CommandsLate &e) const
     {
         const double age = double(e.report.ageMicroseconds) / 1e6, limit = double(e.report.limitMilliseconds) / 1e3;
+        if (limit > 0 && !e.report.isAgeKnown())
+            return {tr("%1 does not know how late commands arrive, and obeys none that may be older than %2 s: it ignored %3")
+                        .arg(peer(e.session))
+                        .arg(limit, 0, 'f', 1)
+                        .arg(counted(e.records, tr("one message"), tr("%1 messages"))),
+                    kError};
         if (limit > 0 && age > limit)
             return {tr("Commands arrive up to %1 s late at %2, which obeys none that are older than %3 s: it ignored %4")
                         .arg(age, 0, 'f', 1)
