@@ -16,7 +16,7 @@ bool holds(const std::vector<crypto::SuiteId> &suites, crypto::SuiteId wanted)
 std::vector<crypto::SuiteId> Permissions::suites() const
 {
     auto suites = m_initiator ? permittedSuites(m_ours, m_peers) : permittedSuites(m_peers, m_ours);
-    // Clear frames within a session have no format; the number of the suite is reserved (PROTOCOL.md, section 10).
+    // Clear frames within a session have no format; the number of the suite is reserved (PROTOCOL.md, section 4).
     std::erase(suites, crypto::SuiteId::None);
     return suites;
 }

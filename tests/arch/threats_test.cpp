@@ -1,6 +1,6 @@
 // Each test that THREATS.md names for a threat exists, so that the document cannot promise what nobody checks; each attack
 // test is named there, and proven to be able to fail; each threat has such a test, or says why not; and nothing stands there
-// twice.
+// twice. The same for the steps of PROTOCOL.md that are proved by machine: their tests, models and runs exist.
 #include "tests/support/test_runner.h"
 #include "tests/weakened/proofs.h"
 
@@ -44,6 +44,13 @@ QString document()
     return contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/THREATS.md"));
 }
 
+/// The table of the steps that are proved by machine.
+QString provedSteps()
+{
+    const QString protocol = contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/PROTOCOL.md"));
+    return protocol.section(QStringLiteral("\n## 10. Proofs and tests\n"), 1, 1).section(QStringLiteral("\n## "), 0, 0);
+}
+
 /// "program: function, function; program" of the last column of a table's row; nothing of other lines.
 QList<Mention> mentionsOf(const QString &line)
 {
@@ -69,11 +76,39 @@ QList<Mention> mentionsOf(const QString &line)
     return out;
 }
 
-QList<Mention> mentions()
+QList<Mention> mentionsIn(const QString &text)
 {
     QList<Mention> out;
-    for (const QString &line : document().split(QLatin1Char('\n')))
+    for (const QString &line : text.split(QLatin1Char('\n')))
         out += mentionsOf(line);
+    return out;
+}
+
+QList<Mention> mentions()
+{
+    return mentionsIn(document());
+}
+
+/// The tests that do not exist, one a line.
+QString missingOf(const QList<Mention> &mentions)
+{
+    QString out;
+    for (const Mention &mention : mentions) {
+        const QString source = sourceOf(mention.program);
+        const bool found = mention.function.isEmpty() || source.contains(QStringLiteral("void %1(").arg(mention.function));
+        if (source.isEmpty() || !found)
+            out += QStringLiteral("\n%1: %2: %3").arg(mention.row, mention.program, mention.function);
+    }
+    return out;
+}
+
+/// The definitions of the runs of a model that violate a property, by its head.
+QStringList mutantsOf(const QString &model)
+{
+    static const QRegularExpression run(QStringLiteral("\n *run ([A-Z0-9_= ]*?) *violates "));
+    QStringList out;
+    for (const auto &match : run.globalMatch(contentOf(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/proofs/") + model)))
+        out << match.captured(1).split(QLatin1Char(' '));
     return out;
 }
 
@@ -100,20 +135,16 @@ private Q_SLOTS:
     void attacksAreNamedAndProven();
     void threatsWithoutATwinSayWhy();
     void nothingStandsTwice();
+    void provedStepsAreTested();
+    void provedStepsHaveTheirMutants();
 };
 
 void ThreatsTest::namedTestsExist()
 {
     const QList<Mention> all = mentions();
     QVERIFY2(all.size() > 50, "the tables of THREATS.md were not found");
-    QStringList missing;
-    for (const Mention &mention : all) {
-        const QString source = sourceOf(mention.program);
-        const bool found = mention.function.isEmpty() || source.contains(QStringLiteral("void %1(").arg(mention.function));
-        if (source.isEmpty() || !found)
-            missing << QStringLiteral("%1: %2: %3").arg(mention.row, mention.program, mention.function);
-    }
-    QVERIFY2(missing.isEmpty(), qPrintable(QLatin1Char('\n') + missing.join(QLatin1Char('\n'))));
+    const QString missing = missingOf(all);
+    QVERIFY2(missing.isEmpty(), qPrintable(missing));
 }
 
 void ThreatsTest::attacksAreNamedAndProven()
@@ -168,6 +199,47 @@ void ThreatsTest::nothingStandsTwice()
         known.insert(text);
     }
     QVERIFY(known.size() > 150);
+}
+
+void ThreatsTest::provedStepsAreTested()
+{
+    const QList<Mention> all = mentionsIn(provedSteps());
+    QVERIFY2(all.size() > 40, "the table of PROTOCOL.md was not found");
+    const QString missing = missingOf(all);
+    QVERIFY2(missing.isEmpty(), qPrintable(missing));
+}
+
+void ThreatsTest::provedStepsHaveTheirMutants()
+{
+    static const QRegularExpression reference(QStringLiteral("([a-z_]+\\.(?:pv|pml))((?:,? [A-Z][A-Z0-9_]+)*)"));
+    static const QRegularExpression name(QStringLiteral("[A-Z][A-Z0-9_]+"));
+    QSet<QString> named;
+    for (const QString &line : provedSteps().split(QLatin1Char('\n'))) {
+        if (mentionsOf(line).isEmpty())
+            continue;
+        const QString cell = line.split(QLatin1Char('|'))[3];
+        auto models = reference.globalMatch(cell);
+        QVERIFY2(models.hasNext(), qPrintable(line));
+        while (models.hasNext()) {
+            const auto model = models.next();
+            const QStringList mutants = mutantsOf(model.captured(1));
+            QVERIFY2(!mutants.isEmpty(), qPrintable(line));
+            for (const auto &mutant : name.globalMatch(model.captured(2))) {
+                QVERIFY2(mutants.contains(mutant.captured()), qPrintable(line));
+                named.insert(mutant.captured());
+            }
+        }
+    }
+    // Each rule that a model can do without is in the table; the other definitions are what the attacker has.
+    static const QRegularExpression notARule(
+        QStringLiteral("^(STEAL_.*|LATER|REACH|PSK|ON_PATH|SECRET_POINT|KNOWN|WHO_.*|LINKED|FIRST_ALONE|LISTENS|ACTIVE|BACKWARD"
+                       "|PASSPHRASE|GUESS|THIEF|LOST_COUNTER|REKEY|REPLACEMENT)$"));
+    QDirIterator walk(QStringLiteral(SKYSEAL_SOURCE_DIR "/core/channel/proofs"), QDir::Files);
+    while (walk.hasNext()) {
+        walk.next();
+        for (const QString &mutant : mutantsOf(walk.fileName()))
+            QVERIFY2(mutant.isEmpty() || named.contains(mutant) || notARule.match(mutant).hasMatch(), qPrintable(mutant));
+    }
 }
 
 SKYSEAL_TEST_APPLESS(ThreatsTest)
