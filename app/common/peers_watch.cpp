@@ -2,6 +2,7 @@
 
 #include "app/common/output.h"
 #include "core/base/json_writer.h"
+#include "core/base/weakness.h"
 
 #include <QtCore/QFileInfo>
 
@@ -116,7 +117,8 @@ PeersWatch::PeersWatch(const std::string &file, Read read, Apply apply, QObject 
     connect(&m_watcher, &QFileSystemWatcher::directoryChanged, this, &PeersWatch::look);
     connect(&m_watcher, &QFileSystemWatcher::fileChanged, this, &PeersWatch::look);
     keepWatching();
-    m_everySecond.start(kLookEvery);
+    if (!weakened(Weakness::NotifiedOnly))
+        m_everySecond.start(kLookEvery);
     look();
 }
 

@@ -64,6 +64,9 @@ enum class Weakness : std::uint8_t {
     NoFileChecksum,   ///< a damaged key is accepted
     Leak,             ///< an error message quotes the unreadable line
     CountersOneByOne, ///< the counters of first messages are reserved and stored one by one
+    StopWithoutDisk,  ///< a counter that cannot be stored is not accepted
+    AnyName,          ///< names of peers may hold control and format characters
+    NotifiedOnly,     ///< the list of peers is read only where the system notifies of its change
     // station and agent
     NoRoleCheck,        ///< observers may send commands
     Misreadable,        ///< messages of observers are forwarded although losing a part would change their meaning

@@ -227,7 +227,7 @@ std::uint64_t FileCounterStore::lastSeen(const channel::PublicKey &peer)
 bool FileCounterStore::remember(const channel::PublicKey &peer, std::uint64_t counter)
 {
     m_shared->remember(peer, counter);
-    return true;
+    return !weakened(Weakness::StopWithoutDisk) || m_shared->waitUntilStored().message.empty();
 }
 
 std::string FileCounterStore::problem() const

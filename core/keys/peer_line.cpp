@@ -1,6 +1,7 @@
 #include "core/keys/peer_line.h"
 
 #include "core/base/printable.h"
+#include "core/base/weakness.h"
 #include "core/base/utf8.h"
 #include "core/keys/public_key_text.h"
 
@@ -154,7 +155,7 @@ Result<void, InputError> checkPeerEntry(const PeerEntry &entry)
     };
     if (name.empty() || name.size() > kMaxNameLength || !std::all_of(name.begin(), name.end(), fits))
         return refuse(quoted(name) + " is not a peer's name: 1 to 32 letters, digits, \"-\", \"_\" or \".\"");
-    if (const std::string problem = unprintableIn(name); !problem.empty())
+    if (const std::string problem = unprintableIn(name); !problem.empty() && !weakened(Weakness::AnyName))
         return refuse(quoted(name) + " is not a peer's name: " + problem);
     if (std::find(entry.peer.systemIds.begin(), entry.peer.systemIds.end(), 0) != entry.peer.systemIds.end())
         return refuse("0 is not a system id: numbers from 1 to 255");

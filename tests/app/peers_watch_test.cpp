@@ -1,6 +1,7 @@
 // Changes of the list of peers take effect where the system notifies of them, where it cannot, and where its notifications
 // never arrive, as on a network file system.
 #include "app/common/peers_watch.h"
+#include "tests/app/inotify_double.h"
 #include "tests/support/eventually.h"
 #include "tests/support/test_runner.h"
 
@@ -9,12 +10,9 @@
 #include <QtTest/QTest>
 
 #include <atomic>
-#include <cerrno>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <sys/inotify.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 using namespace skyseal;
@@ -23,28 +21,12 @@ using namespace skyseal::test;
 
 namespace {
 
-enum class Inotify { Works, UsedUp, Silent };
-Inotify inotifyIs = Inotify::Works;
-
 Result<keys::UsablePeers, InputError> readNothing()
 {
     return keys::UsablePeers{};
 }
 
 } // namespace
-
-/// Takes the place of the C library's function, also for Qt.
-extern "C" int inotify_add_watch(int descriptor, const char *path, std::uint32_t mask) noexcept
-{
-    static int number = 1'000'000;
-    if (inotifyIs == Inotify::Silent)
-        return ++number;
-    if (inotifyIs == Inotify::UsedUp) {
-        errno = ENOSPC;
-        return -1;
-    }
-    return static_cast<int>(::syscall(SYS_inotify_add_watch, descriptor, path, mask));
-}
 
 class PeersWatchTest : public QObject
 {

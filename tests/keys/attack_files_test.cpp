@@ -15,6 +15,8 @@
 
 #include <QtTest/QTest>
 
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <set>
 #include <unistd.h>
@@ -55,6 +57,8 @@ private Q_SLOTS:
     void anotherPassphrase();
     void errorsShowNoKey();
     void strangersCauseNoWrites();
+    void fullDiskEndsNoSession();
+    void namesThatSteerATerminal();
 
 private:
     std::string newKey(const char *name)
@@ -195,6 +199,45 @@ void AttackFilesTest::strangersCauseNoWrites()
         contents.insert(readText(path));
     }
     HOLDS(contents.size() <= 2, "strangers cause no writes to the disk");
+}
+
+/// An agent confirms no session whose counter its store does not accept.
+void AttackFilesTest::fullDiskEndsNoSession()
+{
+    const auto full = std::make_shared<std::atomic<bool>>(false);
+    CounterDisk disk = counterDisk(m_folder.path("full.counters"));
+    disk.update = [full, update = disk.update](StoredCounters ours, std::uint64_t reserve,
+                                               bool create) -> Result<StoredCounters, InputError> {
+        if (*full)
+            return tl::unexpected(InputError{"No space left on device", "full.counters"});
+        return update(std::move(ours), reserve, create);
+    };
+    const auto store = std::move(*FileCounterStore::open(std::move(disk)));
+    store->waitUntilStored();
+    *full = true;
+    const channel::PublicKey peer{1};
+    HOLDS(store->remember(peer, 17), "a full disk ends no session");
+    QCOMPARE(store->lastSeen(peer), std::uint64_t(17));
+    store->waitUntilStored();
+    QVERIFY(contains(store->problem(), "No space left"));
+}
+
+void AttackFilesTest::namesThatSteerATerminal()
+{
+    const std::string key = publicKeyText(crypto::X25519KeyPair::generate(m_random).publicKey);
+    const auto loads = [&](const char *name) {
+        return loadPeers(m_folder.write("named.peers", std::string(name) + " pilot 1 " + key + "\n")).has_value();
+    };
+    QVERIFY(loads("Zoë"));
+    // A control sequence (CSI), a change of direction, a character without width, no UTF-8.
+    for (const char *name : {"a\xc2\x9b"
+                             "2J",
+                             "a\xe2\x80\xae"
+                             "b",
+                             "a\xe2\x80\x8b"
+                             "b",
+                             "a\xff"})
+        HOLDS(!loads(name), "no name steers a terminal");
 }
 
 SKYSEAL_TEST_APPLESS(AttackFilesTest)

@@ -159,6 +159,9 @@ inline constexpr Proof kProofs[] = {
     {"NoFileChecksum", "attack_files_test", "anotherPassphrase", "no key opens under another passphrase"},
     {"Leak", "attack_files_test", "errorsShowNoKey", "no error shows a key"},
     {"CountersOneByOne", "attack_files_test", "strangersCauseNoWrites", "strangers cause no writes to the disk"},
+    {"StopWithoutDisk", "attack_files_test", "fullDiskEndsNoSession", "a full disk ends no session"},
+    {"AnyName", "attack_files_test", "namesThatSteerATerminal", "no name steers a terminal"},
+    {"NotifiedOnly", "attack_revocation_test", "removedWithoutNotification", "a removed peer loses its session"},
 
     {"CommitEarly", "attack_switch_test", "raceOfBothEnds", "a switch loses nothing and repeats nothing"},
     {"CommitEarly", "attack_switch_test", "acceptancesAreDropped", "a switch loses nothing and repeats nothing"},
