@@ -1,6 +1,7 @@
 #include "core/channel/negotiation.h"
 
 #include "core/base/research.h"
+#include "core/channel/suite_list.h"
 
 #include <algorithm>
 
@@ -32,10 +33,15 @@ SuiteOffer offerOf(const Policy &policy)
     SuiteOffer offer;
     if constexpr (kResearch)
         offer = {{}, policy.allowResearch, policy.allowPlain, policy.allowInline, policy.allowInline && policy.preferInline};
+    std::size_t halves = 0;
     for (const SuiteId suite : policy.suites) {
         const bool wanted = suite != SuiteId::None && (offer.allowResearch || !isResearch(suite));
-        if (wanted && !holds(offer.suites, suite))
-            offer.suites.push_back(suite);
+        if (!wanted || holds(offer.suites, suite))
+            continue;
+        halves += suiteNumberHalves(static_cast<std::uint8_t>(suite));
+        if (halves > kSuiteListHalves)
+            break; // Cut here and not on the wire: both ends must choose from the same lists.
+        offer.suites.push_back(suite);
     }
     return offer;
 }

@@ -19,13 +19,13 @@ void setHalf(SuiteListField &field, std::size_t i, unsigned value)
 
 } // namespace
 
-std::optional<SuiteListField> packSuiteNumbers(std::span<const std::uint8_t> numbers)
+SuiteListField packSuiteNumbers(std::span<const std::uint8_t> numbers)
 {
     SuiteListField field{};
     std::size_t at = 0;
     for (const std::uint8_t number : numbers) {
-        if (number == 0 || at + suiteNumberHalves(number) > kSuiteListHalves)
-            return std::nullopt;
+        if (at + suiteNumberHalves(number) > kSuiteListHalves)
+            break;
         if (number < kFirstLongSuiteNumber) {
             setHalf(field, at++, number);
             continue;

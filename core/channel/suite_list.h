@@ -9,7 +9,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,8 +25,8 @@ constexpr std::size_t suiteNumberHalves(std::uint8_t number)
     return number < kFirstLongSuiteNumber ? 1 : 3;
 }
 
-/// Encodes the numbers, best first. Returns nullopt if one of them is 0 or the list does not fit.
-std::optional<SuiteListField> packSuiteNumbers(std::span<const std::uint8_t> numbers);
+/// Encodes the numbers, best first, and ends before the first one that does not fit. A 0 is an unused half byte.
+SuiteListField packSuiteNumbers(std::span<const std::uint8_t> numbers);
 
 /// Decodes the numbers in their order, each once. Skips zeros, repetitions, long forms of short numbers, and a long number
 /// that is cut off by the end of the field; every field is valid.
