@@ -185,6 +185,13 @@ Result<LinkUrl, InputError> LinkUrl::parse(std::string_view text, std::string_vi
     return LinkUrlParser::parse(text, unnamedHost, types);
 }
 
+std::string LinkUrl::ofRecording(std::string_view file)
+{
+    const auto types = linkTypes();
+    const auto type = std::find_if(types.begin(), types.end(), [](const LinkType &each) { return each.traits.isRecording; });
+    return std::string(type->scheme) + ':' + std::string(file);
+}
+
 LinkTraits LinkUrl::traits() const
 {
     LinkTraits out = m_type->traits;

@@ -28,6 +28,9 @@ public:
     static constexpr std::string_view kAnyHost = "0.0.0.0";
     static constexpr std::string_view kLoopback = "127.0.0.1";
 
+    /// The text of a URL that replays the recording `file`; parse() judges the file's name.
+    static std::string ofRecording(std::string_view file);
+
     const LinkType &type() const { return *m_type; }
     LinkTraits traits() const;
     bool isListening() const { return m_type->traits.isListening; }

@@ -115,6 +115,7 @@ private Q_SLOTS:
     void roomsOfTheUserInterface();
     void roomsOfThePrograms();
     void agentDoesNotKnowTheStation();
+    void linkTypesAreKnownToTheLinksOnly();
     void protocolHasNoQt();
     void secretsAreComparedInConstantTime();
     void filesStaySmall();
@@ -223,6 +224,20 @@ void LayersTest::agentDoesNotKnowTheStation()
         }
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// Properties of a link come from its LinkTraits (LinkSnapshot in ui): no comparison of schemes outside core/link, and no
+/// mention of the scheme of recordings.
+void LayersTest::linkTypesAreKnownToTheLinksOnly()
+{
+    static const QRegularExpression kScheme(
+        QStringLiteral("(starts_with|startsWith)\\(.*\"(udpin|udpout|tcp|tcpin|serial|tlog)\\b|\"tlog:"));
+    for (const SourceFile &file : sources({QStringLiteral("core"), QStringLiteral("ui"), QStringLiteral("app")})) {
+        if (file.path.startsWith(QLatin1String("core/link/")))
+            continue;
+        for (const QString &line : file.lines)
+            QVERIFY2(!kScheme.match(line).hasMatch(), qPrintable(file.path + QStringLiteral(": ") + line));
+    }
 }
 
 void LayersTest::protocolHasNoQt()

@@ -19,6 +19,7 @@ private Q_SLOTS:
     void callerChoosesTheDefaultHost();
     void traits_data();
     void traits();
+    void recordingIsReplayed();
     void refuses_data();
     void refuses();
     void canonicalTextParsesBack();
@@ -97,6 +98,13 @@ void LinkUrlTest::traits()
     QVERIFY(url.traits() == traits);
     QCOMPARE(url.traits().isDatagramServer(), text.starts_with("udpin:"));
     QCOMPARE(url.traits().isDatagramClient(), text.starts_with("udpout:"));
+}
+
+void LinkUrlTest::recordingIsReplayed()
+{
+    const auto url = LinkUrl::parse(LinkUrl::ofRecording("/tmp/a flight.tlog"));
+    QVERIFY(url && url->traits().isRecording);
+    QCOMPARE(url->path(), std::string("/tmp/a flight.tlog"));
 }
 
 void LinkUrlTest::refuses_data()

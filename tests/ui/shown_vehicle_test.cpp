@@ -157,7 +157,7 @@ private Q_SLOTS:
         QFETCH(QString, title);
         engine::Snapshot snapshot = plainSnapshot(1);
         if (recorded)
-            snapshot.links.front().url = "tlog:flight.tlog";
+            snapshot.links.front().recording = true;
         else
             snapshot.links.front().listenOnly = true;
         m_station->show(snapshot);

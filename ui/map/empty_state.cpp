@@ -98,7 +98,7 @@ void EmptyState::showViewState(const ViewState &view)
         for (const auto &link : view.snapshot->links) {
             if (link.phase == engine::LinkPhase::Failed)
                 continue;
-            replaying |= link.url.starts_with("tlog");
+            replaying |= link.recording;
             if (listening.isEmpty())
                 listening = fromStd(link.localAddress.empty() ? link.url : link.localAddress);
         }

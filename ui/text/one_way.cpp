@@ -19,7 +19,7 @@ std::optional<OneWay> oneWayOf(const ViewState &view)
 {
     if (!view.link || view.vehicle->session)
         return std::nullopt;
-    if (view.link->url.starts_with("tlog:"))
+    if (view.link->recording)
         return OneWay{Text::tr("Replay"),
                       Text::tr("The values come from a recorded log. They are not live, and nothing can be sent."),
                       Text::tr("it is a replay"), true};

@@ -2,6 +2,7 @@
 
 #include "core/engine/station/snapshot.h"
 #include "core/engine/text/state_text.h"
+#include "core/link/link_url.h"
 #include "ui/charts/diagnostics_panel.h"
 #include "ui/flight/vehicle_commands.h"
 #include "ui/links/link_dialog.h"
@@ -145,7 +146,7 @@ void MainWindow::connectParts()
 
     connect(m_dialogs, &WindowDialogs::linkAccepted, this, &MainWindow::openLink);
     connect(m_dialogs, &WindowDialogs::replayAccepted, this,
-            [this](const QString &file) { addLink(QStringLiteral("tlog:") + file); });
+            [this](const QString &file) { addLink(fromStd(link::LinkUrl::ofRecording(file.toStdString()))); });
     connect(m_dialogs, &WindowDialogs::settingsAccepted, this, &MainWindow::applySettings);
     connect(m_problems, &ProblemReports::linkRequested, this, &MainWindow::addLink);
     connect(m_commands, &VehicleCommands::takeOffAltitudeChanged, this, [this](double metres) {

@@ -157,6 +157,7 @@ LinkSnapshot LinkPool::describe(const Entry &entry) const
         out.problem = link.error().sentence();
     out.addressInUse = link.error().code == link::LinkErrorCode::PortInUse;
     out.hostUnknown = link.error().code == link::LinkErrorCode::HostUnknown;
+    out.recording = link.traits().isRecording;
     out.listenOnly = entry.use == LinkUse::ListenOnly;
     out.rxBytes = counters.rxBytes;
     out.txBytes = counters.txBytes;
