@@ -114,6 +114,7 @@ private Q_SLOTS:
     void arrowsGoDown();
     void roomsOfTheUserInterface();
     void roomsOfThePrograms();
+    void roomsOfTheEngine();
     void agentDoesNotKnowTheStation();
     void linkTypesAreKnownToTheLinksOnly();
     void protocolHasNoQt();
@@ -184,6 +185,32 @@ void LayersTest::roomsOfThePrograms()
             const QString target = roomOf(match.captured(1));
             const bool allowed = isUi ? room == QLatin1String("skyseal") : target == room || target == QLatin1String("common");
             if (!allowed)
+                wrong << file.path + QStringLiteral(": ") + line;
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(QLatin1Char('\n'))));
+}
+
+/// Station and agent stand beside each other on common; texts and command lines see both.
+void LayersTest::roomsOfTheEngine()
+{
+    static const QRegularExpression kInclude(QStringLiteral("^#include \"core/engine/([a-z]+)/"));
+    static const QString kCommon = QStringLiteral("common"), kStation = QStringLiteral("station"),
+                         kAgent = QStringLiteral("agent"), kText = QStringLiteral("text");
+    static const QHash<QString, QStringList> kAllowed{
+        {kCommon, {}},
+        {kStation, {kCommon}},
+        {kAgent, {kCommon}},
+        {kText, {kCommon, kStation, kAgent}},
+        {QStringLiteral("headless"), {kCommon, kStation, kAgent, kText}},
+    };
+    QStringList wrong;
+    for (const SourceFile &file : sources({QStringLiteral("core/engine")})) {
+        const QString room = file.path.section(QLatin1Char('/'), 2, 2);
+        QVERIFY2(kAllowed.contains(room), qPrintable(file.path));
+        for (const QString &line : file.lines) {
+            const QString target = kInclude.match(line).captured(1);
+            if (!target.isEmpty() && target != room && !kAllowed.value(room).contains(target))
                 wrong << file.path + QStringLiteral(": ") + line;
         }
     }
