@@ -250,7 +250,12 @@ void PrimitiveVectorsTest::hmacBlake2bHashesLongKeys()
 void PrimitiveVectorsTest::recordsOfASecondImplementation()
 {
     const auto vectors = readVectors("record_ciphers.txt");
-    QCOMPARE(vectors.size(), std::size_t(36));
+    for (const SuiteId suite : sealedSuites()) {
+        const std::string name(suiteInfo(suite).name);
+        QVERIFY2(
+            std::any_of(vectors.begin(), vectors.end(), [&](const Vector &vector) { return vector.text("suite") == name; }),
+            name.c_str());
+    }
     for (const Vector &vector : vectors) {
         const auto cipher = makeRecordCipher(suiteFromName(vector.text("suite")).value(), key32(vector.bytes("secret")));
         const Bytes plaintext = vector.bytes("plaintext");
