@@ -199,13 +199,6 @@ LinkTraits LinkUrl::traits() const
     return out;
 }
 
-LinkUrl LinkUrl::withPort(std::uint16_t port) const
-{
-    LinkUrl out = *this;
-    out.m_port = port;
-    return out;
-}
-
 std::string LinkUrl::toText() const
 {
     const std::string scheme = std::string(m_type->scheme) + ':';

@@ -42,8 +42,6 @@ public:
     /// Bit/s; 0 unless the target is DeviceBaud.
     std::uint32_t baud() const { return m_baud; }
 
-    /// The same link on another port, to offer when one is taken.
-    LinkUrl withPort(std::uint16_t port) const;
     /// The canonical spelling; parses back to an equal value.
     std::string toText() const;
 

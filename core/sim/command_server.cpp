@@ -2,7 +2,6 @@
 
 #include "core/mavlink/enums.h"
 #include "core/mavlink/messages.h"
-#include "core/sim/wire_units.h"
 
 namespace skyseal::sim {
 

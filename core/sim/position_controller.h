@@ -32,7 +32,6 @@ public:
     /// Starts afresh from where the vehicle is: before take-off and after a switch from manual flight.
     void reset(const Estimate &estimate);
 
-    const Vector3 &velocityTarget() const { return m_shaped.velocity(); }
 
 private:
     Vector3 wantedVelocity(const FlightDemand &demand, const Estimate &estimate, const FlightSettings &settings) const;

@@ -19,11 +19,6 @@ struct LocalFrame
     {
         return {(lon - longitude) * kMetresPerDegree * shrink(), (lat - latitude) * kMetresPerDegree};
     }
-    /// Latitude in y, longitude in x.
-    QPointF toDegrees(const QPointF &metres) const
-    {
-        return {longitude + metres.x() / (kMetresPerDegree * shrink()), latitude + metres.y() / kMetresPerDegree};
-    }
 
 private:
     double shrink() const { return std::cos(latitude * std::numbers::pi / 180); }
