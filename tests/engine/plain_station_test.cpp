@@ -100,6 +100,8 @@ void PlainStationTest::recordingApprovesNoVehicle()
     ground.station->addLink(urlOf("tlog:" + log.fileName().toStdString()));
     EVENTUALLY_EQUAL(ground.ears->snapshot->vehicles.size(), std::size_t(1));
     QCOMPARE(ground.ears->snapshot->pendingApproval.size(), std::size_t(1));
+    for (const engine::LinkSnapshot &link : ground.ears->snapshot->links)
+        QCOMPARE(link.recording, link.url.starts_with("tlog:"));
 }
 
 void PlainStationTest::pendingVehicleIsNotReportedAsAnAttack()
