@@ -10,19 +10,18 @@ namespace {
 
 constexpr Duration kRefusalPause = std::chrono::seconds(1);
 
-/// Returns true if messages of senders that are not authenticated, or copies of old messages, lead to this refusal.
-bool isCausedByStrangers(RefusalReason reason)
-{
-    return reason == RefusalReason::WrongKey || reason == RefusalReason::UnknownPeer || reason == RefusalReason::Version
-        || reason == RefusalReason::ReplayedHandshake;
-}
-
 bool sendsClose(DownReason reason)
 {
     return reason == DownReason::Closed || reason == DownReason::Revoked || reason == DownReason::Cloned;
 }
 
 } // namespace
+
+bool isCausedByStrangers(RefusalReason reason)
+{
+    return reason == RefusalReason::WrongKey || reason == RefusalReason::UnknownPeer || reason == RefusalReason::Version
+        || reason == RefusalReason::ReplayedHandshake;
+}
 
 bool samePresharedKey(const std::shared_ptr<const Key32> &one, const std::shared_ptr<const Key32> &other)
 {

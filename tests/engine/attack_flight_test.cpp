@@ -15,9 +15,12 @@
 #include <QtTest/QTest>
 
 #include <functional>
+#include <map>
+#include <numeric>
 
 using namespace skyseal;
 using namespace skyseal::test;
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -91,6 +94,7 @@ private Q_SLOTS:
     void blockedHandshakesOpenNoClearWay_data();
     void blockedHandshakesOpenNoClearWay();
     void nothingReadableOnTheWire();
+    void strangersCauseOneEventASecond();
 };
 
 void AttackFlightTest::injectionReachesNoAutopilot()
@@ -339,6 +343,61 @@ void AttackFlightTest::nothingReadableOnTheWire()
     for (const QByteArray &word : known)
         found += frameOf(item, 255).contains(word);
     QCOMPARE(found, std::size_t(3));
+}
+
+void AttackFlightTest::strangersCauseOneEventASecond()
+{
+    // All that a stranger can make an end report, from many addresses, at a station that expects one sealed vehicle and at an
+    // agent with a session.
+    AttackedFlight flight(channel::PeerRole::Pilot, [](engine::StationConfig config) {
+        config.secure = engine::SecureMode::Preferred;
+        return config;
+    });
+    EVENTUALLY(flight.flying() && !flight.ground.ears->snapshot->vehicles.empty());
+    QByteArray toGround, toAgent;
+    for (const UdpAttacker::Seen &seen : flight.attacker.seen) {
+        if ((seen.bytes[0] & 0xfc) == 0x50)
+            (seen.toGround ? toGround : toAgent) = seen.bytes;
+    }
+    // Under a counter that was not received yet, so that each comes as far as its tag.
+    const auto forged = [](QByteArray record) { return record.replace(3, 3, QByteArray::fromHex("ffff3f")); };
+    QByteArray otherVersion(127, 'v'), announcement(127, '\0'), first(127, 'f');
+    otherVersion[0] = 0x69;
+    announcement[0] = 0x58;
+    first[0] = 0x59;
+    const QByteArray heartbeat = frameOf(mavlink::Heartbeat{.type = 2, .autopilot = 3}, 1);
+
+    const quint16 port = flight.ground.port();
+    flight.ground.ears->events.clear();
+    flight.rig.agentEvents.clear();
+    const TimePoint begun = steadyNow();
+    while (steadyNow() < begun + 6s) {
+        QUdpSocket stranger; // each from another address
+        for (const QByteArray &datagram : {otherVersion, announcement, heartbeat})
+            stranger.writeDatagram(datagram, QHostAddress::LocalHost, port);
+        flight.attacker.toGround(forged(toGround));
+        for (const QByteArray &datagram : {otherVersion, first, forged(toAgent)})
+            flight.attacker.toAgent(datagram);
+        announcement[1] = static_cast<char>(announcement[1] + 1);
+        QTest::qWait(4);
+    }
+    const double took = seconds(steadyNow() - begun);
+    std::map<std::string, int> kinds;
+    for (const engine::Event &event : flight.ground.ears->events) {
+        if (const auto *refused = std::get_if<channel::HandshakeRefused>(&event))
+            ++kinds[refused->reason == channel::RefusalReason::UnknownPeer ? "unknown agent" : "refused"];
+        else if (std::holds_alternative<channel::ForgeryAlarm>(event))
+            ++kinds["forged"];
+        else if (std::holds_alternative<engine::PlaintextRefused>(event))
+            ++kinds["clear"];
+    }
+    const auto lines = std::accumulate(kinds.begin(), kinds.end(), 0,
+                                       [](int sum, const auto &kind) { return sum + kind.second; });
+    HOLDS(lines <= took + 2, "strangers cause one event a second");
+    HOLDS(static_cast<double>(flight.rig.agentEvents.size()) <= took + 2, "strangers cause one event a second");
+    for (const char *kind : {"unknown agent", "refused", "forged", "clear"})
+        QVERIFY2(kinds.contains(kind), kind); // no kind hides another
+    QVERIFY(static_cast<double>(flight.rig.agentEvents.size()) >= took - 2);
 }
 
 SKYSEAL_TEST(AttackFlightTest)

@@ -317,7 +317,7 @@ void SealedStationTest::agentThatDoesNotKnowUsIsNamed()
     rig.startAgent(ground.ears->listening());
     EVENTUALLY(ground.up());
     EVENTUALLY(ground.ears->snapshot->unanswering.empty());
-    QCOMPARE(told().size(), std::size_t(2));
+    EVENTUALLY_EQUAL(told().size(), std::size_t(2));
     QVERIFY(told()[1].over);
 }
 

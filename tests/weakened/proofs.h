@@ -106,6 +106,7 @@ inline constexpr Proof kProofs[] = {
     {"NoWipe", "attack_memory_test", "switchSecretsAreGone", "the secrets of a switch are gone"},
     {"NoSwitchExchange", "attack_memory_test", "stolenChainOpensNoLaterEpoch", "a stolen chain opens no later epoch"},
 
+    {"TellEverything", "attack_flight_test", "strangersCauseOneEventASecond", "strangers cause one event a second"},
     {"ClearAccepted", "attack_flight_test", "injectionReachesNoAutopilot", "the autopilot's state never changes"},
     {"NoRoleCheck", "attack_flight_test", "observerCommandsNothing", "an observer moves nothing"},
     {"Misreadable,UnlimitedQuestions", "attack_observer_test", "nothingIsNestedInAQuestion",

@@ -38,11 +38,12 @@ channel::Endpoint makeEndpoint(const AgentConfig &config, SecretFiles &secrets)
 } // namespace
 
 AgentCore::AgentCore(AgentConfig config, std::unique_ptr<SecretFiles> secrets, Notify notify)
-    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_notify(std::move(notify)), m_ground(groundOf(m_config)),
+    : m_config(std::move(config)), m_secrets(std::move(secrets)), m_events(std::move(notify)), m_ground(groundOf(m_config)),
       m_links(*this, [this](link::Link &link) { linkChanged(link); }),
       m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_vehicleSink(*this),
       m_channel(makeEndpoint(m_config, *m_secrets), m_links),
-      m_pairing(m_links, m_secrets->random, [this](const channel::PairingEvent &event) { m_notify(event); }),
+      m_pairing(m_links, m_secrets->random,
+                [this](const channel::PairingEvent &event) { m_events.publish(steadyNow(), event); }),
       m_clear(m_links, kGround), m_timer([this] { handleDeadline(); })
 {
     m_gate.setPeers(m_secrets->peers);
@@ -146,9 +147,9 @@ AgentSnapshot AgentCore::snapshot()
     m_channel.roll(now);
     m_routes.forgetSilent(now);
     for (const FramesRefused &refused : m_gate.takeRefused())
-        m_notify(refused);
+        m_events.publish(now, refused);
     if (const auto storage = m_storage.note(now, m_secrets->counters->problem()))
-        m_notify(*storage);
+        m_events.publish(now, *storage);
     AgentSnapshot out;
     out.storageProblem = m_storage.problem();
     for (LinkSnapshot &link : m_links.snapshots(now))
@@ -176,7 +177,7 @@ void AgentCore::linkChanged(link::Link &link)
         m_ground.remote = link.remote();
         m_channel.endpoint().setAnnounceTo(steadyNow(), {m_ground});
     }
-    m_notify(AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});
+    m_events.publish(steadyNow(), AgentLinkChanged{link.id() == kGroundLink, m_links.snapshot(link)});
 }
 
 void AgentCore::linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks)
@@ -235,7 +236,7 @@ bool AgentCore::takeVehicleHeartbeat(TimePoint now, const Path &from, const mavl
     if (m_gate.isGroundSystem(systemId) && !weakened(Weakness::VehicleTakesAnyId)) {
         m_routes.forget(systemId);
         if (m_groundIdClaims.note(now, systemId))
-            m_notify(GroundIdClaimed{systemId});
+            m_events.publish(now, GroundIdClaimed{systemId});
         return false;
     }
     m_routes.heard(now, from, systemId);
@@ -330,7 +331,7 @@ void AgentCore::handleEvents(std::optional<channel::SessionId> speaking)
             m_sessions.remove(down->session);
             m_ingress.setRules(kGroundLink, groundRules());
         }
-        m_notify(*event);
+        m_events.publish(steadyNow(), *event);
     }
 }
 
@@ -340,6 +341,7 @@ void AgentCore::handleDeadline()
     m_channel.endpoint().handleDeadline(now);
     m_node.handleDeadline(now, m_links, kGround);
     m_pairing.handleDeadline(now);
+    m_events.publishDue(now);
     finishWake();
 }
 
@@ -354,8 +356,8 @@ void AgentCore::finishWake()
     m_channel.flush(now); // what an event caused
     m_pairing.flush();
     m_links.flush();
-    m_timer.set(
-        std::min({m_channel.endpoint().nextDeadline(), m_channel.flushDue(), m_pairing.nextDeadline(), m_node.nextDeadline()}));
+    m_timer.set(std::min({m_channel.endpoint().nextDeadline(), m_channel.flushDue(), m_pairing.nextDeadline(),
+                          m_node.nextDeadline(), m_events.nextDeadline()}));
 }
 
 } // namespace skyseal::engine

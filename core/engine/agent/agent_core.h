@@ -114,7 +114,7 @@ private:
 
     AgentConfig m_config;
     std::unique_ptr<SecretFiles> m_secrets;
-    Notify m_notify;
+    EventPublisher<AgentEvent, AgentCauses> m_events;
     Path m_ground; ///< where stations are looked for; the address is known once a name was resolved
     LinkPool m_links;
     Ingress m_ingress;

@@ -3,6 +3,7 @@
 
 #include "core/channel/events.h"
 #include "core/channel/pairing.h"
+#include "core/engine/common/event_publisher.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/storage_watch.h"
 
@@ -43,5 +44,14 @@ struct GroundIdClaimed
 
 using AgentEvent =
     std::variant<AgentLinkChanged, channel::Event, channel::PairingEvent, FramesRefused, GroundIdClaimed, CounterStorage>;
+
+/// The events that a stranger can cause, see EventPublisher.
+struct AgentCauses : ChannelCauses
+{
+    using ChannelCauses::operator();
+    using ChannelCauses::merge;
+    std::optional<StrangerCause> operator()(const channel::Event &event) const { return std::visit(ChannelCauses(), event); }
+    static void merge(channel::Event &waiting, const channel::Event &newer) { mergeEvents<ChannelCauses>(waiting, newer); }
+};
 
 } // namespace skyseal::engine

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "core/channel/events.h"
+#include "core/engine/common/event_publisher.h"
 #include "core/engine/common/link_snapshot.h"
 #include "core/engine/common/storage_watch.h"
 #include "core/engine/station/unanswering_agent.h"
 #include "core/vehicle/event.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -82,6 +84,16 @@ using SessionEvent =
                  channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate, channel::PeerStorageChanged>;
 /// An event of the station itself, of a vehicle or of a session.
 using Event = Joined<StationEvent, vehicle::Event, SessionEvent>::Type;
+
+/// The events that a stranger can cause, see EventPublisher.
+struct StationCauses : ChannelCauses
+{
+    using ChannelCauses::operator();
+    using ChannelCauses::merge;
+    std::optional<StrangerCause> operator()(const PlaintextRefused &refused) const;
+    std::optional<StrangerCause> operator()(const AgentUnanswering &unanswering) const;
+    static void merge(PlaintextRefused &waiting, const PlaintextRefused &newer);
+};
 
 /// Publishes one event; called on the I/O thread.
 using Notify = std::function<void(Event)>;

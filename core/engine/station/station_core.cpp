@@ -32,14 +32,15 @@ StationCore::StationCore(StationConfig config, std::unique_ptr<SecretFiles> secr
       m_ingress(mavlink::Dialect::builtin(), m_links.carriers()), m_fleet(vehicleConfig(m_config)),
       m_sender({m_config.systemId, m_config.componentId}, m_links, m_ingress),
       m_receiver({m_config.systemId, m_config.componentId},
-                 {m_links, m_ingress, m_fleet, m_sender.routes(), m_settings, m_sinks.event, *this}),
-      m_pace(m_config.snapshotsPerSecond), m_start(steadyNow()), m_quarters{m_start}, m_timer([this] { handleDeadline(); })
+                 {m_links, m_ingress, m_fleet, m_sender.routes(), m_settings,
+                  [this](Event event) { m_events.publish(steadyNow(), std::move(event)); }, *this}),
+      m_pace(m_config.snapshotsPerSecond), m_events(m_sinks.event), m_clock{steadyNow()}, m_timer([this] { handleDeadline(); })
 {
     if (m_secrets && m_config.secure != SecureMode::Off) {
         m_receiver.gate().policy().setPeers(m_secrets->peers);
         m_receiver.gate().policy().rememberSealed(m_secrets->sealedSystems);
         m_links.carriers().setNode({m_config.systemId, m_config.componentId});
-        m_channel = std::make_unique<StationChannel>(m_start, m_settings.policy(), *m_secrets, m_links,
+        m_channel = std::make_unique<StationChannel>(m_clock.start, m_settings.policy(), *m_secrets, m_links,
                                                      [this](const channel::PairingEvent &event) {
                                                          if (m_sinks.pairing)
                                                              m_sinks.pairing(event);
@@ -299,16 +300,17 @@ void StationCore::handleDeadline()
         m_channel->pairing.handleDeadline(now);
     if (now >= m_fleet.vehicles().nextDeadline())
         m_fleet.vehicles().handleDeadline(now);
-    if (now >= m_quarters.next)
+    if (now >= m_clock.nextQuarter)
         everyQuarterSecond(now);
+    m_events.publishDue(now);
     m_sender.sendHeartbeats(now, m_receiver.gate().policy());
     finishWake();
 }
 
 TimePoint StationCore::nextDeadline() const
 {
-    TimePoint next = std::min(
-        {m_quarters.next, m_fleet.vehicles().nextDeadline(), m_sender.nextHeartbeat(), m_pace.nextDeadline()});
+    TimePoint next = std::min({m_clock.nextQuarter, m_fleet.vehicles().nextDeadline(), m_sender.nextHeartbeat(),
+                               m_pace.nextDeadline(), m_events.nextDeadline()});
     if (isSealing())
         next = std::min({next, m_channel->endpoint().nextDeadline(), m_channel->driver.flushDue()});
     if (m_channel)
@@ -335,7 +337,7 @@ void StationCore::handleEvent(TimePoint now, const channel::Event &event)
         if (refused->reason == channel::RefusalReason::UnknownPeer && !m_channel->unknownAgents.note(now, refused->path))
             return; // published a short while ago
     }
-    std::visit([this](const auto &value) { m_sinks.event(value); }, event);
+    std::visit([&](const auto &value) { m_events.publish(now, value); }, event);
 }
 
 void StationCore::handleSessionUp(TimePoint now, const channel::SessionUp &up)
@@ -360,8 +362,8 @@ void StationCore::handleSessionDown(TimePoint now, const channel::SessionDown &d
 
 void StationCore::everyQuarterSecond(TimePoint now)
 {
-    m_quarters.next = std::max(m_quarters.next + MetricsSampler::kEvery, now);
-    if (m_quarters.count++ % 4 == 0)
+    m_clock.nextQuarter = std::max(m_clock.nextQuarter + MetricsSampler::kEvery, now);
+    if (m_clock.quarters++ % 4 == 0)
         everySecond(now);
     const bool anyHeard = m_fleet.sample(now, m_sinks.event);
     if (m_channel)
@@ -371,7 +373,7 @@ void StationCore::everyQuarterSecond(TimePoint now)
         reading.rxBytes += link.counters().rxBytes;
         reading.txBytes += link.counters().txBytes;
     });
-    m_sampler.sample(now, seconds(now - m_start), reading);
+    m_sampler.sample(now, seconds(now - m_clock.start), reading);
     m_pace.markChanged();
 }
 
@@ -379,7 +381,7 @@ void StationCore::everySecond(TimePoint now)
 {
     m_sender.routes().forgetSilent(now);
     m_receiver.gate().forgetSilent(now);
-    m_receiver.gate().publishRefusals(now, m_sinks.event);
+    m_receiver.gate().publishRefusals(now, [&](Event event) { m_events.publish(now, std::move(event)); });
     saveSealedSystems(now);
     if (m_secrets) {
         if (auto storage = m_storage.note(now, m_secrets->counters->problem()))
@@ -403,7 +405,7 @@ void StationCore::everySecond(TimePoint now)
 void StationCore::publishUnanswering(TimePoint now)
 {
     for (AgentUnanswering &event : m_channel->updateUnanswering(now))
-        m_sinks.event(std::move(event));
+        m_events.publish(now, std::move(event));
 }
 
 /// Stores as which systems the peers were heard, if that has changed.
@@ -430,7 +432,7 @@ std::shared_ptr<Snapshot> StationCore::takeSnapshot(TimePoint now)
 {
     auto out = buildSnapshot(sources(), now, m_measuring);
     out->number = m_pace.takeNumber();
-    out->time = seconds(now - m_start);
+    out->time = seconds(now - m_clock.start);
     out->storageProblem = m_storage.problem();
     if (m_sinks.eventsDropped)
         out->eventsDropped = m_sinks.eventsDropped();

@@ -85,10 +85,11 @@ public:
 
 private:
     /// Readings are taken four times a second, some of them every fourth time.
-    struct QuarterClock
+    struct Clock
     {
-        TimePoint next;
-        unsigned count = 0;
+        TimePoint start;
+        TimePoint nextQuarter = start;
+        unsigned quarters = 0;
     };
 
     void linkReceived(link::Link &link, std::span<const link::ReceivedBlock> blocks) override;
@@ -127,10 +128,10 @@ private:
     StationReceiver m_receiver;
     MetricsSampler m_sampler;
     SnapshotPace m_pace;
+    EventPublisher<Event, StationCauses> m_events; ///< those that strangers can cause; the others go to m_sinks
     StorageWatch m_storage;
     TimePoint m_saveSystemsAgain = TimePoint::min(); ///< after a failure
-    TimePoint m_start;
-    QuarterClock m_quarters;
+    Clock m_clock;
     bool m_measuring = false;
     bool m_stopped = false;
     DeadlineTimer m_timer;

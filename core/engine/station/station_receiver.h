@@ -42,7 +42,7 @@ public:
         Fleet &fleet;
         RouteTable &routes;
         const SecuritySettings &settings;
-        const Notify &notify;
+        Notify notify;
         EventHandler &events;
     };
 
