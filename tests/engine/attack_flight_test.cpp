@@ -12,6 +12,7 @@
 #include "tests/support/test_runner.h"
 #include "tests/support/udp_attacker.h"
 
+#include <QtCore/QTimer>
 #include <QtTest/QTest>
 
 #include <functional>
@@ -371,7 +372,8 @@ void AttackFlightTest::strangersCauseOneEventASecond()
     flight.ground.ears->events.clear();
     flight.rig.agentEvents.clear();
     const TimePoint begun = steadyNow();
-    while (steadyNow() < begun + 6s) {
+    QTimer flood;
+    connect(&flood, &QTimer::timeout, this, [&] {
         QUdpSocket stranger; // each from another address
         for (const QByteArray &datagram : {otherVersion, announcement, heartbeat})
             stranger.writeDatagram(datagram, QHostAddress::LocalHost, port);
@@ -379,8 +381,10 @@ void AttackFlightTest::strangersCauseOneEventASecond()
         for (const QByteArray &datagram : {otherVersion, first, forged(toAgent)})
             flight.attacker.toAgent(datagram);
         announcement[1] = static_cast<char>(announcement[1] + 1);
-        QTest::qWait(4);
-    }
+    });
+    flood.start(4);
+    EVENTUALLY(steadyNow() >= begun + 6s);
+    flood.stop();
     const double took = seconds(steadyNow() - begun);
     std::map<std::string, int> kinds;
     for (const engine::Event &event : flight.ground.ears->events) {

@@ -327,7 +327,8 @@ void SealedStationTest::lastSnapshotKeepsTheCounts()
     Ground ground(rig.stationConfig());
     rig.startAgent(ground.ears->listening());
     VehicleOnUdp vehicle(rig.vehicleAddress());
-    EVENTUALLY(ground.ears->snapshot->mavlink.frames > 5);
+    EVENTUALLY(ground.ears->snapshot->mavlink.frames > 5
+               && ground.ears->snapshot->channel.rx.good > 5); // of several frames each
     std::shared_ptr<const engine::Snapshot> last;
     connect(ground.station.get(), &engine::Station::stopped, this,
             [&last](const std::shared_ptr<const engine::Snapshot> &snapshot) { last = snapshot; });

@@ -65,8 +65,9 @@ public:
     using Sink = std::function<void(Event)>;
 
     static constexpr Duration kEvery = std::chrono::seconds(1);
-    /// Events of one kind that wait; further ones are dropped.
-    static constexpr std::size_t kMostWaiting = 256;
+    /// Events of one kind that wait; further ones are dropped, their counts stay in the statistics. So few, that even with all kinds
+    /// in turn none is published more than a minute after its cause.
+    static constexpr std::size_t kMostWaiting = 8;
 
     explicit EventPublisher(Sink sink) : m_sink(std::move(sink)) {}
 
