@@ -177,6 +177,15 @@ std::vector<Unanswered> Endpoint::unanswered() const
     return m_state->stationHandshakes ? m_state->stationHandshakes->unanswered() : std::vector<Unanswered>();
 }
 
+bool Endpoint::namesSerialSession(ByteView message) const
+{
+    const auto header = RecordHeader::read(message);
+    if (!header || header->kind != DatagramKind::Record)
+        return false;
+    const auto *entry = m_state->core.table.find(header->connection);
+    return entry && entry->up && entry->session->path().carrier == Carrier::Serial;
+}
+
 const ReceiveCounters &Endpoint::unmatched() const
 {
     return m_state->core.unmatched;

@@ -55,6 +55,9 @@ public:
     static bool ownsFrame(ByteView frame);
     /// Bytes that seal() puts in front of the frames, within the overhead of a record: a station's stamp.
     std::size_t stampLength() const;
+    /// Returns true if the message is a record that carries the connection id of a session on a serial carrier: such a session
+    /// may have moved to a new stream. Does not authenticate it.
+    bool namesSerialSession(ByteView message) const;
     /// Returns true if the datagram is shaped like an announcement. Does not authenticate it.
     static bool isAnnouncement(ByteView datagram);
 

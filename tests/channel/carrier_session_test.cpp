@@ -45,6 +45,7 @@ private Q_SLOTS:
     void restartsOnALine();
     void lineReconnects();
     void lineReconnectsRepeatedly();
+    void reportsNameTheirSessionOnLines();
     void anotherStationOnTheLine();
     void singleRecordsAreForLines();
     void noInlineFramesElsewhere();
@@ -199,6 +200,24 @@ void CarrierSessionTest::lineReconnectsRepeatedly()
         pair.run(20s);
         const std::uint64_t said = pair.air().datagramsOut - before;
         QVERIFY2(said >= 38 && said <= 42, qPrintable(QString::number(said)));
+    }
+}
+
+void CarrierSessionTest::reportsNameTheirSessionOnLines()
+{
+    for (const Carrier carrier : kCarriers) {
+        Pair pair(in(carrier));
+        QVERIFY(pair.run(5s, [&] { return pair.bothUp(); }));
+        pair.run(2s);
+        pair.air().endpoint->handleStreamBegan(pair.now, LinkId{1});
+        pair.air().endpoint->handleDeadline(pair.now);
+        const auto report = pair.air().endpoint->pollTransmit();
+        QVERIFY(report);
+        Bytes message(report->bytes.begin(), report->bytes.end());
+        QCOMPARE(pair.ground().endpoint->namesSerialSession(message), carrier == Carrier::Serial);
+        message[2] ^= 1; // of another session
+        QVERIFY(!pair.ground().endpoint->namesSerialSession(message));
+        QVERIFY(!pair.ground().endpoint->namesSerialSession(ByteView(message).first(5)));
     }
 }
 

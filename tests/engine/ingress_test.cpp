@@ -8,6 +8,8 @@
 
 #include <QtTest/QTest>
 
+#include <algorithm>
+
 using namespace skyseal;
 using namespace skyseal::engine;
 using namespace skyseal::test;
@@ -27,6 +29,7 @@ struct Calls final : IngressSink
             text += 'P';
         return is;
     }
+    bool namesSession(ByteView message) const override { return std::ranges::equal(message, sessionRecord); }
     void takeRecord(const link::Link &, const link::ReceivedBlock &message) override
     {
         text += message.path.carrier == Carrier::Datagram ? 'R' : message.path.carrier == Carrier::Serial ? 'C' : 'T';
@@ -43,6 +46,7 @@ struct Calls final : IngressSink
     }
 
     bool pairing = false;
+    Bytes sessionRecord;
     std::string text;
 };
 
@@ -141,6 +145,7 @@ private Q_SLOTS:
     void pairingComesFirst();
     void clearFramesOnASharedStream();
     void streamOfCobsIsNotSearched();
+    void newStreamTakesRecordsOfSessionsOnly();
     void unsearchedLinkIsNeverSearched();
     void tunnelOnBothKindsOfLinks();
     void rulesChangeWithinABlock();
@@ -211,6 +216,21 @@ void IngressTest::streamOfCobsIsNotSearched()
     bench.ingress.forget({kLink, {}});
     QVERIFY(!bench.ingress.isCobs({kLink, {}}, kNow));
     QCOMPARE(bench.take(kHeartbeat), std::string("f"));
+}
+
+void IngressTest::newStreamTakesRecordsOfSessionsOnly()
+{
+    Bytes record(60, 7);
+    record[0] = channel::firstByte(channel::DatagramKind::Record, 0);
+    Bytes other = record;
+    other[1] = 8;
+    Bench bench(sealedStream(), "tcp:127.0.0.1:1");
+    bench.calls.sessionRecord = record;
+    QVERIFY(bench.take(inCobs(other)).find('C') == std::string::npos);
+    QVERIFY(!bench.ingress.isCobs({kLink, {}}, kNow));
+    QVERIFY(bench.take(inCobs(record)).ends_with('C'));
+    QVERIFY(bench.ingress.isCobs({kLink, {}}, kNow));
+    QCOMPARE(bench.take(inCobs(other)), std::string("C"));
 }
 
 void IngressTest::unsearchedLinkIsNeverSearched()

@@ -160,7 +160,8 @@ public:
             written += piece.size();
             const link::ReceivedBlock block{{LinkId{2}, {}}, piece, now};
             if (m_carrier == Carrier::Serial)
-                m_reader.takeCobs(block, [this](const link::ReceivedBlock &message) { take(message); });
+                m_reader.takeCobs(
+                    block, [](ByteView) { return false; }, [this](const link::ReceivedBlock &message) { take(message); });
             else
                 m_parser.feed(piece, [&](const mavlink::ScanItem &item) {
                     if (!CarrierReader::isTunnel(item))

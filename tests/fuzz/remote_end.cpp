@@ -175,7 +175,9 @@ void RemoteEnd::receive(TimePoint now, ByteView block)
     Bytes bytes(block.begin(), block.end());
     const link::ReceivedBlock received{{m_engine.link, m_engine.remote}, bytes, now};
     if (m_engine.carrier == Carrier::Serial) {
-        m_reader.takeCobs(received, [&](const link::ReceivedBlock &message) { handleMessage(now, message); });
+        m_reader.takeCobs(
+            received, [&](ByteView message) { return m_endpoint->namesSerialSession(message); },
+            [&](const link::ReceivedBlock &message) { handleMessage(now, message); });
         return;
     }
     const bool datagrams = m_engine.carrier == Carrier::Datagram;

@@ -255,6 +255,11 @@ bool AgentCore::takePairing(const link::Link &, const link::ReceivedBlock &messa
     return true;
 }
 
+bool AgentCore::namesSession(ByteView message) const
+{
+    return m_channel.endpoint().namesSerialSession(message);
+}
+
 void AgentCore::takeRecord(const link::Link &, const link::ReceivedBlock &message)
 {
     if (const auto delivery = m_channel.receive(message.time, message.path, message.bytes))

@@ -100,6 +100,7 @@ private:
     void takeFromVehicle(TimePoint now, const Path &from, const mavlink::ScanItem &item);
     bool takeVehicleHeartbeat(TimePoint now, const Path &from, const mavlink::Frame &heartbeat);
     bool takePairing(const link::Link &link, const link::ReceivedBlock &message) override;
+    bool namesSession(ByteView message) const override;
     void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
     void takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame) override;
     void takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item) override;

@@ -24,9 +24,11 @@ public:
     static constexpr std::size_t kMostNodes = 256;
 
     /// Calls `deliver(const link::ReceivedBlock &)` for each message in the next piece of a stream: its path is that of the
-    /// piece, in Carrier::Serial. Until the stream is known to be COBS, only messages that open a handshake or pairing are
-    /// accepted, by kind and length: bytes of MAVLink between two zeros can resemble any other message.
-    template<typename Deliver> void takeCobs(const link::ReceivedBlock &piece, Deliver &&deliver)
+    /// piece, in Carrier::Serial. Bytes of MAVLink between two zeros can resemble a message. So until the stream is known to be
+    /// COBS, only messages that open a handshake or pairing are accepted, by kind and length, and those for which
+    /// `namesSession(ByteView)` returns true: a session goes on after its stream was reconnected.
+    template<typename NamesSession, typename Deliver>
+    void takeCobs(const link::ReceivedBlock &piece, NamesSession &&namesSession, Deliver &&deliver)
     {
         auto &line = m_lines[piece.path];
         if (!line)
@@ -34,7 +36,9 @@ public:
         Path path = piece.path;
         path.carrier = Carrier::Serial;
         line->reader.feed(piece.bytes, [&](MutableByteView message) {
-            if (!channel::isOurs(message[0]) || (!isCobs(piece.path, piece.time) && !opensConversation(message)))
+            if (!channel::isOurs(message[0]))
+                return;
+            if (!isCobs(piece.path, piece.time) && !opensConversation(message) && !namesSession(ByteView(message)))
                 return;
             line->heard = piece.time;
             deliver(link::ReceivedBlock{path, message, piece.time});

@@ -31,7 +31,9 @@ void Ingress::takeStream(const Registered &to, const link::Link &link, const lin
 {
     const IngressRules &rules = to.rules; // a sink may change them, so each is read when it is needed
     if (rules.takesCobs)
-        m_reader.takeCobs(block, [&](const link::ReceivedBlock &message) { takeMessage(*to.sink, link, message); });
+        m_reader.takeCobs(
+            block, [&](ByteView message) { return to.sink->namesSession(message); },
+            [&](const link::ReceivedBlock &message) { takeMessage(*to.sink, link, message); });
     if (rules.clear == ClearScan::Never
         || (rules.clear == ClearScan::UnlessCobs && rules.takesCobs && m_reader.isCobs(block.path, block.time)))
         return;

@@ -50,6 +50,8 @@ public:
     virtual ~IngressSink() = default;
     /// Returns false if the message is not one of a pairing that is in progress.
     virtual bool takePairing(const link::Link &, const link::ReceivedBlock & /*message*/) { return false; }
+    /// Returns true if the message is a record of a session on a serial carrier, by its connection id.
+    virtual bool namesSession(ByteView /*message*/) const { return false; }
     /// A message whose first byte belongs to the channel; the path has the carrier in which it came.
     virtual void takeRecord(const link::Link &, const link::ReceivedBlock & /*message*/) {}
     /// `frame` is the one frame, to be opened in place.

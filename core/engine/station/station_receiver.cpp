@@ -62,6 +62,11 @@ bool StationReceiver::takePairing(const link::Link &, const link::ReceivedBlock 
     return m_channel && m_channel->pairing.take(message.time, message.path, message.bytes);
 }
 
+bool StationReceiver::namesSession(ByteView message) const
+{
+    return isSealing() && m_channel->driver.endpoint().namesSerialSession(message);
+}
+
 void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
 {
     if (!isSealing()) {
