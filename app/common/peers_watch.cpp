@@ -57,7 +57,7 @@ struct PeersWatch::Found
     std::optional<Result<keys::UsablePeers, InputError>> list; ///< to be applied or reported
 };
 
-/// What the other thread knows of the file.
+/// The other thread's knowledge of the file.
 class PeersWatch::Reader
 {
 public:

@@ -66,10 +66,10 @@ Result<std::unique_ptr<Demo>, InputError> Demo::create(RandomSource &random)
     const auto agent = keys::writeNewIdentity(file("air.key"), random);
     if (!agent)
         return tl::unexpected(agent.error());
-    if (auto told = introduce(file("station.peers"), "air-demo", *agent); !told)
-        return tl::unexpected(told.error());
-    if (auto told = introduce(file("air.peers"), "station", *station); !told)
-        return tl::unexpected(told.error());
+    if (auto written = introduce(file("station.peers"), "air-demo", *agent); !written)
+        return tl::unexpected(written.error());
+    if (auto written = introduce(file("air.peers"), "station", *station); !written)
+        return tl::unexpected(written.error());
     return demo;
 }
 

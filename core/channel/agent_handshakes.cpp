@@ -11,7 +11,7 @@ namespace {
 constexpr Duration kFloodEventInterval = std::chrono::seconds(10);
 constexpr Duration kNumberInterval = std::chrono::milliseconds(200);
 constexpr Duration kAnswerKept = std::chrono::seconds(10);
-/// Answers not confirmed yet, of one peer and in all. One of a peer would be enough if nobody else could write first messages
+/// Answers not confirmed yet, of one peer and in all. One of a peer would be enough if no one else could write first messages
 /// in its name.
 constexpr std::ptrdiff_t kMostAnsweredOfPeer = 4;
 constexpr std::size_t kMostAnswered = 64;

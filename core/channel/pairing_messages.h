@@ -41,7 +41,7 @@ constexpr std::uint8_t firstByte(PairingMessage message)
     return firstByte(DatagramKind::Pairing, static_cast<std::uint8_t>(message));
 }
 
-/// What an end says about itself. The agent commits to these bytes before it knows the station's.
+/// The claims of an end about itself. The agent commits to these bytes before it knows the station's.
 struct PairingOpening
 {
     static constexpr std::size_t kLength = 32 + 1 + kMaxPairingName + 16;

@@ -15,7 +15,7 @@ namespace skyseal::channel {
 
 using crypto::PublicKey;
 
-/// What a known peer may do. An observer receives telemetry; what it sends never reaches the autopilot.
+/// The rights of a known peer. An observer receives telemetry; what it sends never reaches the autopilot.
 enum class PeerRole : std::uint8_t { Pilot, Observer };
 
 /// A peer whose key a person confirmed.

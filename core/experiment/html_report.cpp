@@ -133,7 +133,7 @@ std::string intervalText(const NoiseCheck &noise)
 std::string criterion(std::size_t families)
 {
     if (families == 0)
-        return "No two suites were measured twice each under the same conditions, so no difference can be told from noise: that "
+        return "No two suites were measured twice each under the same conditions, so no difference can be distinguished from noise: that "
                "takes two runs or more of each.";
     return "Two suites differ significantly by Welch's t test at 5 %, its p values corrected by Holm's method over all pairs of "
            "one metric, link and load: of the "

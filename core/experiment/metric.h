@@ -57,7 +57,7 @@ struct Resolution
     bool perSecond = false; ///< the value is those frames divided by the seconds of the run
 };
 
-/// What a metric is a share of, if it is one: a value from 0 to 1, which reports print in per cent.
+/// The whole of which a metric is a share, if it is one: a value from 0 to 1, which reports print in per cent.
 enum class ShareOf : std::uint8_t { Nothing, Frames, RecordsToStation, RecordsToAgent };
 
 /// Flags: places that show a selection of the metrics. Tables of results, files and the window show all.

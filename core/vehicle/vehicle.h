@@ -37,7 +37,7 @@ public:
 
     /// All frames of the system id, of any component. `wall` becomes the time of status texts.
     void handleFrame(TimePoint now, WallTime wall, const mavlink::Frame &frame);
-    /// A frame that newer ones of its kind have overtaken, or that was held back on its way: it can answer a request or bring a
+    /// A frame that newer ones of its kind have overtaken, or that was delayed on its way: it can answer a request or bring a
     /// text, but changes no present value and is no sign of life.
     void handleLateFrame(TimePoint now, const mavlink::Frame &frame);
     void handleDeadline(TimePoint now);

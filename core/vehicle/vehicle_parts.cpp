@@ -118,7 +118,7 @@ void Vehicle::Parts::takeTexts()
         if (texts.size() == kMaxTexts)
             texts.pop_front();
         texts.push_back(entry);
-        if (context.events.size() < kMaxTexts) // results are never dropped, texts are if nobody drains the events
+        if (context.events.size() < kMaxTexts) // results are never dropped, texts are if the events are not drained
             context.events.push_back(TextReceived{context.addressing.system, entry});
     }
 }

@@ -482,7 +482,7 @@ void ReportTest::singleRunsAreNotCompared()
         results.samples.push_back(sample);
     }
     const std::string page = htmlReport({results, {}, {}, {}});
-    QVERIFY(page.find("no difference can be told from noise: that takes two runs or more") != std::string::npos);
+    QVERIFY(page.find("no difference can be distinguished from noise: that takes two runs or more") != std::string::npos);
     QVERIFY(page.find("of the 0 such families") == std::string::npos);
 }
 

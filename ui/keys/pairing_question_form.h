@@ -1,4 +1,4 @@
-// What the operator compares when an agent answers: its code, the name under which it will be known, its system id, and, on
+// The form in which the operator compares an agent that answers: its code, the name under which it will be known, its system id, and, on
 // demand, the complete fingerprints of both keys.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the map shows of the selected vehicle, in metres: vehicle, home, mission and the track. Built from view states.
+// Contents of the map for the selected vehicle, in metres: vehicle, home, mission and the track. Built from view states.
 #pragma once
 
 #include "ui/map/local_frame.h"

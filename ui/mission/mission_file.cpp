@@ -48,7 +48,8 @@ Result<std::vector<vehicle::MissionItem>, InputError> parseMission(std::string_v
         const bool inRange = n.ok && n.at[0] == static_cast<double>(items.size()) && n.at[2] >= 0 && n.at[2] <= 255
             && n.at[3] >= 0 && n.at[3] <= 65535 && std::abs(n.at[8]) <= 90 && std::abs(n.at[9]) <= 180;
         if (!inRange)
-            return tl::unexpected(InputError{"a column is no number, out of range, or the numbering has a gap", source, at});
+            return tl::unexpected(
+                InputError{"a column is not a number or is out of range, or the numbering has a gap", source, at});
         vehicle::MissionItem item;
         item.sequence = static_cast<std::uint16_t>(n.at[0]);
         item.current = n.at[1] != 0;

@@ -16,7 +16,7 @@ struct Figure
     QString text() const { return unit.isEmpty() ? value : value + QLatin1Char(' ') + unit; }
 };
 
-/// What stands for a value that is not known.
+/// The placeholder for a value that is not known.
 QString dash();
 
 /// `value` with `decimals` places; a dash for NaN. Never "-0.0".

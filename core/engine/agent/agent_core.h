@@ -36,7 +36,7 @@ struct AgentConfig
     channel::Policy policy;
     /// Clear MAVLink is forwarded while no session is up: the baseline of a measurement.
     bool allowPlain = false;
-    /// What carries sealed messages on the ground link: datagrams need a link of datagrams, COBS a stream; TUNNEL works on
+    /// Carrier of sealed messages on the ground link: datagrams need a link of datagrams, COBS a stream; TUNNEL works on
     /// both.
     Carrier carrier = Carrier::Datagram;
     channel::FreshnessLimits freshness = {}; ///< how late a command may arrive

@@ -1,4 +1,4 @@
-// Which vehicles behind an agent are armed, as their newest heartbeats say: a pairing must not be possible in flight. A
+// The vehicles behind an agent that are armed by their newest heartbeats: a pairing must not be possible in flight. A
 // vehicle that fell silent counts as what it was last. No I/O and no clock.
 #pragma once
 

@@ -37,7 +37,7 @@ public:
     /// they have used since the start. Not those of observers, who could take the vehicle's.
     bool isGroundSystem(std::uint8_t systemId) const;
 
-    /// What was refused since the last call.
+    /// The refusals since the last call.
     std::vector<FramesRefused> takeRefused();
     /// Adds the frames that were refused since the start.
     void addTo(AgentCounters &counters) const;

@@ -1,4 +1,4 @@
-// Which frames of an observer reach the autopilot: a list of permitted messages, so that every other message, including those
+// The frames of an observer that reach the autopilot: a list of permitted messages, so that every other message, including those
 // of later or unknown dialects, is refused.
 //
 // Permitted are questions about the vehicle that change nothing in it. Refused, though they look harmless:

@@ -16,7 +16,7 @@
 
 namespace skyseal::engine {
 
-/// Which events take turns, and which are merged: those of the same kind and subject.
+/// The key by which events take turns and are merged: their kind and subject.
 struct StrangerCause
 {
     enum class Kind : std::uint8_t {

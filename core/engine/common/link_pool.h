@@ -13,7 +13,7 @@
 
 namespace skyseal::engine {
 
-/// What a link is for.
+/// Purpose of a link.
 enum class LinkUse : std::uint8_t {
     Both,
     ListenOnly ///< nothing is ever sent on it

@@ -1,4 +1,4 @@
-// Which MAVLink system ids each peer has used over a sealed link, kept in a file beside the list of peers, so that a
+// The MAVLink system ids that each peer has used over a sealed link, kept in a file beside the list of peers, so that a
 // restarted station still refuses them in clear. One line each: the system id and the peer's public key in hex.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Which protection the operator requires of received MAVLink.
+// The protection that the operator requires of received MAVLink.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Which frames are not coalesced on a slow link: manual control, steps of a conversation in which each frame answers another,
+// The frames that are not coalesced on a slow link: manual control, steps of a conversation in which each frame answers another,
 // and the heartbeat that keeps a vehicle's failsafe from acting.
 #pragma once
 

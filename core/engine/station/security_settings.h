@@ -1,4 +1,4 @@
-// Which protection of MAVLink is in force: what the operator configured, and what a measurement puts in its place for a
+// The protection of MAVLink in force: the operator's, or the one that a measurement puts in its place for a
 // while on links that stay open. Both ends agree on the framing when a session begins, so sessions that no longer fit a
 // changed setting must be ended by the caller. A plain value; no I/O.
 #pragma once

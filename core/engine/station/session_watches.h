@@ -1,4 +1,4 @@
-// What a station measures of each session beside the session's own counters: loss over the last second and suspicious
+// Measurements of a station for each session, beside the session's own counters: loss over the last second and suspicious
 // records over the last minute. Fed with the counters at a steady pace; no I/O and no clock.
 #pragma once
 

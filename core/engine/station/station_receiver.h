@@ -1,4 +1,4 @@
-// What the station does with received messages: records are opened by the channel, clear frames judged by FrameGate, and
+// The station's treatment of received messages: records are opened by the channel, clear frames judged by FrameGate, and
 // accepted frames passed to the fleet, the routes and the recorder. I/O thread.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What a station notes of each vehicle beside the vehicle's own state: over which link and session it was heard last, how
+// The notes of a station about each vehicle beside the vehicle's own state: over which link and session it was heard last, how
 // that session ended, whether it is lost, and the loss of its frames. No I/O and no clock.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace skyseal::engine {
 
-/// What four readings a second show of a vehicle.
+/// Findings about a vehicle from four readings a second.
 enum class Presence : std::uint8_t { Unchanged, Lost, Back };
 
 class VehicleWatches
