@@ -2,12 +2,13 @@
 
 #include "app/common/format.h"
 #include "app/common/output.h"
-#include "app/common/overloaded.h"
+#include "core/base/overloaded.h"
 #include "core/engine/headless/agent_json.h"
+#include "core/engine/headless/channel_event_json.h"
 #include "core/engine/headless/common_json.h"
 #include "core/engine/text/agent_event_text.h"
+#include "core/engine/text/pairing_text.h"
 #include "core/keys/public_key_text.h"
-#include "core/link/address_text.h"
 #include "core/link/steady_now.h"
 
 #include <utility>
@@ -51,41 +52,19 @@ void AgentReport::sayRepeatedRefusals(TimePoint now)
         say({}, engine::agentEventText(refused, m_peers).line().toStdString());
 }
 
-/// Empty for events that scripts are not told.
+/// Empty for events that are not reported to scripts.
 std::string AgentReport::jsonOf(const engine::AgentEvent &event) const
 {
     return std::visit(
         Overloaded{
             [](const engine::AgentLinkChanged &e) { return engine::linkEvent(e.link, e.groundSide ? "ground" : "vehicle"); },
-            [this](const channel::Event &e) { return jsonOf(e); },
+            [this](const channel::Event &e) { return engine::channelEvent(e, m_peers); },
             [](const channel::PairingEvent &) { return std::string(); }, // pairing() reports it
             [](const engine::FramesRefused &e) { return engine::framesRefusedEvent(e); },
             [](const engine::CounterStorage &e) { return engine::counterStorageEvent(e); },
             [](const engine::GroundIdClaimed &e) { return engine::groundIdClaimedEvent(e); },
         },
         event);
-}
-
-std::string AgentReport::jsonOf(const channel::Event &event) const
-{
-    return std::visit(Overloaded{
-                          [](const channel::SessionUp &e) { return engine::sessionUpEvent(e, link::toText(e.path.remote)); },
-                          [this](const channel::SessionDown &e) { return engine::sessionDownEvent(e, m_peers.of(e.session)); },
-                          [this](const channel::PeerMoved &e) {
-                              return engine::peerMovedEvent(m_peers.of(e.session), link::toText(e.from.remote),
-                                                            link::toText(e.to.remote));
-                          },
-                          [](const channel::SwitchPending &) { return std::string(); },
-                          [](const channel::SwitchDone &e) { return engine::switchEvent(e); },
-                          [](const channel::HandshakeRefused &e) {
-                              const std::string fingerprint = e.peer == channel::PublicKey{} ? "" : keys::fingerprint(e.peer);
-                              return engine::refusedEvent(e, link::toText(e.path.remote), fingerprint);
-                          },
-                          [](const channel::ForgeryAlarm &e) { return engine::forgeryEvent(e); },
-                          [](const channel::CommandsLate &) { return std::string(); },       // of a station alone
-                          [](const channel::PeerStorageChanged &) { return std::string(); }, // likewise
-                      },
-                      event);
 }
 
 void AgentReport::pairing(const PairingStatus &status)
@@ -95,9 +74,10 @@ void AgentReport::pairing(const PairingStatus &status)
     if (status.state == State::Open)
         sentence = "The window for pairing is open";
     else if (status.state == State::Paired)
-        sentence = "Paired with " + status.name + " (" + keys::fingerprint(status.key) + ")";
+        sentence = engine::pairedText(QString::fromStdString(status.name)).toStdString() + " (" + keys::fingerprint(status.key)
+            + ")";
     else if (status.state == State::Refused)
-        sentence = "Not paired: " + status.reason;
+        sentence = engine::notPairedText(QString::fromStdString(status.reason)).toStdString();
     else if (status.state == State::Over)
         sentence = "The window for pairing is closed" + (status.reason.empty() ? "" : ": " + status.reason);
     say(status.toJson(), sentence);

@@ -26,7 +26,6 @@ private:
     void sayRepeatedRefusals(TimePoint now);
     void print(const std::string &json);
     std::string jsonOf(const engine::AgentEvent &event) const;
-    std::string jsonOf(const channel::Event &event) const;
 
     bool m_json;
     engine::PeerNames m_peers;

@@ -2,6 +2,7 @@
 
 #include "app/common/exit_status.h"
 #include "app/common/output.h"
+#include "core/engine/text/pairing_text.h"
 #include "core/keys/peer_line.h"
 #include "core/keys/public_key_text.h"
 
@@ -21,6 +22,16 @@ std::string withoutBlanks(std::string text)
     std::erase_if(text, [](char c) { return c == ' ' || c == ':' || c == '\t'; });
     std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return text;
+}
+
+std::string sentence(const QString &text)
+{
+    return text.toStdString() + ".";
+}
+
+std::string notPaired(const std::string &reason)
+{
+    return sentence(engine::notPairedText(QString::fromStdString(reason)));
 }
 
 } // namespace
@@ -62,19 +73,19 @@ PairingPrompt::PairingPrompt(Settings settings, QObject *parent) : QObject(paren
     if (!m_settings.expected.empty())
         return;
     m_input = std::make_unique<QSocketNotifier>(STDIN_FILENO, QSocketNotifier::Read);
-    connect(m_input.get(), &QSocketNotifier::activated, this, &PairingPrompt::hear);
+    connect(m_input.get(), &QSocketNotifier::activated, this, &PairingPrompt::readInput);
 }
 
-void PairingPrompt::say(const std::string &line) const
+void PairingPrompt::write(const std::string &line) const
 {
     remark(line);
 }
 
 void PairingPrompt::show(const std::string &title, std::initializer_list<std::string> values) const
 {
-    say(title);
+    write(title);
     for (const std::string &value : values)
-        say("    " + value);
+        write("    " + value);
 }
 
 void PairingPrompt::take(PairingStatus status)
@@ -84,40 +95,39 @@ void PairingPrompt::take(PairingStatus status)
         printLine(status.toJson());
     switch (status.state) {
     case State::Open:
-        say("Open for pairing for " + std::to_string(status.seconds) + " s.");
+        write("Open for pairing for " + std::to_string(status.seconds) + " s.");
         if (m_settings.showsFingerprints)
             show("The fingerprint of this device:", {keys::fingerprint(status.key)});
         if (!m_settings.decidesRole)
-            say("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
-        say("Waiting for the other end …");
+            write("Open the pairing window at the agent while the vehicle is disarmed: skyseal-air --pair --identity FILE");
+        write("Waiting for the other end …");
         return;
     case State::Seen:
         m_asked = std::move(status);
         ask();
         return;
-    case State::Confirmed: say("The other end has confirmed."); return;
-    case State::Other: say("WARNING: another device tried to pair meanwhile."); return;
+    case State::Confirmed: write("The other end has confirmed."); return;
+    case State::Other: write("WARNING: " + sentence(engine::otherDeviceTriedText())); return;
     case State::Differs:
         if (!std::exchange(m_differs, true)) // the event repeats each second
-            say("The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the "
-                "same passphrase at both ends.");
+            write(sentence(engine::passphraseDiffersText()));
         return;
     case State::Paired:
         m_paired = true;
-        say("Paired with " + status.name + ".");
+        write(sentence(engine::pairedText(QString::fromStdString(status.name))));
         if (!status.reason.empty())
-            say("WARNING: " + status.reason + ".");
+            write("WARNING: " + status.reason + ".");
         if (!m_settings.decidesRole)
-            say("The role of this station, pilot (may command) or observer (may only observe), was chosen at the agent.");
+            write("The role of this station, pilot (may command) or observer (may only observe), was chosen at the agent.");
         return;
     case State::Refused:
         m_failed = true;
-        say("Not paired: " + status.reason);
+        write(notPaired(status.reason));
         Q_EMIT finished(kNotReached);
         return;
     case State::Over:
         if (!m_paired && !m_failed)
-            say("Not paired: " + status.reason);
+            write(notPaired(status.reason));
         Q_EMIT finished(m_paired ? kDone : kNotReached);
         return;
     }
@@ -127,9 +137,9 @@ void PairingPrompt::ask()
 {
     const std::string print = keys::fingerprint(m_asked->key);
     const std::string system = m_asked->systemId != 0 ? " (system id " + std::to_string(m_asked->systemId) + ")" : "";
-    say("\"" + m_asked->name + "\"" + system + " asks to be paired.");
+    write("\"" + m_asked->name + "\"" + system + " asks to be paired.");
     if (m_settings.hasPassphrase)
-        say("It knows the passphrase.");
+        write("It knows the passphrase.");
     else
         show("Compare this code with the one that the other end shows:", {m_asked->code});
     if (m_settings.showsFingerprints)
@@ -137,12 +147,12 @@ void PairingPrompt::ask()
     if (m_asked->knownKey) {
         show("WARNING: THE KEY OF " + m_asked->name + " HAS CHANGED. The known key, and this one:",
              {keys::fingerprint(*m_asked->knownKey), print});
-        say("Either the device has a new key, or this is an impersonation.");
+        write("Either the device has a new key, or this is an impersonation.");
     }
     if (m_settings.decidesRole && role())
-        say("Its role here: " + std::string(keys::peerRoleText(*role())) + ".");
+        write("Its role here: " + std::string(keys::peerRoleText(*role())) + ".");
     if (m_settings.expected.empty()) {
-        say(question());
+        write(question());
         return;
     }
     if (withoutBlanks(print) != m_settings.expected)
@@ -168,7 +178,7 @@ std::string PairingPrompt::answers() const
     return role() ? "Type yes to keep its role, or " + roles : "Type its role, " + roles;
 }
 
-void PairingPrompt::hear()
+void PairingPrompt::readInput()
 {
     char bytes[kLongestLine];
     const ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
@@ -177,7 +187,7 @@ void PairingPrompt::hear()
     if (count <= 0) { // end of input: no more answers
         m_input->setEnabled(false);
         m_failed = true;
-        say("Not paired: standard input has ended; use --expect FINGERPRINT to confirm without a question");
+        write(notPaired("standard input has ended; use --expect FINGERPRINT to confirm without a question"));
         Q_EMIT cancelled();
         return;
     }
@@ -204,10 +214,10 @@ void PairingPrompt::answer(const std::string &line)
     else if (word == (m_asked->knownKey ? "replace" : "yes") && (role() || !m_settings.decidesRole))
         confirm(role().value_or(channel::PeerRole::Observer));
     else if (word == "yes")
-        say((m_asked->knownKey ? "\"yes\" does not replace a key. " : "\"yes\" is not enough: the station needs a role. ")
-            + answers());
+        write((m_asked->knownKey ? "\"yes\" does not replace a key. " : "\"yes\" is not enough: the station needs a role. ")
+              + answers());
     else
-        say("\"" + line + "\" is not an answer. " + answers());
+        write("\"" + line + "\" is not an answer. " + answers());
 }
 
 /// The role that is given by an option or known here.
@@ -225,14 +235,14 @@ void PairingPrompt::refuse(const std::string &text)
 {
     m_asked.reset();
     Q_EMIT refused();
-    say(text);
+    write(text);
 }
 
 void PairingPrompt::confirm(channel::PeerRole role)
 {
     const Answer out{m_asked->key, m_asked->name, role, m_asked->knownKey.has_value()};
     m_asked.reset();
-    say("Confirmed here; the other end must confirm as well.");
+    write("Confirmed here; the other end must confirm as well.");
     Q_EMIT confirmed(out);
 }
 

@@ -58,7 +58,7 @@ Q_SIGNALS:
 
 private:
     void ask();
-    void hear();
+    void readInput();
     void answer(const std::string &line);
     std::optional<channel::PeerRole> role() const;
     bool choosesRole() const;
@@ -67,7 +67,7 @@ private:
     std::string answers() const;
     void refuse(const std::string &text);
     void confirm(channel::PeerRole role);
-    void say(const std::string &line) const;
+    void write(const std::string &line) const;
     /// One line for the title and one for each value, indented.
     void show(const std::string &title, std::initializer_list<std::string> values) const;
 

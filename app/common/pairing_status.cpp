@@ -1,7 +1,8 @@
 #include "app/common/pairing_status.h"
 
-#include "app/common/overloaded.h"
+#include "core/base/overloaded.h"
 #include "core/base/json_writer.h"
+#include "core/engine/text/pairing_text.h"
 #include "core/keys/paired_peer.h"
 #include "core/keys/public_key_text.h"
 
@@ -9,6 +10,7 @@
 #include <QtCore/QJsonObject>
 
 #include <array>
+#include <utility>
 
 namespace skyseal::app {
 
@@ -19,7 +21,7 @@ using State = PairingStatus::State;
 struct StateName
 {
     State state;
-    std::string_view word;
+    std::string_view name;
 };
 constexpr std::array kStateNames{
     StateName{State::Open, "open"},
@@ -31,22 +33,6 @@ constexpr std::array kStateNames{
     StateName{State::Over, "over"},
     StateName{State::Refused, "refused"},
 };
-
-const char *reasonText(channel::PairingEnd reason)
-{
-    switch (reason) {
-    case channel::PairingEnd::Paired: return "";
-    case channel::PairingEnd::TimedOut: return "timed out";
-    case channel::PairingEnd::Cancelled: return "cancelled";
-    case channel::PairingEnd::Armed: return "the vehicle was armed";
-    case channel::PairingEnd::Refused: return "refused here";
-    case channel::PairingEnd::RefusedThere: return "the other end refused";
-    case channel::PairingEnd::Interrupted: return "the pairing was interrupted; start again at both ends";
-    case channel::PairingEnd::Guessed:
-        return "three wrong passphrases: they differ, or somebody guesses; start again at both ends";
-    }
-    return "";
-}
 
 PairingStatus about(State state, const channel::PairingPeer &peer)
 {
@@ -86,30 +72,31 @@ std::optional<PairingStatus> statusOf(const channel::PairingEvent &event, const 
                                       const std::string &callIt)
 {
     using Out = std::optional<PairingStatus>;
-    const auto plain = [](State state, const char *reason) {
+    const auto plain = [](State state, std::string reason = {}) {
         PairingStatus status;
         status.state = state;
-        status.reason = reason;
+        status.reason = std::move(reason);
         return Out(status);
     };
-    return std::visit(Overloaded{
-                          [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
-                          [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed, ""); },
-                          [&](const channel::PairingOtherTried &) { return plain(State::Other, ""); },
-                          [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs, ""); },
-                          [&](const channel::Paired &) { return Out(); },
-                          [&](const channel::PairingOver &e) { return plain(State::Over, reasonText(e.reason)); },
-                      },
-                      event);
+    return std::visit(
+        Overloaded{
+            [&](const channel::PairingPeerSeen &e) { return Out(seen(e.peer, known, callIt)); },
+            [&](const channel::PairingPeerConfirmed &) { return plain(State::Confirmed); },
+            [&](const channel::PairingOtherTried &) { return plain(State::Other); },
+            [&](const channel::PairingPassphraseDiffers &) { return plain(State::Differs); },
+            [&](const channel::Paired &) { return Out(); },
+            [&](const channel::PairingOver &e) { return plain(State::Over, engine::pairingEndText(e.reason).toStdString()); },
+        },
+        event);
 }
 
 std::string PairingStatus::toJson() const
 {
     JsonWriter json;
     json.beginObject().field("event", "pairing");
-    for (const StateName &word : kStateNames) {
-        if (word.state == state)
-            json.field("state", word.word);
+    for (const StateName &candidate : kStateNames) {
+        if (candidate.state == state)
+            json.field("state", candidate.name);
     }
     if (!name.empty())
         json.field("name", name);
@@ -136,9 +123,9 @@ std::string PairingStatus::toJson() const
 std::optional<PairingStatus> PairingStatus::fromJson(const QByteArray &line)
 {
     const QJsonObject object = QJsonDocument::fromJson(line).object();
-    const std::string word = object[QLatin1String("state")].toString().toStdString();
+    const std::string stateName = object[QLatin1String("state")].toString().toStdString();
     for (const StateName &candidate : kStateNames) {
-        if (candidate.word != word)
+        if (candidate.name != stateName)
             continue;
         PairingStatus status;
         status.state = candidate.state;

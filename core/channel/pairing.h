@@ -71,7 +71,7 @@ enum class PairingEnd : std::uint8_t {
     Refused,      ///< by the person here
     RefusedThere, ///< by the person at the other end, or the window there closed
     Interrupted,  ///< the other end did not continue after our opening; the next attempt needs a new window
-    Guessed,      ///< three wrong passphrases: they differ, or somebody guesses
+    Guessed,      ///< three wrong passphrases: they differ, or an attacker guesses
 };
 
 /// The last event, exactly one.

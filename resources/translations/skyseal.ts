@@ -367,18 +367,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Command accepted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Command refused: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Command not answered</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Sealed link to %1 at %2 is up with %3</source>
         <translation type="unfinished"></translation>
     </message>
@@ -396,10 +384,6 @@
     </message>
     <message>
         <source>Switch to %1 rolled back: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fresh keys for %1, epoch %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -518,63 +502,75 @@
         <source>The counters of handshakes cannot be stored: %1. The links go on. If this station restarts now, agents refuse its first handshake and return the right number</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The keys of %1 stay the same: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New keys for %1, epoch %2, in %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Command: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>skyseal::engine::PairingText</name>
     <message>
-        <source>Pairing: %1 is there</source>
+        <source>timed out</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: confirmed at the other end, %1</source>
+        <source>cancelled</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: another device tried as well</source>
+        <source>the vehicle was armed</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Paired with %1, %2</source>
+        <source>refused here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: done</source>
+        <source>the other end refused</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: the time is over</source>
+        <source>the pairing was interrupted; start again at both ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: cancelled</source>
+        <source>three wrong passphrases: they differ, or an attacker guesses; start again at both ends</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: ended because the vehicle was armed</source>
+        <source>Not paired: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>key %1</source>
+        <source>Paired with %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: the passphrases of the two ends may differ</source>
+        <source>Another device tried to pair at the same time</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Pairing: refused here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pairing: refused at the other end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pairing: interrupted; start again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Pairing: ended after three wrong passphrases</source>
+        <source>The passphrases of the two ends differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2253,23 +2249,7 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not read: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cleared on the vehicle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Not cleared: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>another vehicle is selected</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mission written to the vehicle</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2426,10 +2406,6 @@ Fingerprint %3</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not paired: %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2439,14 +2415,6 @@ Fingerprint %3</source>
     </message>
     <message>
         <source>%1 s left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Another device tried to pair at the same time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Paired with %1. The link is sealed as soon as both ends are connected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -2483,10 +2451,6 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>An agent answers, but the passphrases differ, or only one end has one, or the link is very bad. Start again with the same passphrase at both ends.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Confirm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2507,11 +2471,11 @@ Then there is no code to compare. It is valid for this pairing only.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not paired: refused.</source>
+        <source>%1. The link is sealed as soon as both ends are connected.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Not paired: the codes differ. If both were codes of this pairing, somebody is between this station and the agent (man in the middle).</source>
+        <source>the codes differ. If both were codes of this pairing, an attacker is between this station and the agent (man in the middle).</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2771,10 +2735,6 @@ with a pre-shared key</source>
 </context>
 <context>
     <name>skyseal::ui::ProblemReports</name>
-    <message>
-        <source>Vehicle %1 at %2 is not sealed and may be an impostor of %3. It waits for your approval.</source>
-        <translation type="unfinished"></translation>
-    </message>
     <message>
         <source>%1 is in use by another program: %2</source>
         <translation type="unfinished"></translation>
@@ -3400,18 +3360,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>accepted</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>refused</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>no answer</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3573,14 +3521,6 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Stays with %1: %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Session ended: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>switching…</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3601,23 +3541,11 @@ with a pre-shared key</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Now %1, after %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>a sweep is running</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>not offered by the agent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>New keys, epoch %1, after %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The keys stay the same: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

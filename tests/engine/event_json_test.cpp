@@ -1,5 +1,6 @@
 // The JSON lines of the station's monitor that no test over the programs reaches.
 #include "core/engine/headless/common_json.h"
+#include "core/engine/headless/channel_event_json.h"
 #include "core/engine/headless/event_json.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
@@ -55,11 +56,12 @@ void EventJsonTest::agentThatDoesNotAnswerIsNamed()
 
 void EventJsonTest::unknownAgeOfCommandsIsNull()
 {
+    PeerNames names;
     channel::CommandsLate late;
     late.report.ageMicroseconds = 2'500'000;
-    QCOMPARE(parsed(commandsLateEvent(late, "air-1")).value(QStringLiteral("age_ms")).toDouble(), 2500.0);
+    QCOMPARE(parsed(channelEvent(late, names)).value(QStringLiteral("age_ms")).toDouble(), 2500.0);
     late.report.ageMicroseconds = channel::FreshnessReport::kUnknownAge;
-    QVERIFY(parsed(commandsLateEvent(late, "air-1")).value(QStringLiteral("age_ms")).isNull());
+    QVERIFY(parsed(channelEvent(late, names)).value(QStringLiteral("age_ms")).isNull());
 }
 
 SKYSEAL_TEST(EventJsonTest)

@@ -1,6 +1,7 @@
 // Reports that the counters of handshakes cannot be stored.
 #include "core/engine/common/storage_watch.h"
 #include "core/engine/headless/agent_json.h"
+#include "core/engine/headless/channel_event_json.h"
 #include "core/engine/headless/event_json.h"
 #include "core/engine/station/snapshot.h"
 #include "tests/support/test_runner.h"
@@ -49,7 +50,9 @@ void StorageWatchTest::isInTheStatistics()
     QVERIFY(statsEvent("stats", station, 1).find(R"("storage_problem":"full")") != std::string::npos);
     QCOMPARE(counterStorageEvent({"full"}), std::string(R"({"event":"counter_storage","works":false,"problem":"full"})"));
     QCOMPARE(counterStorageEvent({}), std::string(R"({"event":"counter_storage","works":true})"));
-    QCOMPARE(peerStorageEvent({channel::SessionId{1}, true}, "air-1"),
+    PeerNames names;
+    names.note(channel::Event(channel::SessionUp{channel::SessionId{1}, {}, "air-1", crypto::SuiteId::Aes256Gcm, {}}));
+    QCOMPARE(channelEvent(channel::PeerStorageChanged{channel::SessionId{1}, true}, names),
              std::string(R"({"event":"agent_storage","peer":"air-1","works":false})"));
 }
 

@@ -272,7 +272,7 @@ void PairedWindowTest::wrongPassphraseIsTold()
     QTest::keyClick(passphrase, Qt::Key_Return);
     QVERIFY(dialog->isVisible());
     const auto desk = openDesk("air.key", "wrong");
-    EVENTUALLY(textOf(dialog, "pairingProblem").contains(QStringLiteral("passphrases differ")));
+    EVENTUALLY(textOf(dialog, "pairingProblem").contains(QStringLiteral("passphrases of the two ends differ")));
     QVERIFY(!dialog->findChild<QWidget *>(QStringLiteral("pairingAgree"))->isVisible());
     QVERIFY(!desk->waitFor(QStringLiteral("pairing"), stateIs("passphrase-differs")).isEmpty());
     picture("pairing-passphrase-differs", dialog);

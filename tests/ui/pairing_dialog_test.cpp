@@ -284,7 +284,7 @@ void PairingDialogTest::questionWithoutTheTypedPassphraseIsNotShown()
 void PairingDialogTest::wrongPassphraseIsTold()
 {
     Q_EMIT m_pairing->passphraseDiffers();
-    QVERIFY(find<QLabel>("pairingProblem")->text().contains(QStringLiteral("passphrases differ")));
+    QVERIFY(find<QLabel>("pairingProblem")->text().contains(QStringLiteral("passphrases of the two ends differ")));
     see(5, "heron");
     QVERIFY(find<QLabel>("pairingProblem")->text().isEmpty());
     Q_EMIT m_pairing->passphraseDiffers(); // a late event about another device

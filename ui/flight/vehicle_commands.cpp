@@ -1,6 +1,7 @@
 #include "ui/flight/vehicle_commands.h"
 
 #include "core/engine/station/snapshot.h"
+#include "core/engine/text/event_text.h"
 #include "ui/text/command_permits.h"
 #include "ui/text/state_text.h"
 
@@ -59,7 +60,7 @@ void VehicleCommands::handleEvent(const engine::Event &event)
     const auto asked = m_asked.constFind(static_cast<quint32>(result->id));
     if (asked == m_asked.constEnd())
         return;
-    QString outcome = commandOutcomeText(*result);
+    QString outcome = engine::commandOutcomeText(*result);
     outcome.replace(QStringLiteral(": %1: ").arg(asked.value()), QStringLiteral(": ")); // autopilots begin with "Arm: " as well
     const QString line = tr("%1: %2").arg(asked.value(), outcome);
     m_asked.erase(asked);

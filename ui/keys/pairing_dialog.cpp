@@ -2,6 +2,7 @@
 
 #include "core/crypto/passphrase.h"
 #include "core/channel/pairing.h"
+#include "core/engine/text/pairing_text.h"
 #include "core/keys/peer_line.h"
 #include "ui/keys/changed_key_warning.h"
 #include "ui/keys/passphrase_field.h"
@@ -92,19 +93,17 @@ PairingDialog::PairingDialog(PairingInterface &pairing, const KeyringInterface &
             m_text->setText(m_hasPassphrase ? tr("The agent's side has confirmed. Confirm here as well.")
                                             : tr("The agent's side has confirmed. Does the agent show this code?"));
     });
-    connect(&pairing, &PairingInterface::otherTried, this,
-            [this] { m_problem->setText(tr("Another device tried to pair at the same time")); });
+    connect(&pairing, &PairingInterface::otherTried, this, [this] { m_problem->setText(engine::otherDeviceTriedText()); });
     connect(&pairing, &PairingInterface::paired, this, [this](const QString &name) {
-        showStep(Step::Paired, tr("Paired with %1. The link is sealed as soon as both ends are connected.").arg(name));
+        showStep(Step::Paired, tr("%1. The link is sealed as soon as both ends are connected.").arg(engine::pairedText(name)));
     });
     connect(&pairing, &PairingInterface::failed, this, [this](const QString &reason) {
         if (m_step != Step::Failed) // refuse() has shown more
-            showStep(Step::Failed, tr("Not paired: %1.").arg(reason));
+            showStep(Step::Failed, engine::notPairedText(reason) + QLatin1Char('.'));
     });
     connect(&pairing, &PairingInterface::passphraseDiffers, this, [this] {
         if (m_step == Step::Waiting && !m_passphraseTyped)
-            m_problem->setText(tr("An agent answers, but the passphrases differ, or only one end has one, or the link is very "
-                                  "bad. Start again with the same passphrase at both ends."));
+            m_problem->setText(engine::passphraseDiffersText() + QLatin1Char('.'));
     });
     m_typing.setSingleShot(true);
     m_typing.setInterval(kTypingPause);
@@ -220,9 +219,9 @@ void PairingDialog::refuse()
     m_question.reset();
     m_pairing.refuse();
     showStep(Step::Failed,
-             m_hasPassphrase ? tr("Not paired: refused.")
-                             : tr("Not paired: the codes differ. If both were codes of this pairing, somebody is "
-                                  "between this station and the agent (man in the middle)."));
+             m_hasPassphrase ? engine::notPairedText(engine::pairingEndText(channel::PairingEnd::Refused)) + QLatin1Char('.')
+                             : engine::notPairedText(tr("the codes differ. If both were codes of this pairing, an attacker is "
+                                                        "between this station and the agent (man in the middle).")));
 }
 
 void PairingDialog::showTime()

@@ -1,6 +1,7 @@
 #include "ui/mission/mission_panel.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
+#include "core/engine/text/event_text.h"
 #include "ui/text/command_permits.h"
 #include "ui/mission/mission_file.h"
 #include "ui/text/state_text.h"
@@ -155,15 +156,7 @@ void MissionPanel::handleEvent(const engine::Event &event)
     const auto *done = std::get_if<vehicle::MissionResult>(&event);
     if (!done || done->systemId != m_systemId)
         return;
-    const QString reason = fromStd(done->reason);
-    switch (done->transfer) {
-    case vehicle::MissionTransfer::Upload:
-        return say(done->ok ? tr("Mission written to the vehicle") : tr("Not sent: %1").arg(reason));
-    case vehicle::MissionTransfer::Download:
-        return say(done->ok ? tr("Read from the vehicle") : tr("Not read: %1").arg(reason));
-    case vehicle::MissionTransfer::Clear:
-        return say(done->ok ? tr("Cleared on the vehicle") : tr("Not cleared: %1").arg(reason));
-    }
+    say(engine::eventText(event, {}).sentence);
 }
 
 } // namespace skyseal::ui

@@ -1,7 +1,8 @@
 #include "ui/security/suite_actions.h"
 
 #include "core/engine/station/session_snapshot.h"
-#include "core/engine/text/state_text.h"
+#include "core/engine/text/common_event_text.h"
+#include "core/engine/text/common_event_text.h"
 #include "ui/text/units.h"
 #include "ui/text/state_text.h"
 
@@ -113,6 +114,7 @@ void SuiteActions::showViewState(const ViewState &view)
 
 void SuiteActions::handleEvent(const engine::Event &event)
 {
+    m_names.note(event);
     if (const auto *done = std::get_if<channel::SwitchDone>(&event)) {
         if (!m_info || done->session != m_info->session)
             return;
@@ -123,28 +125,18 @@ void SuiteActions::handleEvent(const engine::Event &event)
             m_asked.reset(); // an abandoned change of keys does not answer the request
         m_info->pending.reset();
         m_keysAsked = m_keysAsked && done->byPeer;
-        if (done->rekey && committed) {
+        if (committed) {
+            m_info->suite = done->to; // the suite in use, for a change of keys
             m_info->epoch = done->epoch;
-            setNote(tr("New keys, epoch %1, after %2")
-                        .arg(static_cast<quint32>(done->epoch))
-                        .arg(engine::switchTimeText(done->took)),
-                    false);
-        } else if (done->rekey) {
-            setNote(tr("The keys stay the same: %1").arg(engine::switchFailureText(done->failure)), true);
-        } else if (committed) {
-            m_info->suite = done->to;
-            m_info->epoch = done->epoch;
-            setNote(tr("Now %1, after %2").arg(suiteName(done->to), engine::switchTimeText(done->took)), false);
-        } else {
-            setNote(tr("Stays with %1: %2").arg(suiteName(done->from), engine::switchFailureText(done->failure)), true);
         }
+        setNote(engine::channelEventText(*done, m_names).sentence, !committed);
         refresh();
     } else if (const auto *down = std::get_if<channel::SessionDown>(&event)) {
         const bool wanted = m_held && down->reason == channel::DownReason::Closed; // by the sweep
         if (wanted)
             setNote({}, false);
         else if (m_info && down->session == m_info->session && down->reason != channel::DownReason::PeerRestarted)
-            setNote(tr("Session ended: %1").arg(engine::downReasonText(down->reason)), true);
+            setNote(engine::channelEventText(*down, m_names).sentence, true);
     }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/channel/session_info.h"
+#include "core/engine/common/peer_names.h"
 #include "ui/view_state.h"
 #include "ui/theme/suite_style.h"
 
@@ -65,6 +66,7 @@ private:
     std::vector<QAction *> m_actions; ///< of each of `m_suites`
     QAction *m_changeKeys;
     std::optional<channel::SessionInfo> m_info;
+    engine::PeerNames m_names;
     std::optional<crypto::SuiteId> m_asked; ///< requested here and not yet answered
     bool m_keysAsked = false;               ///< the same for fresh keys
     bool m_researchAllowed = false;

@@ -1,5 +1,6 @@
 #include "ui/text/state_text.h"
 
+#include "core/base/overloaded.h"
 #include "core/mavlink/enums.h"
 #include "ui/text/units.h"
 
@@ -15,18 +16,7 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(skyseal::ui::StateText)
 };
 
-template<typename... Ts> struct Overloaded : Ts...
-{
-    using Ts::operator()...;
-};
-template<typename... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
-
 } // namespace
-
-QString fromStd(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString fixText(int gpsFixType)
 {
@@ -56,18 +46,6 @@ QString severityText(std::uint8_t severity)
     case mavlink::MAV_SEVERITY_INFO: return Text::tr("info");
     default: return Text::tr("debug");
     }
-}
-
-QString commandOutcomeText(const vehicle::CommandResult &result)
-{
-    const QString reason = fromStd(result.reason);
-    switch (result.outcome) {
-    case vehicle::CommandOutcome::Accepted: return Text::tr("accepted");
-    case vehicle::CommandOutcome::Refused:
-        return reason.isEmpty() ? Text::tr("refused") : reason; // "denied: …", "nothing was sent: …"
-    case vehicle::CommandOutcome::TimedOut: return reason.isEmpty() ? Text::tr("no answer") : reason;
-    }
-    return {};
 }
 
 QString commandText(const vehicle::VehicleCommand &command)

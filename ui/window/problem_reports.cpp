@@ -1,7 +1,7 @@
 #include "ui/window/problem_reports.h"
 
 #include "core/engine/station/vehicle_snapshot.h"
-#include "core/engine/text/state_text.h"
+#include "core/engine/text/event_text.h"
 #include "ui/links/problem_banner.h"
 #include "ui/security/allow_plain.h"
 #include "ui/text/state_text.h"
@@ -27,10 +27,8 @@ void ProblemReports::handleEvent(const engine::Event &event, const ViewState &vi
     if (const auto *refused = std::get_if<engine::PlaintextRefused>(&event);
         refused && !refused->mayBe.empty() && (view.vehicle || view.session)) {
         const engine::PendingVehicle pending{refused->systemId, refused->remoteAddress, refused->mayBe};
-        report(tr("Vehicle %1 at %2 is not sealed and may be an impostor of %3. It waits for your approval.")
-                   .arg(pending.systemId)
-                   .arg(fromStd(pending.remoteAddress), engine::anyOfNames(pending.mayBe)),
-               allowPlainText(pending), [this, pending] { askAllowPlain(m_station, pending, &m_window); });
+        report(engine::eventText(event, {}).line(), allowPlainText(pending),
+               [this, pending] { askAllowPlain(m_station, pending, &m_window); });
     }
 }
 

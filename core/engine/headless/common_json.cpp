@@ -24,21 +24,6 @@ std::string_view suiteName(crypto::SuiteId suite)
     return crypto::suiteInfo(suite).name;
 }
 
-std::string_view framingName(channel::Framing framing)
-{
-    return framing == channel::Framing::Inline ? "inline" : "sealed";
-}
-
-std::string_view carrierName(Carrier carrier)
-{
-    switch (carrier) {
-    case Carrier::Datagram: return "datagram";
-    case Carrier::Tunnel: return "tunnel";
-    case Carrier::Serial: return "serial";
-    }
-    return {};
-}
-
 void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
 {
     json.field("good", counters.good)
@@ -50,15 +35,6 @@ void writeReceived(JsonWriter &json, const channel::ReceiveCounters &counters)
         .field("plaintext_dropped", counters.plaintextDropped)
         .field("opened_bytes", counters.openedBytes)
         .field("stale", counters.stale);
-}
-
-void writeFreshness(JsonWriter &json, const channel::FreshnessReport &report)
-{
-    if (report.isAgeKnown())
-        json.field("age_ms", double(report.ageMicroseconds) / 1e3);
-    else
-        json.key("age_ms").null();
-    json.field("overtaken_limit_ms", report.overtakenMilliseconds).field("age_limit_ms", report.limitMilliseconds);
 }
 
 } // namespace
@@ -76,82 +52,12 @@ std::string linkEvent(const LinkSnapshot &link, std::string_view side)
     return endEvent(json);
 }
 
-std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress)
-{
-    JsonWriter json = beginEvent("session");
-    json.field("state", "up").field("suite", suiteName(up.suite)).field("framing", framingName(up.framing));
-    json.field("epoch", 0u);
-    json.field("peer", up.peerName).field("address", remoteAddress).field("carrier", carrierName(up.path.carrier));
-    return endEvent(json);
-}
-
-std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer)
-{
-    JsonWriter json = beginEvent("session");
-    json.field("state", "down")
-        .field("framing", framingName(down.framing))
-        .field("peer", peer)
-        .field("reason", keyword(down.reason));
-    return endEvent(json);
-}
-
-std::string switchEvent(const channel::SwitchDone &done)
-{
-    JsonWriter json = beginEvent(done.rekey ? "rekey" : "switch");
-    json.field("from", suiteName(done.from)).field("to", suiteName(done.to));
-    json.field("epoch", static_cast<std::uint32_t>(done.epoch));
-    json.field("result", done.failure == channel::SwitchFailure::None ? "committed" : "rolled-back");
-    if (done.failure != channel::SwitchFailure::None)
-        json.field("reason", keyword(done.failure));
-    json.field("ms", seconds(done.took) * 1000).field("by_peer", done.byPeer);
-    return endEvent(json);
-}
-
-std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to)
-{
-    JsonWriter json = beginEvent("moved");
-    json.field("peer", peer).field("from", from).field("to", to);
-    return endEvent(json);
-}
-
-std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
-                         const std::string &fingerprint)
-{
-    JsonWriter json = beginEvent("refused");
-    json.field("reason", keyword(refused.reason)).field("address", remoteAddress);
-    if (!fingerprint.empty())
-        json.field("fingerprint", fingerprint);
-    return endEvent(json);
-}
-
-std::string forgeryEvent(const channel::ForgeryAlarm &alarm)
-{
-    JsonWriter json = beginEvent("forgery");
-    json.field("forged", alarm.forged).field("replayed", alarm.replayed);
-    return endEvent(json);
-}
-
 std::string counterStorageEvent(const CounterStorage &storage)
 {
     JsonWriter json = beginEvent("counter_storage");
     json.field("works", storage.problem.empty());
     if (!storage.problem.empty())
         json.field("problem", storage.problem);
-    return endEvent(json);
-}
-
-std::string peerStorageEvent(const channel::PeerStorageChanged &change, const std::string &peer)
-{
-    JsonWriter json = beginEvent("agent_storage");
-    json.field("peer", peer).field("works", !change.failed);
-    return endEvent(json);
-}
-
-std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer)
-{
-    JsonWriter json = beginEvent("commands_late");
-    json.field("peer", peer).field("records", late.records);
-    writeFreshness(json, late.report);
     return endEvent(json);
 }
 
@@ -168,7 +74,7 @@ void writeChannel(JsonWriter &json, const ChannelTotals &totals)
 {
     json.key("channel").beginObject();
     json.field("up", totals.up).field("suite", suiteName(totals.suite)).field("epoch", totals.epoch);
-    json.field("framing", framingName(totals.framing));
+    json.field("framing", keyword(totals.framing));
     json.key("rx").beginObject();
     writeReceived(json, totals.rx);
     json.endObject();

@@ -1,5 +1,5 @@
-// The JSON that the station's monitor and the agent share: one object a line for links, sessions and switches, and the parts of
-// their statistics. Names and shapes are part of the programs' interface.
+// The JSON that the station's monitor and the agent share: one object a line for links and storage, and the parts of their
+// statistics. Names and shapes are part of the programs' interface.
 #pragma once
 
 #include "core/base/json_writer.h"
@@ -19,20 +19,8 @@ std::string endEvent(JsonWriter &json);
 
 /// `side` is "vehicle" or "ground" where a program has two; empty otherwise.
 std::string linkEvent(const LinkSnapshot &link, std::string_view side = {});
-std::string sessionUpEvent(const channel::SessionUp &up, const std::string &remoteAddress);
-std::string sessionDownEvent(const channel::SessionDown &down, const std::string &peer);
-/// A switch of suites, or of keys alone ("rekey").
-std::string switchEvent(const channel::SwitchDone &done);
-std::string peerMovedEvent(const std::string &peer, const std::string &from, const std::string &to);
-/// `fingerprint` is empty if the key is not known.
-std::string refusedEvent(const channel::HandshakeRefused &refused, const std::string &remoteAddress,
-                         const std::string &fingerprint);
-std::string forgeryEvent(const channel::ForgeryAlarm &alarm);
 /// {"event":"counter_storage","works":…}, with a "problem" if it does not work.
 std::string counterStorageEvent(const CounterStorage &storage);
-/// The same of an agent: {"event":"agent_storage","peer":…,"works":…}
-std::string peerStorageEvent(const channel::PeerStorageChanged &change, const std::string &peer);
-std::string commandsLateEvent(const channel::CommandsLate &late, const std::string &peer);
 
 /// Parts of "stats" and "summary".
 void writeMavlink(JsonWriter &json, const MavlinkTotals &totals);

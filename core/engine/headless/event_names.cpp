@@ -16,6 +16,21 @@ std::string_view keyword(LinkPhase phase)
     return "unknown";
 }
 
+std::string_view keyword(Carrier carrier)
+{
+    switch (carrier) {
+    case Carrier::Datagram: return "datagram";
+    case Carrier::Tunnel: return "tunnel";
+    case Carrier::Serial: return "serial";
+    }
+    return "unknown";
+}
+
+std::string_view keyword(channel::Framing framing)
+{
+    return framing == channel::Framing::Inline ? "inline" : "sealed";
+}
+
 std::string_view keyword(channel::DownReason reason)
 {
     switch (reason) {

@@ -9,6 +9,8 @@
 namespace skyseal::engine {
 
 std::string_view keyword(LinkPhase phase);
+std::string_view keyword(Carrier carrier);
+std::string_view keyword(channel::Framing framing);
 std::string_view keyword(channel::DownReason reason);
 std::string_view keyword(channel::SwitchFailure failure);
 std::string_view keyword(channel::RefusalReason reason);

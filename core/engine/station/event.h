@@ -79,11 +79,10 @@ struct Joined<std::variant<T...>, std::variant<U...>, Rest...> : Joined<std::var
 
 using StationEvent = std::variant<LinkChanged, VehicleFound, VehicleLost, VehicleBack, PlaintextRefused, SystemRefused,
                                   AgentUnanswering, RecordingProblem, EventsDropped, CounterStorage>;
-using SessionEvent =
-    std::variant<channel::SessionUp, channel::SessionDown, channel::PeerMoved, channel::SwitchPending, channel::SwitchDone,
-                 channel::HandshakeRefused, channel::ForgeryAlarm, channel::CommandsLate, channel::PeerStorageChanged>;
-/// An event of the station itself, of a vehicle or of a session.
-using Event = Joined<StationEvent, vehicle::Event, SessionEvent>::Type;
+/// An event of the station itself, of a vehicle or of the channel.
+using Event = Joined<StationEvent, vehicle::Event, channel::Event>::Type;
+/// Whether `T` is an alternative of channel::Event.
+template<typename T> inline constexpr bool kIsChannelEvent = std::is_constructible_v<channel::Event, std::in_place_type_t<T>>;
 
 /// The events that a stranger can cause, see EventPublisher.
 struct StationCauses : ChannelCauses

@@ -10,45 +10,6 @@ namespace skyseal::engine {
 
 namespace {
 
-/// Pairing events are routine: the window for pairing reports its own state to the person who opened it.
-class DescribePairing
-{
-    Q_DECLARE_TR_FUNCTIONS(skyseal::engine::PairingText)
-
-public:
-    QString operator()(const channel::PairingPeerSeen &e) const { return tr("Pairing: %1 is there").arg(device(e.peer.key)); }
-    QString operator()(const channel::PairingPeerConfirmed &e) const
-    {
-        return tr("Pairing: confirmed at the other end, %1").arg(device(e.key));
-    }
-    QString operator()(const channel::PairingOtherTried &) const { return tr("Pairing: another device tried as well"); }
-    QString operator()(const channel::PairingPassphraseDiffers &) const
-    {
-        return tr("Pairing: the passphrases of the two ends may differ");
-    }
-    QString operator()(const channel::Paired &e) const
-    {
-        return tr("Paired with %1, %2").arg(qt(e.peer.name), device(e.peer.key));
-    }
-    QString operator()(const channel::PairingOver &e) const
-    {
-        switch (e.reason) {
-        case channel::PairingEnd::Paired: return tr("Pairing: done");
-        case channel::PairingEnd::TimedOut: return tr("Pairing: the time is over");
-        case channel::PairingEnd::Cancelled: return tr("Pairing: cancelled");
-        case channel::PairingEnd::Armed: return tr("Pairing: ended because the vehicle was armed");
-        case channel::PairingEnd::Refused: return tr("Pairing: refused here");
-        case channel::PairingEnd::RefusedThere: return tr("Pairing: refused at the other end");
-        case channel::PairingEnd::Interrupted: return tr("Pairing: interrupted; start again");
-        case channel::PairingEnd::Guessed: return tr("Pairing: ended after three wrong passphrases");
-        }
-        return {};
-    }
-
-private:
-    static QString device(const channel::PublicKey &key) { return tr("key %1").arg(qt(keys::fingerprint(key))); }
-};
-
 class DescribeAgent
 {
     Q_DECLARE_TR_FUNCTIONS(skyseal::engine::AgentEventText)
@@ -63,12 +24,7 @@ public:
         return text;
     }
     EventText operator()(const channel::Event &e) const { return channelEventText(e, m_names); }
-    EventText operator()(const channel::PairingEvent &e) const
-    {
-        EventText text{std::visit(DescribePairing{}, e)};
-        text.isRoutine = true;
-        return text;
-    }
+    EventText operator()(const channel::PairingEvent &) const { return routineText({}); }
     EventText operator()(const FramesRefused &e) const
     {
         QString message = e.messageName.empty() ? tr("message %1").arg(e.messageId) : qt(e.messageName);

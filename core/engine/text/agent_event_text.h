@@ -6,7 +6,8 @@
 
 namespace skyseal::engine {
 
-/// `names` must have noted the event if it is one of the channel.
+/// `names` must have noted the event if it is one of the channel. Without a sentence for the events of a pairing: its owner
+/// reports them with the texts of pairing_text.h.
 EventText agentEventText(const AgentEvent &event, const PeerNames &names);
 
 } // namespace skyseal::engine

@@ -48,9 +48,11 @@ public:
     {
         const auto epoch = static_cast<quint32>(e.epoch);
         if (e.failure != channel::SwitchFailure::None)
-            return {tr("Switch to %1 rolled back: %2").arg(suiteText(e.to), switchFailureText(e.failure)), kWarning};
+            return {(e.rekey ? tr("The keys of %1 stay the same: %2") : tr("Switch to %1 rolled back: %2"))
+                        .arg(suiteText(e.to), switchFailureText(e.failure)),
+                    kWarning};
         if (e.rekey)
-            return {tr("Fresh keys for %1, epoch %2").arg(suiteText(e.to)).arg(epoch), kInfo};
+            return {tr("New keys for %1, epoch %2, in %3").arg(suiteText(e.to)).arg(epoch).arg(switchTimeText(e.took)), kInfo};
         return {tr("Switched from %1 to %2, epoch %3, in %4")
                     .arg(suiteText(e.from), suiteText(e.to))
                     .arg(epoch)

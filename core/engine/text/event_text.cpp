@@ -6,20 +6,12 @@
 
 #include <QtCore/QCoreApplication>
 
-#include <type_traits>
-
 namespace skyseal::engine {
 
 namespace {
 
 constexpr std::uint8_t kError = mavlink::MAV_SEVERITY_ERROR, kWarning = mavlink::MAV_SEVERITY_WARNING,
                        kNotice = mavlink::MAV_SEVERITY_NOTICE, kInfo = mavlink::MAV_SEVERITY_INFO;
-
-/// Whether `T` is an alternative of channel::Event.
-template<typename T, typename Variant> inline constexpr bool kIsOneOf = false;
-template<typename T, typename... Alternatives>
-inline constexpr bool kIsOneOf<T, std::variant<Alternatives...>> = (std::is_same_v<T, Alternatives> || ...);
-template<typename T> inline constexpr bool kIsChannelEvent = kIsOneOf<T, channel::Event>;
 
 /// Calls the overload for the alternative that an event holds.
 class Describe
@@ -30,10 +22,8 @@ public:
     explicit Describe(const PeerNames &names) : m_names(names) {}
 
     EventText operator()(const LinkChanged &e) const { return linkText(e.link); }
-    template<typename T> std::enable_if_t<kIsChannelEvent<T>, EventText> operator()(const T &e) const
-    {
-        return channelEventText(e, m_names);
-    }
+    template<typename T>
+    requires kIsChannelEvent<T> EventText operator()(const T &e) const { return channelEventText(e, m_names); }
     EventText operator()(const VehicleFound &e) const
     {
         const QString type = vehicleTypeText(e.type);
@@ -113,13 +103,20 @@ public:
     }
     EventText operator()(const vehicle::CommandResult &e) const
     {
-        switch (e.outcome) {
-        case vehicle::CommandOutcome::Accepted: return routineText(tr("Command accepted"), e.systemId);
-        case vehicle::CommandOutcome::Refused: return routineText(tr("Command refused: %1").arg(qt(e.reason)), e.systemId);
+        return routineText(tr("Command: %1").arg(outcomeOf(e)), e.systemId);
+    }
+
+    static QString outcomeOf(const vehicle::CommandResult &result)
+    {
+        const QString reason = qt(result.reason);
+        switch (result.outcome) {
+        case vehicle::CommandOutcome::Accepted: return tr("accepted");
+        case vehicle::CommandOutcome::Refused: return reason.isEmpty() ? tr("refused") : reason; // "nothing was sent: …"
         case vehicle::CommandOutcome::TimedOut: break;
         }
-        return routineText(tr("Command not answered"), e.systemId);
+        return reason.isEmpty() ? tr("no answer") : reason;
     }
+
 private:
     static QString missionDone(vehicle::MissionTransfer transfer)
     {
@@ -148,6 +145,11 @@ private:
 EventText eventText(const Event &event, const PeerNames &names)
 {
     return std::visit(Describe(names), event);
+}
+
+QString commandOutcomeText(const vehicle::CommandResult &result)
+{
+    return Describe::outcomeOf(result);
 }
 
 } // namespace skyseal::engine

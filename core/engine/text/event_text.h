@@ -9,5 +9,7 @@ namespace skyseal::engine {
 
 /// `names` must have noted the event.
 EventText eventText(const Event &event, const PeerNames &names);
+/// "accepted", "denied: …", "no answer to 5 attempts"
+QString commandOutcomeText(const vehicle::CommandResult &result);
 
 } // namespace skyseal::engine

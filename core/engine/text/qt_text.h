@@ -7,9 +7,17 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace skyseal::engine {
 
+/// UTF-8 of this program's own.
+inline QString fromStd(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+/// UTF-8 that may contain text of others: without control characters.
 inline QString qt(const std::string &text)
 {
     return QString::fromStdString(printable(text));

@@ -1,5 +1,6 @@
 #include "core/engine/text/state_text.h"
 
+#include "core/engine/text/qt_text.h"
 #include "core/mavlink/enums.h"
 
 #include <QtCore/QCoreApplication>
@@ -14,11 +15,6 @@ struct StateText
     Q_DECLARE_TR_FUNCTIONS(skyseal::engine::StateText)
 };
 
-QString fromUtf8(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
-
 } // namespace
 
 QString suiteText(crypto::SuiteId suite)
@@ -26,7 +22,7 @@ QString suiteText(crypto::SuiteId suite)
     if (suite == crypto::SuiteId::None)
         return StateText::tr("plain, not sealed");
     const crypto::SuiteInfo &info = crypto::suiteInfo(suite);
-    const QString name = fromUtf8(info.displayName);
+    const QString name = fromStd(info.displayName);
     return info.research ? StateText::tr("%1 (insecure)").arg(name) : name;
 }
 
@@ -129,7 +125,7 @@ QString switchTimeText(Duration took)
 
 QString anyOfNames(std::string_view names)
 {
-    const QString all = fromUtf8(names), comma = QStringLiteral(", ");
+    const QString all = fromStd(names), comma = QStringLiteral(", ");
     const qsizetype last = all.lastIndexOf(comma);
     return last < 0 ? all : StateText::tr("%1 or %2").arg(all.left(last), all.mid(last + comma.size()));
 }

@@ -1,7 +1,7 @@
 // Selects one of several lambdas by the alternative of a variant.
 #pragma once
 
-namespace skyseal::app {
+namespace skyseal {
 
 template<typename... F> struct Overloaded : F...
 {
@@ -9,4 +9,4 @@ template<typename... F> struct Overloaded : F...
 };
 template<typename... F> Overloaded(F...) -> Overloaded<F...>;
 
-} // namespace skyseal::app
+} // namespace skyseal
