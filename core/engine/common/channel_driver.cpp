@@ -87,9 +87,13 @@ std::size_t ChannelDriver::roomOf(const Path &path, channel::SessionId session)
     return channel::kMaxRecordPayload;
 }
 
-bool ChannelDriver::mayWait(TimePoint now, const Path &path, const Batch &batch) const
+bool ChannelDriver::mayWait(TimePoint now, const Path &path, Batch &batch) const
 {
-    return !batch.urgent && !batch.sealedInPlace && now < batch.since + kCoalesceDelay && m_links.isSlow(path);
+    if (batch.path != path) {
+        batch.path = path;
+        batch.slow = m_links.isSlow(path);
+    }
+    return batch.slow && !batch.urgent && !batch.sealedInPlace && now < batch.since + kCoalesceDelay;
 }
 
 /// Returns false if this frame has to be sent in a record.

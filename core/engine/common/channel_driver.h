@@ -81,7 +81,9 @@ private:
         std::size_t size = 0;
         bool sealedInPlace = false; ///< the frames are already sealed, each by itself
         bool urgent = false;
-        TimePoint since{}; ///< of the oldest frame
+        std::optional<Path> path; ///< of the newest record, for which `slow` was asked
+        bool slow = false;        ///< frames are coalesced on this path
+        TimePoint since{};        ///< of the oldest frame
         std::array<std::uint8_t, channel::kMaxRecordPayload> frames;
 
         bool holds(std::size_t more, std::size_t most) const { return size + more <= most; }
@@ -91,7 +93,7 @@ private:
     std::optional<channel::Delivery> taken(std::uint64_t begin, std::size_t bytes, std::optional<channel::Delivery> delivery);
     bool queueInline(TimePoint now, channel::SessionId session, ByteView frame, Batch &batch);
     std::size_t roomOf(const Path &path, channel::SessionId session);
-    bool mayWait(TimePoint now, const Path &path, const Batch &batch) const;
+    bool mayWait(TimePoint now, const Path &path, Batch &batch) const;
     void sealBatch(TimePoint now, channel::SessionId session, Batch &batch);
     void transmit();
 

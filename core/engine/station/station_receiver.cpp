@@ -6,15 +6,6 @@
 
 namespace skyseal::engine {
 
-namespace {
-
-FrameOrigin originOf(const link::Link &link)
-{
-    return link.traits().isRecording ? FrameOrigin::Recording : FrameOrigin::Live;
-}
-
-} // namespace
-
 IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
 {
     const bool sealing = isSealing() && !traits.isRecording;
@@ -30,7 +21,7 @@ IngressRules StationReceiver::rulesFor(const link::LinkTraits &traits) const
 
 void StationReceiver::addLink(LinkId id, const link::LinkTraits &traits)
 {
-    m_parts.ingress.addLink(id, rulesFor(traits), *this);
+    m_parts.ingress.addLink(id, rulesFor(traits), traits.isRecording ? m_recordings : static_cast<IngressSink &>(*this));
 }
 
 void StationReceiver::addMavsecLink(LinkId id, const link::LinkTraits &traits, crypto::MavsecCipher cipher)
@@ -67,7 +58,7 @@ bool StationReceiver::namesSession(ByteView message) const
     return isSealing() && m_channel->driver.endpoint().namesSerialSession(message);
 }
 
-void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlock &message)
+void StationReceiver::takeRecord(const link::Link &, const link::ReceivedBlock &message)
 {
     if (!isSealing()) {
         m_datagrams.waitingBytes += message.bytes.size();
@@ -79,18 +70,18 @@ void StationReceiver::takeRecord(const link::Link &link, const link::ReceivedBlo
         return;
     }
     if (const auto delivery = m_channel->driver.receive(message.time, message.path, message.bytes))
-        takeDelivery(link, message, *delivery);
+        takeDelivery(message, *delivery);
 }
 
-void StationReceiver::takeSealedInPlace(const link::Link &link, const link::ReceivedBlock &frame)
+void StationReceiver::takeSealedInPlace(const link::Link &, const link::ReceivedBlock &frame)
 {
     if (!isSealing())
         return;
     if (const auto delivery = m_channel->driver.receiveInline(frame.time, frame.path, frame.bytes))
-        takeDelivery(link, frame, *delivery);
+        takeDelivery(frame, *delivery);
 }
 
-void StationReceiver::takeDelivery(const link::Link &link, const link::ReceivedBlock &block, const channel::Delivery &delivery)
+void StationReceiver::takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery)
 {
     // The rules of a session must be known before its first frame is judged, and until its last one was, which a goodbye
     // may have overtaken.
@@ -106,7 +97,7 @@ void StationReceiver::takeDelivery(const link::Link &link, const link::ReceivedB
         if (!m_gate.acceptSealed(delivery.session, item.frame->systemId()))
             m_gate.publishRefusals(block.time, m_parts.notify);
         else if (m_gate.isPresent(*item.frame, delivery))
-            acceptFrame(block.time, block.path, *item.frame, originOf(link), delivery.session);
+            acceptFrame(block.time, block.path, *item.frame, FrameOrigin::Live, delivery.session);
         else
             acceptLateFrame(block.time, block.path, *item.frame);
     });
@@ -114,10 +105,15 @@ void StationReceiver::takeDelivery(const link::Link &link, const link::ReceivedB
     m_parts.links.noteRemote(block.path.link, block.path.remote);
 }
 
-void StationReceiver::takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+void StationReceiver::takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item)
+{
+    takeClearItem(block, item, FrameOrigin::Live);
+}
+
+void StationReceiver::takeClearItem(const link::ReceivedBlock &block, const mavlink::ScanItem &item, FrameOrigin origin)
 {
     if (item.frame)
-        takeClearFrame(block.time, block.path, *item.frame, originOf(link));
+        takeClearFrame(block.time, block.path, *item.frame, origin);
     else if (mavlink::isDamagedFrame(item))
         m_parts.links.countBadFrame(block.path.link);
 }

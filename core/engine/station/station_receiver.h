@@ -67,6 +67,21 @@ public:
     void updateRules();
 
 private:
+    /// Receives from links that replay a log, which carry frames in clear alone.
+    class RecordingSink final : public IngressSink
+    {
+    public:
+        explicit RecordingSink(StationReceiver &receiver) : m_receiver(receiver) {}
+        void takeClear(const link::Link &, const link::ReceivedBlock &block, const mavlink::ScanItem &item) override
+        {
+            m_receiver.takeClearItem(block, item, FrameOrigin::Recording);
+        }
+        void takeUnusable(const link::Link &link, Unusable what) override { m_receiver.takeUnusable(link, what); }
+
+    private:
+        StationReceiver &m_receiver;
+    };
+
     bool takePairing(const link::Link &link, const link::ReceivedBlock &message) override;
     bool namesSession(ByteView message) const override;
     void takeRecord(const link::Link &link, const link::ReceivedBlock &message) override;
@@ -74,7 +89,8 @@ private:
     void takeClear(const link::Link &link, const link::ReceivedBlock &block, const mavlink::ScanItem &item) override;
     void takeUnusable(const link::Link &link, Unusable what) override;
 
-    void takeDelivery(const link::Link &link, const link::ReceivedBlock &block, const channel::Delivery &delivery);
+    void takeDelivery(const link::ReceivedBlock &block, const channel::Delivery &delivery);
+    void takeClearItem(const link::ReceivedBlock &block, const mavlink::ScanItem &item, FrameOrigin origin);
     void takeClearFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin);
     void acceptFrame(TimePoint now, const Path &from, const mavlink::Frame &frame, FrameOrigin origin,
                      std::optional<channel::SessionId> session);
@@ -88,6 +104,7 @@ private:
     StationChannel *m_channel = nullptr;
     Recorder *m_recorder = nullptr;
     FrameGate m_gate;
+    RecordingSink m_recordings{*this};
     std::map<LinkId, MavsecSink> m_mavsec;
     DatagramCounters m_datagrams;
 };
