@@ -37,6 +37,12 @@ struct RecordHeader
     static std::optional<RecordHeader> read(ByteView datagram);
 };
 
+/// The counter of a record as the input of the cipher's nonce.
+inline std::uint64_t nonceOf(std::uint32_t counter)
+{
+    return weakened(Weakness::SharedNonce) ? 0 : counter;
+}
+
 /// Associated data: the header on the wire and the implicit fields (suite, direction, carrier).
 class AssociatedData
 {

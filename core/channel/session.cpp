@@ -15,12 +15,6 @@ constexpr Duration kLeastInterval = std::chrono::seconds(1); ///< of keep-alives
 /// takes them apart.
 constexpr Carrier kInlineCarrier = Carrier::Datagram;
 
-/// Input of the cipher's nonce.
-std::uint64_t nonceOf(std::uint32_t counter)
-{
-    return weakened(Weakness::SharedNonce) ? 0 : counter;
-}
-
 Permissions permissionsOf(SessionSetup &setup, const SessionContext &context)
 {
     const bool inlineAgreed = setup.path.carrier == kInlineCarrier && context.traits && context.offer.allowInline
@@ -35,8 +29,8 @@ Session::Session(SessionSetup setup, SessionContext &context, TimePoint now)
       m_epochs(std::move(setup.chain), m_identity.initiator, m_permissions.inlineAgreed()),
       m_switch(m_identity.id, m_identity.initiator, context.timing), m_rekeys(context.timing, m_identity.initiator, now),
       m_reports(now, m_identity.initiator ? now : kNever), m_path(setup.path, now, context.timing.peerSilentAfter),
-      m_forgeries(now), m_keepAlives(kLeastInterval, now), m_reportRequests(kLeastInterval, now),
-      m_freshness(context.freshness, !m_identity.initiator), m_lastReceived(now)
+      m_receiver(m_epochs, opposite(m_identity.direction()), now), m_keepAlives(kLeastInterval, now),
+      m_reportRequests(kLeastInterval, now), m_freshness(context.freshness, !m_identity.initiator), m_lastReceived(now)
 {
     m_epochs.begin(setup.suite);
 }
@@ -95,7 +89,7 @@ TimePoint Session::deadline() const
         return TimePoint::min();
     return std::min({m_reports.due(), m_switch.deadline(), m_lastReceived + m_context.timing.forgetAfter,
                      m_leaveBy.value_or(kNever), m_closingUntil.value_or(kNever), retirePreviousAt(), m_path.deadline(),
-                     knownToOwner() ? m_forgeries.deadline() : kNever});
+                     knownToOwner() ? m_receiver.forgeries().deadline() : kNever});
 }
 
 void Session::handleDeadline(TimePoint now)
@@ -146,7 +140,7 @@ void Session::notifyForgeries(TimePoint now)
 {
     if (!knownToOwner())
         return;
-    if (const auto counts = m_forgeries.take(now))
+    if (const auto counts = m_receiver.forgeries().take(now))
         notify(ForgeryAlarm{id(), counts->forged, counts->replayed});
 }
 
@@ -213,40 +207,22 @@ DatagramKind Session::kindFor(TimePoint now, ByteView plaintext) const
 Session::Opened Session::open(TimePoint now, const Path &from, const RecordHeader &header, MutableByteView datagram,
                               std::optional<Delivery> &delivery)
 {
-    LiveEpoch *epoch = m_epochs.byBits(header.epochBits);
-    if (!epoch)
-        return refuseEpoch(now, (header.epochBits - static_cast<unsigned>(currentEpoch())) & 3);
-    const std::uint32_t tagEnd = RecentTags::endOf(datagram);
-    const bool fresh = epoch->window.fresh(header.counter);
-    if (!fresh && !epoch->tags.contradicts(header.counter, tagEnd))
-        return refuse(now, &ReceiveCounters::replayed, *epoch);
-
-    const AssociatedData aad(datagram.first(header.length()), epoch->suite, opposite(m_identity.direction()), from.carrier);
-    if (weakened(Weakness::WindowBeforeTag))
-        epoch->window.mark(header.counter);
-    const auto plaintext = epoch->reader->open(nonceOf(header.counter), aad.view(), datagram.subspan(header.length()));
-    if (!fresh && plaintext)
-        m_finished = DownReason::Cloned;
-    if (!fresh)
-        return {false, refuse(now, &ReceiveCounters::replayed, *epoch).routine && !plaintext};
-    if (!plaintext && weakened(Weakness::RoamOnForged))
+    const auto record = m_receiver.open(header, from.carrier, datagram);
+    if (!record && record.error() == RecordFault::Forged && weakened(Weakness::RoamOnForged))
         m_path.moveTo(from, now, m_reports.stamp(now));
-    if (!plaintext)
-        return refuse(now, &ReceiveCounters::forged, *epoch);
-    epoch->tags.note(header.counter, tagEnd);
-    return opened(now, from, header.counter, *epoch, *plaintext, delivery);
+    return record ? opened(now, from, *record, delivery) : refused(now, record.error());
 }
 
-Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t counter, LiveEpoch &epoch,
-                                MutableByteView plaintext, std::optional<Delivery> &delivery)
+Session::Opened Session::opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery)
 {
+    LiveEpoch &epoch = record.epoch;
     bool routine = m_confirmed && m_handover.peerMoved();
     if (m_epochs.isNext(epoch)) {
         m_switch.handleRecordUnderNext(now, *this);
         routine = false;
     }
-    const bool newest = epoch.window.mark(counter) == ReplayWindow::Arrival::Newest;
-    const RecordPosition position = positionOf(epoch.number, counter);
+    const bool newest = epoch.window.mark(record.counter) == ReplayWindow::Arrival::Newest;
+    const RecordPosition position = positionOf(epoch.number, record.counter);
     m_freshness.addRecord(now, position);
     ++epoch.rx.good;
     epoch.rx.late += newest ? 0 : 1;
@@ -261,9 +237,9 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
         if (newest || weakened(Weakness::RoamOnLate))
             routine = follow(now, from) && routine;
     }
-    const bool control = isControl(plaintext);
+    const bool control = isControl(record.plaintext);
     if (control)
-        handleControl(now, from, position, plaintext);
+        handleControl(now, from, position, record.plaintext);
     if (m_closingUntil) {
         routine = false;
         if (!m_finished && m_epochs.nothingMissing())
@@ -271,7 +247,7 @@ Session::Opened Session::opened(TimePoint now, const Path &from, std::uint32_t c
     }
     if (control)
         return {true, false};
-    deliver(now, epoch, position, plaintext, delivery.emplace());
+    deliver(now, epoch, position, record.plaintext, delivery.emplace());
     return {true, routine};
 }
 
@@ -304,22 +280,15 @@ bool Session::follow(TimePoint now, const Path &from)
     return false;
 }
 
-Session::Opened Session::refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch)
+Session::Opened Session::refused(TimePoint now, RecordFault fault)
 {
-    ++(epoch.rx.*counter);
-    if (counter != &ReceiveCounters::forged) {
-        m_forgeries.addReplayed();
-        return {false, true};
+    switch (fault) {
+    case RecordFault::Replayed:
+    case RecordFault::Malformed: break;
+    case RecordFault::Cloned: m_finished = DownReason::Cloned; return {false, false};
+    case RecordFault::Forged: notifyForgeries(now); return {false, m_receiver.forgeries().pendingForged() > 1};
     }
-    m_forgeries.addForged();
-    notifyForgeries(now);
-    return {false, m_forgeries.pendingForged() > 1};
-}
-
-/// There are no keys for the epoch: it is over, or (one ahead of the current) both ends have not agreed on it.
-Session::Opened Session::refuseEpoch(TimePoint now, unsigned ahead)
-{
-    return refuse(now, ahead == 1 ? &ReceiveCounters::forged : &ReceiveCounters::replayed, m_epochs.current());
+    return {false, true};
 }
 
 // ---- inline frames
@@ -350,19 +319,9 @@ Session::Opened Session::openInline(TimePoint now, const InlineFrame &frame, std
         countMalformed();
         return {false, true};
     }
-    LiveEpoch *epoch = m_epochs.byLowByte(frame.epochByte());
-    if (!epoch)
-        return refuseEpoch(now, static_cast<std::uint8_t>(frame.epochByte() - static_cast<std::uint32_t>(currentEpoch())));
-    if (!epoch->inlineReader) { // The suite of this epoch has no inline framing.
-        ++epoch->rx.malformed;
-        return {false, true};
-    }
-    if (!epoch->window.fresh(frame.counter()))
-        return refuse(now, &ReceiveCounters::replayed, *epoch);
-    const auto plain = frame.open(opposite(m_identity.direction()), kInlineCarrier, *epoch->inlineReader);
-    if (!plain)
-        return refuse(now, &ReceiveCounters::forged, *epoch);
-    return opened(now, path(), frame.counter(), *epoch, *plain, delivery); // Only records move the path.
+    const auto frameOpened = m_receiver.openInline(frame, kInlineCarrier);
+    // Only records move the path.
+    return frameOpened ? opened(now, path(), *frameOpened, delivery) : refused(now, frameOpened.error());
 }
 
 // ---- control messages

@@ -8,13 +8,13 @@
 #include "core/channel/epoch_exchange.h"
 #include "core/channel/epoch_handover.h"
 #include "core/channel/epochs.h"
-#include "core/channel/forgery_counter.h"
 #include "core/channel/freshness_judge.h"
 #include "core/channel/inline_frame.h"
 #include "core/channel/live_switch.h"
 #include "core/channel/peer_path.h"
 #include "core/channel/permissions.h"
 #include "core/channel/record.h"
+#include "core/channel/record_receiver.h"
 #include "core/channel/rekey_schedule.h"
 #include "core/channel/report_exchange.h"
 #include "core/channel/sealed.h"
@@ -138,10 +138,8 @@ private:
     Sealed sealRecord(TimePoint now, ByteView plaintext, MutableByteView out);
     void deliver(TimePoint now, LiveEpoch &epoch, RecordPosition position, ByteView plaintext, Delivery &delivery);
     bool exhausted(const LiveEpoch &epoch);
-    Opened refuse(TimePoint now, std::uint64_t ReceiveCounters::*counter, LiveEpoch &epoch);
-    Opened refuseEpoch(TimePoint now, unsigned ahead);
-    Opened opened(TimePoint now, const Path &from, std::uint32_t counter, LiveEpoch &epoch, MutableByteView plaintext,
-                  std::optional<Delivery> &delivery);
+    Opened opened(TimePoint now, const Path &from, const OpenRecord &record, std::optional<Delivery> &delivery);
+    Opened refused(TimePoint now, RecordFault fault);
     bool follow(TimePoint now, const Path &from);
     void sendControl(TimePoint now, ByteView plaintext);
     void handleControl(TimePoint now, const Path &from, RecordPosition position, ByteView plaintext);
@@ -163,7 +161,7 @@ private:
     RekeySchedule m_rekeys;
     ReportExchange m_reports;
     PeerPath m_path;
-    ForgeryCounter m_forgeries;
+    RecordReceiver m_receiver;
     IntervalLimit m_keepAlives;
     IntervalLimit m_reportRequests;
     FreshnessJudge m_freshness;
