@@ -3,8 +3,10 @@
 #include "core/engine/station/snapshot.h"
 #include "core/mavlink/dialect.h"
 #include "tests/support/addresses.h"
+#include "tests/support/eventually.h"
 
 #include <QtCore/QAbstractEventDispatcher>
+#include <QtCore/QDeadlineTimer>
 
 namespace skyseal::test {
 
@@ -15,20 +17,20 @@ std::string loopback(std::uint16_t port)
     return "127.0.0.1:" + std::to_string(port);
 }
 
-/// Endless work is a fault of the rig, not a slow engine.
+/// Ends the program if it waits forever: a fault of the rig, not a slow engine.
 class Patience
 {
 public:
     void check() const
     {
-        if (steadyNow() > m_until) {
-            std::fprintf(stderr, "the engine did not deliver what it was given\n");
+        if (m_deadline.hasExpired()) {
+            std::fprintf(stderr, "the engine did not deliver all frames\n");
             std::abort();
         }
     }
 
 private:
-    TimePoint m_until = steadyNow() + std::chrono::seconds(20);
+    QDeadlineTimer m_deadline{kDeadlineMs};
 };
 
 } // namespace
@@ -43,12 +45,17 @@ void bringUp(BareEnd &end, crypto::SuiteId suite)
     };
     while (!end.up())
         turn();
-    if (suite != crypto::SuiteId::ChaCha20Poly1305)
-        end.endpoint().switchSuite(steadyNow(), end.session(), suite);
-    while (end.endpoint().sessionInfo(end.session())->suite != suite)
+    const auto session = [&end] { return *end.endpoint().sessionInfo(end.session()); };
+    while (session().lastReceived <= session().since) // A record shows that the session is up at the other end.
         turn();
-    // Until the keys of the previous epoch are deleted, as during the time between two switches.
-    for (const TimePoint settled = steadyNow() + std::chrono::milliseconds(3500); steadyNow() < settled;)
+    if (session().suite == suite)
+        return;
+    end.endpoint().switchSuite(steadyNow(), end.session(), suite);
+    while (session().suite != suite)
+        turn();
+    // Until both ends have deleted the keys of the previous epoch, as during the time between two switches. Nothing reports it.
+    const Duration settling = channel::Timing().oldKeysLinger + std::chrono::milliseconds(500);
+    for (const TimePoint switched = steadyNow(); steadyNow() - switched < settling;)
         turn();
 }
 

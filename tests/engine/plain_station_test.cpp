@@ -267,8 +267,7 @@ void PlainStationTest::requestToAnUnknownVehicleFails()
     std::vector<vehicle::RequestId> ids;
     for (const vehicle::Request &request : requests)
         ids.push_back(ground.station->perform(7, request));
-    QTRY_COMPARE_WITH_TIMEOUT(ground.ears->all<vehicle::MissionResult>().size(), std::size_t(3),
-                              30000); // in order, so the last
+    EVENTUALLY_EQUAL(ground.ears->all<vehicle::MissionResult>().size(), std::size_t(3)); // in order, so the last
     const std::string reason = "no vehicle with system id 7";
     const auto commands = ground.ears->all<vehicle::CommandResult>();
     QCOMPARE(commands.size(), std::size_t(1));

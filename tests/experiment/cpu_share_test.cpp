@@ -4,6 +4,7 @@
 // seal and open, clocked around each call, over the thread's CPU time), and the share of perf's samples of that thread whose
 // stack holds one of these functions, cipher libraries included. perf samples the thread's CPU clock, since virtual machines
 // seldom have counters of cycles. 3,000 samples with a share of a seventh are exact to some 5 % of it; the limit is 15 %.
+#include "tests/support/eventually.h"
 #include "tests/support/measuring_tool.h"
 #include "tests/support/test_runner.h"
 
@@ -105,18 +106,18 @@ void CpuShareTest::suitesShareIsWhatPerfFinds()
     sweep.start(QStringLiteral(SKYSEAL_BIN_DIR "/skyseal-cli"),
                 words("sweep --load saturated --seconds 15 --repeats 1 --no-noise --json --suites") << suite);
     QVERIFY(sweep.waitForStarted());
-    QTRY_VERIFY_WITH_TIMEOUT(ioThreadOf(sweep.processId()) != 0, 20000);
+    EVENTUALLY(ioThreadOf(sweep.processId()) != 0);
     // Its user and its kernel time, as the thread's own clock counts both.
     QProcess perf;
     perf.start(QStringLiteral("perf"),
                words("record -q -e cpu-clock -F 1999 --call-graph dwarf,8192 -o")
                    << data << QStringLiteral("-t") << QString::number(ioThreadOf(sweep.processId())));
     QVERIFY(perf.waitForStarted());
-    QVERIFY(sweep.waitForFinished(120000));
+    QVERIFY(sweep.waitForFinished(2 * kDeadlineMs));
     QCOMPARE(sweep.exitCode(), 0);
-    if (!perf.waitForFinished(5000)) {
+    if (!perf.waitForFinished(kDeadlineMs)) {
         perf.terminate();
-        QVERIFY(perf.waitForFinished(60000));
+        QVERIFY(perf.waitForFinished(kDeadlineMs));
     }
     const QJsonObject values = runIn(sweep.readAllStandardOutput());
     const double measured = values[QLatin1String("cpu_suite")].toDouble() / values[QLatin1String("cpu")].toDouble();
