@@ -1,5 +1,9 @@
 #include "tests/support/flight.h"
 
+#include "core/crypto/suite.h"
+
+#include <algorithm>
+
 namespace skyseal::test {
 
 namespace {
@@ -69,7 +73,12 @@ QStringList Flight::monitorArguments(const QStringList &more) const
 
 QString allSuites()
 {
-    return QStringLiteral("aes-256-gcm,aes-256-ctr,aes-256-cbc,chacha20,rc4,chacha20-poly1305");
+    std::vector<crypto::SuiteId> suites = crypto::sealedSuites();
+    std::rotate(suites.begin(), suites.begin() + 1, suites.end());
+    QStringList names;
+    for (const crypto::SuiteId suite : suites)
+        names << QString::fromStdString(std::string(crypto::suiteInfo(suite).name));
+    return names.join(QLatin1Char(','));
 }
 
 } // namespace skyseal::test

@@ -30,7 +30,7 @@ private:
     bool m_ready = false;
 };
 
-/// All six authenticated suites, as --switch-to takes them.
+/// All suites that seal, as --switch-to takes them. The preferred one, with which a session begins, is the last.
 QString allSuites();
 
 } // namespace skyseal::test

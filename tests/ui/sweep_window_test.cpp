@@ -5,6 +5,7 @@
 #include "app/skyseal/sweep_controller.h"
 #include "core/channel/policy.h"
 #include "core/crypto/init_crypto.h"
+#include "core/crypto/suite.h"
 #include "core/engine/station/session_snapshot.h"
 #include "core/engine/station/vehicle_snapshot.h"
 #include "core/experiment/metric.h"
@@ -151,8 +152,10 @@ SweepDialog *SweepWindowTest::openDialog()
 
 void SweepWindowTest::choose(SweepDialog &dialog, const QStringList &suites, double seconds, int repeats, bool withInline)
 {
-    for (const char *name : {"none", "chacha20-poly1305", "aes-256-gcm", "aes-256-ctr", "aes-256-cbc", "chacha20", "rc4"})
-        set(dialog, (QByteArray("sweep_") + name).constData(), suites.contains(QLatin1String(name)));
+    for (const crypto::SuiteInfo &info : crypto::suites()) {
+        const QByteArray name = QByteArray::fromStdString(std::string(info.name));
+        set(dialog, ("sweep_" + name).constData(), suites.contains(QLatin1String(name)));
+    }
     set(dialog, "sweepInline", withInline);
     dialog.findChild<QDoubleSpinBox *>(q("sweepSeconds"))->setValue(seconds);
     dialog.findChild<QSpinBox *>(q("sweepRepeats"))->setValue(repeats);
@@ -298,7 +301,7 @@ void SweepWindowTest::showsWhatItSaves()
 
     QSignalSpy saved(m_server.get(), &SweepInterface::saved);
     m_window->sweep()->saveIn(m_folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 2 * test::kDeadlineMs);
     QVERIFY2(saved[0][1].toBool(), qPrintable(saved[0][2].toString()));
     compareWithFiles(saved[0][0].toString());
     for (const char *file : {"sweep.csv", "report.html", "figures/packets-natural.svg"})
@@ -362,7 +365,7 @@ void SweepWindowTest::overARadio()
 
     QSignalSpy saved(m_server.get(), &SweepInterface::saved);
     m_window->sweep()->saveIn(m_folder.path());
-    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 120'000);
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 2 * test::kDeadlineMs);
     QFile report(saved[0][0].toString() + q("/report.html"));
     QVERIFY(report.open(QIODevice::ReadOnly));
     const QByteArray html = report.readAll();
@@ -395,7 +398,7 @@ void SweepWindowTest::lossGoesBack()
     run(*dialog);
     EVENTUALLY(!page().results()->samples.empty());
     m_air->kill();
-    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 90'000);
+    QTRY_VERIFY_WITH_TIMEOUT(!page().isRunning(), 2 * test::kDeadlineMs); // three runs that each wait for the link
     QVERIFY2(status().startsWith(q("Incomplete")), qPrintable(status()));
     connectSealed();
     EVENTUALLY_EQUAL(suite(), SuiteId::Aes256Gcm);

@@ -11,9 +11,6 @@ from pathlib import Path
 from cryptography.hazmat.primitives.ciphers import Cipher, algorithms, modes
 from cryptography.hazmat.primitives.ciphers.aead import AESGCM, ChaCha20Poly1305
 
-SUITES = ["chacha20-poly1305", "aes-256-gcm", "aes-256-ctr", "aes-256-cbc", "chacha20", "rc4"]
-
-
 def sha256_mac(key, message):
     return hmac.new(key, message, hashlib.sha256).digest()
 
@@ -48,24 +45,34 @@ def encrypt(cipher, data):
     return encryptor.update(data) + encryptor.finalize()
 
 
+def aes_ctr(key, iv, counter, plaintext):
+    return encrypt(Cipher(algorithms.AES(key), modes.CTR(nonce_of(iv[:12], counter) + b"\0" * 4)), plaintext)
+
+
+def aes_cbc(key, iv, counter, plaintext):
+    record_iv = encrypt(Cipher(algorithms.AES(iv), modes.ECB()), b"\0" * 8 + counter.to_bytes(8, "big"))
+    padding = 16 - len(plaintext) % 16
+    return encrypt(Cipher(algorithms.AES(key), modes.CBC(record_iv)), plaintext + bytes([padding]) * padding)
+
+
+def chacha20(key, iv, counter, plaintext):
+    return encrypt(Cipher(algorithms.ChaCha20(key, b"\0" * 4 + nonce_of(iv[:12], counter)), None), plaintext)
+
+
+def rc4_per_record(key, iv, counter, plaintext):
+    return rc4(sha256_mac(key, counter.to_bytes(8, "little")), plaintext)
+
+
+AEADS = {"chacha20-poly1305": ChaCha20Poly1305, "aes-256-gcm": AESGCM}
+CIPHERS = {"aes-256-ctr": aes_ctr, "aes-256-cbc": aes_cbc, "chacha20": chacha20, "rc4": rc4_per_record}
+
+
 def seal(suite, secret, counter, associated, plaintext):
     key = derive(secret, suite, "key", 32)
     iv = derive(secret, suite, "iv", 32)
-    nonce = nonce_of(iv[:12], counter)
-    if suite == "chacha20-poly1305":
-        return ChaCha20Poly1305(key).encrypt(nonce, plaintext, associated)
-    if suite == "aes-256-gcm":
-        return AESGCM(key).encrypt(nonce, plaintext, associated)
-    if suite == "aes-256-ctr":
-        body = encrypt(Cipher(algorithms.AES(key), modes.CTR(nonce + b"\0" * 4)), plaintext)
-    elif suite == "aes-256-cbc":
-        record_iv = encrypt(Cipher(algorithms.AES(iv), modes.ECB()), b"\0" * 8 + counter.to_bytes(8, "big"))
-        padding = 16 - len(plaintext) % 16
-        body = encrypt(Cipher(algorithms.AES(key), modes.CBC(record_iv)), plaintext + bytes([padding]) * padding)
-    elif suite == "chacha20":
-        body = encrypt(Cipher(algorithms.ChaCha20(key, b"\0" * 4 + nonce), None), plaintext)
-    else:
-        body = rc4(sha256_mac(key, counter.to_bytes(8, "little")), plaintext)
+    if suite in AEADS:
+        return AEADS[suite](key).encrypt(nonce_of(iv[:12], counter), plaintext, associated)
+    body = CIPHERS[suite](key, iv, counter, plaintext)
     head = counter.to_bytes(8, "little") + len(associated).to_bytes(4, "little")
     return body + sha256_mac(derive(secret, suite, "mac", 32), head + associated + body)[:16]
 
@@ -74,7 +81,7 @@ def main():
     lines = ["# Sealed records of every suite, written by make_record_vectors.py beside this file.",
              '# One vector a paragraph, "name = value"; bytes are in hex, a value of "" is empty.']
     secret = bytes(range(32))
-    for suite in SUITES:
+    for suite in [*AEADS, *CIPHERS]:
         for counter, length in [(0, 0), (1, 9), (255, 16), (65536, 28), (0xFFFFFF, 64), (0x0102030405060708, 255)]:
             associated = bytes((counter + i) % 256 for i in range(length % 13))
             plaintext = bytes((7 * i + length) % 256 for i in range(length))
