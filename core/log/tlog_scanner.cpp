@@ -7,15 +7,11 @@ namespace skyseal::tlog {
 using mavlink::BufferEnd;
 using mavlink::Frame;
 using mavlink::FrameFault;
+using mavlink::isMagic;
 
 namespace {
 
 constexpr std::size_t kLongestEntry = kTimeLength + mavlink::kMaxFrameLength;
-
-bool isMagic(std::uint8_t byte)
-{
-    return byte == mavlink::kMagic1 || byte == mavlink::kMagic2;
-}
 
 } // namespace
 

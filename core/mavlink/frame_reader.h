@@ -9,6 +9,22 @@
 
 namespace skyseal::mavlink {
 
+inline constexpr std::size_t kHeaderLength1 = 6, kHeaderLength2 = 10; ///< from the first byte to the payload
+inline constexpr std::size_t kChecksumLength = 2;
+
+/// The length of the frame at the start of `bytes` according to its header, which may be more than there are bytes; 0 if no whole
+/// header is there. Checks nothing else.
+constexpr std::size_t frameLength(ByteView bytes)
+{
+    if (bytes.empty() || !isMagic(bytes[0]))
+        return 0;
+    const bool v2 = bytes[0] == kMagic2;
+    const std::size_t header = v2 ? kHeaderLength2 : kHeaderLength1;
+    if (bytes.size() < header)
+        return 0;
+    return header + bytes[1] + kChecksumLength + (v2 && (bytes[2] & kFlagSigned) ? kSignatureLength : 0);
+}
+
 /// The only class that can construct a Frame.
 class FrameReader
 {
@@ -18,19 +34,14 @@ public:
     template<std::predicate<ByteView, std::uint8_t, std::uint16_t> Matches>
     static Result<Frame, FrameError> read(ByteView bytes, const Dialect &dialect, Matches &&matches)
     {
-        if (bytes.size() < 2)
+        const std::size_t length = frameLength(bytes);
+        if (length == 0)
             return fail(!bytes.empty() && !isMagic(bytes[0]) ? FrameFault::Garbage : FrameFault::Truncated, 0);
-        const bool v2 = bytes[0] == kMagic2;
-        if (!v2 && bytes[0] != kMagic1)
-            return fail(FrameFault::Garbage, 0);
-        if (bytes.size() < (v2 ? 10u : 6u))
-            return fail(FrameFault::Truncated, 0);
-        const std::size_t payloadEnd = (v2 ? 10u : 6u) + bytes[1];
-        const bool isSigned = v2 && (bytes[2] & kFlagSigned);
-        const std::size_t length = payloadEnd + 2 + (isSigned ? kSignatureLength : 0);
         if (bytes.size() < length)
             return fail(FrameFault::Truncated, length);
 
+        const bool v2 = bytes[0] == kMagic2;
+        const std::size_t payloadEnd = (v2 ? kHeaderLength2 : kHeaderLength1) + bytes[1];
         const std::uint32_t id = v2 ? std::uint32_t(bytes[7]) | std::uint32_t(bytes[8]) << 8 | std::uint32_t(bytes[9]) << 16
                                     : bytes[5];
         const MessageInfo *info = dialect.find(id);

@@ -119,12 +119,11 @@ std::optional<Vector3> CommandServer::place(const Autopilot &autopilot, std::uin
 
 std::uint8_t CommandServer::reposition(const Command &command)
 {
-    constexpr std::uint32_t kChangeMode = 1;
     const auto target = place(m_autopilot, command.frame, command.x, command.y, static_cast<double>(command.z));
     if (!target)
         return MAV_RESULT_DENIED;
     if (m_autopilot.modes().current() != FlightMode::Guided) {
-        if (!(index(command.parameters[1]) & kChangeMode))
+        if (!(index(command.parameters[1]) & MAV_DO_REPOSITION_FLAGS_CHANGE_MODE))
             return MAV_RESULT_DENIED;
         if (const auto refusal = m_autopilot.enterMode(FlightMode::Guided))
             return answer(refusal);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/clock.h"
+#include "core/mavlink/enums.h"
 
 #include <cstdint>
 
@@ -17,7 +18,7 @@ enum class StreamProfile : std::uint8_t {
 struct VehicleConfig
 {
     std::uint8_t ownSystemId = 255;
-    std::uint8_t ownComponentId = 190;
+    std::uint8_t ownComponentId = mavlink::MAV_COMP_ID_MISSIONPLANNER;
     StreamProfile streams = StreamProfile::Standard;
     double streamRate = 0; ///< Hz for every stream group, instead of the profile's rates; 0 = the profile's
     Duration timeSyncEvery = std::chrono::seconds(1);
@@ -27,9 +28,9 @@ struct VehicleConfig
 struct Addressing
 {
     std::uint8_t ownSystem = 255;
-    std::uint8_t ownComponent = 190;
+    std::uint8_t ownComponent = mavlink::MAV_COMP_ID_MISSIONPLANNER;
     std::uint8_t system = 1;
-    std::uint8_t component = 1;
+    std::uint8_t component = mavlink::MAV_COMP_ID_AUTOPILOT1;
 
     /// True if a message with these targets is addressed to the station; 0 is a broadcast.
     bool isForUs(std::uint8_t targetSystem, std::uint8_t targetComponent) const

@@ -13,11 +13,6 @@ constexpr std::size_t kHead = 10;
 /// Offset of the command id in COMMAND_LONG and COMMAND_INT.
 constexpr std::size_t kCommandOffset = 28;
 
-bool isMagic(std::uint8_t byte)
-{
-    return byte == mavlink::kMagic1 || byte == mavlink::kMagic2;
-}
-
 /// Returns true for printable characters followed by zeros.
 bool isText(ByteView name)
 {
@@ -67,7 +62,7 @@ bool isPlainlySaid(const mavlink::Frame &frame)
 bool mayBeMisread(const mavlink::Frame &frame)
 {
     const ByteView rest = frame.bytes().subspan(1);
-    if (std::any_of(rest.begin(), rest.end(), isMagic))
+    if (std::any_of(rest.begin(), rest.end(), mavlink::isMagic))
         return true;
     const bool isCommand = frame.messageId() == mavlink::CommandLong::kId || frame.messageId() == mavlink::CommandInt::kId;
     return isCommand && hasCommandBehindItsCommand(frame);

@@ -4,6 +4,7 @@
 #include "core/mavlink/crc.h"
 #include "core/mavlink/dialect.h"
 #include "core/mavlink/frame.h"
+#include "core/mavlink/messages.h"
 
 #include <iterator>
 
@@ -23,7 +24,7 @@ std::vector<SelfTest> mavlinkSelfTests()
         const auto read = mavlink::readFrame(bytes, mavlink::Dialect::builtin());
         if (!read)
             return "a known frame is refused: " + std::string(mavlink::nameOf(read.error().fault));
-        if (read->messageId() != 0 || read->systemId() != 15)
+        if (read->messageId() != mavlink::Heartbeat::kId || read->systemId() != 15)
             return "a known frame is read wrongly";
         Bytes damaged = bytes;
         damaged[12] ^= 1;

@@ -5,6 +5,7 @@
 #include "core/channel/policy.h"
 #include "core/engine/common/key_paths.h"
 #include "core/engine/common/secure_mode.h"
+#include "core/mavlink/enums.h"
 
 #include <cstdint>
 #include <optional>
@@ -15,7 +16,7 @@ namespace skyseal::engine {
 struct StationConfig
 {
     std::uint8_t systemId = 255;
-    std::uint8_t componentId = 190;
+    std::uint8_t componentId = mavlink::MAV_COMP_ID_MISSIONPLANNER; ///< the customary one of ground stations
     SecureMode secure = SecureMode::Preferred;
     KeyPaths keys;
     channel::Policy policy;

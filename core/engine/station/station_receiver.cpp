@@ -3,6 +3,7 @@
 #include "core/channel/endpoint.h"
 #include "core/crypto/mavsec_cipher.h"
 #include "core/link/steady_now.h"
+#include "core/mavlink/messages.h"
 
 namespace skyseal::engine {
 
@@ -156,7 +157,7 @@ void StationReceiver::acceptFrame(TimePoint now, const Path &from, const mavlink
         record(frame, wall);
     if (session) {
         m_parts.routes.heardSealed(systemId, *session);
-    } else if (frame.messageId() == 0 && live) {
+    } else if (frame.messageId() == mavlink::Heartbeat::kId && live) {
         m_parts.routes.heardClear(now, systemId, from);
         m_parts.links.noteRemote(from.link, from.remote);
     }
